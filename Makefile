@@ -108,7 +108,7 @@ new worksheet handout check: compile
 	@if [ -z "$(FILE)" ]; then echo 'make $@ FILE=... ; make help says more' >&2; exit 2; fi
 	@$(call try-to-compile,$(COMMAND)/raco.rkt $(COMMAND)/worksheet-files.rkt \
 	    $(COMMAND)/check-answers-of.rkt mechanics/worksheet.rkt mechanics/answers.rkt \
-	    mechanics/worksheet/class/evaluate-main.rkt)
+	    mechanics/teaching/class/evaluate-main.rkt)
 	@$(MAKE) --no-print-directory -s $@-file
 
 new-file:
@@ -176,7 +176,7 @@ export-python: writable
 
 test-export: writable compile export-python
 	@$(call try-to-compile,$(RUNNER))
-	@MECHANICS_EXPORT_ALL=1 $(RUN_TESTS) tests/mechanics/export
+	@MECHANICS_EXPORT_ALL=1 $(RUN_TESTS) tests/mechanics/scale/export
 
 peers: writable
 	@python3 -m venv build/python

@@ -37,10 +37,10 @@
      (cons (format "mechanics/~a.rkt" facade) "\"error/uncompiled.rkt\""))
    '(("tests/mechanics/examples.rkt" . "mechanics/book")
      ("tests/mechanics/examples.rkt" . "mechanics/plot")
-     ("tests/mechanics/plot/figures.rkt" . "mechanics/book")
-     ("tests/mechanics/plot/figures.rkt" . "mechanics/plot")
-     ("tests/mechanics/animation/programs.rkt" . "mechanics/animate")
-     ("tests/mechanics/animation/programs.rkt" . "mechanics/book"))))
+     ("tests/mechanics/show/plot/figures.rkt" . "mechanics/book")
+     ("tests/mechanics/show/plot/figures.rkt" . "mechanics/plot")
+     ("tests/mechanics/show/animation/programs.rkt" . "mechanics/animate")
+     ("tests/mechanics/show/animation/programs.rkt" . "mechanics/book"))))
 
 ;; ---------------------------------------------------------------------------
 ;; Files

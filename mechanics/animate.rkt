@@ -5,15 +5,15 @@
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)
 
-(require "animation/animation.rkt" "animation/animation-frame.rkt"
-         "animation/animation-show.rkt" "animation/drawing.rkt"
-         "animation/phase-plane.rkt" "animation/shapes.rkt"
-         "animation/mechanism/draw-Atwood-machine.rkt" "animation/mechanism/draw-bead.rkt"
-         "animation/mechanism/draw-orbit.rkt" "animation/mechanism/draw-pendulum-chain.rkt"
-         "animation/mechanism/draw-pendulum.rkt" "animation/mechanism/draw-plane-body.rkt"
-         "animation/mechanism/draw-spherical-pendulum.rkt" "animation/mechanism/draw-spring.rkt"
-         "animation/mechanism/draw-top.rkt" "animation/mechanism/draw-wheel.rkt"
-         "animation/mechanism/mechanism-parts.rkt")
+(require "show/animation/animation.rkt" "show/animation/animation-frame.rkt"
+         "show/animation/animation-show.rkt" "show/animation/drawing.rkt"
+         "show/animation/phase-plane.rkt" "show/animation/shapes.rkt"
+         "show/mechanism/draw-Atwood-machine.rkt" "show/mechanism/draw-bead.rkt"
+         "show/mechanism/draw-orbit.rkt" "show/mechanism/draw-pendulum-chain.rkt"
+         "show/mechanism/draw-pendulum.rkt" "show/mechanism/draw-plane-body.rkt"
+         "show/mechanism/draw-spherical-pendulum.rkt" "show/mechanism/draw-spring.rkt"
+         "show/mechanism/draw-top.rkt" "show/mechanism/draw-wheel.rkt"
+         "show/mechanism/mechanism-parts.rkt")
 
 (provide
  ;; animations

@@ -4,6 +4,6 @@
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)
 
-(require "worksheet/answer-data.rkt" "worksheet/check-answers.rkt")
+(require "teaching/worksheet/answer-data.rkt" "teaching/worksheet/check-answers.rkt")
 
 (provide unanswered check-answers)

@@ -10,7 +10,7 @@
          "calculus/Taylor.rkt"
          "error/failure.rkt"
          "generic/arithmetic.rkt" "generic/compare.rkt" "generic/elementary.rkt"
-         "generic/loops.rkt" "generic/predicates.rkt" "generic/rounding.rkt"
+         "generic/sums-and-products.rkt" "generic/predicates.rkt" "generic/rounding.rkt"
          "lang/conditional.rkt" "lang/pattern/pattern.rkt"
          (only-in "numeric/constants.rkt" pi :pi :-pi :pi/2 :2pi golden-ratio)
          (except-in "value/assumptions.rkt"
@@ -19,11 +19,11 @@
          "value/signature.rkt" "value/simplify.rkt" (except-in "value/structure.rkt" up down)
          (only-in "value/symbols-like.rkt" typical-object)
          "value/complex.rkt" "value/vector.rkt"
-         (except-in "value/linear/linear-algebra.rkt" square-entries) "value/linear/matrix.rkt"
-         "value/linear/quotient.rkt"
+         (except-in "value/matrix/linear-algebra.rkt" square-entries) "value/matrix/matrix.rkt"
+         "value/matrix/quotient.rkt"
          (only-in "value/on-demand.rkt" characteristic-polynomial eigenvalues eigenvectors svd
                   polynomial-roots read-expression)
-         "value/series/access.rkt" "value/series/calculus.rkt" "value/series/named.rkt"
+         "value/series/series-access.rkt" "value/series/calculus.rkt" "value/series/known-series.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
          "verdict/equality.rkt" "verdict/prove-zero.rkt" "verdict/verdict.rkt")
 

@@ -12,10 +12,10 @@
          "constraint/on-demand.rkt"
          "algebra/notation/formula-style.rkt"
          "canonical/on-demand.rkt" "reduction/on-demand.rkt" "pendulum/on-demand.rkt"
-         "display/on-demand.rkt" "display/output.rkt" "display/print-expression.rkt"
-         (only-in "display/display-style.rkt" display-style)
-         "ensemble/on-demand.rkt"
-         "export/on-demand.rkt"
+         "show/display/on-demand.rkt" "show/display/output.rkt" "show/display/print-expression.rkt"
+         (only-in "show/display/display-style.rkt" display-style)
+         "scale/ensemble/on-demand.rkt"
+         "scale/export/on-demand.rkt"
          "force/on-demand.rkt"
          (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?
                     asked-for-momentum?)
@@ -26,18 +26,18 @@
          (except-in "lagrangian/local-tuple.rkt" path) "lagrangian/Noether.rkt"
          "lagrangian/on-demand.rkt"
          "lagrangian/state-derivative.rkt" "lagrangian/total-derivative.rkt"
-         "lang/application.rkt" "lang/help/help.rkt" "lang/mistake/caret.rkt" "lang/Scheme.rkt"
+         "lang/application.rkt" "lang/help/help.rkt" "lang/paper-notation/caret.rkt" "lang/Scheme.rkt"
          "lang/scmutils.rkt"
          "lang/session.rkt"
          "lang/redefinition/module.rkt"
-         "map/on-demand.rkt"
+         "dynamics/on-demand.rkt"
          "motion/on-demand.rkt"
-         (only-in "numeric/progress.rkt" report-progress)
+         (only-in "error/progress.rkt" report-progress)
          "question/on-demand.rkt"
          "rigid/on-demand.rkt"
          "search/on-demand.rkt"
-         "teach/on-demand.rkt"
-         "value/linear/quaternion-units.rkt" "value/on-demand.rkt")
+         "teaching/derivation/on-demand.rkt"
+         "value/matrix/quaternion-units.rkt" "value/on-demand.rkt")
 
 (provide
  (all-from-out racket/base racket/match "base.rkt")
@@ -71,7 +71,7 @@
  ;; compiled functions
  compile-function compiled-function? compiled-function-reason compiled-function-operations
  ;; many motions
- (all-from-out "ensemble/on-demand.rkt")
+ (all-from-out "scale/ensemble/on-demand.rkt")
  ;; systems in other languages
  export-system
  ;; equations of motion
@@ -97,7 +97,7 @@
  (all-from-out "question/on-demand.rkt")
  ;; functions of local tuples
  Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
- (all-from-out "teach/on-demand.rkt")
+ (all-from-out "teaching/derivation/on-demand.rkt")
  ;; numbers of higher precision, functions through data
  (all-from-out "value/on-demand.rkt")
  ;; rotations and rigid bodies, with the names of both editions and of scmutils
@@ -111,7 +111,7 @@
  ;; motion
  (all-from-out "motion/on-demand.rkt") report-progress
  ;; maps of the plane
- (all-from-out "map/on-demand.rkt")
+ (all-from-out "dynamics/on-demand.rkt")
  ;; coordinates
  F->C Gamma-bar osculating-path
  p->r r->p polar->rectangular rectangular->polar
@@ -120,7 +120,7 @@
  rotating->inertial inertial->rotating accelerated->inertial inertial->accelerated
  ;; showing
  print-expression pe show-expression se series:print
- (all-from-out "display/output.rkt" "display/on-demand.rkt")
+ (all-from-out "show/display/output.rkt" "show/display/on-demand.rkt")
  display-style derivative-style suppress-arguments)
 
 ;; Run by `racket -I mechanics` and by programs written in `#lang mechanics`.

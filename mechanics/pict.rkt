@@ -4,6 +4,6 @@
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)
 
-(require "display/pict-on-demand.rkt")
+(require "show/display/pict-on-demand.rkt")
 
 (provide ->pict)

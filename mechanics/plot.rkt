@@ -4,9 +4,9 @@
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)
 
-(require "plot/chaos-map.rkt" "plot/contour.rkt" "plot/draw.rkt" "plot/explore-map.rkt"
-         "plot/following-orbits.rkt" "plot/frame.rkt" "plot/frame-pict.rkt"
-         "plot/phase-portrait.rkt" "plot/plot-trajectory.rkt" "plot/save.rkt" "plot/show.rkt")
+(require "show/plot/chaos-map.rkt" "show/plot/contour.rkt" "show/plot/draw.rkt" "show/explorer/explore-map.rkt"
+         "show/plot/following-orbits.rkt" "show/plot/frame.rkt" "show/plot/frame-pict.rkt"
+         "show/plot/phase-portrait.rkt" "show/plot/plot-trajectory.rkt" "show/plot/save.rkt" "show/plot/show.rkt")
 
 (provide
  ;; frames

@@ -4,7 +4,7 @@
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)
 
-(require "teach/checks.rkt")
+(require "teaching/derivation/checks.rkt")
 
 (provide check-solution check-not-solution check-residual check-equal-expression
          check-conserved check-canonical check-proved check-refuted)

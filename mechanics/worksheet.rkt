@@ -6,9 +6,9 @@
 (tell-if-uncompiled)
 
 (require (except-in "main.rkt" #%module-begin)
-         "lang/worksheet/worksheet-forms.rkt")
+         "lang/worksheet-forms.rkt")
 
-(provide (all-from-out "main.rkt" "lang/worksheet/worksheet-forms.rkt"))
+(provide (all-from-out "main.rkt" "lang/worksheet-forms.rkt"))
 
 (module reader syntax/module-reader
   mechanics/worksheet)

@@ -3,7 +3,7 @@
 
 (require mechanics
          (only-in "section-1-7.rkt" pend-state-derivative)
-         "../calculus/perturbed.rkt"
+         "../calculus/perturbed-value.rkt"
          "../generic/compare.rkt" "../generic/wrong-argument.rkt"
          "../motion/system/check.rkt")
 

@@ -6,12 +6,12 @@
 ;; argument; a matrix is taken for the tuples it stands for.  Several arguments
 ;; are taken together as one up tuple (SICM p. 516).
 
-(require "derivative-errors.rkt" "dual.rkt" "extract.rkt" "jet.rkt" "perturbed.rkt"
+(require "derivative-errors.rkt" "dual.rkt" "infinitesimal-part.rkt" "Taylor-number.rkt" "perturbed-value.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../value/operator.rkt"
-         "../value/linear/matrix.rkt"
+         "../value/matrix/matrix.rkt"
          "../value/series/calculus.rkt" "../value/series/series.rkt")
 
 (provide D partial derivative-at derivatives-at derivative-function value-and-derivative-along

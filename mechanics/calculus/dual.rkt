@@ -4,9 +4,9 @@
 ;; f(x + ε) = f(x) + f'(x) ε, so running f on a dual number yields its
 ;; derivative as the coefficient of ε.  When derivatives nest, the ε of the inner
 ;; one must not be taken for that of the outer (perturbation confusion, Siskind
-;; and Pearlmutter 2005): every ε carries a tag of its own (perturbed.rkt).
+;; and Pearlmutter 2005): every ε carries a tag of its own (perturbed-value.rkt).
 
-(require "perturbed.rkt" "slopes.rkt"
+(require "perturbed-value.rkt" "partial-derivatives.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/kind.rkt")
 

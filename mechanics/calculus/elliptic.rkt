@@ -14,12 +14,12 @@
 ;; Incomplete integrals are Carlson's, and that of the third kind.  Their derivatives are those
 ;; of the integrals that define them.  They are real for |k| ≥ 1, too, up to |k sin φ| = 1.
 
-(require "number.rkt" "perturbed.rkt"
+(require "number-argument.rkt" "perturbed-value.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/rounding.rkt"
          "../numeric/constants.rkt"
-         (prefix-in carlson: "../numeric/quadrature/elliptic-integrals.rkt"))
+         (prefix-in carlson: "../numeric/special/elliptic-integrals.rkt"))
 
 (provide first-elliptic-integral second-elliptic-integral elliptic-integrals
          third-elliptic-integral

@@ -7,12 +7,12 @@
 ;; The values are those of D.
 
 (require "derivative-errors.rkt" "derivative.rkt" "gradient-errors.rkt"
-         (only-in "gradient-tape.rkt" tape-inputs finish-tape!) "perturbed.rkt" "recorded.rkt"
+         (only-in "gradient-tape.rkt" tape-inputs finish-tape!) "perturbed-value.rkt" "recorded-number.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../numeric/vector-map.rkt"
          "../value/operator.rkt" "../value/structure.rkt"
-         "../value/linear/matrix.rkt")
+         "../value/matrix/matrix.rkt")
 
 (provide gradient jacobian
          Hessian-vector-product jacobian-vector-product vector-jacobian-product

@@ -7,10 +7,10 @@
 ;; structure of literal functions: `f^0 f^1` when up, `f_0 f_1` when down.
 
 (require (only-in racket/string string-join)
-         "dual.rkt" "jet.rkt" "perturbed.rkt" "recorded.rkt"
+         "dual.rkt" "Taylor-number.rkt" "perturbed-value.rkt" "recorded-number.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/write.rkt"
-         "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/hint.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/notation.rkt" "../generic/recurrence.rkt"
          "../generic/up-down.rkt"

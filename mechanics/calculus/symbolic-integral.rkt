@@ -7,7 +7,7 @@
 
 (require racket/list
          "antiderivative.rkt" "expression-function.rkt" "integral.rkt" "integral-conditions.rkt"
-         "number.rkt" "perturbed.rkt"
+         "number-argument.rkt" "perturbed-value.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"

@@ -5,8 +5,8 @@
 ;; nearest to the border, or a value that is rounded has a maximum or minimum, that is sought;
 ;; and where the choices are others there, it is one more point.
 
-(require "choices.rkt" "perturbed.rkt"
-         "../numeric/search/golden-section.rkt")
+(require "branch-points.rkt" "perturbed-value.rkt"
+         "../numeric/optimization/golden-section.rkt")
 
 (provide with-turning-points)
 

@@ -6,7 +6,7 @@
 ;; the function of which it is the differential (closed-form.rkt).
 
 (require racket/string
-         "any-state.rkt" "closed-form.rkt" "mixed-variables.rkt"
+         "arbitrary-state.rkt" "closed-form.rkt" "mixed-variables.rkt"
          "generating-function.rkt" "transformation.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt"

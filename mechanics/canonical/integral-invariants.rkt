@@ -5,7 +5,7 @@
 ;; Poincaré's invariant.  With the time it is Poincaré and Cartan's, ∮ p dq − H dt.  A patch of
 ;; states has Σ ∬ dqⁱ dpᵢ, the areas of its projections with their signs.
 
-(require "../calculus/derivative.rkt" "../calculus/perturbed.rkt"
+(require "../calculus/derivative.rkt" "../calculus/perturbed-value.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/on-demand.rkt"

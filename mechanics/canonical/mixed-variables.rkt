@@ -18,12 +18,12 @@
          "../generic/up-down.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../value/structure.rkt" "../value/symbols-like.rkt"
-         "../value/linear/linear-algebra.rkt")
+         "../value/matrix/linear-algebra.rkt")
 
 (require-on-demand
  ["../calculus/expression-function.rkt" evaluate-generically]
  ["../search/find-root.rkt" find-root]
- ["../search/implicit.rkt" plain])
+ ["../search/implicit-root.rkt" plain])
 
 (provide make-solver solution-at)
 

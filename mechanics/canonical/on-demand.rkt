@@ -16,7 +16,7 @@
  ["generating-function.rkt" F1->C F2->C F3->C F4->C F1->C-inv F2->C-inv F3->C-inv F4->C-inv
                             F1->K F2->K F3->K F4->K]
  ["generated.rkt" generating-function verify-generating-function]
- ["correction.rkt" C->K]
+ ["Hamiltonian-correction.rkt" C->K]
  ["time-evolution.rkt" shift-t C->Cp H->Hp]
  ["Lie/Lie-derivative.rkt" Lie-derivative Lie-derivative-procedure flow-derivative]
  ["Lie/Lie-series.rkt" Lie-transform flow-transform Lie-transformation]
@@ -39,4 +39,4 @@
  ["perturbation/resonance-width.rkt" resonance-width resonance-center]
  ["action-angle.rkt" action-of-orbit frequency-of-orbit state->action-angle
                      action-angle->state]
- ["verify.rkt" verify-canonical verify-symplectic])
+ ["verify-canonical.rkt" verify-canonical verify-symplectic])

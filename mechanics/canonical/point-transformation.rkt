@@ -13,7 +13,7 @@
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/simplify.rkt" "../value/structure.rkt"
-         "../value/linear/linear-algebra.rkt")
+         "../value/matrix/linear-algebra.rkt")
 
 (provide F->CH F->K)
 

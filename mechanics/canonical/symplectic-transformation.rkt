@@ -16,7 +16,7 @@
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt"
-         "../value/linear/matrix.rkt")
+         "../value/matrix/matrix.rkt")
 
 (provide J-matrix symplectic-unit symplectic-matrix? symplectic? symplectic-transform?
          canonical-transform? qp-submatrix D-as-matrix symplectic-two-form

@@ -16,8 +16,8 @@
 
 (require racket/linklet
          racket/list
-         "flonum-functions.rkt" "program.rkt" "sections.rkt"
-         "../numeric/linear/factored-system.rkt" "../numeric/linear/symmetric-system.rkt")
+         "flonum-functions.rkt" "program.rkt" "program-sections.rkt"
+         "../numeric/linear-algebra/factored-system.rkt" "../numeric/linear-algebra/symmetric-system.rkt")
 
 (provide (protect-out program->maker))
 

@@ -14,7 +14,7 @@
          racket/flonum
          racket/unsafe/ops
          "flonum-functions.rkt" "program.rkt"
-         "../numeric/linear/factored-system.rkt" "../numeric/linear/symmetric-system.rkt")
+         "../numeric/linear-algebra/factored-system.rkt" "../numeric/linear-algebra/symmetric-system.rkt")
 
 (provide (protect-out program->interpreter-maker))
 

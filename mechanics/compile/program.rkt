@@ -8,7 +8,7 @@
 ;; combined exactly until they meet a value, and what no output needs is left
 ;; out.
 
-(require "builder.rkt" "instruction.rkt"
+(require "program-builder.rkt" "instruction.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt")
 

@@ -12,7 +12,7 @@
 ;; the adjoint of x, and −λ xᵀ is that of A.
 
 (require racket/list
-         "builder.rkt" "instruction.rkt" "program.rkt"
+         "program-builder.rkt" "instruction.rkt" "program.rkt"
          "../algebra/expression/operation.rkt"
          "../generic/elementary.rkt" "../generic/kind.rkt")
 

@@ -22,7 +22,7 @@
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
          "../value/shape.rkt"
-         "../value/linear/row-products.rkt" "../value/linear/row-systems.rkt")
+         "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt")
 
 (provide constrained-accelerations constraint-forces
          ;; for motions: numbers in rows

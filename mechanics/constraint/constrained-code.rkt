@@ -17,7 +17,7 @@
 (require (only-in racket/list range)
          (only-in racket/vector vector-append vector-copy)
          "constrained-solution.rkt" "constraint.rkt"
-         "../compile/builder.rkt" "../compile/compile-function.rkt" "../compile/program.rkt"
+         "../compile/program-builder.rkt" "../compile/compile-function.rkt" "../compile/program.rkt"
          "../compile/sweep.rkt"
          "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt"

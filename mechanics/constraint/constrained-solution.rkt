@@ -8,7 +8,7 @@
 ;; Elsewhere all are solved together, which M needs no inverse for: a mass that varies may vanish
 ;; somewhere.
 
-(require "../compile/builder.rkt" "../compile/program.rkt")
+(require "../compile/program-builder.rkt" "../compile/program.rkt")
 
 (provide constrained-solution!)
 

@@ -2,10 +2,10 @@
 ;; Constraints that depend on each other, and directions without inertia: why a motion or
 ;; its multipliers are not determined, in words.
 
-(require "../error/failure.rkt" "../error/words.rkt"
+(require "../error/failure.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../value/simplify.rkt"
-         "../value/linear/row-systems.rkt")
+         "../value/matrix/row-systems.rkt")
 
 (provide raise-undetermined independent-rows dependences dependences->text)
 

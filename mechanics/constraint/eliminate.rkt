@@ -13,7 +13,7 @@
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt" "../value/shape.rkt"
-         "../value/linear/row-products.rkt" "../value/linear/row-systems.rkt")
+         "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt")
 
 (provide eliminate-multipliers)
 

@@ -19,7 +19,7 @@
          "../generic/up-down.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt"
-         "../value/linear/row-systems.rkt"
+         "../value/matrix/row-systems.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide Frobenius-test constraint-integral check-generic)

@@ -16,7 +16,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../numeric/linear/rows.rkt"
+         "../numeric/linear-algebra/row-matrix.rkt"
          "../value/shape.rkt"
          (only-in "../value/structure.rkt" flip))
 

@@ -13,7 +13,7 @@
          "../lagrangian/generic-state.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt"
-         "../value/linear/row-products.rkt" "../value/linear/row-systems.rkt"
+         "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide reduce-by-substitution reduction?

@@ -6,7 +6,7 @@
 ;; says it of numbers and symbols, and from the floor of generic arithmetic on
 ;; `complain-of-argument` (generic/wrong-argument.rkt) of any value.
 
-(require "words.rkt")
+(require "message-words.rkt")
 
 (provide complain complain-of-datum complain-of-arity raise-division-by-zero with-more-said)
 

@@ -2,7 +2,7 @@
 ;; Masses: one for a particle alone, a list for several.  Where a position is an angle,
 ;; the mass is a moment of inertia.
 
-(require "../error/complain.rkt" "../error/words.rkt"
+(require "../error/complain.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt")
 

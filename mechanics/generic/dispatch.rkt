@@ -8,7 +8,7 @@
 
 (require "describe.rkt" "function.rkt" "kind.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt"
-         "../error/complain.rkt" "../error/hint.rkt" "../error/words.rkt")
+         "../error/complain.rkt" "../error/hint.rkt" "../error/message-words.rkt")
 
 (provide dispatch-unary dispatch-binary dispatch-carriers arithmetic-value?
          raise-inapplicable raise-inapplicable-because raise-unary-arity)

@@ -6,7 +6,7 @@
 ;; Racket procedure serves as it is.
 
 (require "describe.rkt" "kind.rkt" "up-down.rkt" "value-struct.rkt"
-         "../error/complain.rkt" "../error/words.rkt")
+         "../error/complain.rkt" "../error/message-words.rkt")
 
 (provide (struct-out function) make-function unary-function pointwise? of-functions?
          arity-mask accepts? arity->text

@@ -6,7 +6,7 @@
 ;; from where it could be understood.
 
 (require "describe.rkt"
-         "../error/failure.rkt" "../error/words.rkt")
+         "../error/failure.rkt" "../error/message-words.rkt")
 
 (provide raise-no-derivative-at)
 

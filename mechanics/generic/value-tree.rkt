@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Any value as the tree of its notation.
 
-(require "cyclic.rkt" "describe.rkt" "kind.rkt" "notation.rkt"
+(require "cyclic-data.rkt" "describe.rkt" "kind.rkt" "notation.rkt"
          (only-in "../algebra/expression/expression.rkt" expression->datum symbolic?)
          (only-in "../algebra/expression/write.rkt" print-limit)
          "../algebra/notation/formula.rkt" "../algebra/notation/numeral.rkt"

@@ -10,9 +10,9 @@
 ;;
 ;; A force F(t, q, p) outside H, such as friction, adds to the rate of the momenta.
 
-(require "H-state.rkt" "Hamiltonian.rkt" "declared.rkt"
+(require "H-state.rkt" "Hamiltonian.rkt" "known-Hamiltonians.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt" "../error/once.rkt"
+         "../error/complain.rkt" "../error/computed-once.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt"

@@ -1,11 +1,11 @@
 #lang racket/base
 ;; Hamiltonians, and what is wrong with those that are none.
 
-(require "H-state.rkt" "declared.rkt"
+(require "H-state.rkt" "known-Hamiltonians.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
-         "../lagrangian/called.rkt")
+         "../lagrangian/name-hints.rkt")
 
 (provide make-Hamiltonian check-Hamiltonian check-Hamiltonian-and-state
          called-Lagrangian-only? raise-called-Lagrangian

@@ -4,7 +4,7 @@
 ;; The transform of F is G(w) = w v − F(v), at the v where the gradient of F is w
 ;; (inverse-gradient.rkt).
 
-(require "H-state.rkt" "Hamiltonian.rkt" "inverse-gradient.rkt" "declared.rkt"
+(require "H-state.rkt" "Hamiltonian.rkt" "inverse-gradient.rkt" "known-Hamiltonians.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"

@@ -10,17 +10,17 @@
 ;; Hamilton's.  Where y is ignorable, p_y is a parameter and x moves by itself.
 ;;
 ;; A Lagrangian of coordinates that are not in two parts may say which of them are y, by their
-;; places (two-parts.rkt).
+;; places (split-coordinates.rkt).
 
 (require "Hamilton-equations.rkt" "H-state.rkt" "Routhian-state.rkt" "inverse-gradient.rkt"
-         "two-parts.rkt"
+         "split-coordinates.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          (only-in "../lagrangian/state-derivative.rkt" directions->text)
-         "../value/structure.rkt" "../value/linear/linear-algebra.rkt")
+         "../value/structure.rkt" "../value/matrix/linear-algebra.rkt")
 
 (provide Lagrangian->Routhian Routh-equations Routhian->acceleration
          Routhian->state-derivative

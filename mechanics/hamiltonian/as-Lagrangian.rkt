@@ -2,11 +2,11 @@
 ;; Questions about a Lagrangian, asked of a Hamiltonian: of its Lagrangian, with forces and states
 ;; in terms of velocities.
 
-(require "H-state.rkt" "declared.rkt" "told.rkt"
+(require "H-state.rkt" "known-Hamiltonians.rkt" "classify-system.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/function.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
-         "../lagrangian/called.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/name-hints.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          (only-in "../value/structure.rkt" flip))
 

@@ -17,19 +17,19 @@
 (require "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
-         "../error/words.rkt"
+         "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../value/structure.rkt"
-         "../value/linear/linear-algebra.rkt")
+         "../value/matrix/linear-algebra.rkt")
 
 ;; Most Lagrangians are quadratic.
 (require-on-demand
  ["velocity-formula.rkt" solve-gradient]
  ["../calculus/expression-function.rkt" evaluate-generically]
  ["../search/find-root.rkt" find-root]
- ["../search/implicit.rkt" plain])
+ ["../search/implicit-root.rkt" plain])
 
 (provide make-inverter velocity-at transform-at)
 

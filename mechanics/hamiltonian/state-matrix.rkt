@@ -4,7 +4,7 @@
 (require "H-state.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"
-         "../value/shape.rkt" "../value/linear/matrix.rkt")
+         "../value/shape.rkt" "../value/matrix/matrix.rkt")
 
 (provide H-state->matrix matrix->H-state)
 

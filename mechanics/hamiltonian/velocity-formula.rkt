@@ -25,7 +25,7 @@
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
          "../value/assumptions.rkt" "../value/rewrite.rkt" "../value/shape.rkt"
          "../value/simplify.rkt"
-         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt")
+         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt")
 
 (provide solve-gradient without-root)
 

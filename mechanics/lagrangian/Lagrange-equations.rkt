@@ -11,7 +11,7 @@
 ;; (exercises 1.10 and 1.13).  Q is the force outside L; a dissipation function F
 ;; adds −∂₂F to it.
 
-(require "external-force.rkt" "local-tuple.rkt" "of-momenta.rkt" "several-paths.rkt"
+(require "external-force.rkt" "local-tuple.rkt" "function-of-momenta.rkt" "several-paths.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"

@@ -2,7 +2,7 @@
 ;; The action of a path: ∫ L ∘ Γ[q] from t₁ to t₂ (SICM 1.4, p. 17).
 ;; Of a Lagrangian that depends on derivatives up to order n, ∫ L ∘ Γ[q; n + 2].
 
-(require "Lagrange-equations.rkt" "local-tuple.rkt" "several-paths.rkt" "swapped.rkt"
+(require "Lagrange-equations.rkt" "local-tuple.rkt" "several-paths.rkt" "swapped-arguments.rkt"
          "../compile/definite-integral.rkt" "../generic/define-plain.rkt")
 
 (provide Lagrangian-action)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Paths given one by one, x and y, where one path of all coordinates is wanted: (up x y).
 
-(require "../error/complain.rkt" "../error/words.rkt"
+(require "../error/complain.rkt" "../error/message-words.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt")
 
 (provide one-path-hint check-time-of-path)

@@ -11,11 +11,11 @@
 
 (require "external-force.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt"
-         "../value/linear/linear-algebra.rkt")
+         "../value/matrix/linear-algebra.rkt")
 
 (provide Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
          Lagrange-equations-first-order Lagrange-equations-1

@@ -3,7 +3,7 @@
 ;; under other names or not at all.
 
 (require (only-in racket/list make-list)
-         "../display/result.rkt"
+         "../show/display/result.rkt"
          "../generic/arithmetic.rkt" "../generic/on-demand.rkt")
 
 (require-on-demand [racket/pretty pretty-write])

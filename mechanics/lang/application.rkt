@@ -19,16 +19,16 @@
 
 (require (only-in racket/list add-between)
          (for-syntax racket/base
-                     "imported.rkt" "mistake/call-parts.rkt" "mistake/misread.rkt"
-                     "mistake/sign.rkt")
+                     "imported-name.rkt" "wrong-call/call-parts.rkt" "paper-notation/misread-call.rkt"
+                     "paper-notation/operation-sign.rkt")
          (only-in "pattern/mismatch.rkt" short-text tuple-advice)
-         "mistake/advised.rkt"
+         "paper-notation/expansion-advice.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          (only-in "../generic/dispatch.rkt" raise-unary-arity)
          (only-meta-in 1 "../generic/elementary.rkt")
          (only-in "../generic/up-down.rkt" vector->up)
-         (only-in "../value/linear/quotient.rkt" inverse-of quotient-of)
+         (only-in "../value/matrix/quotient.rkt" inverse-of quotient-of)
          (only-in "../verdict/equality.rkt" equal-by-proof?))
 
 (provide (rename-out [application #%app]))

@@ -9,14 +9,14 @@
 ;;
 ;; In a terminal a long result ends after a screen.
 
-(require "../display/advice.rkt" "../display/display-style.rkt" "../display/print-shown.rkt"
-         "../display/receiver.rkt" "../display/result.rkt"
+(require "../show/display/picture-advice.rkt" "../show/display/display-style.rkt" "../show/display/print-shown.rkt"
+         "../show/display/result-receiver.rkt" "../show/display/result.rkt"
          "../error/note.rkt"
-         (only-in "../generic/cyclic.rkt" cyclic?)
+         (only-in "../generic/cyclic-data.rkt" cyclic?)
          (only-in "../generic/on-demand.rkt" require-on-demand)
          (only-in "../generic/up-down.rkt" tuple?)
          (only-in "../algebra/expression/expression.rkt" symbolic?)
-         (only-in "../verdict/meant-otherwise.rkt" remarks-on-pi))
+         (only-in "../verdict/residual-remarks.rkt" remarks-on-pi))
 
 (require-on-demand [racket/pretty pretty-print-columns]
                    ["screen.rkt" first-screen])

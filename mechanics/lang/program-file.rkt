@@ -6,8 +6,8 @@
          racket/list
          racket/path
          racket/string
-         "mistake/unreadable.rkt"
-         "../error/machine.rkt" "../error/spelling.rkt")
+         "unknown-name/unreadable.rkt"
+         "../error/machine-limits.rkt" "../error/spelling.rkt")
 
 (provide check-program raise-unreadable near-programs programs-text
          marked? call-with-program read-program read-whole-program

@@ -5,8 +5,8 @@
 ;; its parentheses do not match; and it reads a file that begins with a mark of its encoding.
 
 (require "program-file.rkt"
-         (only-in "mistake/unbound.rkt" install-hints!)
-         "../error/machine.rkt"
+         (only-in "unknown-name/unbound.rkt" install-hints!)
+         "../error/machine-limits.rkt"
          "../error/note.rkt")
 
 (provide run-file)

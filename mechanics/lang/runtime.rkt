@@ -3,7 +3,7 @@
 ;; `configure-runtime` submodules only, never by a library.
 
 (require "printer.rkt"
-         "mistake/unbound.rkt"
+         "unknown-name/unbound.rkt"
          "../error/note.rkt")
 
 (print-as-expression #t)

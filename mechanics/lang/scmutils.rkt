@@ -5,9 +5,9 @@
 (require "../calculus/derivative.rkt" "../calculus/literal-function.rkt"
          "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt"
-         "../numeric/constants.rkt" "../numeric/finite.rkt"
+         "../numeric/constants.rkt" "../numeric/finite-number.rkt"
          "../value/compose.rkt" "../value/rewrite.rkt" "../value/structure.rkt"
-         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt")
+         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt")
 
 (provide
  (rename-out [D derivative] [constant-function constant]

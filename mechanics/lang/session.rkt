@@ -3,10 +3,10 @@
 
 (require (for-syntax racket/base)
          "printer.rkt"
-         "mistake/unbound.rkt"
+         "unknown-name/unbound.rkt"
          "redefinition/prompt.rkt"
          (only-in "../error/note.rkt" start-session-of-notes!)
-         (only-in "../numeric/progress.rkt" current-reporter terminal-reporter))
+         (only-in "../error/progress.rkt" current-reporter terminal-reporter))
 
 (provide (rename-out [top-interaction #%top-interaction])
          #%top)

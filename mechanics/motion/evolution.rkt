@@ -2,13 +2,13 @@
 ;; Following a state in time (SICM 1.7, pp. 73 to 76).
 
 (require racket/flonum
-         "choice.rkt" "followed.rkt" "plan.rkt" "run-system.rkt" "sample-times.rkt"
+         "method-names.rkt" "observed-systems.rkt" "integration-plan.rkt" "run-system.rkt" "sample-times.rkt"
          "system/check.rkt" "system/parametric-system.rkt" "system/separable.rkt"
          "system/system.rkt"
-         "../calculus/perturbed.rkt"
+         "../calculus/perturbed-value.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/on-demand.rkt" "../generic/up-down.rkt"
-         "../numeric/progress.rkt"
+         "../error/progress.rkt"
          "../value/shape.rkt")
 
 (require-on-demand ["precise.rkt" advance-precisely follow-precisely]

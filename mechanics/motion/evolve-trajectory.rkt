@@ -4,12 +4,12 @@
 
 (require racket/flonum
          racket/list
-         "choice.rkt" "followed.rkt" "plan.rkt" "recording.rkt" "run-system.rkt" "so-far.rkt"
-         "suited.rkt" "trajectory.rkt"
+         "method-names.rkt" "observed-systems.rkt" "integration-plan.rkt" "recording.rkt" "run-system.rkt" "partial-result.rkt"
+         "choose-method.rkt" "trajectory.rkt"
          "event/event.rkt" "event/event-watch.rkt" "event/within-step.rkt"
          "system/check.rkt" "system/make-system.rkt" "system/system.rkt"
          "../generic/define-plain.rkt" "../generic/on-demand.rkt"
-         "../numeric/flvector.rkt" "../numeric/progress.rkt")
+         "../numeric/flvector.rkt" "../error/progress.rkt")
 
 (require-on-demand ["precise-trajectory.rkt" follow-precise-trajectory])
 

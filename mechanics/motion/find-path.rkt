@@ -18,9 +18,9 @@
          "../generic/wrong-argument.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
          (only-in "../numeric/flvector.rkt" flvector->list flvector-finite? greatest norm)
-         "../numeric/finite.rkt" "../numeric/progress.rkt"
-         "../numeric/linear/definite.rkt"
-         "../numeric/search/newton.rkt" "../numeric/search/quasi-newton.rkt"
+         "../numeric/finite-number.rkt" "../error/progress.rkt"
+         "../numeric/linear-algebra/definiteness.rkt"
+         "../numeric/optimization/newton.rkt" "../numeric/optimization/quasi-newton.rkt"
          "../value/shape.rkt")
 
 (provide find-path)

@@ -7,9 +7,9 @@
 ;; differences of motions.  What is differentiated may itself be a derivative: the motion of
 ;; pairs is followed by the same advancer, which finds the ε of the other derivative in it.
 
-(require "stuck.rkt" "system/parametric-system.rkt"
-         "../calculus/derivative.rkt" "../calculus/dual.rkt" "../calculus/perturbed.rkt"
-         "../calculus/recorded.rkt"
+(require "integration-failure.rkt" "system/parametric-system.rkt"
+         "../calculus/derivative.rkt" "../calculus/dual.rkt" "../calculus/perturbed-value.rkt"
+         "../calculus/recorded-number.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"

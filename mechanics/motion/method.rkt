@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The methods of integration, by name and with fixed steps.
 
-(require "choice.rkt"
+(require "method-names.rkt"
          "system/check.rkt"
          "../numeric/ode/bulirsch-stoer.rkt" "../numeric/ode/dormand-prince-54.rkt"
          "../numeric/ode/dormand-prince-853.rkt" "../numeric/ode/gauss-legendre.rkt"
@@ -13,7 +13,7 @@
          leapfrog Yoshida-4 Yoshida-6 Yoshida-8
          Gauss-Legendre-2 Gauss-Legendre-4 Gauss-Legendre-6)
 
-;; Stands for the one that suits a system (suited.rkt).
+;; Stands for the one that suits a system (choose-method.rkt).
 (define automatic (adaptive-method 'auto #f void))
 
 (define adaptive

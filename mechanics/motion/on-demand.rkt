@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Integration, loaded when it is first used.
 
-(require "choice.rkt"
+(require "method-names.rkt"
          "../generic/on-demand.rkt")
 
 (provide set-ode-integration-method! ode-integration-method integration-method? ode-precision)

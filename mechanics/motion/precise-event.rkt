@@ -9,7 +9,7 @@
 (require "precise.rkt"
          "event/event.rkt" "event/sign-change.rkt"
          "../generic/compare.rkt"
-         "../numeric/finite.rkt")
+         "../numeric/finite-number.rkt")
 
 (provide crossings)
 

@@ -2,9 +2,9 @@
 ;; Trajectories in numbers of higher precision, as trajectory.rkt makes them of flonums.
 
 (require racket/list
-         "plan.rkt" "precise-event.rkt" "precise.rkt" "recording.rkt" "so-far.rkt"
+         "integration-plan.rkt" "precise-event.rkt" "precise.rkt" "recording.rkt" "partial-result.rkt"
          "event/event.rkt"
-         "../numeric/progress.rkt")
+         "../error/progress.rkt")
 
 (provide follow-precise-trajectory)
 

@@ -6,10 +6,10 @@
 ;; States between the steps are those that a shorter step leads to.
 
 (require math/bigfloat
-         "plan.rkt" "sample-times.rkt" "so-far.rkt" "stuck.rkt"
+         "integration-plan.rkt" "sample-times.rkt" "partial-result.rkt" "integration-failure.rkt"
          "system/check.rkt" "system/clock.rkt" "system/manifold.rkt"
          "../compile/bigfloat-function.rkt"
-         "../numeric/progress.rkt"
+         "../error/progress.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"
          (only-in "../value/bigfloat.rkt" [bigfloat rounded]))
 

@@ -3,9 +3,9 @@
 ;; word of progress; a failure says why the motion goes no further, and keeps what there is.
 
 (require racket/flonum
-         "plan.rkt" "rest-by-rounding.rkt" "sample-times.rkt" "so-far.rkt" "stuck.rkt" "suited.rkt"
+         "integration-plan.rkt" "rest-by-rounding.rkt" "sample-times.rkt" "partial-result.rkt" "integration-failure.rkt" "choose-method.rkt"
          "system/separable.rkt" "system/system.rkt"
-         "../numeric/progress.rkt"
+         "../error/progress.rkt"
          "../numeric/ode/integrate.rkt")
 
 (provide start-time run-reaching run-system stuck-in)

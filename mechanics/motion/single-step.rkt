@@ -7,7 +7,7 @@
 ;; values.
 
 (require racket/flonum
-         "choice.rkt" "evolution.rkt" "plan.rkt" "run-system.rkt" "suited.rkt"
+         "method-names.rkt" "evolution.rkt" "integration-plan.rkt" "run-system.rkt" "choose-method.rkt"
          "system/check.rkt" "system/separable.rkt" "system/system.rkt"
          "../compile/compile-function.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt"

@@ -5,10 +5,10 @@
 ;; state at any time from the first to the last, about as well as the steps
 ;; themselves do.  Who makes them: evolve-trajectory.rkt.
 
-(require "so-far.rkt"
+(require "partial-result.rkt"
          "event/within-step.rkt"
          "system/check.rkt" "system/system.rkt"
-         "../calculus/perturbed.rkt"
+         "../calculus/perturbed-value.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/notation.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"

@@ -8,7 +8,7 @@
          "../generic/function.rkt" "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/series/access.rkt")
+         "../value/series/series-access.rkt")
 
 (require-on-demand ["../motion/evolution.rkt" state-advancer])
 

@@ -8,8 +8,8 @@
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../hamiltonian/declared.rkt"
-         "../lagrangian/called.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../hamiltonian/known-Hamiltonians.rkt"
+         "../lagrangian/name-hints.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../value/shape.rkt")
 
 (provide check-order-of-arguments check-Hamiltonian-first call-with-quantity-last

@@ -14,14 +14,14 @@
 ;; Without an inverse of M several w may do, with rates that agree along motions only: if
 ;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
 
-(require "argument-order.rkt" "phase-space.rkt" "remarks.rkt" "what-is-asked.rkt"
+(require "argument-order.rkt" "phase-space.rkt" "remarks.rkt" "question-meaning.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt"
-         (only-in "../hamiltonian/declared.rkt" declared-Hamiltonian?)
+         (only-in "../hamiltonian/known-Hamiltonians.rkt" declared-Hamiltonian?)
          (only-in "../hamiltonian/Hamiltonian.rkt" check-quantity)
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"

@@ -27,7 +27,7 @@
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../value/structure.rkt"
-         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
+         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-equivalent-Lagrangians compare-Lagrangians

@@ -25,9 +25,9 @@
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
-         "../lagrangian/local-tuple.rkt" "../lagrangian/of-momenta.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/function-of-momenta.rkt"
          "../lagrangian/total-derivative.rkt"
-         "../numeric/finite.rkt"
+         "../numeric/finite-number.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 

@@ -4,12 +4,12 @@
 ;; the same ones (3.4), at states with those momenta.
 
 (require racket/list
-         "argument-order.rkt" "what-is-asked.rkt"
+         "argument-order.rkt" "question-meaning.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
-         "../hamiltonian/told.rkt"
+         "../hamiltonian/classify-system.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"

@@ -9,8 +9,8 @@
 
 (require "imposed-equations.rkt"
          "../algebra/expression/expression.rkt"
-         "../calculus/expression-function.rkt" "../calculus/perturbed.rkt"
-         "../calculus/recorded.rkt"
+         "../calculus/expression-function.rkt" "../calculus/perturbed-value.rkt"
+         "../calculus/recorded-number.rkt"
          "../constraint/constraint.rkt"
          "../error/complain.rkt" "../error/note.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/kind.rkt"

@@ -14,12 +14,12 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/on-demand.rkt"
-         "../numeric/linear/rows.rkt"
+         "../numeric/linear-algebra/row-matrix.rkt"
          "../value/exact-root.rkt" "../value/simplify.rkt")
 
 (provide modes-of frequencies-of constant-value raise-not-positive)
 
-(require-on-demand ["../numeric/linear/numeric-modes.rkt" symmetric-modes gyroscopic-modes])
+(require-on-demand ["../numeric/linear-algebra/numeric-modes.rkt" symmetric-modes gyroscopic-modes])
 
 ;; M, K, G : vectors of rows of simplified scalars
 ;; -> a list of (frequency component ...)

@@ -3,11 +3,11 @@
 ;; equations, and is a quantity conserved, which brackets decide: Q̇ = {Q, H} + ∂₀Q, and + ∂₂Q F
 ;; with a force F outside H.
 
-(require "argument-order.rkt" "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
+(require "argument-order.rkt" "remarks.rkt" "kink-survey.rkt" "question-meaning.rkt"
          "../generic/define-plain.rkt"
          "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
-         "../hamiltonian/Poisson-bracket.rkt" "../hamiltonian/told.rkt"
+         "../hamiltonian/Poisson-bracket.rkt" "../hamiltonian/classify-system.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/shape.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")

@@ -19,7 +19,7 @@
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
-         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
+         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide mass-matrix stiffness-matrix gyroscopic-matrix

@@ -27,7 +27,7 @@
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/assumptions.rkt" "../value/simplify.rkt"
-         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
+         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../verdict/verdict.rkt")
 
 (provide equilibrium-stability stability?

@@ -1,11 +1,11 @@
 #lang racket/base
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
-(require "remarks.rkt" "surveys.rkt" "what-is-asked.rkt"
+(require "remarks.rkt" "kink-survey.rkt" "question-meaning.rkt"
          "../generic/define-plain.rkt" "../generic/on-demand.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
-         "../lagrangian/local-tuple.rkt" "../lagrangian/swapped.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/swapped-arguments.rkt"
          "../verdict/prove-zero.rkt")
 
 (require-on-demand

@@ -12,7 +12,7 @@
 ;; A coordinate that does not occur in H is an angle of 2π: its action is its momentum.
 ;; The frequencies are ∂E/∂Jᵢ, the row of the energy in the inverse of ∂J/∂α.
 
-(require "ends-of-swing.rkt" "half-turn.rkt" "momentum-by-energy.rkt" "separation.rkt" "split.rkt"
+(require "ends-of-swing.rkt" "half-turn.rkt" "momentum-by-energy.rkt" "separation.rkt" "separated-equation.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
          (only-in "../canonical/closed-form.rkt" derivative-of)
@@ -22,7 +22,7 @@
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
-         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt")
+         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt")
 
 (provide separation-actions separation-frequencies)
 

@@ -7,13 +7,13 @@
 ;; Its third axis points to the colatitude θ.  Where sin θ = 0 the outer turns are about one
 ;; axis: φ and ψ are not determined, and a rotation about the axis between them has no rates.
 
-(require "angular-velocity.rkt" "rotation.rkt" "three.rkt"
+(require "angular-velocity.rkt" "rotation.rkt" "three-vector.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/structure.rkt"
-         "../value/linear/matrix.rkt")
+         "../value/matrix/matrix.rkt")
 
 (provide Euler->M M->Euler Euler->omega Euler->omega-body
          Euler-state->omega-body Euler-state->omega-space

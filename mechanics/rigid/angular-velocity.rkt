@@ -11,7 +11,7 @@
          "../generic/function.rkt"
          "../lagrangian/coordinate-transformation.rkt" "../lagrangian/local-tuple.rkt"
          "../value/simplify.rkt" "../value/structure.rkt"
-         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
+         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide M-of-q->omega-of-t M-of-q->omega-body-of-t M->omega M->omega-body

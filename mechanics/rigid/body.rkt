@@ -3,13 +3,13 @@
 ;; (SICM 2.3–2.7, pp. 134–141), of its angular velocity along the principal axes and of its
 ;; state in Euler angles.
 
-(require "Euler-angles.rkt" "rotation.rkt" "three.rkt"
+(require "Euler-angles.rkt" "rotation.rkt" "three-vector.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/scalar.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
          "../value/structure.rkt"
-         "../value/linear/linear-algebra.rkt")
+         "../value/matrix/linear-algebra.rkt")
 
 (provide T-body L-body L-space
          T-body-Euler L-body-Euler L-space-Euler

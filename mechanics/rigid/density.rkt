@@ -10,7 +10,7 @@
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/value-struct.rkt"
          "../value/structure.rkt"
-         "../value/linear/matrix.rkt")
+         "../value/matrix/matrix.rkt")
 
 (provide density->body body? body-mass body-center body-inertia)
 

@@ -7,14 +7,14 @@
 ;; the point d away from there (Steiner), I + M (d·d 1 − d dᵀ).
 
 (require racket/list
-         "three.rkt"
+         "three-vector.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/scalar.rkt"
          "../value/exact-root.rkt" "../value/simplify.rkt" "../value/structure.rkt"
-         "../value/linear/decompositions.rkt" "../value/linear/eigenvalues.rkt"
-         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
-         "../value/linear/polynomial-roots.rkt")
+         "../value/matrix/decompositions.rkt" "../value/matrix/eigenvalues.rkt"
+         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
+         "../value/matrix/polynomial-roots.rkt")
 
 (provide inertia-tensor parallel-axes point-inertia
          principal-moments principal-axes

@@ -5,12 +5,12 @@
 ;; vector part of q v q*; its matrix is made of products of two parts of q.  Any multiple of q
 ;; serves as well when what it gives is divided by q q*: so q and −q are one rotation.
 
-(require "rotation.rkt" "three.rkt"
+(require "rotation.rkt" "three-vector.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/function.rkt"
          "../value/quaternion.rkt" "../value/structure.rkt"
-         "../value/linear/matrix.rkt")
+         "../value/matrix/matrix.rkt")
 
 (provide angle-axis->quaternion quaternion->angle-axis quaternion->RM
          quaternion->rotation-matrix rotation-matrix->quaternion

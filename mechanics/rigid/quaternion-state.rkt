@@ -9,7 +9,7 @@
 ;; which no longer depend on the length of q.  The motion of a free body is q̇ = ½ q ω with
 ;; Euler's equations, A ω̇ₐ = (B − C) ω_b ω_c and so on round; it keeps the length of q.
 
-(require "body.rkt" "quaternion-rotation.rkt" "rotation.rkt" "three.rkt"
+(require "body.rkt" "quaternion-rotation.rkt" "rotation.rkt" "three-vector.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../lagrangian/local-tuple.rkt"

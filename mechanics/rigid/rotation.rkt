@@ -9,13 +9,13 @@
 ;; A matrix is a rotation if Mᵀ M = 1 and det M = 1: where that can be seen not to hold, it is
 ;; refused, with what it misses by.
 
-(require "three.rkt"
+(require "three-vector.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/tracing.rkt"
          "../value/simplify.rkt" "../value/structure.rkt"
-         "../value/linear/linear-algebra.rkt" "../value/linear/matrix.rkt"
+         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide rotate-x-matrix rotate-y-matrix rotate-z-matrix

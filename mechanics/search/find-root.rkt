@@ -8,11 +8,11 @@
 ;; error, where what the formula and what rounding do wrong balance.
 
 (require racket/flonum
-         "implicit.rkt" "steady.rkt"
-         "../calculus/derivative.rkt" "../calculus/number.rkt" "../calculus/perturbed.rkt"
+         "implicit-root.rkt" "root-conditioning.rkt"
+         "../calculus/derivative.rkt" "../calculus/number-argument.rkt" "../calculus/perturbed-value.rkt"
          "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/function.rkt"
-         "../numeric/search/brent-root.rkt" "../numeric/search/newton.rkt"
+         "../numeric/optimization/brent-root.rkt" "../numeric/optimization/newton.rkt"
          "../value/shape.rkt")
 
 (provide find-root newton-search bisect zbrent)

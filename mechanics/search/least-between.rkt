@@ -3,10 +3,10 @@
 ;; function or the ends depend on.
 
 (require racket/flonum
-         "minimum.rkt" "minimum-between.rkt" "minimum-near.rkt" "target.rkt"
+         "minimum.rkt" "minimum-between.rkt" "minimum-near.rkt" "objective.rkt"
          "varying-minimum.rkt"
-         "../calculus/number.rkt" "../calculus/perturbed.rkt"
-         "../numeric/progress.rkt")
+         "../calculus/number-argument.rkt" "../calculus/perturbed-value.rkt"
+         "../error/progress.rkt")
 
 (provide least-between all-between)
 

@@ -4,15 +4,15 @@
 ;; `find-minimum` says what it found, and of which kind; the others give what the book's
 ;; procedures of their names give.  All can be differentiated by what the function depends on.
 
-(require "least-between.rkt" "minimum.rkt" "minimum-near.rkt" "target.rkt" "varying-minimum.rkt"
-         "../calculus/number.rkt"
+(require "least-between.rkt" "minimum.rkt" "minimum-near.rkt" "objective.rkt" "varying-minimum.rkt"
+         "../calculus/number-argument.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/wrong-argument.rkt"
-         "../numeric/progress.rkt" "../numeric/sample.rkt"
-         (prefix-in numeric: "../numeric/search/brent-minimum.rkt")
-         "../numeric/search/golden-section.rkt"
-         (prefix-in numeric: "../numeric/search/nelder-mead.rkt"))
+         "../error/progress.rkt" "../numeric/checked-arguments.rkt"
+         (prefix-in numeric: "../numeric/optimization/brent-minimum.rkt")
+         "../numeric/optimization/golden-section.rkt"
+         (prefix-in numeric: "../numeric/optimization/nelder-mead.rkt"))
 
 (provide find-minimum minimize brent-min golden-section-min
          multidimensional-minimize nelder-mead)

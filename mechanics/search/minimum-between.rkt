@@ -8,9 +8,9 @@
 ;; narrower one than their distance may still hide.
 
 (require racket/list
-         "bottomless.rkt"
+         "unbounded-descent.rkt"
          "../error/failure.rkt" "../error/note.rkt"
-         "../numeric/constants.rkt" "../numeric/sample.rkt")
+         "../numeric/constants.rkt" "../numeric/checked-arguments.rkt")
 
 (provide minimum-between minima-between (struct-out found))
 

@@ -2,15 +2,15 @@
 ;; A minimum near a point, in any number of variables, and what kind of one it is.
 ;;
 ;; A search goes by the gradient, or, of a function that has none everywhere, by values alone.
-;; Where it ends the point is looked at (outlook.rkt): from a saddle, or a plateau with a way
+;; Where it ends the point is looked at (critical-point.rkt): from a saddle, or a plateau with a way
 ;; down, the search goes on; what looks like a minimum gets some steps of Newton's.
 
-(require "minimum.rkt" "outlook.rkt" "target.rkt"
+(require "minimum.rkt" "critical-point.rkt" "objective.rkt"
          "../error/failure.rkt"
          "../numeric/flvector.rkt"
-         "../numeric/search/curvature.rkt"
-         (prefix-in numeric: "../numeric/search/nelder-mead.rkt")
-         "../numeric/search/quasi-newton.rkt")
+         "../numeric/optimization/curvature.rkt"
+         (prefix-in numeric: "../numeric/optimization/nelder-mead.rkt")
+         "../numeric/optimization/quasi-newton.rkt")
 
 (provide minimum-near judged-minimum)
 

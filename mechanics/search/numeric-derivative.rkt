@@ -2,9 +2,9 @@
 ;; Derivatives of functions that only give numbers: measured ones, those that integrate
 ;; a motion.  For all others there is D, which is exact.
 
-(require "../calculus/number.rkt"
+(require "../calculus/number-argument.rkt"
          "../generic/define-plain.rkt" "../generic/wrong-argument.rkt"
-         "../numeric/search/differences.rkt"
+         "../numeric/optimization/differences.rkt"
          "../value/shape.rkt")
 
 (provide D-numeric richardson-derivative)

@@ -2,12 +2,12 @@
 ;; Minima of functions that depend on something being differentiated.
 ;;
 ;; Where f(x, a) is least in x, ∂₀f(x, a) = 0: the argument is a root of the gradient, and moves
-;; as roots do (implicit.rkt), dx = −(∂₀∂₀f)⁻¹ ∂₁∂₀f da.  The least value is f there, and its
+;; as roots do (implicit-root.rkt), dx = −(∂₀∂₀f)⁻¹ ∂₁∂₀f da.  The least value is f there, and its
 ;; first derivative is ∂₁f alone.  At an end of an interval the argument moves with the end.
 ;; At a kink, or where a second derivative vanishes, this says nothing, and we say so.
 
 (require racket/flonum
-         "implicit.rkt" "minimum.rkt" "target.rkt"
+         "implicit-root.rkt" "minimum.rkt" "objective.rkt"
          "../calculus/derivative.rkt"
          "../error/failure.rkt"
          "../value/shape.rkt")

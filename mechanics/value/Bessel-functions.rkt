@@ -13,7 +13,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/kind.rkt"
-         "../numeric/Bessel-modified.rkt" "../numeric/Bessel-waves.rkt" "../numeric/constants.rkt")
+         "../numeric/special/Bessel-modified.rkt" "../numeric/special/Bessel-waves.rkt" "../numeric/constants.rkt")
 
 (provide Bessel-J Bessel-Y Bessel-I Bessel-K spherical-Bessel-j spherical-Bessel-y)
 

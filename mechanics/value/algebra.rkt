@@ -8,9 +8,9 @@
 
 (provide-on-demand
  ["../algebra/assumption/reference.rkt" at-common-reference]
- ["../algebra/linear/characteristic.rkt" characteristic-coefficients characteristic-determinant
+ ["../algebra/elimination/characteristic.rkt" characteristic-coefficients characteristic-determinant
                                          adjugate-times]
- ["../algebra/linear/elimination.rkt" eliminated-determinant eliminated-solutions
+ ["../algebra/elimination/elimination.rkt" eliminated-determinant eliminated-solutions
                                       eliminated-kernel kernel-basis kernel-basis-rank
                                       kernel-basis-vectors kernel-basis-assumptions]
  ["../algebra/rewriting/apart.rkt" partial-fractions]
@@ -21,13 +21,13 @@
  ["../algebra/simplify/declare.rkt" declare-relations declared-relations without-relations
                                     exn:algebra:contradiction?
                                     exn:algebra:contradiction-because]
- ["../algebra/simplify/needed.rkt" simplify-expression/needed]
+ ["../algebra/simplify/necessary-assumptions.rkt" simplify-expression/needed]
  ["../algebra/simplify/simplify-expression.rkt" simplify-expression]
- ["../algebra/zero/alternatives.rkt" same-equations? symbol-alone?]
+ ["../algebra/zero/vanishing-factors.rkt" same-equations? symbol-alone?]
  ["../algebra/zero/decimals.rkt" too-many-to-read? reading-decimal reading-expression]
  ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations kink-solved?
                              kink-family?]
- ["../algebra/zero/meaning.rkt" make-meaning meaning-values meaning-matrix meaning-moving
+ ["../algebra/zero/nondegeneracy.rkt" make-meaning meaning-values meaning-matrix meaning-moving
                                 meaning-variables meaningful? independent-equations
                                 solutions replaced]
  ["../algebra/zero/vanishing.rkt" vanishes?]

@@ -2,7 +2,7 @@
 ;; What is wrong with a relation that cannot be declared or withdrawn.
 
 (require "../algebra/expression/write.rkt"
-         "../error/complain.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/message-words.rkt"
          "../generic/describe.rkt")
 
 (provide complaint raise-contradiction raise-not-declared)

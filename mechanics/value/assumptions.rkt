@@ -11,7 +11,7 @@
          (except-in "../algebra/assumption/assumption-set.rkt" assumptions)
          "../algebra/assumption/relation.rkt"
          "../algebra/expression/expression.rkt"
-         "../error/once.rkt"
+         "../error/computed-once.rkt"
          "../generic/describe.rkt" "../generic/wrong-argument.rkt")
 
 (provide assume assuming assumptions forget-assumptions automatic-assumptions

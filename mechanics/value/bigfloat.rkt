@@ -14,7 +14,7 @@
          "../generic/describe.rkt" "../generic/dispatch.rkt" "../generic/kind.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt"
-         "../numeric/linear/rows.rkt")
+         "../numeric/linear-algebra/row-matrix.rkt")
 
 (provide bigfloat bigfloat? bigfloat-precision bigfloat->exact
          ;; linear systems

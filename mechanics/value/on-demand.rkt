@@ -9,12 +9,12 @@
  ["interpolation/piecewise.rkt" cubic-spline Hermite-spline monotone-spline linear-interpolation]
  ["interpolation/barycentric.rkt" barycentric-interpolation-function
                                   Hermite-interpolation-function]
- ["linear/decompositions.rkt" eigenvectors svd]
- ["linear/eigenvalues.rkt" characteristic-polynomial eigenvalues]
- ["linear/polynomial-roots.rkt" polynomial-roots]
+ ["matrix/decompositions.rkt" eigenvectors svd]
+ ["matrix/eigenvalues.rkt" characteristic-polynomial eigenvalues]
+ ["matrix/polynomial-roots.rkt" polynomial-roots]
  ["read-expression.rkt" read-expression]
  ["quaternion.rkt" quaternion? quaternion make-quaternion real&3vector->quaternion
                    quaternion->vector quaternion->3vector quaternion->real-part quaternion-ref
                    q:conjugate q:magnitude q:make-unit]
- ["special.rkt" gamma factorial log-gamma beta erf erfc zeta Lambert-W bessj bessj0 bessj1]
+ ["special-functions.rkt" gamma factorial log-gamma beta erf erfc zeta Lambert-W bessj bessj0 bessj1]
  ["Bessel-functions.rkt" Bessel-J Bessel-Y Bessel-I Bessel-K spherical-Bessel-j spherical-Bessel-y])

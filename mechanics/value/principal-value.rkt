@@ -7,7 +7,7 @@
          "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/kind.rkt" "../generic/rounding.rkt"
          "../generic/tracing.rkt" "../generic/up-down.rkt"
-         "../numeric/constants.rkt" "../numeric/finite.rkt")
+         "../numeric/constants.rkt" "../numeric/finite-number.rkt")
 
 (provide principal-value)
 

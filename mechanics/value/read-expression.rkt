@@ -11,7 +11,7 @@
 ;; Parts that a datum shares are read once: the datum of an expression may be exponentially
 ;; longer, written out, than it is.
 
-(require "linear/matrix.rkt" "quaternion.rkt" "series/access.rkt"
+(require "matrix/matrix.rkt" "quaternion.rkt" "series/series-access.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/read.rkt"
          "../error/complain.rkt"

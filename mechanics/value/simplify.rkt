@@ -4,7 +4,7 @@
 (require racket/list
          "algebra.rkt" "assumptions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
-         "../error/complain.rkt" "../error/hint.rkt" "../error/once.rkt"
+         "../error/complain.rkt" "../error/hint.rkt" "../error/computed-once.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt")
 
 (provide expression simplify simplify-strictly simplify/assumptions as-shown

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What one does with structures: take them apart, rebuild them, multiply them.
 
-(require "complex.rkt" "series/access.rkt" "series/series.rkt"
+(require "complex.rkt" "series/series-access.rkt" "series/series.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"

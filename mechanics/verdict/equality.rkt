@@ -10,11 +10,11 @@
 (require (only-in racket/list drop-right)
          "prove-zero.rkt" "verdict.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/pi.rkt"
-         "../error/note.rkt" "../error/words.rkt"
+         "../error/note.rkt" "../error/message-words.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
          "../generic/naming.rkt" "../generic/up-down.rkt"
          "../value/assumptions.rkt"
-         "../value/linear/matrix.rkt")
+         "../value/matrix/matrix.rkt")
 
 (provide equal-by-proof? zero-by-proof? one-by-proof?)
 

@@ -5,15 +5,15 @@
 ;; A function is judged by its value at symbolic arguments.
 
 (require racket/list
-         "fresh-name.rkt" "off-kinks.rkt" "meant-otherwise.rkt" "smoothness.rkt" "verdict.rkt"
-         "ways.rkt"
+         "fresh-name.rkt" "witness-off-kinks.rkt" "residual-remarks.rkt" "smoothness.rkt" "verdict.rkt"
+         "vanishing-conditions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt" "../error/hint.rkt" "../error/once.rkt" "../error/words.rkt"
+         "../error/complain.rkt" "../error/hint.rkt" "../error/computed-once.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/algebra.rkt" "../value/assumptions.rkt" "../value/operator.rkt"
-         "../value/series/access.rkt" "../value/series/series.rkt")
+         "../value/series/series-access.rkt" "../value/series/series.rkt")
 
 (provide prove-zero verify-equal)
 
@@ -26,7 +26,7 @@
 ;; they do not tell, x is not proved.  A procedure that gives the list is called if needed.
 ;; remarks : -> strings, on what the verdict does not say
 ;; meaning : #f, or a procedure that gives the meaning that the question has to keep under
-;; the conditions that are told (ways.rkt)
+;; the conditions that are told (vanishing-conditions.rkt)
 ;; relied-on : datums of assumptions under which x is what is asked about
 ;; again : #f, or what asks the question again, given what to change in it (verdict.rkt)
 (define (prove-zero x #:variables [names '()] #:surveys [surveys '()]

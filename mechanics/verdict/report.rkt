@@ -7,7 +7,7 @@
 
 (require racket/list
          "../algebra/expression/exact-numbers.rkt" "../algebra/expression/write.rkt"
-         "../error/words.rkt"
+         "../error/message-words.rkt"
          "../generic/describe.rkt"
          "../value/algebra.rkt")
 

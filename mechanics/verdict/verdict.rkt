@@ -7,7 +7,7 @@
          "../generic/truth.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
          "../value/algebra.rkt"
-         "../value/linear/matrix.rkt"
+         "../value/matrix/matrix.rkt"
          "../value/series/series.rkt")
 
 (provide make-verdict verdict?

@@ -6,7 +6,7 @@
          mechanics/animate
          scribble/base
          "sketch-parts.rkt" "sketches.rkt"
-         (only-in "../../mechanics/animation/on-demand.rkt" why-no-pictures))
+         (only-in "../../mechanics/show/animation/on-demand.rkt" why-no-pictures))
 
 (provide system-diagram)
 

@@ -4,7 +4,7 @@
 (require racket/sandbox scribble/example scribble/manual
          "look/typeset.rkt"
          (only-in "../../mechanics/numeric/bigfloat/bigfloat-arithmetic.rkt" check-bigfloats)
-         (only-in "../../mechanics/plot/on-demand.rkt" why-not))
+         (only-in "../../mechanics/show/plot/on-demand.rkt" why-not))
 
 (provide examples bigfloat-examples picture-examples
          make-session make-picture-session make-typeset-session make-racket-session close-session
@@ -39,8 +39,8 @@
 (define (install-printer)
   ((dynamic-require 'racket/pretty 'pretty-print-columns) page-columns)
   ((dynamic-require 'mechanics/lang/printer 'install-printer!))
-  (define value->markup (dynamic-require 'mechanics/document/line-markup 'value->line-markup))
-  (define receiver (dynamic-require 'mechanics/display/receiver 'result-receiver))
+  (define value->markup (dynamic-require 'mechanics/show/document/line-markup 'value->line-markup))
+  (define receiver (dynamic-require 'mechanics/show/display/result-receiver 'result-receiver))
   (current-print (receiver (typesetting (current-print) value->markup))))
 
 ;; As in a terminal: the page would take pictures.

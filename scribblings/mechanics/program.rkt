@@ -13,7 +13,7 @@
          (only-in scribble/html-properties link-resource)
          (only-in scribble/manual typeset-code filepath)
          "look/typeset.rkt"
-         (only-in "../../mechanics/plot/on-demand.rkt" can-draw?))
+         (only-in "../../mechanics/show/plot/on-demand.rkt" can-draw?))
 
 (provide program program-link program-table)
 
@@ -95,8 +95,8 @@
   (define print-result (of-program 'mechanics/lang/printer 'print-result))
   (define other (current-print))
   (define (print x) (parameterize ([current-print other]) (print-result x)))
-  ((of-program 'mechanics/display/receiver 'result-receiver)
-   (typesetting print (of-program 'mechanics/document/line-markup 'value->line-markup))))
+  ((of-program 'mechanics/show/display/result-receiver 'result-receiver)
+   (typesetting print (of-program 'mechanics/show/document/line-markup 'value->line-markup))))
 
 (define (texts-and-results in)
   (define (text-of characters) (string-trim (list->string (reverse characters)) "\n"))

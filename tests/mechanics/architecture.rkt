@@ -23,7 +23,7 @@
 
 ;; Rooms that know nothing of others, though those are below them.
 (define strangers
-  '(("display/" "lagrangian/" "force/" "motion/" "constraint/" "map/" "question/")))
+  '(("show/display/" "lagrangian/" "force/" "motion/" "constraint/" "dynamics/" "question/")))
 
 ;; Names that two files may have, since the room says of what they are.
 (define told-by-the-room '("on-demand.rkt" "arithmetic.rkt" "factor.rkt"))

@@ -14,7 +14,7 @@
 (define-runtime-path examples "../../examples/mechanics")
 (define folder (simplify-path examples))
 
-;; exercises.rkt, plot/figures.rkt and animation/programs.rkt
+;; exercises.rkt, show/plot/figures.rkt and show/animation/programs.rkt
 (define run-elsewhere
   #rx"^exercises/exercise-.*[.]rkt$|^figures/[^/]*-[^/]*[.]rkt$|^animations/[^/]*[.]rkt$")
 

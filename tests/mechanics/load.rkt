@@ -32,7 +32,7 @@
 (define rooms-on-demand
   '("algebra/polynomial" "algebra/kernel" "algebra/field" "algebra/simplify"
     "algebra/presentation" "algebra/rewriting" "algebra/solve" "algebra/zero"
-    "constraint" "force" "map" "rigid" "plot" "numeric/search" "numeric/bigfloat" "worksheet"))
+    "constraint" "force" "map" "rigid" "plot" "numeric/optimization" "numeric/bigfloat" "worksheet"))
 
 (define files-on-demand (append-map on-demand-imports (map full-path (library-files))))
 
@@ -117,9 +117,9 @@
 (test-case "a room of our own that is loaded on demand is found, and a file of one that is not"
   (define (found name) (filter (lambda (file) (string-suffix? file name))
                                (unwanted (loaded (full-path name)))))
-  (for ([name '("algebra/polynomial/ring.rkt" "plot/view.rkt" "motion/find-path.rkt")])
+  (for ([name '("algebra/polynomial/ring.rkt" "show/plot/view.rkt" "motion/find-path.rkt")])
     (check-equal? (length (found name)) 1 name))
-  (check-equal? (found "motion/choice.rkt") '())
+  (check-equal? (found "motion/method-names.rkt") '())
   (for ([room rooms-on-demand])
     (check-true (directory-exists? (full-path room)) room)))
 

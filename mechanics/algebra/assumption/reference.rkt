@@ -14,7 +14,7 @@
          "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt"
-         "../../error/once.rkt")
+         "../../error/computed-once.rkt")
 
 (provide find-reference at-common-reference
          reference-sign holds-at? real-value leaves-of concerning)

@@ -2,12 +2,12 @@
 ;; Factors of polynomials over the rationals.
 ;;
 ;; Multiplicities, and factors with different variables, are told apart by gcds
-;; (parts.rkt).  Of what is left, no factor is free of a variable that occurs: so
+;; (gcd-splitting.rkt).  Of what is left, no factor is free of a variable that occurs: so
 ;; it is irreducible if it is linear in one.  A homogeneous polynomial is factored
 ;; with one variable set to 1, which takes nothing away.
 
 (require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "inspect.rkt" "integer-factor.rkt"
-         "lifted-factor.rkt" "monomial.rkt" "parts.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
+         "lifted-factor.rkt" "monomial.rkt" "gcd-splitting.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
 
 (provide poly-factor)
 

@@ -14,7 +14,7 @@
 ;; fraction-denominator-parts splits it in a way that does not.
 
 (require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "division.rkt" "gcd.rkt"
-         "inspect.rkt" "parts.rkt" "power.rkt" "rering.rkt"
+         "inspect.rkt" "gcd-splitting.rkt" "power.rkt" "ring-change.rkt"
          "../../error/complain.rkt")
 
 (provide
@@ -42,7 +42,7 @@
             (for/list ([h (in-list (fraction-denominator-factors f))])
               (make-power (rering from to (power-base h)) (power-exponent h)))))
 
-;; The parts of the denominator (parts.rkt), which depend on the value alone.
+;; The parts of the denominator (gcd-splitting.rkt), which depend on the value alone.
 (define (fraction-denominator-parts R f)
   (product-parts R (fraction-denominator-factors f)))
 

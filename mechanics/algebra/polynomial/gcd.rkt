@@ -2,7 +2,7 @@
 ;; The greatest common divisor of polynomials.
 ;;
 ;; In order: numbers and monomials are split off; a variable that only one of
-;; the two has, or that univariate images (images.rkt) show to be missing in the
+;; the two has, or that univariate images (univariate-images.rkt) show to be missing in the
 ;; gcd, is got rid of by taking coefficients, since what divides p and is free
 ;; of x divides every coefficient of p in x.  Mostly nothing is left, and
 ;; coprimality is proved.  Otherwise a common divisor g is found by trial
@@ -11,8 +11,8 @@
 ;; else gcd(p, q) = g · gcd(p/g, q/g).  Remainder sequences, which need no luck,
 ;; come last, so the answer is always right and always comes.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "heuristic-gcd.rkt" "images.rkt"
-         "inspect.rkt" "modular.rkt" "remainder-gcd.rkt" "rering.rkt" "ring.rkt" "sparse-gcd.rkt"
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "heuristic-gcd.rkt" "univariate-images.rkt"
+         "inspect.rkt" "modular.rkt" "remainder-gcd.rkt" "ring-change.rkt" "ring.rkt" "sparse-gcd.rkt"
          "term-list.rkt")
 
 (provide poly-gcd poly-gcd* poly-content-in)

@@ -10,7 +10,7 @@
 ;; p but l^(n-1) p(x/l) is treated.
 
 (require "arithmetic.rkt" "content.rkt" "dense.rkt" "division.rkt" "gcd.rkt" "inspect.rkt"
-         "integer-factor.rkt" "lifting.rkt" "recombination.rkt" "rering.rkt" "ring.rkt"
+         "integer-factor.rkt" "lifting.rkt" "recombination.rkt" "ring-change.rkt" "ring.rkt"
          "term-list.rkt")
 
 (provide lifted-factors)

@@ -5,8 +5,8 @@
 ;; result whose total degree would pass the ring's bound raises
 ;; exn:algebra:degree-overflow.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "gcd.rkt" "inspect.rkt" "meter.rkt"
-         "parts.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "gcd.rkt" "inspect.rkt" "work-budget.rkt"
+         "gcd-splitting.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
 
 (provide
  ;; rings

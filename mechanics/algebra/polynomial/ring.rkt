@@ -16,7 +16,7 @@
 ;; multiplication.
 
 (require racket/fixnum
-         "meter.rkt" "monomial.rkt" "power.rkt"
+         "work-budget.rkt" "monomial.rkt" "power.rkt"
          "../../error/degree-overflow.rkt")
 
 (provide

@@ -8,7 +8,7 @@
 ;; residues α it is a univariate gcd.  Suppose it is known with y₁ ... yⱼ₋₁
 ;; restored.  A monomial missing there was, almost surely, not annihilated by
 ;; the choice of α but is missing in h; so at some other values of yⱼ only the
-;; coefficients are to be found (skeleton.rkt), and Newton's interpolation in yⱼ
+;; coefficients are to be found (gcd-skeleton.rkt), and Newton's interpolation in yⱼ
 ;; restores it.  The work grows with the terms of h, not with the products of
 ;; the degrees.
 ;;
@@ -18,7 +18,7 @@
 
 (require racket/fixnum
          "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "interpolation.rkt"
-         "modular-terms.rkt" "modular.rkt" "monomial.rkt" "ring.rkt" "skeleton.rkt"
+         "modular-terms.rkt" "modular.rkt" "monomial.rkt" "ring.rkt" "gcd-skeleton.rkt"
          "term-list.rkt")
 
 (provide sparse-divisor)

@@ -12,7 +12,7 @@
 ;; choice depends on the value and the order of kernels alone.
 
 (require racket/list
-         "choice-of-angles.rkt" "condense.rkt" "form.rkt" "pieces.rkt" "term.rkt"
+         "choice-of-angles.rkt" "condense.rkt" "form.rkt" "fraction-pieces.rkt" "term.rkt"
          "../expression/exact-numbers.rkt"
          "../field/field.rkt" "../field/rationalize.rkt"
          "../kernel/exponentials.rkt"

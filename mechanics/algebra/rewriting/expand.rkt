@@ -12,7 +12,7 @@
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../field/field.rkt"
          "../polynomial/fraction.rkt"
-         "../presentation/form.rkt" "../presentation/pieces.rkt" "../presentation/term.rkt"
+         "../presentation/form.rkt" "../presentation/fraction-pieces.rkt" "../presentation/term.rkt"
          "../simplify/simplify-expression.rkt")
 
 (provide expand-expression)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Presenting a normal form as an expression that stays as it is.
 
-(require "align.rkt" "normalize.rkt"
+(require "argument-alignment.rkt" "normalize.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../field/field.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"

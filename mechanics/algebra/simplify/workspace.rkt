@@ -5,7 +5,7 @@
 ;; The rooms below, which need parts simplified, know the workspace by its methods.
 
 (require racket/list
-         "align.rkt" "normalize.rkt" "radicand.rkt" "settle.rkt"
+         "argument-alignment.rkt" "normalize.rkt" "radicand.rkt" "settle.rkt"
          (only-in "../assumption/assumption-set.rkt" plainly-real?) "../assumption/ledger.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/simplifier.rkt" "../expression/size.rkt"
@@ -20,7 +20,7 @@
 ;; term-lists : expression -> terms; part-lists : expression -> linear parts.  These
 ;; tables know expressions by structure: kernels are met again and again in nodes of
 ;; their own.
-;; involved? : expression -> boolean (align.rkt)
+;; involved? : expression -> boolean (argument-alignment.rkt)
 ;; left-unexpanded : nodes, the last met first
 (struct workspace simplifier
   (normals simples term-lists part-lists involved? [left-unexpanded #:mutable])

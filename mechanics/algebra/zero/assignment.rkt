@@ -7,7 +7,7 @@
 ;; count as equal, which is no mistake if they differ by less than is seen; if one overlaps with
 ;; two that have different values, this is no place to look for a value.
 
-(require "ball.rkt" "ball-value.rkt"
+(require "../ball/ball.rkt" "../ball/ball-value.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt")
 
 (provide make-assignment assigned integers-from fractions-from)

@@ -2,7 +2,7 @@
 ;; Between which numbers the value of a constant lies, such as 10¹³ π - 31415926535897: flonums
 ;; would not tell, of which large numbers leave few digits when they cancel.
 
-(require "ball.rkt" "ball-tape.rkt"
+(require "../ball/ball.rkt" "../ball/ball-tape.rkt"
          "../expression/flat-graph.rkt")
 
 (provide constant-bounds)

@@ -5,7 +5,7 @@
 ;; log(-1 - x²).  So a proof asks for a point where every part of the expression as it was
 ;; given has a value, and where what was declared holds.
 
-(require "assignment.rkt" "ball-tape.rkt" "point-value.rkt"
+(require "assignment.rkt" "../ball/ball-tape.rkt" "point-value.rkt"
          (only-in "../assumption/assumption-set.rkt" assumptions-relations)
          (only-in "../assumption/reference.rkt" find-reference)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"

@@ -5,7 +5,7 @@
 ;; complex number stands, as in e^(it), have complex values, with bounds to first order on their
 ;; rounding (approximate.rkt).
 
-(require "approximate.rkt" "ball.rkt" "ball-value.rkt"
+(require "approximate.rkt" "../ball/ball.rkt" "../ball/ball-value.rkt"
          "../expression/exact-numbers.rkt" "../expression/flat-graph.rkt")
 
 (provide contains-complex? complex-value

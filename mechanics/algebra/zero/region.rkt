@@ -4,7 +4,7 @@
 ;; Numbers are chosen within the bounds that relations set.  All relations that concern an
 ;; expression are checked at a point chosen for it.
 
-(require "ball-tape.rkt" "ball-value.rkt"
+(require "../ball/ball-tape.rkt" "../ball/ball-value.rkt"
          "../assumption/assumption-set.rkt" "../assumption/leaf-bounds.rkt"
          "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"

@@ -17,7 +17,7 @@
 ;; masses, not negative ones.
 
 (require (only-in racket/list drop take)
-         "finding.rkt" "point-value.rkt" "region.rkt" "under-functions.rkt"
+         "trial-point.rkt" "point-value.rkt" "region.rkt" "under-functions.rkt"
          "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt")
 

@@ -15,7 +15,7 @@
 ;; roots there are those of positive numbers: under assumptions they decide nothing.
 
 (require racket/list
-         "alternatives.rkt" "condition.rkt" "decimals.rkt" "equation.rkt"
+         "vanishing-factors.rkt" "condition.rkt" "decimals.rkt" "equation.rkt"
          "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt"
          "region.rkt" "witness.rkt"
          "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
@@ -26,8 +26,8 @@
          "../field/bounds.rkt" (only-in "../field/field.rkt" field-atlas)
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
          "../polynomial/fraction.rkt"
-         "../simplify/needed.rkt" "../simplify/simplify-expression.rkt"
-         "../../error/once.rkt")
+         "../simplify/necessary-assumptions.rkt" "../simplify/simplify-expression.rkt"
+         "../../error/computed-once.rkt")
 
 (provide zero-test
          zero-test-status zero-test-residual zero-test-witness zero-test-value

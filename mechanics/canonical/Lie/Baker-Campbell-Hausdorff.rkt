@@ -12,7 +12,7 @@
 ;; come again from order to order, and are kept.
 
 (require (only-in math/number-theory bernoulli-number)
-         "settled.rkt"
+         "memoized-function.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
          "../../hamiltonian/Poisson-bracket.rkt"

@@ -14,7 +14,7 @@
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../../value/operator.rkt"
-         "../../value/series/access.rkt")
+         "../../value/series/series-access.rkt")
 
 (provide Lie-transform flow-transform Lie-transformation)
 

@@ -17,7 +17,7 @@
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
          "../../lagrangian/generic-state.rkt" "../../lagrangian/local-tuple.rkt"
          "../../value/shape.rkt" "../../value/simplify.rkt" "../../value/rewrite.rkt"
-         "../../value/series/access.rkt")
+         "../../value/series/series-access.rkt")
 
 (provide Birkhoff-normal-form normal-form? normal-form-Hamiltonian normal-form-generators
          normal-form-resonances

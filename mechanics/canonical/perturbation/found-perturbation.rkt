@@ -17,7 +17,7 @@
          "../../hamiltonian/H-state.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../../value/shape.rkt" "../../value/simplify.rkt"
-         "../../value/series/access.rkt")
+         "../../value/series/series-access.rkt")
 
 (provide perturbation? perturbation-Hamiltonian perturbation-generators
          perturbation-divisors perturbation-resonances

@@ -15,7 +15,7 @@
          "found-perturbation.rkt" "perturbed-motion.rkt"
          "../Lie/Lie-derivative.rkt" "../Lie/Lie-triangle.rkt"
          "../../calculus/derivative.rkt"
-         "../../error/once.rkt"
+         "../../error/computed-once.rkt"
          "../../generic/arithmetic.rkt" "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Poisson-bracket.rkt"
          "../../lagrangian/local-tuple.rkt"

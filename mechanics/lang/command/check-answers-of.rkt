@@ -8,10 +8,10 @@
          racket/path
          "load-worksheet.rkt" "written-files.rkt"
          "../../error/complain.rkt"
-         "../../worksheet/check-answers.rkt" "../../worksheet/exercise.rkt"
-         "../../worksheet/judgment.rkt"
-         "../../worksheet/class/class-page.rkt" "../../worksheet/class/class-tables.rkt"
-         "../../worksheet/class/grade.rkt" "../../worksheet/class/submission.rkt")
+         "../../teaching/worksheet/check-answers.rkt" "../../teaching/worksheet/exercise.rkt"
+         "../../teaching/worksheet/judgment.rkt"
+         "../../teaching/class/class-page.rkt" "../../teaching/class/class-tables.rkt"
+         "../../teaching/class/grade.rkt" "../../teaching/class/submission.rkt")
 
 (provide check-command)
 

@@ -6,8 +6,8 @@
          racket/path
          racket/string
          "program-systems.rkt" "system-of-program.rkt" "written-files.rkt"
-         "../../error/complain.rkt" "../../error/words.rkt"
-         "../../export/export-system.rkt" "../../export/exported-system.rkt")
+         "../../error/complain.rkt" "../../error/message-words.rkt"
+         "../../scale/export/export-system.rkt" "../../scale/export/exported-system.rkt")
 
 (provide export-command)
 

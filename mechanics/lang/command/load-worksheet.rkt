@@ -3,7 +3,7 @@
 
 (require "../program-file.rkt"
          "../../error/complain.rkt" "../../error/spelling.rkt"
-         "../../worksheet/exercise.rkt")
+         "../../teaching/worksheet/exercise.rkt")
 
 (provide load-worksheet worksheet-file? check-there)
 

@@ -7,7 +7,7 @@
          racket/path
          "run-program.rkt" "watch.rkt"
          "../program-file.rkt"
-         "../../document/comments.rkt" "../../document/piece.rkt")
+         "../../show/document/comments.rkt" "../../show/document/document-piece.rkt")
 
 (provide program-document)
 

@@ -8,7 +8,7 @@
 (require "definition-heads.rkt" "run-program.rkt" "system-of-program.rkt"
          "../program-file.rkt"
          "../../generic/describe.rkt"
-         "../../motion/followed.rkt"
+         "../../motion/observed-systems.rkt"
          (only-in "../../motion/system/parametric-system.rkt" derivative-for)
          "../../generic/up-down.rkt")
 

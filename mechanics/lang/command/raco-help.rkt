@@ -4,7 +4,7 @@
 
 (require racket/string
          "raco-command.rkt"
-         "../help/answer.rkt" "../help/cards.rkt"
+         "../help/help-answer.rkt" "../help/cards.rkt"
          "../../error/spelling.rkt")
 
 (provide help-command)

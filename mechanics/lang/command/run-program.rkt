@@ -7,9 +7,9 @@
 
 (require racket/path
          "watch.rkt"
-         "../mistake/unbound.rkt"
-         "../../display/receiver.rkt"
-         "../../document/piece.rkt" "../../document/shown.rkt")
+         "../unknown-name/unbound.rkt"
+         "../../show/display/result-receiver.rkt"
+         "../../show/document/document-piece.rkt" "../../show/document/shown-result.rkt")
 
 (provide run-program (struct-out outcome) (struct-out early-end))
 

@@ -6,8 +6,8 @@
          racket/path
          "program-document.rkt" "written-files.rkt"
          (only-in "../program-file.rkt" about-language language-without-us)
-         "../../document/TeX-document.rkt" "../../document/web-page.rkt" "../../error/complain.rkt"
-         "../../plot/picture-file.rkt")
+         "../../show/document/TeX-document.rkt" "../../show/document/web-page.rkt" "../../error/complain.rkt"
+         "../../show/plot/picture-file.rkt")
 
 (provide show-command TeX-command)
 

@@ -7,8 +7,8 @@
          racket/path
          racket/string
          "definition-heads.rkt"
-         "../../error/once.rkt"
-         "../../export/exported-system.rkt" "../../export/names.rkt"
+         "../../error/computed-once.rkt"
+         "../../scale/export/exported-system.rkt" "../../scale/export/variable-names.rkt"
          "../../generic/describe.rkt"
          (only-in "../../motion/system/parametric-system.rkt" derivative-for)
          "../../value/shape.rkt")

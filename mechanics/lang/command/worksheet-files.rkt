@@ -7,9 +7,9 @@
          racket/path
          racket/runtime-path
          "load-worksheet.rkt" "show-program.rkt" "written-files.rkt"
-         "../../document/TeX-document.rkt" "../../document/web-page.rkt"
+         "../../show/document/TeX-document.rkt" "../../show/document/web-page.rkt"
          "../../error/complain.rkt"
-         "../../worksheet/handout.rkt" "../../worksheet/student-file.rkt")
+         "../../teaching/worksheet/handout.rkt" "../../teaching/worksheet/student-file.rkt")
 
 (provide new-command worksheet-command handout-command)
 

@@ -3,7 +3,7 @@
 ;; named to the reader.
 
 (require racket/path
-         "../../error/complain.rkt" "../../plot/picture-file.rkt")
+         "../../error/complain.rkt" "../../show/plot/picture-file.rkt")
 
 (provide write-whole short-path options-first check-new-file)
 

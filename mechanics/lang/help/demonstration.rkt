@@ -7,7 +7,7 @@
 (require racket/port
          racket/string
          "card.rkt"
-         "../../display/result.rkt")
+         "../../show/display/result.rkt")
 
 (provide (struct-out answer) demonstrate)
 

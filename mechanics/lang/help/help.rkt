@@ -9,7 +9,7 @@
 
 (provide help)
 
-(require-on-demand ["answer.rkt" help-about])
+(require-on-demand ["help-answer.rkt" help-about])
 
 (define-syntax (help stx)
   (syntax-case stx (quote)

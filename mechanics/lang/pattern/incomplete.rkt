@@ -3,7 +3,7 @@
 ;; (define x), (define 3 x), (define L (m, k) 3), (lambda (* 2 t)), (define (f x, y) ...).
 
 (require (only-in racket/list first flatten)
-         "../as-written.rkt"
+         "../written-form.rkt"
          "../redefinition/heads.rkt")
 
 (provide check-complete-definition check-complete-procedure check-names)

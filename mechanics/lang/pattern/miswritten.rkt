@@ -8,7 +8,7 @@
 ;; of four arguments, the first of them called `up`.
 
 (require "incomplete.rkt" "on-paper.rkt"
-         "../as-written.rkt")
+         "../written-form.rkt")
 
 (provide check-definition check-argument-list)
 

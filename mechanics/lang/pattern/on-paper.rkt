@@ -2,11 +2,11 @@
 ;; Definitions as on paper, refused with how they are written: (define m = 3),
 ;; (define f(t) (* 2 t)), (define (T m v) 1/2 m v^2), (define x' 3).
 
-(require "../as-written.rkt"
+(require "../written-form.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["../mistake/prefix-form.rkt" prefix-form sign-at-end]
-                   ["../mistake/other-notation.rkt" notation-sentence])
+(require-on-demand ["../paper-notation/prefix-form.rkt" prefix-form sign-at-end]
+                   ["../paper-notation/other-notation.rkt" notation-sentence])
 
 (provide check-on-paper shown)
 

@@ -4,7 +4,7 @@
 
 (require "help-command.rkt"
          "../printer.rkt"
-         "../../display/display-style.rkt")
+         "../../show/display/display-style.rkt")
 
 (provide command? run-command)
 

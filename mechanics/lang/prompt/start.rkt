@@ -4,15 +4,15 @@
 ;; Racket's loop of reading, evaluating and printing, with lines from lines.rkt.
 
 (require "command.rkt" "typed-forms.rkt" "lines.rkt"
-         (only-in "../mistake/unbound.rkt" install-hints!)
+         (only-in "../unknown-name/unbound.rkt" install-hints!)
          (only-in "../printer.rkt" install-printer!)
          "../../error/complain.rkt"
          (only-in "../../error/note.rkt" note start-session-of-notes!)
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["../mistake/line-habits.rkt" meant-as-one prime-alone]
-                   ["../mistake/known-name.rkt" known-name? function-name?]
-                   ["../mistake/unreadable.rkt" unreadable unclosed])
+(require-on-demand ["../paper-notation/line-habits.rkt" meant-as-one prime-alone]
+                   ["../unknown-name/known-name.rkt" known-name? function-name?]
+                   ["../unknown-name/unreadable.rkt" unreadable unclosed])
 
 (provide run-prompt read-entry)
 

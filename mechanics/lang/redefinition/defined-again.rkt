@@ -3,7 +3,7 @@
 ;; did not know of the first one is told, once in a session.
 
 (require (only-in "../../error/note.rkt" note-once)
-         (only-in "../../error/words.rkt" joined))
+         (only-in "../../error/message-words.rkt" joined))
 
 (provide lines-of-repeated tell-repeated)
 

@@ -17,10 +17,10 @@
 (require (prefix-in core: '#%kernel)
          (for-syntax racket/base
                      "defined-again.rkt" "definitions.rkt" "forms.rkt" "imports.rkt" "survey.rkt"
-                     "../imported.rkt" "../mistake/program-lines.rkt"
-                     (only-in "../mistake/typographic.rkt" tell-curly-quotes))
+                     "../imported-name.rkt" "../paper-notation/program-lines.rkt"
+                     (only-in "../paper-notation/typographic.rkt" tell-curly-quotes))
          "defined-again.rkt" "early-use.rkt"
-         "../mistake/marked-line.rkt"
+         "../wrong-call/marked-line.rkt"
          "../printer.rkt")
 
 (provide (rename-out [module-begin #%module-begin]))

@@ -7,10 +7,10 @@
 ;; such a procedure need not be defined again.
 
 (require (for-syntax racket/base
-                     "forms.rkt" "heads.rkt" "specification.rkt" "../imported.rkt"
-                     (only-in "../mistake/typographic.rkt" tell-curly-quotes))
+                     "forms.rkt" "heads.rkt" "specification.rkt" "../imported-name.rkt"
+                     (only-in "../paper-notation/typographic.rkt" tell-curly-quotes))
          (only-in racket/list partition)
-         "../imported.rkt" "clash.rkt" "heads.rkt"
+         "../imported-name.rkt" "clash.rkt" "heads.rkt"
          (only-in "../../algebra/expression/expression.rkt" node?)
          (only-in "../../error/note.rkt" note-once)
          (only-in "../../generic/up-down.rkt" tuple?))

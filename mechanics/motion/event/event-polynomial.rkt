@@ -3,18 +3,18 @@
 ;;
 ;; A coordinate is a polynomial already.  Of another function Taylor coefficients follow from
 ;; those of the state by the same recurrences.  Its radius of convergence may be less than
-;; that of the motion, by which the step was chosen: where they do not tell zeros (told-zeros.rkt)
+;; that of the motion, by which the step was chosen: where they do not tell zeros (certain-zeros.rkt)
 ;; each half of the step has coefficients of its own, and so on; where there are still none, as at
 ;; a pole, the step is looked at in places, as many as that radius asks for.
 
 (require racket/flonum
          (only-in racket/list last)
          racket/unsafe/ops
-         "event-noise.rkt" "told-zeros.rkt"
-         "../../compile/jet-program.rkt" "../../compile/program.rkt"
+         "event-noise.rkt" "certain-zeros.rkt"
+         "../../compile/jet/jet-program.rkt" "../../compile/program.rkt"
          (only-in "../../numeric/constants.rkt" rounding)
          "../../numeric/flvector.rkt" "../../numeric/vector-map.rkt"
-         "../../numeric/jet/expansion.rkt" "../../numeric/jet/polynomial-zeros.rkt"
+         "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/polynomial-zeros.rkt"
          "../../numeric/ode/taylor-piece.rkt")
 
 (provide polynomial-along zeros-along polynomial-end (struct-out zero))

@@ -14,7 +14,7 @@
 (require racket/flonum
          (only-in racket/vector vector-copy)
          "check.rkt" "mass-matrix.rkt"
-         "../../compile/builder.rkt" "../../compile/compile-function.rkt"
+         "../../compile/program-builder.rkt" "../../compile/compile-function.rkt"
          "../../compile/program.rkt" "../../compile/sweep.rkt"
          "../../generic/up-down.rkt"
          "../../lagrangian/state-derivative.rkt"

@@ -7,8 +7,8 @@
          "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
          "../../generic/kind.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
-         "../../lagrangian/called.rkt" "../../lagrangian/of-momenta.rkt"
-         "../../numeric/finite.rkt"
+         "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
+         "../../numeric/finite-number.rkt"
          "../../value/shape.rkt")
 
 (provide

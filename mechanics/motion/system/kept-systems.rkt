@@ -11,7 +11,7 @@
 
 (require racket/list
          "../../calculus/gradient.rkt"
-         "../../compile/checking.rkt"
+         "../../compile/code-check.rkt"
          "../../error/failure.rkt" "../../error/refusal.rkt"
          "../../generic/up-down.rkt"
          "../../lagrangian/state-derivative.rkt"

@@ -5,7 +5,7 @@
          "check.rkt" "clock.rkt" "kept-systems.rkt" "Lagrangian-code.rkt" "manifold.rkt"
          "rates-code.rkt" "system.rkt"
          "../../compile/compile-function.rkt"
-         "../../error/complain.rkt" "../../error/once.rkt"
+         "../../error/complain.rkt" "../../error/computed-once.rkt"
          "../../generic/describe.rkt"
          "../../numeric/flvector.rkt"
          "../../value/shape.rkt")

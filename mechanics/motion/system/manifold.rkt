@@ -8,7 +8,7 @@
 (require racket/flonum
          "../../compile/compile-function.rkt"
          "../../generic/kind.rkt" "../../generic/value-struct.rkt"
-         "../../numeric/ode/projected.rkt"
+         "../../numeric/ode/projection-method.rkt"
          "../../value/shape.rkt")
 
 (provide make-manifold-derivative manifold-derivative?

@@ -7,7 +7,7 @@
 
 (require "check.rkt" "clock.rkt" "make-system.rkt" "manifold.rkt" "rates-code.rkt" "system.rkt"
          "../../compile/compile-function.rkt"
-         "../../error/once.rkt"
+         "../../error/computed-once.rkt"
          "../../generic/up-down.rkt"
          "../../value/shape.rkt" (only-in "../../value/structure.rkt" ref structure->list))
 

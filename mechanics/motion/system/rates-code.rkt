@@ -9,10 +9,10 @@
 (require racket/flonum
          racket/unsafe/ops
          "../../compile/cache.rkt" "../../compile/compile-function.rkt"
-         "../../compile/jet-program.rkt" "../../compile/program.rkt"
+         "../../compile/jet/jet-program.rkt" "../../compile/program.rkt"
          "../../compile/tangent-program.rkt"
          "../../numeric/flvector.rkt" "../../numeric/machine/straight-code.rkt"
-         "../../numeric/ode/expandable.rkt")
+         "../../numeric/ode/right-hand-side.rkt")
 
 (provide expander-of program-expander machine-rates-of program-machine-rates
          jacobian-maker rates-jacobian fix-parameters)

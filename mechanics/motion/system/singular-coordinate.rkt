@@ -15,7 +15,7 @@
          "system.rkt"
          "../../error/failure.rkt"
          "../../generic/up-down.rkt"
-         "../../numeric/constants.rkt" "../../numeric/finite.rkt"
+         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
          "../../value/shape.rkt" "../../value/structure.rkt")
 
 (provide singular-coordinate-text)

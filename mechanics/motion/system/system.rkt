@@ -2,7 +2,7 @@
 ;; A state derivative ready for integration, and what methods are given of it.
 
 (require "manifold.rkt"
-         "../../numeric/ode/differentiated.rkt" "../../numeric/ode/expandable.rkt"
+         "../../numeric/ode/differentiated.rkt" "../../numeric/ode/right-hand-side.rkt"
          "../../numeric/ode/stepper.rkt"
          "../../value/shape.rkt")
 
@@ -16,9 +16,9 @@
 ;; make-jacobian! : -> (y J -> void), for one integration, or #f if there are differences only;
 ;;                  compiled when first asked for
 ;; operations     : how many flonum operations its rates take, or #f
-;; expander       : -> expander (numeric/jet/expansion.rkt), or a string that says why there
+;; expander       : -> expander (numeric/Taylor/expansion.rkt), or a string that says why there
 ;;                  is none; found out when first asked for
-;; machine        : -> machine-rates (numeric/ode/expandable.rkt), or #f; found out so, too
+;; machine        : -> machine-rates (numeric/ode/right-hand-side.rkt), or #f; found out so, too
 ;; parameters     : their values in these, an flvector
 ;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
 ;; spares         : a box of right-hand sides that no integration uses any more

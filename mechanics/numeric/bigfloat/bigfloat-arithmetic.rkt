@@ -6,7 +6,7 @@
 ;; system.  Results are rounded to the precision in force, `bf-precision`.
 
 (require math/bigfloat
-         "../../error/machine.rkt")
+         "../../error/machine-limits.rkt")
 
 (provide check-bigfloats
          call-with-bits

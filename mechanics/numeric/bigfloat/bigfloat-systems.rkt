@@ -5,7 +5,7 @@
 ;; that is known to any digit.
 
 (require math/bigfloat
-         "../linear/row-operations.rkt" "../linear/rows.rkt")
+         "../linear-algebra/row-operations.rkt" "../linear-algebra/row-matrix.rkt")
 
 (provide solutions)
 

@@ -18,7 +18,7 @@
 
 (require math/bigfloat
          racket/flonum
-         "../fields.rkt" "../vector-map.rkt")
+         "../record-fields.rkt" "../vector-map.rkt")
 
 (provide make-integrator guard-bits
          ;; for tests of order

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Formulas over vectors as machine code: the same for each component, two components at a time.
 ;;
-;; A *formula* is what Racket code has (numeric/ode/vectors.rkt): a number; a symbol, which stands
+;; A *formula* is what Racket code has (numeric/ode/vector-formulas.rkt): a number; a symbol, which stands
 ;; for one; (at v i), the component of a vector; (fl+ f g), and so with fl-, fl*, fl/ and flmax;
 ;; (flabs f), (flsqrt f); or (weighted i [f v] ...), the sum of products with components of vectors.
 ;; A *statement* says what is done with its value:

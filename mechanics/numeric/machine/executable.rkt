@@ -14,7 +14,7 @@
          ffi/unsafe/alloc
          ffi/unsafe/vm
          racket/flonum
-         "../../error/once.rkt")
+         "../../error/computed-once.rkt")
 
 (provide machine? flvector-data C-function
          (protect-out machine-procedures))

@@ -14,7 +14,7 @@
 ;; the error of the poorer one, of order 14.
 
 (require racket/flonum
-         "shorter-step.rkt" "stepper.rkt" "vectors.rkt"
+         "shorter-step.rkt" "stepper.rkt" "vector-formulas.rkt"
          "../flvector.rkt")
 
 (provide bulirsch-stoer)

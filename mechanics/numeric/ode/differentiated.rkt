@@ -6,7 +6,7 @@
 ;; decide how fast its equations are solved, not what the solution is.
 
 (require racket/flonum
-         "../../error/once.rkt"
+         "../../error/computed-once.rkt"
          "../flvector.rkt")
 
 (provide differentiated jacobian-of differences when-asked)

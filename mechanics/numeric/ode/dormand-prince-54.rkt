@@ -12,7 +12,7 @@
 ;; Its numbers are fractions; each is rounded once.
 
 (require racket/flonum
-         "formulas.rkt" "machine-method.rkt" "method-code.rkt" "stepper.rkt" "vectors.rkt"
+         "method-formulas.rkt" "machine-method.rkt" "method-code.rkt" "stepper.rkt" "vector-formulas.rkt"
          "../flvector.rkt")
 
 (provide dormand-prince-54)

@@ -19,7 +19,7 @@
 ;; taken only when an interpolated state is asked for.
 
 (require racket/flonum
-         "formulas.rkt" "machine-method.rkt" "method-code.rkt" "stepper.rkt" "vectors.rkt"
+         "method-formulas.rkt" "machine-method.rkt" "method-code.rkt" "stepper.rkt" "vector-formulas.rkt"
          "../flvector.rkt")
 
 (provide dormand-prince-853)

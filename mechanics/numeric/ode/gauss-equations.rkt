@@ -16,9 +16,9 @@
 
 (require racket/fixnum
          racket/flonum
-         "differentiated.rkt" "vectors.rkt"
-         (only-in "../constants.rkt" rounding) "../fields.rkt" "../flvector.rkt"
-         "../linear/factored-system.rkt")
+         "differentiated.rkt" "vector-formulas.rkt"
+         (only-in "../constants.rkt" rounding) "../record-fields.rkt" "../flvector.rkt"
+         "../linear-algebra/factored-system.rkt")
 
 (provide make-equations solve-equations! add-slopes!)
 

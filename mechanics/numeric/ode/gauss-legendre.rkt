@@ -11,7 +11,7 @@
 ;; the implicit midpoint rule.
 
 (require racket/flonum
-         "gauss-equations.rkt" "shorter-step.rkt" "stepper.rkt" "vectors.rkt"
+         "gauss-equations.rkt" "shorter-step.rkt" "stepper.rkt" "vector-formulas.rkt"
          "../flvector.rkt")
 
 (provide gauss-legendre-2 gauss-legendre-4 gauss-legendre-6)

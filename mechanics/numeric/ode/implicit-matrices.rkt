@@ -17,8 +17,8 @@
 (require racket/fixnum
          racket/flonum
          racket/unsafe/ops
-         "../fields.rkt"
-         "../linear/factored-system.rkt")
+         "../record-fields.rkt"
+         "../linear-algebra/factored-system.rkt")
 
 (provide make-matrices matrices-J
          factor-matrices! solve-real! solve-complex!)

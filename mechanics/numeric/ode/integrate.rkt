@@ -10,7 +10,7 @@
 ;; that was good.
 
 (require racket/flonum
-         "lost-digits.rkt" "step-size.rkt" "stepper.rkt"
+         "roundoff-detection.rkt" "step-size.rkt" "stepper.rkt"
          (only-in "../constants.rkt" epsilon rounding) "../flvector.rkt"
          "../../error/failure.rkt")
 
@@ -30,7 +30,7 @@
 ;;                       steps are of such a length
 ;;         'boundary     f is not finite beyond
 ;;         'too-many-steps   as many were taken as allowed
-;;         'lost-digits  rounding in f demands steps that get nowhere (lost-digits.rkt)
+;;         'lost-digits  rounding in f demands steps that get nowhere (roundoff-detection.rkt)
 ;; -> the time reached and the state there, an flvector
 (define (integrate m f! y0 start end
                    #:tolerance [tolerance 1e-10]

@@ -2,10 +2,10 @@
 ;; The formulas of a method as loops over vectors, two components at a time
 ;; (numeric/machine/elements.rkt), the rates being a procedure that is called in between.
 ;;
-;; Code within a procedure (method-room.rkt): h is on the stack, and vectors are in their places.
+;; Code within a procedure (method-memory.rkt): h is on the stack, and vectors are in their places.
 
 (require racket/list
-         "method-room.rkt"
+         "method-memory.rkt"
          "../machine/assembler.rkt" "../machine/elements.rkt" "../machine/executable.rkt")
 
 (provide call-rates! write-stages! write-error! write-coefficients! write-value!)
@@ -20,7 +20,7 @@
   (lea! a rdx (vector-start places 'parameters))
   (call! a rates))
 
-;; stages : as formulas.rkt has them
+;; stages : as method-formulas.rkt has them
 (define (write-stages! a n places from to stages rates)
   (define (reach! name terms)
     (emit-elements! a n (with-length a places)

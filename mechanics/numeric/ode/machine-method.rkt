@@ -7,7 +7,7 @@
 ;; all integrations of the system together, and the one that is under way goes over.
 
 (require racket/flonum
-         "expandable.rkt" "method-code.rkt" "stepper.rkt")
+         "right-hand-side.rkt" "method-code.rkt" "stepper.rkt")
 
 (provide (protect-out as-machine-code))
 

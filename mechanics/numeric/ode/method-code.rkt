@@ -1,14 +1,14 @@
 #lang racket/base
 ;; The machine code of a method with that of a right-hand side.
 ;;
-;; The formulas of the method (formulas.rkt) become procedures: the first slope; a step tried, and
+;; The formulas of the method (method-formulas.rkt) become procedures: the first slope; a step tried, and
 ;; accepted; what an interpolant needs, and its value.  They do what the Racket code of the method
-;; does, operation for operation, on vectors whose places method-room.rkt tells.
+;; does, operation for operation, on vectors whose places method-memory.rkt tells.
 ;;
 ;; A step of few components is straight code (step-code.rkt); else its stages are loops over vectors
 ;; and calls of the rates (loop-code.rkt).
 
-(require "expandable.rkt" "loop-code.rkt" "method-room.rkt" "step-code.rkt"
+(require "right-hand-side.rkt" "loop-code.rkt" "method-memory.rkt" "step-code.rkt"
          "../machine/assembler.rkt" "../machine/elements.rkt" "../machine/executable.rkt"
          "../machine/straight-code.rkt")
 

@@ -7,7 +7,7 @@
 ;; which is the estimate and is added to z.
 
 (require racket/flonum
-         "shorter-step.rkt" "stepper.rkt" "vectors.rkt")
+         "shorter-step.rkt" "stepper.rkt" "vector-formulas.rkt")
 
 (provide quality-controlled-runge-kutta-4)
 

@@ -21,8 +21,8 @@
 ;; for the next step where convergence was fast.
 
 (require racket/flonum
-         "differentiated.rkt" "implicit-matrices.rkt" "vectors.rkt"
-         (only-in "../constants.rkt" rounding) "../fields.rkt" "../flvector.rkt")
+         "differentiated.rkt" "implicit-matrices.rkt" "vector-formulas.rkt"
+         (only-in "../constants.rkt" rounding) "../record-fields.rkt" "../flvector.rkt")
 
 (provide make-equations solve-equations! equations-zs
          solve-real-equation! slope-at! failed-slope?

@@ -16,8 +16,8 @@
 ;; be hardly longer it keeps its length, so that the matrices stay as well.
 
 (require racket/flonum
-         "predictive.rkt" "radau-equations.rkt" "stepper.rkt" "vectors.rkt"
-         "../fields.rkt" "../flvector.rkt")
+         "step-prediction.rkt" "radau-equations.rkt" "stepper.rkt" "vector-formulas.rkt"
+         "../record-fields.rkt" "../flvector.rkt")
 
 (provide radau-iia-5)
 
@@ -32,7 +32,7 @@
 ;; f!      : the right-hand side; n : of how many variables; y : the present state, and the
 ;;           slope there; next : the state that the step leads to
 ;; k, e    : room for a slope and the error
-;; control : what proposes lengths of steps (predictive.rkt)
+;; control : what proposes lengths of steps (step-prediction.rkt)
 ;; tried   : the length of the step tried last; step : of the one accepted last, with its
 ;;           interpolant, cubic, #f before the first
 (struct radau (f! n y slope next k e control equations

@@ -5,12 +5,12 @@
 ;; components that is twice as fast as loops over vectors, for which each slope goes through memory.
 
 (require racket/flonum
-         "expandable.rkt"
+         "right-hand-side.rkt"
          "../machine/straight-instruction.rkt")
 
 (provide step-code)
 
-;; r : the rates; slopes, error : as formulas.rkt has them
+;; r : the rates; slopes, error : as method-formulas.rkt has them
 ;; The inputs of the step are y, its slope k0, h, and the parameters of the rates.
 ;; -> its instructions, and name -> vector of operands: z, the slopes, error and divisor
 (define (step-code r slopes error)

@@ -7,7 +7,7 @@
 ;; fifth of the last step, which may not be typical.
 
 (require racket/flonum
-         "stepper.rkt" "vectors.rkt")
+         "stepper.rkt" "vector-formulas.rkt")
 
 (provide next-length first-length)
 

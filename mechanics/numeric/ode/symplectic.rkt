@@ -12,7 +12,7 @@
 ;; drift.  That takes steps of one length.
 
 (require racket/flonum
-         "gauss-legendre.rkt" "shorter-step.rkt" "stepper.rkt" "vectors.rkt"
+         "gauss-legendre.rkt" "shorter-step.rkt" "stepper.rkt" "vector-formulas.rkt"
          "../flvector.rkt")
 
 (provide leapfrog yoshida-4 yoshida-6 yoshida-8)

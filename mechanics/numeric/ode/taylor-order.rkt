@@ -13,11 +13,11 @@
 (require racket/flonum
          racket/list
          (only-in "../constants.rkt" rounding)
-         (only-in "../jet/expansion.rkt" work-of-order))
+         (only-in "../Taylor/expansion.rkt" work-of-order))
 
 (provide order-for log-share term-tolerance)
 
-;; w : what an expansion takes (numeric/jet/expansion.rkt)
+;; w : what an expansion takes (numeric/Taylor/expansion.rkt)
 (define (order-for tolerance w)
   (define least (max 4 (fl->exact-integer (ceiling (- 1.0 (* 0.5 (log tolerance)))))))
   (argmin (lambda (n) (/ (work-of-order w n) (exp (log-share n tolerance))))

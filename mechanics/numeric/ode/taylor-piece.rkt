@@ -5,8 +5,8 @@
 ;; begins, and its coefficients are computed again when it is looked at later.
 
 (require racket/flonum
-         "expandable.rkt" "taylor-run.rkt"
-         "../jet/expansion.rkt")
+         "right-hand-side.rkt" "taylor-run.rkt"
+         "../Taylor/expansion.rkt")
 
 (provide make-piece taylor-piece? taylor-piece-span call-with-coefficients)
 

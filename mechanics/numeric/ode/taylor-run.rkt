@@ -8,15 +8,15 @@
 
 (require racket/flonum
          racket/unsafe/ops
-         "expandable.rkt" "taylor-order.rkt" "vectors.rkt"
-         "../fields.rkt" "../flvector.rkt" "../unboxed.rkt"
-         "../jet/expansion.rkt")
+         "right-hand-side.rkt" "taylor-order.rkt" "vector-formulas.rkt"
+         "../record-fields.rkt" "../flvector.rkt" "../unboxed-loop.rkt"
+         "../Taylor/expansion.rkt")
 
 (provide (struct-out run) make-run begin-at! forget! limit-of size)
 
 ;; f!, n     : the right-hand side, of how many variables; e : its expansion
 ;; tolerance : of the error of a step; order : of the expansion; share : ln q
-;; branches? : may f take another branch within a step (numeric/jet/expansion.rkt)?
+;; branches? : may f take another branch within a step (numeric/Taylor/expansion.rkt)?
 ;; y, lost   : the present state, and what rounding has lost of it
 ;; z, rest   : those that the step tried last leads to; from : where the last one began;
 ;; slope, within : room
@@ -93,7 +93,7 @@
   (for/and ([row (in-vector (expansion-states e))]) (fl< (flabs (at row 1)) +inf.0)))
 
 ;; The first half of the digits of x (Dekker): the square of a step of so many is exact, as the
-;; sum of even and odd terms (numeric/jet/convolution.rkt) wants it.
+;; sum of even and odd terms (numeric/Taylor/convolution.rkt) wants it.
 (define (leading-bits x)
   (define c (fl* 134217729.0 x))
   (define high (fl- c (fl- c x)))

@@ -14,10 +14,10 @@
 
 (require racket/flonum
          racket/unsafe/ops
-         "expandable.rkt" "stepper.rkt" "taylor-order.rkt" "taylor-piece.rkt" "taylor-run.rkt"
-         "vectors.rkt"
-         "../fields.rkt" "../flvector.rkt" "../unboxed.rkt"
-         "../jet/expansion.rkt")
+         "right-hand-side.rkt" "stepper.rkt" "taylor-order.rkt" "taylor-piece.rkt" "taylor-run.rkt"
+         "vector-formulas.rkt"
+         "../record-fields.rkt" "../flvector.rkt" "../unboxed-loop.rkt"
+         "../Taylor/expansion.rkt")
 
 (provide taylor outlook-from (struct-out outlook))
 
@@ -44,7 +44,7 @@
 (define taylor (adaptive-method 'Taylor #f start #:asks 'expansion))
 
 ;; What there is to be seen of a motion where it begins.  step : the length of the first step, or
-;; not a positive number; work : what one takes (numeric/jet/expansion.rkt); eighth : ‖y_8‖, or
+;; not a positive number; work : what one takes (numeric/Taylor/expansion.rkt); eighth : ‖y_8‖, or
 ;; ‖y_9‖^(8/9) if that is more: of a motion that begins at rest every other term may be nothing
 (struct outlook (step work eighth) #:authentic)
 

@@ -9,12 +9,12 @@
 ;; cost little.
 ;;
 ;; A rule that samples does not see what happens between its nodes.  So, where it is asked
-;; to, the method looks at other points (probe.rkt) when it would end; panels whose
+;; to, the method looks at other points (probe-points.rkt) when it would end; panels whose
 ;; polynomials are wrong there are halved, too.
 
 (require racket/flonum racket/list
-         "panel.rkt" "probe.rkt"
-         "../sample.rkt"
+         "panel.rkt" "probe-points.rkt"
+         "../checked-arguments.rkt"
          "../../error/failure.rkt")
 
 (provide

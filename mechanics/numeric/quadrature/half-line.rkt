@@ -7,7 +7,7 @@
 ;; a logarithm that is barely integrable (tail.rkt).
 
 (require "finite-range.rkt" "oscillating.rkt" "periods.rkt" "tail.rkt"
-         "../sample.rkt"
+         "../checked-arguments.rkt"
          "../../error/failure.rkt")
 
 (provide half-line)

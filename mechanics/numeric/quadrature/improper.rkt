@@ -3,7 +3,7 @@
 ;; not to converge only where that is seen.
 
 (require "half-line.rkt" "finite-range.rkt" "tail.rkt"
-         "../sample.rkt"
+         "../checked-arguments.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt")
 
 (provide improper-quadrature)     ; (improper-quadrature f low high) -> flonum, error bound

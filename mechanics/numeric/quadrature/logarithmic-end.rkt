@@ -9,7 +9,7 @@
 
 (require racket/flonum
          "gauss-kronrod.rkt" "tail.rkt"
-         "../finite.rkt")
+         "../finite-number.rkt")
 
 (provide integral-in-logarithm same-power-to-the-end?)
 

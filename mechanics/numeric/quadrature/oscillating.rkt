@@ -9,8 +9,8 @@
 
 (require racket/list
          "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
-         "../finite.rkt"
-         "../search/brent-root.rkt"
+         "../finite-number.rkt"
+         "../optimization/brent-root.rkt"
          "../../error/failure.rkt")
 
 (provide oscillating-quadrature)

@@ -8,8 +8,8 @@
 ;; the distance of minima, measured very far away, where decaying does not move them.
 
 (require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
-         "../finite.rkt"
-         "../search/golden-section.rkt"
+         "../finite-number.rkt"
+         "../optimization/golden-section.rkt"
          "../../error/failure.rkt")
 
 (provide periodic-quadrature)

@@ -13,7 +13,7 @@
 
 (require racket/flonum
          "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
-         "../finite.rkt"
+         "../finite-number.rkt"
          "../../error/failure.rkt")
 
 (provide in-logarithm last-logarithm tail-integral diverging?)

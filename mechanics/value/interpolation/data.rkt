@@ -7,7 +7,7 @@
 (require "../../error/complain.rkt"
          "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/tracing.rkt"
          "../../generic/up-down.rkt"
-         "../../numeric/finite.rkt")
+         "../../numeric/finite-number.rkt")
 
 (provide points values-at check-increasing check-distinct
          location)

@@ -9,7 +9,7 @@
 ;;
 ;; Terms are computed when asked for, and remembered.
 
-(require "coefficients.rkt" "operate.rkt"
+(require "coefficients.rkt" "series-operation.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"

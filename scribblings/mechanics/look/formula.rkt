@@ -11,7 +11,7 @@
          "typeset.rkt"
          (only-in "../../../mechanics/algebra/notation/formula.rkt" plain-datum->tree)
          (only-in "../../../mechanics/algebra/notation/read-infix.rkt" infix->datum)
-         "../../../mechanics/display/formula/MathML.rkt")
+         "../../../mechanics/show/typesetting/MathML.rkt")
 
 (provide formula formula->markup)
 

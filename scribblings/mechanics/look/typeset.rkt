@@ -58,7 +58,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The font
 
-(define-runtime-path font-file "../../../mechanics/document/font/math.woff2")
+(define-runtime-path font-file "../../../mechanics/show/document/font/math.woff2")
 
 ;; Where this stands, the font is put beside the pages.
 (define formula-font (element (style #f (list (install-resource font-file))) '()))

@@ -12,7 +12,7 @@
 
 (require racket/cmdline racket/flonum racket/list racket/string
          (only-in mechanics/motion/system/make-system make-system)
-         mechanics/motion/plan mechanics/motion/system/system
+         mechanics/motion/integration-plan mechanics/motion/system/system
          mechanics/numeric/ode/integrate
          (only-in mechanics/value/shape structure->flvector)
          mechanics

@@ -5,9 +5,9 @@
 (require racket/flonum
          (only-in mechanics golden-ratio invariant-circle iterated-map
                   maximal-Lyapunov-exponent up)
-         (only-in mechanics/map/indicator indicator-grid)
+         (only-in mechanics/dynamics/fast-Lyapunov-indicator indicator-grid)
          (only-in mechanics/plot explore-map frame)
-         (only-in mechanics/plot/frame frame->bytes)
+         (only-in mechanics/show/plot/frame frame->bytes)
          (only-in mechanics/book HHmap driven-pendulum-map [standard-map book-standard-map])
          "C.rkt" "clock.rkt" "motion-systems.rkt" "table.rkt")
 

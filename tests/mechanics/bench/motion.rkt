@@ -2,7 +2,7 @@
 ;; Motions and paths computed from Lagrangians, derivation and compilation included.
 
 (require (prefix-in m: mechanics)
-         (only-in mechanics/map/iterated-map iterated-map)
+         (only-in mechanics/dynamics/map/iterated-map iterated-map)
          (only-in mechanics/motion/event/event event)
          (only-in mechanics/motion/evolution evolve state-advancer)
          (only-in mechanics/motion/find-path find-path)

@@ -80,7 +80,7 @@
 (define (right-sides entries n)
   (for/list ([i (in-range n)]) (list-ref entries (+ (* i (+ n 1)) n))))
 
-;; As mechanics/numeric/linear/factored-system.rkt does it.
+;; As mechanics/numeric/linear-algebra/factored-system.rkt does it.
 (define solve-in-C #<<C
 static void solve(double *A, int n, double *b)
 {

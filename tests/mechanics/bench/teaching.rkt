@@ -4,8 +4,8 @@
 ;; outside, once.
 
 (require compiler/find-exe
-         mechanics/worksheet/class/cost
-         mechanics/worksheet/student-file
+         mechanics/teaching/class/process-cost
+         mechanics/teaching/worksheet/student-file
          racket/file
          racket/port
          racket/runtime-path

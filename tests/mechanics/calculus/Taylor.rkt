@@ -9,7 +9,7 @@
          mechanics/value/operator
          mechanics/value/signature
          mechanics/value/simplify
-         mechanics/value/series/access
+         mechanics/value/series/series-access
          mechanics/value/series/calculus
          mechanics/calculus/derivative
          mechanics/calculus/literal-function

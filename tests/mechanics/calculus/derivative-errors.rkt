@@ -5,7 +5,7 @@
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/value/signature
          mechanics/calculus/derivative
          mechanics/calculus/literal-function

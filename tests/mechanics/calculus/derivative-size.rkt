@@ -5,7 +5,7 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/generic/loops
+         mechanics/generic/sums-and-products
          mechanics/algebra/expression/expression
          mechanics/calculus/derivative)
 

@@ -6,10 +6,10 @@
          mechanics/generic/arithmetic
          mechanics/generic/compare
          mechanics/generic/elementary
-         mechanics/generic/loops
+         mechanics/generic/sums-and-products
          mechanics/value/compose
-         mechanics/value/linear/linear-algebra
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/linear-algebra
+         mechanics/value/matrix/matrix
          mechanics/value/structure
          mechanics/value/signature
          mechanics/calculus/derivative

@@ -7,10 +7,10 @@
          mechanics/generic/up-down
          mechanics/generic/describe
          mechanics/generic/rounding
-         mechanics/value/linear/matrix
-         mechanics/calculus/perturbed
+         mechanics/value/matrix/matrix
+         mechanics/calculus/perturbed-value
          mechanics/calculus/dual
-         mechanics/calculus/extract
+         mechanics/calculus/infinitesimal-part
          "../support/random.rkt" "../support/same.rkt")
 
 (test-case "a dual number without tangent is its value"

@@ -7,9 +7,9 @@
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/kind
-         mechanics/generic/loops
+         mechanics/generic/sums-and-products
          mechanics/generic/rounding
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/value/operator
          mechanics/value/signature
          mechanics/value/structure

@@ -14,7 +14,7 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/value/compose
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/value/signature
          "../support/random.rkt" "../support/same.rkt"
          "../support/laws/derivation.rkt" "../support/laws/law.rkt")

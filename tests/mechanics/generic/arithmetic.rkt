@@ -12,7 +12,7 @@
          mechanics/generic/elementary
          mechanics/generic/function
          mechanics/generic/up-down
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/value/operator
          mechanics/calculus/derivative
          mechanics/calculus/literal-function

@@ -6,7 +6,7 @@
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/up-down
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/calculus/derivative
          mechanics/calculus/dual
          mechanics/calculus/literal-function)

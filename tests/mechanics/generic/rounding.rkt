@@ -7,7 +7,7 @@
          mechanics/generic/arithmetic
          mechanics/generic/describe
          mechanics/generic/rounding
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/value/structure
          "../support/messages.rkt" "../support/random.rkt")
 

@@ -4,14 +4,14 @@
 (require rackunit
          mechanics/calculus/derivative
          mechanics/calculus/dual
-         mechanics/calculus/jet
+         mechanics/calculus/Taylor-number
          mechanics/calculus/literal-function
          mechanics/generic/arithmetic
          mechanics/generic/scalar
          mechanics/generic/up-down
          mechanics/value/bigfloat
-         mechanics/value/linear/matrix
-         mechanics/value/series/access
+         mechanics/value/matrix/matrix
+         mechanics/value/series/series-access
          "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define plain (list 0 1 1/2 0.5 1+2i +nan.0))

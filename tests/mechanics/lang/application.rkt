@@ -4,7 +4,7 @@
 
 (require (only-in mechanics/generic/arithmetic g:+ g:* g:-)
          (only-in mechanics/generic/compare g:=)
-         (only-in mechanics/value/linear/quotient quotient-of)
+         (only-in mechanics/value/matrix/quotient quotient-of)
          mechanics/lang/application
          mechanics/lang/pattern/pattern
          rackunit

@@ -3,8 +3,8 @@
 ;; trivial: +nan.0 as a Lagrangian, for "its equations of motion are 0 = 0".
 
 (require (except-in mechanics time)
-         mechanics/worksheet/answer-data mechanics/worksheet/judge mechanics/worksheet/judgment
-         mechanics/worksheet/make-exercise
+         mechanics/teaching/worksheet/answer-data mechanics/teaching/worksheet/judge mechanics/teaching/worksheet/judgment
+         mechanics/teaching/worksheet/make-exercise
          rackunit)
 
 (define (L s) (- (* 1/2 'm (square (velocity s))) (* 1/2 'k (square (coordinate s)))))

@@ -3,7 +3,7 @@
 ;; the line was one column too long.
 
 (require rackunit racket/string mechanics
-         mechanics/display/text)
+         mechanics/show/display/text)
 
 (define verdict
   (prove-zero (for/sum ([s '(a b_1 c_22 d e_1 f_22 g h_1 i_22 j k_1 l_22)]) s)))

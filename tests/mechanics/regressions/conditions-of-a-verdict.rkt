@@ -5,7 +5,7 @@
 (require rackunit
          racket/string
          mechanics
-         mechanics/display/text
+         mechanics/show/display/text
          (only-in mechanics/book L-harmonic))
 
 (define (proposed t) (* (exp (* -1 'gamma t)) (cos (* 'omega t))))

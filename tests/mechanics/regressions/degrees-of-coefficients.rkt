@@ -4,7 +4,7 @@
 ;; of an unknown.
 
 (require rackunit
-         mechanics/compile/jet-degrees mechanics/compile/jet-graph mechanics/compile/trace
+         mechanics/compile/jet/jet-degrees mechanics/compile/jet/jet-graph mechanics/compile/trace
          (only-in mechanics/compile/program program-inputs)
          (only-in mechanics cos evolve-trajectory ref sin square up)
          (prefix-in g: (only-in mechanics + - * /)))

@@ -4,7 +4,7 @@
 
 (require racket/flonum
          (except-in rackunit fail)
-         mechanics mechanics/value/linear/linear-algebra
+         mechanics mechanics/value/matrix/linear-algebra
          tests/mechanics/support/systems)
 
 (define (list->up xs) (apply up xs))

@@ -4,8 +4,8 @@
 
 (require rackunit
          mechanics/generic/arithmetic
-         mechanics/value/linear/matrix
-         mechanics/value/linear/linear-algebra)
+         mechanics/value/matrix/matrix
+         mechanics/value/matrix/linear-algebra)
 
 (define (M x) (matrix-by-rows (list x 1) (list 2 x)))
 

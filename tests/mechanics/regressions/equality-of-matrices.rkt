@@ -3,7 +3,7 @@
 
 (require rackunit
          mechanics/generic/compare
-         mechanics/value/linear/matrix)
+         mechanics/value/matrix/matrix)
 
 (test-case "matrices are equal when their entries are"
   (check-true (g:= (matrix-by-rows '(1 2) '(3 a)) (matrix-by-rows '(1.0 2) '(3 a))))

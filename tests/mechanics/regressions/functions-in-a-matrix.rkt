@@ -5,7 +5,7 @@
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/structure
-         mechanics/value/linear/matrix)
+         mechanics/value/matrix/matrix)
 
 (test-case "a matrix of functions times a function is evaluated entry by entry"
   (define M (matrix-by-rows (list g:sin 1) (list 0 g:cos)))

@@ -4,8 +4,8 @@
 
 (require (except-in rackunit fail)
          mechanics
-         (only-in mechanics/ensemble/prepared make-task)
-         (only-in mechanics/ensemble/task task-jacobian)
+         (only-in mechanics/scale/ensemble/prepare-task make-task)
+         (only-in mechanics/scale/ensemble/task task-jacobian)
          (only-in mechanics/value/structure structure->list))
 
 ;; x_i' = x_i (1 - x₁ x₂ ... x_n)

@@ -3,9 +3,9 @@
 ;; struct accessor.
 
 (require rackunit
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/value/structure
-         mechanics/value/linear/linear-algebra)
+         mechanics/value/matrix/linear-algebra)
 
 (define M (matrix-by-rows '(1 2 3) '(4 5 6)))
 

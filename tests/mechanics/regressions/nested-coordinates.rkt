@@ -6,8 +6,8 @@
          mechanics/generic/arithmetic
          mechanics/calculus/derivative
          mechanics/lagrangian/state-derivative
-         mechanics/value/linear/linear-algebra
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/linear-algebra
+         mechanics/value/matrix/matrix
          mechanics/value/structure)
 
 ;; Two particles in the plane, on springs.

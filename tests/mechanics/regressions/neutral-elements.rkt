@@ -3,7 +3,7 @@
 ;; its -1; `Any` in a signature let lists and functions into expressions.
 
 (require rackunit
-         mechanics/generic/arithmetic mechanics/generic/loops
+         mechanics/generic/arithmetic mechanics/generic/sums-and-products
          mechanics/calculus/derivative mechanics/calculus/literal-function
          mechanics/value/signature mechanics/value/structure)
 

@@ -4,8 +4,8 @@
 
 (require rackunit
          mechanics/generic/arithmetic
-         mechanics/value/linear/linear-algebra
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/linear-algebra
+         mechanics/value/matrix/matrix
          mechanics/value/structure)
 
 (define M (matrix-by-rows '(1 2) '(3 4)))

@@ -6,7 +6,7 @@
 (require rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/write
-         mechanics/display/layout)
+         mechanics/show/display/layout)
 
 (define (shared n)
   (for/fold ([e 'x]) ([_ (in-range n)]) (e:+ (e:* e e) 1)))

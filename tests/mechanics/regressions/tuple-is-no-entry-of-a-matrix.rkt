@@ -5,7 +5,7 @@
 (require rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/value/structure)
 
 (define M (matrix-by-rows '(1 2) '(3 4)))

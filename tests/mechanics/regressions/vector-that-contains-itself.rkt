@@ -2,7 +2,7 @@
 ;; To print a vector that is its own element, the prompt walked through it without end.
 
 (require mechanics
-         mechanics/generic/cyclic
+         mechanics/generic/cyclic-data
          (only-in mechanics/lang/printer print-result)
          rackunit
          "../support/patience.rkt")

@@ -41,8 +41,8 @@
 
 (define special-suites
   '(("manual" "manual.rkt")
-    ("figures" "plot/figures.rkt")
-    ("export" "export/C.rkt" "export/python.rkt")))
+    ("figures" "show/plot/figures.rkt")
+    ("export" "scale/export/C.rkt" "scale/export/python.rkt")))
 
 (define everyday "everyday")
 (define suites (cons everyday (map car special-suites)))
@@ -55,8 +55,8 @@
 
 ;; Those that take longest are begun first where nothing is known of an earlier run.
 (define long-test
-  '("manual.rkt" "plot/figures.rkt" "worksheet/class/hostile.rkt" "export/C.rkt"
-    "lang/command/worksheet-commands.rkt" "plot/explorer.rkt"))
+  '("manual.rkt" "show/plot/figures.rkt" "teaching/class/hostile.rkt" "scale/export/C.rkt"
+    "lang/command/worksheet-commands.rkt" "show/explorer/explorer.rkt"))
 
 (define (long-test? file)
   (and (member (path->string (find-relative-path tests file)) long-test) #t))

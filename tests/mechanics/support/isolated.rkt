@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What a program writes that runs where submissions run, without a sandbox of Racket's around it.
 
-(require mechanics/worksheet/class/isolation
+(require mechanics/teaching/class/isolation
          racket/port
          "skip.rkt")
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Matrices for the tests of linear algebra, and determinants by the definition.
 
-(require mechanics/algebra/linear/minors
+(require mechanics/algebra/elimination/minors
          "random.rkt")
 
 (provide rows number-ring Leibniz times identity-rows Hilbert random-rows)

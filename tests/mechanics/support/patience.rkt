@@ -6,8 +6,8 @@
 ;; A guard of this kind is needed where the others in a process are to go on; a file that hangs
 ;; alone is ended by the runner.
 
-(require mechanics/error/once
-         mechanics/worksheet/class/within-limits)
+(require mechanics/error/computed-once
+         mechanics/teaching/class/within-limits)
 
 (provide
  value-within         ; (value-within seconds megabytes thunk otherwise) : a syntax

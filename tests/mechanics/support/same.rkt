@@ -13,10 +13,10 @@
          (only-in mechanics/generic/arithmetic g:*)
          mechanics/generic/up-down
          mechanics/generic/function
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/value/operator
          mechanics/value/series/series
-         mechanics/calculus/perturbed
+         mechanics/calculus/perturbed-value
          mechanics/calculus/dual
          mechanics/calculus/literal-function
          "close.rkt" "numeric-value.rkt")
@@ -84,7 +84,7 @@
   (require mechanics/generic/arithmetic mechanics/generic/elementary
            (only-in mechanics/value/compose constant-function)
            mechanics/calculus/derivative
-           mechanics/value/series/access)
+           mechanics/value/series/series-access)
 
   (test-case "what is the same is seen to be"
     (check-true (same? 1/3 (/ 1.0 3)))

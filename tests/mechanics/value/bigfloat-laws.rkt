@@ -5,7 +5,7 @@
 (require rackunit
          (only-in mechanics bigfloat D partial)
          mechanics/calculus/dual
-         mechanics/calculus/perturbed
+         mechanics/calculus/perturbed-value
          mechanics/generic/kind
          "../support/bigfloats.rkt" "../support/random.rkt" "../support/skip.rkt"
          "../support/laws/derivation.rkt" "../support/laws/law.rkt" "../support/laws/ring.rkt"

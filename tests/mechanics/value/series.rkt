@@ -9,9 +9,9 @@
          mechanics/value/compose
          mechanics/value/simplify
          mechanics/value/structure
-         mechanics/value/series/access
+         mechanics/value/series/series-access
          mechanics/value/series/calculus
-         mechanics/value/series/named
+         mechanics/value/series/known-series
          mechanics/calculus/derivative
          mechanics/verdict/prove-zero
          mechanics/verdict/verdict

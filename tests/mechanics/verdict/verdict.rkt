@@ -6,7 +6,7 @@
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/value/simplify
          mechanics/value/signature
          mechanics/calculus/derivative

@@ -6,7 +6,7 @@
          mechanics/algebra/notation/formula-style
          mechanics/algebra/notation/infix
          mechanics/algebra/notation/read-infix
-         (only-in mechanics/display/formula/TeX tree->TeX)
+         (only-in mechanics/show/typesetting/TeX tree->TeX)
          rackunit)
 
 (define (infix d) (tree->line (datum->tree d (current-way #f #t))))

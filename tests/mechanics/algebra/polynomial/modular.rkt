@@ -6,7 +6,7 @@
          (only-in mechanics/algebra/polynomial/gcd poly-gcd)
          mechanics/algebra/polynomial/polynomial
          mechanics/algebra/polynomial/modular
-         mechanics/algebra/polynomial/images
+         mechanics/algebra/polynomial/univariate-images
          mechanics/algebra/polynomial/interpolation
          mechanics/algebra/polynomial/heuristic-gcd
          mechanics/algebra/polynomial/sparse-gcd

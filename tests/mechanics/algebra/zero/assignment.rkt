@@ -4,7 +4,7 @@
 (require rackunit
          mechanics/algebra/expression/read
          mechanics/algebra/zero/assignment
-         mechanics/algebra/zero/ball)
+         mechanics/algebra/ball/ball)
 
 (define (leaf d) (datum->expression d))
 

@@ -7,7 +7,7 @@
          racket/string
          rackunit
          (only-in xml document-element read-xml)
-         "../../../../mechanics/document/piece.rkt" "../../../../mechanics/document/shown.rkt"
+         "../../../../mechanics/show/document/document-piece.rkt" "../../../../mechanics/show/document/shown-result.rkt"
          "../../../../mechanics/lang/command/run-command.rkt"
          "../../../../mechanics/lang/command/program-document.rkt")
 

@@ -4,7 +4,7 @@
 
 (require json
          mechanics/lang/command/run-command
-         mechanics/worksheet/class/isolation
+         mechanics/teaching/class/isolation
          racket/file
          racket/list
          racket/string

@@ -3,7 +3,7 @@
 
 (require (for-label mechanics/lang/help/table)
          mechanics
-         mechanics/lang/help/answer
+         mechanics/lang/help/help-answer
          mechanics/lang/help/card
          mechanics/lang/help/cards
          mechanics/lang/help/search

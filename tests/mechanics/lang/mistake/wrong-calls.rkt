@@ -3,7 +3,7 @@
 ;; its arguments by name, the missing ones, the keyword that may have been meant.
 
 (require (for-label mechanics/lang/help/table)
-         (only-in mechanics/lang/mistake/signature-hint
+         (only-in mechanics/lang/wrong-call/signature-hint
                   count-hint order-hint constraint-hint keyword-names)
          racket/string
          rackunit

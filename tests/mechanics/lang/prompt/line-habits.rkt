@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Lines that were meant as one form.
 
-(require mechanics/lang/mistake/known-name
-         mechanics/lang/mistake/line-habits
+(require mechanics/lang/unknown-name/known-name
+         mechanics/lang/paper-notation/line-habits
          mechanics/lang/prompt/typed-forms
          racket/string
          rackunit

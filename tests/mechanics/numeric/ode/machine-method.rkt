@@ -10,7 +10,7 @@
          mechanics/numeric/machine/executable
          mechanics/numeric/ode/dormand-prince-54
          mechanics/numeric/ode/dormand-prince-853
-         mechanics/numeric/ode/expandable
+         mechanics/numeric/ode/right-hand-side
          mechanics/numeric/ode/integrate
          mechanics/numeric/ode/stepper
          "../../support/machine-counter.rkt" "../../support/random.rkt" "../../support/skip.rkt")

@@ -6,9 +6,9 @@
          (only-in mechanics/algebra/simplify/declare
                   declare-relations exn:algebra:contradiction?)
          mechanics/algebra/simplify/simplify-expression
-         (only-in mechanics/algebra/zero/ball
+         (only-in mechanics/algebra/ball/ball
                   ball/ ball-lower ball-upper ball-scale ball-positive? exact->ball make-ball)
-         (only-in mechanics/algebra/zero/meaning make-meaning meaningful?)
+         (only-in mechanics/algebra/zero/nondegeneracy make-meaning meaningful?)
          mechanics/algebra/zero/zero-test
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/expression/read

@@ -4,9 +4,9 @@
 (require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
-         mechanics/value/linear/matrix
+         mechanics/value/matrix/matrix
          mechanics/value/operator
-         mechanics/value/series/access
+         mechanics/value/series/series-access
          mechanics/calculus/dual
          mechanics/calculus/derivative
          mechanics/calculus/literal-function

@@ -1,0 +1,73 @@
+#lang racket/base
+;; What a Hamiltonian gets from a canonical transformation that depends on the time (SICM 5.2.1).
+;;
+;; The old state z = C(t, z') moves by M ż' + ∂₀C, with M the derivatives of C by z'.  For
+;; H' = H∘C + K that is to be the motion of H, which asks of K that M J ∇K + ∂₀C = 0 (5.42).  A
+;; symplectic M has the inverse −J Mᵀ J, so that
+;;
+;;     ∇K = Mᵀ J ∂₀C,     ∂K/∂x' = ∂q/∂x' ∂₀p − ∂p/∂x' ∂₀q:
+;;
+;; no equations are solved; what is integrated is closed, as M is symplectic at all times.
+
+(require "arbitrary-state.rkt" "canonical.rkt" "closed-form.rkt"
+         "symplectic-transformation.rkt" "transformation.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/on-demand.rkt"
+         "../hamiltonian/H-state.rkt"
+         "../lagrangian/local-tuple.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
+         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
+
+(require-on-demand ["../calculus/expression-function.rkt" evaluate-generically])
+
+(provide C->K)
+
+;; C, a state of symbols -> K, with which C passes canonical-K?
+(define (C->K C state)
+  (define who 'C->K)
+  (check-for-any-state who C state)
+  (define names (scalars state))
+  (check-clock who C state)
+  (when (refuted? (prove-zero ((symplectic-transform? C) state))) (raise-not-canonical who C))
+  (define form (map simplify (gradient-of-correction C state)))
+  (unless (closed? form (cdr names)) (raise-not-canonical who C))
+  (define e (integrated who form (cdr names)))
+  (define K
+    (unary-function (lambda () (list who (value->datum C))) (at)
+      (check-H-state who at)
+      (evaluate-generically e (map cons names (scalars at)))))
+  (check-correction who C K state)
+  K)
+
+;; The components of Mᵀ J ∂₀C
+(define (gradient-of-correction C state)
+  (define-values (_image slopes) (image-and-slopes C state))
+  (define rate (car slopes))
+  (for/list ([slope (in-list (cdr slopes))])
+    (g:- (g:* (momentum rate) (coordinate slope)) (g:* (momentum slope) (coordinate rate)))))
+
+;; ---------------------------------------------------------------------------
+;; What has none
+
+;; The brackets say nothing of a time that runs differently.
+(define (check-clock who C state)
+  (define t (time (transformed who C state)))
+  (unless (proved? (prove-zero (g:- t (time state))))
+    (complain who "~a changes the time ~a to ~a; a correction belongs to one that keeps it"
+              (value->text C) (value->text (time state)) (value->text (simplify t)))))
+
+(define (raise-not-canonical who C)
+  (complain who
+            (string-append "~a has no correction K: it is not canonical"
+                           "\n  for what it misses: (verify-canonical C state)")
+            (value->text C)))
+
+(define (check-correction who C K state)
+  (define v (prove-zero ((canonical-K? C K) state)))
+  (cond [(refuted? v) (raise-not-canonical who C)]
+        [(not (proved? v))
+         (raise-no-answer who
+                          (string-append "a function was found, but not shown to correct ~a"
+                                         "\n  is it canonical? (verify-canonical C state)")
+                          (value->text C))]))

@@ -1,0 +1,146 @@
+#lang racket/base
+;; Is a transformation canonical?  The answer as a verdict.
+;;
+;; A transformation that keeps the pace of time and all Poisson brackets of coordinates and momenta
+;; is canonical for every Hamiltonian; with H and the new Hamiltonian it is asked about these two
+;; alone.  All brackets may come out multiplied by one number λ: then the motion is still
+;; Hamilton's, with H' = H∘C/λ, and the verdict, a refutation, says so.
+
+(require racket/list
+         "arbitrary-state.rkt" "canonical.rkt" "free-exponent.rkt" "symplectic-transformation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../calculus/derivative.rkt"
+         "../error/complain.rkt" "../error/message-words.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
+         (only-in "../value/algebra.rkt" make-meaning)
+         "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/matrix/matrix.rkt"
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+
+(provide verify-canonical verify-symplectic)
+
+;; (verify-canonical C state), or (verify-canonical C H H' state)
+(define verify-canonical
+  (case-lambda
+    [(C state) (verify-brackets 'verify-canonical C state brackets-and-clock)]
+    [(C H H-prime state)
+     (check-Hamiltonian 'verify-canonical H)
+     (check-Hamiltonian 'verify-canonical H-prime)
+     (check-question 'verify-canonical state C H H-prime)
+     (judged state (list C H H-prime) (lambda () ((canonical? C H H-prime) state))
+             (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state))
+             (lambda () (remarks-on-time C state)))]
+    [arguments
+     (complain-of-arity 'verify-canonical
+                        (string-append "takes a transformation and a state, or a transformation, "
+                                       "the old and the new Hamiltonian and a state; "
+                                       "it was given ~a")
+                        (counted (length arguments) "argument"))]))
+
+;; Of a transformation, or of a matrix of 2n rows
+(define verify-symplectic
+  (case-lambda
+    [(M)
+     (when (and (procedure? M) (not (matrix? M)))
+       (complain 'verify-symplectic
+                 "a transformation is asked about at a state: (verify-symplectic C state)"))
+     (prove-zero (matrix-residual 'verify-symplectic M))]
+    [(C state) (verify-brackets 'verify-symplectic C state symplectic-transform?)]))
+
+(define (verify-brackets who C state residual)
+  (check-question who state C)
+  (judged state (list C) (lambda () ((residual C) state))
+          (lambda (change) (verify-brackets who (change C) state residual))
+          (lambda () (remarks-on-brackets C state))))
+
+;; The brackets do not see how fast the old time goes: where that is not as the new one does, the
+;; difference is judged as well.
+(define ((brackets-and-clock C) state)
+  (define residual ((canonical-transform? C) state))
+  (define-values (_image rate) (value-and-derivative-along C state (rate-of-clock state)))
+  (define off (g:- (time rate) 1))
+  (if (eqv? off 0) residual (up residual off)))
+
+(define (check-question who state C . Hs)
+  (check-for-any-state who C state)
+  (for ([H (in-list Hs)]) (check-parameters who H state "state")))
+
+;; about : the transformation, and Hamiltonians; find-residual : -> the residual, differentiated
+;; while kinks are noted
+(define (judged state about find-residual again [remarks (lambda () '())])
+  (define-values (residual survey) (survey-derivatives find-residual (scalars state)))
+  (define (meaning) (meaning-of about state))
+  (define v (prove-zero residual #:variables (scalars state) #:surveys (list survey)
+                        #:meaning meaning #:again again))
+  (if (refuted? v)
+      (for/fold ([v v]) ([text (in-list (append (remarks)
+                                                (remark-on-exponents v residual state meaning)))])
+        (with-remark v text))
+      v))
+
+;; Where no condition was found it may be one on an exponent.
+(define (remark-on-exponents v residual state meaning)
+  (define condition
+    (and (null? (verdict-alternatives v))
+         (condition-on-exponents (entries residual) (scalars state) meaning)))
+  (if condition (list (format "it is zero at all states if ~a" condition)) '()))
+
+(define (entries x)
+  (if (matrix? x)
+      (append-map vector->list (vector->list (matrix-rows x)))
+      (scalars x)))
+
+;; Under a condition all must have values, and the transformation an inverse, as before.
+(define (meaning-of about state)
+  (define M ((D-as-matrix (car about)) state))
+  (make-meaning
+   (filter expression? (append-map (lambda (f) (scalars (f state))) about))
+   (for/list ([i (in-range (m:num-rows M))])
+     (for/list ([j (in-range (m:num-cols M))]) (matrix-ref M i j)))
+   '()
+   (scalars state)))
+
+;; A canonical transformation that depends on the time asks for a term beside H∘C.
+(define (remarks-on-time C state)
+  (define-values (_image rate) (value-and-derivative-along C state (rate-of-clock state)))
+  (if (and (refuted? (prove-zero (up (coordinate rate) (momentum rate))))
+           (proved? (prove-zero ((symplectic-transform? C) state))))
+      (list (string-append "the transformation depends on the time: the new Hamiltonian is "
+                           "H∘C + K with the K of (C->K C state)"))
+      '()))
+
+(define (rate-of-clock state) (scalars->structure state (lambda (k) (if (= k 0) 1 0))))
+
+;; ---------------------------------------------------------------------------
+;; All brackets multiplied by one number
+
+(define (remarks-on-brackets C state)
+  (define clock? (keeps-time? C state))
+  (define factor (and clock? (common-factor C state)))
+  (cond
+    [(not clock?)
+     (list "the transformation changes the time, which is to go on as in the new state")]
+    [factor
+     (list (format (string-append "all Poisson brackets are multiplied by ~a, a constant: "
+                                  "the motion is that of the Hamiltonian H∘C divided by it")
+                   (value->text factor)))]
+    [else '()]))
+
+;; Does the old time go as the new one, whatever the coordinates and momenta?
+(define (keeps-time? C state)
+  (for/and ([slope (in-list (scalars ((D (lambda (s) (time (C s)))) state)))] [k (in-naturals)])
+    (proved? (prove-zero (g:- slope (if (= k 0) 1 0))))))
+
+;; -> λ, free of the state and not 0, if the brackets are λ times those of q and p; else #f
+(define (common-factor C state)
+  (define excess ((symplectic-transform? C) state))
+  (define n (degrees-of-freedom state))
+  (define factor (simplify (g:- 1 (matrix-ref excess 0 n))))
+  (define (constant? x)
+    (for/and ([name (in-list (scalars state))]) (or (number? x) (not (occurs? name x)))))
+  (and (constant? factor)
+       (not (proved? (prove-zero factor)))
+       (proved? (prove-zero (g:- (g:* (g:- 1 factor) (symplectic-unit n)) excess)))
+       factor))

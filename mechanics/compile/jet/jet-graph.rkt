@@ -1,0 +1,122 @@
+#lang racket/base
+;; Programs made ready for Taylor coefficients: sums of products of as few quantities as
+;; there may be.
+;;
+;; The values of instructions are forms (jet-forms.rkt), linear combinations of nodes
+;; (jet-nodes.rkt); at the end there are the nodes that the outputs need, by their ids.
+
+(require "jet-forms.rkt" "jet-nodes.rkt" "../program.rkt"
+         "../../generic/operation-equations.rkt")
+
+(provide program->graph (struct-out graph))
+
+;; nodes : vector, by id; outputs : vector of ids; varying : how many inputs are not constant
+(struct graph (nodes outputs inputs varying) #:authentic)
+
+;; The first `varying` inputs are functions of time, the others constants, of the values in the
+;; list if there are any.
+;; -> graph, or a string that says why there is none
+(define (program->graph p varying [constants '()])
+  (let/ec return
+    (define (fail name) (return (format "the operation `~a` has no Taylor recurrence" name)))
+    (define b (make-nodes varying fail))
+    (define n (program-inputs p))
+    (define places (make-vector (+ n (program-length p)) #f))
+    (define uses (count-uses p))
+    (define (operand x) (if (place? x) (vector-ref places (place-index x)) (number-form x)))
+    (for ([i (in-range n)]) (vector-set! places i (node-form (node! b (list 'input i)))))
+    (for ([c (in-list constants)] [i (in-naturals varying)])
+      (vector-set! places i (number-form (exact-if-whole c))))
+    (for ([i (in-vector (program-instructions p))] [k (in-naturals n)])
+      (define (shared? k) (> (vector-ref uses k) 1))
+      (vector-set! places k (instruction->form b i k operand shared?)))
+    (define outputs
+      (for/vector ([o (in-vector (program-outputs p))])
+        (define f (operand o))
+        (if (form? f) (whole! b f) (fail 'solve))))
+    (pruned b outputs n)))
+
+;; Exact numbers are what exponents are told by, and factors that are nothing or 1.
+(define (exact-if-whole c)
+  (if (and (integer? c) (not (zero? c))) (inexact->exact c) c))
+
+(define (count-uses p)
+  (define uses (make-vector (+ (program-inputs p) (program-length p)) 0))
+  (define (note! x)
+    (when (place? x) (vector-set! uses (place-index x) (+ 1 (vector-ref uses (place-index x))))))
+  (for ([i (in-vector (program-instructions p))]) (for-each note! (instruction-operands i)))
+  (for ([o (in-vector (program-outputs p))]) (note! o))
+  uses)
+
+;; ---------------------------------------------------------------------------
+;; Instructions
+
+;; k : the place of the value; shared? : place -> is its value used more than once?
+(define (instruction->form b i k operand shared?)
+  (define operands (instruction-operands i))
+  (define (argument k) (operand (list-ref operands k)))
+  (case (instruction-operation i)
+    [(add) (kept b (add (argument 0) (argument 1)) (shared? k))]
+    [(subtract) (kept b (add (argument 0) (scale -1 (argument 1))) (shared? k))]
+    [(negate) (scale -1 (argument 0))]
+    [(multiply) (multiply! b (argument 0) (argument 1))]
+    [(divide) (divide! b (argument 0) (argument 1) (shared-divisor? (cadr operands) shared?))]
+    [(sqrt) (power! b (argument 0) 1/2)]
+    [(expt) (expt! b (argument 0) (argument 1))]
+    [(solve) (node! b (cons 'system (for/list ([x (in-list operands)]) (whole! b (operand x)))))]
+    [(component) (node-form (node! b (list 'component (argument 0) (cadr operands))))]
+    [else (apply-law! b (instruction-operation i) (map operand operands))]))
+
+(define (shared-divisor? x shared?) (and (place? x) (shared? (place-index x))))
+
+(define (expt! b f g)
+  (cond [(and (number-form? g) (rational? (form-constant g)))
+         (power! b f (inexact->exact (form-constant g)))]
+        [(and (still? b (whole! b f)) (still? b (whole! b g)))
+         (node-form (node! b (list 'still 'expt (whole! b f) (whole! b g))))]
+        [else
+         (define logarithm (apply-law! b 'log (list f)))
+         (apply-law! b 'exp (list (multiply! b g logarithm)))]))
+
+;; ---------------------------------------------------------------------------
+;; Functions
+
+;; Pairs are one law: cos is the partner of sin.
+(define partners (hasheq 'cos 'sin 'cosh 'sinh))
+
+(define (apply-law! b name fs)
+  (define ids (for/list ([f (in-list fs)]) (whole! b f)))
+  (define main (and (= 1 (length ids)) (hash-ref partners name #f)))
+  (node-form
+   (cond [(andmap (lambda (id) (still? b id)) ids) (node! b (list* 'still name ids))]
+         [main (node! b (list 'partner (node! b (list 'law main (car ids)))))]
+         [(equations-of name (length ids)) (node! b (list* 'law name ids))]
+         [else ((nodes-fail b) name)])))
+
+;; ---------------------------------------------------------------------------
+;; What outputs need, numbered anew
+
+(define (pruned b outputs inputs)
+  (define count (nodes-count b))
+  (define needed (make-vector count #f))
+  (for ([id (in-vector outputs)]) (vector-set! needed id #t))
+  (for ([i (in-range inputs)]) (vector-set! needed i #t))
+  (for ([id (in-range (- count 1) -1 -1)] #:when (vector-ref needed id))
+    (for ([x (in-list (node-operands (node-of b id)))]) (vector-set! needed x #t)))
+  (define new (make-vector count #f))
+  (for/fold ([k 0]) ([id (in-range count)] #:when (vector-ref needed id))
+    (vector-set! new id k)
+    (+ k 1))
+  (graph (for/vector ([id (in-range count)] #:when (vector-ref needed id))
+           (renamed (node-of b id) (lambda (x) (vector-ref new x))))
+         (for/vector ([id (in-vector outputs)]) (vector-ref new id))
+         inputs (nodes-varying b)))
+
+(define (renamed n new)
+  (case (node-kind n)
+    [(input one) n]
+    [(linear) (list* 'linear (cadr n)
+                     (for/list ([t (in-list (cddr n))]) (cons (new (car t)) (cdr t))))]
+    [(power component) (list (car n) (new (cadr n)) (caddr n))]
+    [(law still) (list* (car n) (cadr n) (map new (cddr n)))]
+    [else (cons (car n) (map new (cdr n)))]))

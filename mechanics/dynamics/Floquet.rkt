@@ -1,0 +1,77 @@
+#lang racket/base
+;; Floquet's multipliers: what a period of a motion does to small displacements of a closed orbit
+;; (SICM 4.2).  They are the eigenvalues of the derivatives of the state a period later by the
+;; state, which follow from the variational equations (motion/linearized-flow).
+
+(require racket/flonum
+         "period-check.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
+         "../generic/describe.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../motion/system/check.rkt" "../motion/evolution.rkt" "../motion/observed-systems.rkt"
+         "../motion/linearized-flow.rkt"
+         "../numeric/constants.rkt" "../numeric/linear-algebra/general-eigenvalues.rkt"
+         "../numeric/whole-turns.rkt"
+         "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
+
+(provide Floquet-multipliers)
+
+;; How far from closed an orbit may be, beside 1 + |x|.
+(define closed 1e-6)
+
+;; The eigenvalues, by falling size, of the derivatives of a state a period later; of a state
+;; (up t q p) those by all but the time.
+(define-plain (Floquet-multipliers derivative state period #:tolerance [tolerance 1e-12])
+  (define who 'Floquet-multipliers)
+  (when (and (tuple? period) (not (tuple? state)))
+    (complain who "the state comes before the period\n  given second: ~a"
+              (describe-with-value state)))
+  (check-derivative who derivative state)
+  (check-real who "period" period)
+  (when (zero? (comparand period))
+    (complain-of-argument who "a period that is not 0" period))
+  (check-tolerance who tolerance)
+  (check-period who derivative state period)
+  (define first (if (timed-state? derivative state) 1 0))
+  (define-values (end columns) (displaced who derivative state first period tolerance))
+  (check-closed who derivative state end first)
+  (define n (length columns))
+  (define entries
+    (for*/flvector #:length (* n n) ([i (in-range n)] [column (in-list columns)])
+      (list-ref column (+ first i))))
+  (sort (or (real-matrix-eigenvalues entries n) '()) > #:key magnitude))
+
+;; -> where the state goes, and where the unit displacements from scalar number `first` on go
+(define (displaced who derivative state first duration tolerance)
+  (note-followed derivative '() state)
+  (define start (apply up state (unit-displacements state first)))
+  (define (advance)
+    ((state-advancer (lambda () (with-displacements derivative))) start duration tolerance))
+  (define end (structure->list (call-unwatched (lambda () (call-for-state who advance)))))
+  (values (car end) (map scalars (cdr end))))
+
+;; An angle may come back a whole turn on; another coordinate, or a momentum, may not.
+(define (check-closed who derivative start end first)
+  (define gap
+    (for/fold ([most 0.0]) ([a (in-list (scalars start))] [b (in-list (scalars end))]
+                            [k (in-naturals)] #:when (>= k first))
+      (define x (real->double-flonum (comparand a)))
+      (define moved (fl- (real->double-flonum (comparand b)) x))
+      (define (beside d) (fl/ (flabs d) (fl+ 1.0 (flabs x))))
+      (define-values (all part) (values (beside moved) (beside (whole-turns-less moved))))
+      (flmax most (if (and (fl< part closed all) (angle? derivative start k)) part all))))
+  (unless (fl< gap closed)
+    (complain who
+              (string-append "the orbit is not closed after that period; its ends are ~a apart"
+                             "\n  start: ~a\n  end: ~a")
+              gap (value->text start) (value->text end))))
+
+;; Are the rates the same where scalar number k of the state is a turn greater?
+(define (angle? derivative state k)
+  (define all (list->vector (scalars state)))
+  (define (moved i) (if (= i k) (g:+ :2pi (vector-ref all i)) (vector-ref all i)))
+  (for/and ([a (in-list (scalars (derivative state)))]
+            [b (in-list (scalars (derivative (scalars->structure state moved))))])
+    (define rate (real->double-flonum (comparand a)))
+    (fl< (flabs (fl- (real->double-flonum (comparand b)) rate))
+         (fl* closed (fl+ 1.0 (flabs rate))))))

@@ -1,0 +1,128 @@
+#lang racket/base
+;; Is the orbit from here regular or chaotic?  The fast Lyapunov indicator (Froeschlé, Lega and
+;; Gonczi, Celestial Mechanics 67, 1997): the greatest length that a small displacement of the
+;; start reaches in n steps, as a decimal logarithm.  Of a regular orbit it grows as log n, of a
+;; chaotic one as n; so a thousand steps tell, where an exponent needs many more.
+;;
+;; The map and its derivative along the displacement are compiled as one function, which many
+;; starts use on all cores at once.
+
+(require racket/flonum
+         racket/future
+         "map/jacobian.rkt" "map/compiled-map.rkt" "map/map-of-the-plane.rkt" "map/plane-points.rkt"
+         "../calculus/derivative.rkt"
+         "../compile/compile-function.rkt"
+         "../error/complain.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         (only-in "../value/structure.rkt" ref))
+
+(provide fast-Lyapunov-indicator indicator-grid)
+
+;; Of one orbit; +nan.0 where it ends.
+(define (fast-Lyapunov-indicator map start [n 1000])
+  (define who 'fast-Lyapunov-indicator)
+  (check-map who map start)
+  (check-steps who n)
+  (define-values (x y) (values (start-abscissa who start) (start-ordinate who start)))
+  (define-values (make-step! compiled?) (displacement-stepper who map x y))
+  (indicator (make-step!) x y n))
+
+(define (check-steps who n)
+  (unless (exact-positive-integer? n)
+    (complain-of-argument who "how many steps of the map, a positive integer" n)))
+
+;; Of a grid of starts, xs by ys, flvectors -> flvector, row by row
+(define (indicator-grid who map xs ys n)
+  (check-map who map)
+  (check-steps who n)
+  (define columns (flvector-length xs))
+  (define all (make-flvector (* columns (flvector-length ys)) +nan.0))
+  (define middle (lambda (v) (flvector-ref v (quotient (flvector-length v) 2))))
+  (define-values (make-step! compiled?)
+    (displacement-stepper who map (middle xs) (middle ys)))
+  (define (row! step! j)
+    (for ([x (in-flvector xs)] [i (in-naturals)])
+      (flvector-set! all (+ i (* j columns)) (indicator step! x (flvector-ref ys j) n))))
+  (on-cores (if compiled? (processor-count) 1) (flvector-length ys) make-step! row!)
+  all)
+
+;; Rows in turn, so that all cores have as much to do.  A procedure of the user's is called by
+;; one alone: what it does, and an error of its own, would only wait in a future.
+(define (on-cores most rows make-step! row!)
+  (define cores (min rows most))
+  (define others
+    (for/list ([core (in-range 1 cores)])
+      (define step! (make-step!))
+      (future (lambda () (for ([j (in-range core rows cores)]) (row! step! j))))))
+  (define step! (make-step!))
+  (for ([j (in-range 0 rows cores)]) (row! step! j))
+  (for-each touch others))
+
+;; ---------------------------------------------------------------------------
+;; One orbit
+
+;; A length at which a displacement is shortened, and how often it is looked at.
+(define long 1e100)
+(define turn 16)
+
+;; step! : p q -> is there an image?  It moves a point with a displacement from p to q.
+(define (indicator step! x y n)
+  (let loop ([left n] [p (flvector x y 0.6 0.8)] [q (make-flvector 4)] [sum 0.0] [most 0.0])
+    (define now (if (or (eqv? left 0) (eqv? 0 (bitwise-and left (- turn 1))))
+                    (length-of p)
+                    0.0))
+    (define total (if (fl> now 0.0) (flmax most (fl+ sum (fllog now))) most))
+    (cond [(eqv? left 0) (fl/ total (fllog 10.0))]
+          [(fl> now long)
+           (shorten! p now)
+           (loop left p q (fl+ sum (fllog now)) total)]
+          [(step! p q) (loop (- left 1) q p sum total)]
+          [else +nan.0])))
+
+(define (length-of p)
+  (define-values (u v) (values (flvector-ref p 2) (flvector-ref p 3)))
+  (flsqrt (fl+ (fl* u u) (fl* v v))))
+
+(define (shorten! p length)
+  (flvector-set! p 2 (fl/ (flvector-ref p 2) length))
+  (flvector-set! p 3 (fl/ (flvector-ref p 3) length)))
+
+;; -> (-> step!), for one thread each; is it compiled?
+(define (displacement-stepper who map x y)
+  (define (no-image) (complain who "a point without an image"))       ; a refusal
+  (define (image p) (image-or-else who map (ref p 0) (ref p 1) up no-image))
+  (define (moved p)
+    (define-values (to change)
+      (value-and-derivative-along image (up (ref p 0) (ref p 1)) (up (ref p 2) (ref p 3))))
+    (up (ref to 0) (ref to 1) (ref change 0) (ref change 1)))
+  (define code (compile-traced moved (up x y 0.6 0.8) #:name who))
+  (values (if code
+              (lambda () (compiled-displacement (compiled-function-runner code)))
+              (lambda () (called-displacement who map x y)))
+          (and code #t)))
+
+(define ((compiled-displacement run!) p q)
+  (run! p q)
+  (finite? q))
+
+(define (finite? q)
+  (and (fl< (flabs (flvector-ref q 0)) +inf.0) (fl< (flabs (flvector-ref q 1)) +inf.0)
+       (fl< (flabs (flvector-ref q 2)) +inf.0) (fl< (flabs (flvector-ref q 3)) +inf.0)))
+
+;; Of a map that cannot be compiled.
+(define (called-displacement who map x y)
+  (define (image? x y) (image-or-none who map x y (lambda (x y) #t)))
+  (define step! (orbit-stepper map x y who))
+  (lambda (p q)
+    (define-values (x y) (values (flvector-ref p 0) (flvector-ref p 1)))
+    (define-values (u v) (values (flvector-ref p 2) (flvector-ref p 3)))
+    (cond [(image? x y)
+           (define J (map-jacobian who map x y))
+           (flvector-set! q 0 x)
+           (flvector-set! q 1 y)
+           (flvector-set! q 2 (inexact (+ (* (jacobian-a J) u) (* (jacobian-b J) v))))
+           (flvector-set! q 3 (inexact (+ (* (jacobian-c J) u) (* (jacobian-d J) v))))
+           (step! q)]
+          [else #f])))
+
+(define (inexact x) (real->double-flonum x))

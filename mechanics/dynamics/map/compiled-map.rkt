@@ -1,0 +1,48 @@
+#lang racket/base
+;; A map of the plane, compiled.
+;;
+;; What is done often is compiled, if that is possible: a map that takes no decision is
+;; arithmetic on two numbers.  Otherwise the map itself is called.
+
+(require racket/flonum
+         "map-of-the-plane.rkt"
+         "../../compile/compile-function.rkt"
+         "../../error/complain.rkt"
+         "../../generic/compare.rkt"
+         "../../generic/up-down.rkt"
+         "../../numeric/flvector.rkt"
+         (only-in "../../value/structure.rkt" ref))
+
+(provide compile-map orbit-stepper)
+
+;; -> the map as a compiled function from (up x y) to (up x y), or #f
+(define (compile-map map x y)
+  (define (no-image) (complain 'map "a point without an image"))      ; a refusal
+  (define (image point)
+    (image-or-else 'map map (ref point 0) (ref point 1) up no-image))
+  (compile-traced image (up x y) #:name 'iterated-map))
+
+;; -> (p -> is there an image?), which moves the point in the flvector p to its image, a point
+;; that is finite.  One for each orbit.  Who complains of a map that is written wrongly
+(define (orbit-stepper map x y [who 'map])
+  (define code (compile-map map x y))
+  (if code (compiled-stepper code) (calling-stepper who map)))
+
+(define (compiled-stepper code)
+  (define run! (compiled-function-runner code))
+  (define to (make-flvector 2))
+  (lambda (p)
+    (run! p to)
+    (flvector-copy! p to)
+    (flvector-finite? p)))
+
+(define ((calling-stepper who map) p)
+  (image-or-none who map (flvector-ref p 0) (flvector-ref p 1)
+                 (lambda (x y)
+                   (flvector-set! p 0 (flonum x))
+                   (flvector-set! p 1 (flonum y))
+                   (flvector-finite? p))))
+
+(define (flonum x)
+  (define number (comparand x))
+  (if (real? number) (real->double-flonum number) +nan.0))

@@ -1,0 +1,173 @@
+#lang racket/base
+;; Fixed points of a map and of its iterates, and what the map does near them.
+;;
+;; A displacement from the point is multiplied by the matrix M of the map's derivatives there.  Its
+;; eigenvalues, the multipliers, decide: where areas are kept two of them have the product 1 and
+;; are both on the unit circle, the point is *elliptic* and neighbours turn about it by the
+;; angle of the multiplier; or both are real, and it is *hyperbolic*, with a reflection if they are
+;; negative (SICM 4.1 to 4.3).
+
+(require racket/flonum
+         "jacobian.rkt" "map-on-tuples.rkt"
+         "../../error/failure.rkt" "../../error/refusal.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/value-struct.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../numeric/constants.rkt" "../../numeric/flvector.rkt"
+         "../../numeric/linear-algebra/flonum-systems.rkt" "../../numeric/linear-algebra/general-eigenvalues.rkt"
+         "../../numeric/linear-algebra/row-matrix.rkt"
+         "../../numeric/optimization/newton.rkt")
+
+(provide find-fixed-point fixed-point?
+         (rename-out [coordinates-of fixed-point-coordinates] [period-of fixed-point-period]
+                     [multipliers-at fixed-point-multipliers] [kind-at fixed-point-kind]
+                     [rotation-angle-at fixed-point-rotation-angle]
+                     [determinant-at fixed-point-determinant] [error-of fixed-point-error])
+         ;; for those who look for many, or go on from one
+         fixed-point-near fixed-point-map fixed-point-angles fixed-point-matrix)
+
+;; coordinates : a point or a state; multipliers : by falling size; determinant : of the matrix
+;; error : how far off the point may be; matrix : a vector of rows; angles : list of booleans
+(value-struct fixed-point
+              (coordinates period multipliers kind determinant error matrix angles map)
+  #:text (lambda (p) (fixed-point->text p)))
+
+(define-parts fixed-point? "a fixed point, as find-fixed-point finds one"
+  [coordinates-of fixed-point-coordinates] [period-of fixed-point-period]
+  [multipliers-at fixed-point-multipliers] [kind-at fixed-point-kind]
+  [rotation-angle-at fixed-point-rotation-angle]
+  [determinant-at fixed-point-determinant] [error-of fixed-point-error])
+
+(define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 1e-13])
+  (unless (exact-positive-integer? period)
+    (complain-of-argument 'find-fixed-point "a period, a positive integer" period))
+  (define m (make-map-on-tuples 'find-fixed-point map guess period))
+  (define-values (p z) (fixed-point-of 'find-fixed-point map m tolerance))
+  (or (of-lesser-period map m z tolerance) p))
+
+;; The same point z with the least period, or #f if that is the one it has.
+(define (of-lesser-period map m z tolerance)
+  (define (back? d) (short? d z comes-back))
+  (define (found k)
+    (define-values (p at) (fixed-point-of 'find-fixed-point map (done-times m k z) tolerance))
+    p)
+  (for/or ([k (in-list (returns-after m z back?))])
+    (with-handlers ([refusal? (lambda (e) #f)]) (found k))))
+
+;; How near a point comes back to itself that is taken to come back, beside 1 + |x|.
+(define comes-back 1e-9)
+
+(define (short? v x tolerance)
+  (for/and ([d (in-flvector v)] [c (in-flvector x)])
+    (fl<= (flabs d) (fl* tolerance (fl+ 1.0 (flabs c))))))
+
+(define (fixed-point-near who map guess period tolerance [limit 100])
+  (define-values (p z)
+    (fixed-point-of who map (make-map-on-tuples who map guess period) tolerance limit))
+  p)
+
+;; Newton's method for the displacement, the derivatives being exact where the map can be
+;; differentiated, as those made of motions can.
+;; -> the fixed point of m, which does the map so many times, and its numbers
+(define (fixed-point-of who map m tolerance [limit 100])
+  (define (less-unit rows)
+    (for/vector ([row (in-vector rows)] [i (in-naturals)])
+      (for/vector ([x (in-vector row)] [j (in-naturals)]) (if (= i j) (- x 1.0) x))))
+  (define (search)
+    (newton (lambda (z) (displacement m z)) (lambda (z) (less-unit (slopes-of-image m z)))
+            (map-on-tuples-start m)
+            #:tolerance tolerance #:limit limit #:argument (map-on-tuples-point m) #:name who))
+  (define-values (z error)
+    (if (of-section? map) (call-for-section who search) (search)))
+  (define M (slopes-of-image m z))
+  (define lost (left-by-rounding (less-unit M) z))
+  (unless (fl< lost (fl* most-lost (fl+ 1.0 (greatest z))))
+    (raise-not-convergent who "no fixed point found: there it only moves by less than rounding"
+                          ((map-on-tuples-point m) z) lost))
+  (define multipliers (multipliers-of M))
+  (define determinant (apply * multipliers))
+  (values (fixed-point ((map-on-tuples-point m) z) (map-on-tuples-times m) multipliers
+                       (kind-of multipliers (real-part determinant))
+                       (real-part determinant) (max error lost) M (map-on-tuples-angles m) map)
+          z))
+
+;; An image is rounded: where it differs from z by nothing, z may be off by A⁻¹ ε z all the same,
+;; with A the derivatives of the displacement.  Where A has no inverse there is a whole line of
+;; fixed points, or nothing is known.  Of the components the greatest.
+(define (left-by-rounding A z)
+  (define inverse (floating-solutions A (unit-rows (vector-length A) 1.0 0.0)))
+  (if (vector? inverse)
+      (for/fold ([most 0.0]) ([row (in-vector inverse)])
+        (flmax most (for/fold ([sum 0.0]) ([a (in-vector row)] [y (in-flvector z)])
+                      (fl+ sum (flabs (fl* (fl* a y) (fl* 0.5 epsilon)))))))
+      0.0))
+
+;; By more, beside 1 + |x|, the point is none.
+(define most-lost 1e-2)
+
+;; Where the energy is kept the fixed points of a section are a curve, one for each energy, along
+;; which the derivatives of the displacement have no inverse.
+(define (call-for-section who search)
+  (define (advised e)
+    (string-append
+     (exn-message e)
+     "\n  where the energy is kept a section has such points for each energy, none apart from others;"
+     "\n  at one energy it is a map of the plane: (define (map q p return fail) ...), as HHmap is"))
+  (with-handlers ([exn:fail:mechanics:not-convergent?
+                   (lambda (e)
+                     (raise (struct-copy exn:fail:mechanics:not-convergent e
+                                         [message #:parent exn (advised e)])))]
+                  [exn:fail:mechanics:singular:matrix?
+                   (lambda (e)
+                     (raise (struct-copy exn:fail:mechanics:singular:matrix e
+                                         [message #:parent exn (advised e)])))])
+    (search)))
+
+(define (of-section? map)
+  (define d (value->datum map))
+  (and (pair? d) (eq? 'Poincare-map (car d))))
+
+;; By falling size.
+(define (multipliers-of M)
+  (define n (vector-length M))
+  (define (entry i j) (vector-ref (vector-ref M i) j))
+  (cond [(= n 2)
+         (define-values (a b)
+           (eigenvalues (jacobian (entry 0 0) (entry 0 1) (entry 1 0) (entry 1 1))))
+         (list a b)]
+        [else
+         (define all (for*/flvector #:length (* n n) ([i (in-range n)] [j (in-range n)])
+                       (entry i j)))
+         (sort (or (real-matrix-eigenvalues all n) '()) > #:key magnitude)]))
+
+;; How near to 1 a size is taken for 1.
+(define near 1e-6)
+
+(define (kind-of multipliers determinant)
+  (define sizes (map magnitude multipliers))
+  (define (on-circle? s) (<= (abs (- s 1)) near))
+  (define (unit? l) (<= (magnitude (- (* l l) 1)) near))
+  (cond [(ormap unit? multipliers) 'parabolic]
+        [(andmap on-circle? sizes) 'elliptic]
+        [(andmap (lambda (s) (< s 1)) sizes) 'attracting]
+        [(andmap (lambda (s) (> s 1)) sizes) 'repelling]
+        [(ormap on-circle? sizes) 'mixed]
+        [(and (= (length sizes) 2) (< (car multipliers) 0) (> determinant 0))
+         'reflection-hyperbolic]
+        [else 'hyperbolic]))
+
+;; By which neighbours of an elliptic point turn about it in a period; #f of others
+(define (fixed-point-rotation-angle p)
+  (and (eq? (fixed-point-kind p) 'elliptic)
+       (abs (angle (car (fixed-point-multipliers p))))))
+
+(define (fixed-point->text p)
+  (define turn (fixed-point-rotation-angle p))
+  (define excess (- (fixed-point-determinant p) 1))
+  (string-append
+   (format "~a point of period ~a at ~a" (fixed-point-kind p) (fixed-point-period p)
+           (value->text (fixed-point-coordinates p)))
+   (format "\n  multipliers: ~a" (value->text (fixed-point-multipliers p)))
+   (if turn (format "\n  rotation angle: ~a" turn) "")
+   (if (> (abs excess) near)
+       (format "\n  areas are not kept: the determinant is ~a" (fixed-point-determinant p))
+       "")))

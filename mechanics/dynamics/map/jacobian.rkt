@@ -1,0 +1,110 @@
+#lang racket/base
+;; The derivatives of a map of the plane by its coordinates, as the matrix
+;;
+;;     a  b     dx' = a dx + b dy
+;;     c  d     dy' = c dx + d dy
+;;
+;; They come from one run of the map on dual numbers for each coordinate; those of a map that
+;; refuses these, from differences.  Whole turns between two images near each other are no
+;; difference.
+
+(require racket/flonum
+         "map-of-the-plane.rkt"
+         "../../calculus/derivative.rkt" "../../calculus/perturbed-value.rkt"
+         "../../compile/compile-function.rkt"
+         "../../error/complain.rkt" "../../error/refusal.rkt"
+         "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../numeric/whole-turns.rkt"
+         "../../numeric/optimization/differences.rkt"
+         "../../value/shape.rkt")
+
+(provide map-jacobian (struct-out jacobian) jacobian-trace jacobian-determinant
+         check-keeps-areas eigenvalues eigenvector jacobian-runner)
+
+(struct jacobian (a b c d) #:transparent)
+
+(define (jacobian-trace J) (+ (jacobian-a J) (jacobian-d J)))
+(define (jacobian-determinant J)
+  (- (* (jacobian-a J) (jacobian-d J)) (* (jacobian-b J) (jacobian-c J))))
+
+;; step : the greatest for differences
+(define (map-jacobian who map x y [step 1e-3])
+  (define (image p) (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
+  (define at (up x y))
+  (image at)                            ; a mistake of the map's own is seen here
+  (with-handlers ([refusal? (lambda (e) (by-differences who image x y step))])
+    (define slopes (scalars (derivative-at image at)))
+    (apply jacobian (for/list ([k (in-list '(0 2 1 3))])
+                      (number-or-refuse (list-ref slopes k))))))
+
+;; points : lists of two coordinates; what : the sort of thing that needs it
+(define (check-keeps-areas who map points what)
+  (for ([p (in-list points)])
+    (define determinant (jacobian-determinant (apply map-jacobian who map p)))
+    (unless (< (abs (- determinant 1)) 1e-6)
+      (complain who
+                (string-append "the map does not keep areas, which ~a need"
+                               "\n  determinant of its derivatives: ~a\n  off by: ~a\n  at: ~a")
+                what determinant (abs (- determinant 1)) (value->text (apply up p))))))
+
+(define (number-or-refuse x)
+  (define n (comparand (innermost x)))
+  (if (rational? n) n (complain-of-argument 'map-jacobian "a number" x)))
+
+(define (by-differences who image x y step)
+  (define-values (by-x by-y)
+    (values (differences who image step (lambda (s) (up (+ x s) y)))
+            (differences who image step (lambda (s) (up x (+ y s))))))
+  (jacobian (flvector-ref by-x 0) (flvector-ref by-y 0)
+            (flvector-ref by-x 1) (flvector-ref by-y 1)))
+
+(define (differences who image step along)
+  (define middle (numbers (image (along 0.0))))
+  (define (value s)
+    (for/flvector #:length 2 ([z (in-flvector (numbers (image (along s))))]
+                              [z0 (in-flvector middle)])
+      (whole-turns-less (fl- z z0))))
+  (define-values (slopes error count)
+    (difference-derivative value 0.0 #:step (real->double-flonum step) #:tolerance 1e-4
+                           #:name who))
+  slopes)
+
+(define (numbers p) (structure->flvector p (lambda (x) (comparand (innermost x)))))
+
+;; ---------------------------------------------------------------------------
+;; What stretches, and where to
+
+;; λ² - trace λ + determinant = 0: the greater in size first; of two complex ones the one with
+;; the positive imaginary part.
+(define (eigenvalues J)
+  (define half (* 1/2 (jacobian-trace J)))
+  (define discriminant (- (* half half) (jacobian-determinant J)))
+  (define root (sqrt discriminant))
+  (cond [(< discriminant 0) (values (+ half root) (- half root))]
+        [else
+         (define greater (if (< half 0) (- half root) (+ half root)))
+         (values greater
+                 (if (= greater 0) greater (/ (jacobian-determinant J) greater)))]))
+
+;; -> a direction (x, y) that J multiplies by the eigenvalue; of all directions, any other than
+;; that of `taken`
+(define (eigenvector J eigenvalue [first? #t])
+  (define-values (a b c d)
+    (values (jacobian-a J) (jacobian-b J) (jacobian-c J) (jacobian-d J)))
+  (cond [(not (= b 0)) (values b (- eigenvalue a))]
+        [(not (= c 0)) (values (- eigenvalue d) c)]
+        [(= a d) (if first? (values 1 0) (values 0 1))]
+        [(= eigenvalue a) (values 1 0)]
+        [else (values 0 1)]))
+
+;; ---------------------------------------------------------------------------
+;; For many points
+
+;; -> (p J -> void), between flvectors: the derivatives of both coordinates by x, then by y.
+;; The image is looked at once, in numbers: compiled code asks of no value what it is.
+(define (jacobian-runner who map x y)
+  (point-image-of who map x y)
+  (define (image p) (image-of who map (structure-ref p 0) (structure-ref p 1) up))
+  (compiled-function-runner
+   (compile-function (lambda (p) (derivative-at image p)) (up x y) #:name who)))

@@ -1,0 +1,191 @@
+#lang racket/base
+;; How fast an orbit goes around, in turns for each step of the map (SICM 4.4).
+;;
+;; The mean of the steps of the angle converges as 1/n, for its ends are cut off.  With weights
+;; that vanish at both ends with all their derivatives,
+;;
+;;     w(t) = exp(−1/(t (1 − t))),   0 < t < 1,
+;;
+;; it converges faster than any power of 1/n if the orbit is quasiperiodic (Das, Saiki, Sander
+;; and Yorke 2017).  On a chaotic orbit it does not: there the means over the two halves of the
+;; orbit differ.  That is how one is told from the other.  The halves of an orbit whose angle
+;; comes back just after one of them are the same, and agree on anything: parts of other
+;; lengths are looked at, too.
+
+(require racket/flonum
+         (only-in racket/math exact-floor)
+         "compiled-map.rkt" "map-of-the-plane.rkt" "map-on-tuples.rkt" "plane-points.rkt"
+         "../../error/complain.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/up-down.rkt" "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
+         "../../numeric/constants.rkt" "../../numeric/flvector.rkt"
+         "../../numeric/whole-turns.rkt")
+
+(provide rotation-number rotation?
+         (rename-out [value-of rotation-value] [error-of rotation-error]
+                     [steps-needed-by rotation-steps-needed] [regular? rotation-regular?]))
+
+;; value : turns for each step; error : how much the means over parts of the orbit differ; steps :
+;; of the orbit; steps-needed : with how many the halves agree, or #f if that was not seen;
+;; of-abscissa? : was the first coordinate taken for an angle?
+(value-struct rotation (value error steps steps-needed of-abscissa?)
+  #:text (lambda (r) (rotation->text r)))
+
+(define-parts rotation? "what (rotation-number map start) gives"
+  [value-of rotation-value] [error-of rotation-error]
+  [steps-needed-by rotation-steps-needed] [regular? rotation-regular?])
+
+(define (rotation-regular? r) (and (rotation-steps-needed r) #t))
+
+;; Means that differ by more are not those of a regular orbit.
+(define least-irregular 1e-5)
+
+;; The steps are kept, and a million of them are no better than rounding.
+(define longest-orbit 10000000)
+
+;; about : the point around which angles are taken, or #f if the first coordinate is one
+(define-plain (rotation-number map start [n 10000] #:about [about #f])
+  (define who 'rotation-number)
+  (check-map who map start)
+  (unless (and (exact-integer? n) (>= n 100))
+    (complain-of-argument who "the length of the orbit, an integer of 100 or more" n))
+  (when (> n longest-orbit)
+    (complain-of-argument who (format "an orbit of at most ~a steps" longest-orbit) n
+                          "\n  10000 give ten digits and more where the orbit is regular"))
+  (define p (point who start))
+  (define angle
+    (if about (angle-about who map (point who about)) (lambda (p) (flvector-ref p 0))))
+  (define next-step! (angle-stepper map p angle))
+  (define (missing) (raise-no-image who map (flvector-ref p 0) (flvector-ref p 1)))
+  (check-goes-around who about p)
+  (define steps (followed (flvector) n next-step! missing))
+  (define-values (value error apart) (means steps (not about)))
+  (rotation value error n (steps-to-agree steps apart next-step! (not about)) (not about)))
+
+;; How many times as many steps are taken to see whether an orbit is regular, up to so many.
+(define-values (times-as-many most-steps) (values 8 10000))
+
+;; -> the number of steps with which the halves agree, doubled from those there are, or #f
+(define (steps-to-agree steps apart next-step! forwards?)
+  (define most (min most-steps (* times-as-many (flvector-length steps))))
+  (let look ([steps steps] [apart apart])
+    (define twice (* 2 (flvector-length steps)))
+    (cond [(fl< apart least-irregular) (flvector-length steps)]
+          [(> twice most) #f]
+          [(followed steps twice next-step! (lambda () #f))
+           => (lambda (more)
+                (define-values (value error apart) (means more forwards?))
+                (look more apart))]
+          [else #f])))
+
+;; -> turns for each step, how far that is to be believed, and how much the halves differ.
+;; Rounding leaves something in any case.
+(define (means steps forwards?)
+  (define n (flvector-length steps))
+  (define turned (within-half-a-turn steps (mean-direction steps forwards?)))
+  (define (mean from to) (fl/ (weighted-mean turned from to) :2pi))
+  (define (apart at) (flabs (fl- (mean 0 at) (mean at n))))
+  (define-values (whole half) (values (mean 0 n) (quotient n 2)))
+  (define-values (halves others) (values (apart half) (apart (exact-floor (* golden-fraction n)))))
+  (define rounded (fl* (flsqrt (->fl n)) epsilon))
+  (values (if forwards? (flmax 0.0 whole) whole)
+          (flmax (flmax halves others) (flmax (flabs (fl- whole (mean 0 half))) rounded))
+          halves))
+
+(define (point who p)
+  (flvector (start-abscissa who p) (start-ordinate who p)))
+
+;; From a point itself there is no direction.
+(define (check-goes-around who about p)
+  (when (and about (fl= (distance p (point who about)) 0.0))
+    (complain who
+              (string-append "the orbit starts at the point that it is to go around"
+                             "\n  point: ~a\n  (find-fixed-point map point) gives the angle "
+                             "by which neighbours turn")
+              (value->text about))))
+
+;; Counterclockwise.  Coordinates of the map that are angles are taken by the shorter way.
+(define (angle-about who map center)
+  (define angles
+    (map-on-tuples-angles
+     (make-map-on-tuples who map (up (flvector-ref center 0) (flvector-ref center 1)) 1)))
+  (define (off p k angle?)
+    (define d (fl- (flvector-ref p k) (flvector-ref center k)))
+    (if angle? (whole-turns-less d) d))
+  (lambda (p) (atan (off p 1 (cadr angles)) (off p 0 (car angles)))))
+
+;; -> (-> how much the angle changes as p goes to its image, or #f where that has none)
+(define (angle-stepper map p angle)
+  (define step! (orbit-stepper map (flvector-ref p 0) (flvector-ref p 1)))
+  (define q (flvector-copy p))
+  (define before (angle p))
+  (lambda ()
+    (and (step! q)
+         (let ([after (angle q)])
+           (flvector-copy! p q)
+           (begin0 (fl- after before)
+                   (set! before after))))))
+
+;; -> the steps and those after them, n in all; what (missing) gives where an image is missing
+(define (followed steps n next-step! missing)
+  (define all (make-flvector n))
+  (flvector-copy! all steps)
+  (let loop ([k (flvector-length steps)])
+    (define step (and (< k n) (next-step!)))
+    (cond [(= k n) all]
+          [step
+           (flvector-set! all k step)
+           (loop (+ k 1))]
+          [else (missing)])))
+
+;; Each step by as many turns more or less as bring it within half a turn of the mean direction.
+(define (within-half-a-turn steps middle)
+  (for/flvector #:length (flvector-length steps) ([step (in-flvector steps)])
+    (define off (fl- step middle))
+    (fl+ middle (fl- off (fl* :2pi (flround (fl/ off :2pi)))))))
+
+;; From 0 to a turn, or to half a turn on both sides.
+(define (mean-direction steps forwards?)
+  (define-values (c s)
+    (for/fold ([c 0.0] [s 0.0]) ([x (in-flvector steps)])
+      (values (fl+ c (flcos x)) (fl+ s (flsin x)))))
+  (define a (atan s c))
+  (if (and forwards? (fl< a 0.0)) (fl+ a :2pi) a))
+
+(define (weighted-mean steps from to)
+  (define-values (sum weights)
+    (for/fold ([sum 0.0] [weights 0.0]) ([k (in-range from to)])
+      (define t (fl/ (fl+ (->fl (- k from)) 1.0) (fl+ (->fl (- to from)) 1.0)))
+      (define w (flexp (fl/ -1.0 (fl* t (fl- 1.0 t)))))
+      (values (fl+ sum (fl* w (flvector-ref steps k))) (fl+ weights w))))
+  (fl/ sum weights))
+
+(define (rotation->text r)
+  (define-values (value error) (values (rotation-value r) (rounded (rotation-error r))))
+  (define-values (steps needed) (values (rotation-steps r) (rotation-steps-needed r)))
+  (cond [(eqv? needed steps)
+         (format "rotation number ~a, to about ~a~a" value error
+                 (if (and (rotation-of-abscissa? r) (<= value (rotation-error r))) rest-hint ""))]
+        [needed
+         (format (string-append "rotation number about ~a: ~a steps are too few to tell it better"
+                                "\n  over parts of them it differs by ~a; ~a steps would do")
+                 (two-digits value) steps error needed)]
+        [else
+         (format (string-append "rotation number about ~a, if there is one:"
+                                "\n  the orbit does not look regular; over parts of it "
+                                "it differs by ~a")
+                 (two-digits value) error)]))
+
+(define rest-hint
+  (string-append "\n  the first coordinate, taken for an angle, does not turn; "
+                 "how an orbit turns about a point, #:about tells"))
+
+(define (two-digits x) (/ (round (* 100 x)) 100))
+
+;; To one digit, as 3e-14
+(define (rounded x)
+  (cond [(= x 0) 0]
+        [else
+         (define power (inexact->exact (floor (/ (log (abs x)) (log 10)))))
+         (define digit (inexact->exact (round (/ x (expt 10.0 power)))))
+         (real->double-flonum (* digit (expt 10 power)))]))

@@ -1,0 +1,131 @@
+#lang racket/base
+;; Lines of several forms that were meant as one, f(3), sin x, x = 3, define m = 3; and lines that
+;; were printed, not typed.
+;;
+;; Each form would be evaluated by itself: f is printed, and then 3 cannot be applied.
+
+(require racket/list
+         "definition-by-sign.rkt" "misread-call.rkt" "other-notation.rkt" "prefix-form.rkt" "operation-sign.rkt"
+         "../written-form.rkt")
+
+(provide meant-as-one misread-line prime-alone)
+
+;; forms     : of an entry, syntaxes
+;; known?    : symbol -> is anything known of the name?
+;; function? : symbol -> is it the name of a function?
+;; -> what to say instead of evaluating them, or #f
+(define (meant-as-one forms known? function?)
+  (define data (map syntax->datum forms))
+  (cond [(null? forms) #f]
+        [(not (on-one-line? forms)) (call-beside forms)]
+        [(printed data known?)]
+        [(in-other-words data known?)]
+        [(several-definitions? data)
+         "no comma separates definitions; each has a line of its own, as (define x 3)"]
+        [(definition-by-word data) => (written "a definition is written ~a")]
+        [(definition-by-sign data known?)
+         => (lambda (form)
+              (if (Lagrangian-by-sign? form)
+                  ((written "a Lagrangian is a function of (up t q v): ~a") form)
+                  ((written "a definition is written ~a") form)))]
+        [(null? (cdr data)) #f]
+        [(keyword? (car data)) (in-parentheses data)]
+        [(and (infix? data) (prefix-form data)) => (written "operations come first: ~a")]
+        [(and (sign-at-end (car data)) (list? (cadr data)) (prefix-form data))
+         => (written "operations come first: ~a")]
+        [(component-beside forms)]
+        [(call-beside forms)]
+        [(prime? forms)
+         (about-prime (car data))]
+        [(and (pair? (cdr forms)) (symbol? (car data)) (function? (car data)))
+         ((written "a call stands in parentheses: ~a") data)]
+        [else #f]))
+
+;; Of the forms of a program, the first of a line that was meant as one, and what to say; or #f
+(define (misread-line forms known? function?)
+  (for/or ([line (in-list (by-line forms))])
+    (define text (and (pair? (cdr line)) (meant-as-one line known? function?)))
+    (and text (cons (car line) text))))
+
+(define (by-line forms) (group-by syntax-line (filter syntax-line forms)))
+
+(define ((written text) form) (format text (form->text form)))
+
+(define (on-one-line? forms)
+  (and (pair? forms)
+       (for/and ([f (in-list (cdr forms))]) (eqv? (syntax-line f) (syntax-line (car forms))))))
+
+;; "proved: the residual is zero", "zero if: k = 3", "> (+ 1 2)"
+(define (printed data known?)
+  (define first-one (car data))
+  (define (label? d)
+    (and (symbol? d) (regexp-match? #px"\\p{L}:$" (symbol->string d)) (not (known? d))))
+  (cond [(or (null? (cdr data)) (not (symbol? first-one)) (memq first-one '(def lambda))) #f]
+        [(eq? first-one '>) (format "> is the prompt's, not part of what is typed: ~a"
+                                    (form->text (cadr data)))]
+        [(memq first-one '(// /* /** % %% -- !)) "a comment begins with a semicolon"]
+        [(or (label? first-one) (and (label? (cadr data)) (not (known? first-one))))
+         (format "~a ... is a line that was printed, nothing to type" first-one)]
+        [else #f]))
+
+;; a, b = 1, 2
+(define (several-definitions? data)
+  (and (ormap comma? data)
+       (regexp-match? #rx"=" (format "~a" data))
+       (not (memq 'lambda data))))
+
+(define (comma? d) (and (pair? d) (eq? (car d) 'unquote)))
+
+;; import math; and a line of prose
+(define (in-other-words data known?)
+  (define advice (and (symbol? (car data)) (notation-sentence (car data))))
+  (cond [(not (and (pair? (cdr data)) (andmap symbol? data) (not (infix? data)))) #f]
+        [advice (format "~a: ~a" (car data) advice)]
+        [(and (> (length data) 3) (not (ormap known? data)))
+         (format "no name in this line is known; a form stands in parentheses, as (f ~a)"
+                 (car data))]
+        [else #f]))
+
+;; x[0]
+(define (component-beside forms)
+  (define bracket (and (= (length forms) 2) (cadr forms)))
+  (and bracket
+       (eqv? (syntax-property bracket 'paren-shape) #\[)
+       (adjacent? (car forms) bracket)
+       (pair? (syntax-e bracket))
+       (format "a component is ~a"
+               (form->text (list* 'ref (syntax->datum (car forms)) (syntax->datum bracket))))))
+
+;; f(3); of what is no name, as sin^2, how it is written otherwise
+(define (call-beside forms)
+  (for/or ([f (in-list forms)] [next (in-list (if (pair? forms) (cdr forms) '()))])
+    (and (call-in-print? f next)
+         (let ([advice (notation-sentence (syntax-e f))])
+           (if advice (format "~a: ~a" (syntax-e f) advice) (as-called f next))))))
+
+;; text : of an unfinished entry -> what to say of x', or #f
+(define (prime-alone text)
+  (define found (regexp-match #px"^\\s*('?)([^\\s()\\[\\]\"';`,#|]+)'+\\s*$" text))
+  (cond [(not found) #f]
+        [(equal? (cadr found) "'")
+         (format "a quote stands before a name, and none behind it: '~a" (caddr found))]
+        [else (about-prime (caddr found))]))
+
+(define (about-prime name)
+  (format "a prime is read as a quote; the derivative of ~a is (D ~a)" name name))
+
+(define (prime? forms)
+  (and (= (length forms) 2)
+       (identifier? (car forms))
+       (prime-before? (car forms) (cadr forms))))
+
+;; ---------------------------------------------------------------------------
+;; define m = 3
+
+(define (keyword? datum) (and (memq datum '(define lambda λ let let* if cond require begin)) #t))
+
+(define (in-parentheses data)
+  (define by-sign (plain-definition (cdr data)))
+  (if (and by-sign (memq (car data) '(define let let*)))
+      ((written "a definition is written ~a") by-sign)
+      ((written "it stands in parentheses: ~a") data)))

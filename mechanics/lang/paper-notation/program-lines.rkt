@@ -1,0 +1,49 @@
+#lang racket/base
+;; Lines of a program that were meant as one form: m = 3, f(3), or one that was pasted with the
+;; prompt before it.  They are refused before anything is expanded, or each of their forms would
+;; be told to be unknown.  And results that were printed, pasted into a program.
+
+(require (for-template "expansion-advice.rkt")
+         "../../generic/on-demand.rkt")
+
+(require-on-demand ["line-habits.rkt" misread-line]
+                   ["pasted-result.rkt" pasted-sentence])
+
+(provide check-lines as-pasted)
+
+;; forms : of a module; defined : symbols that it defines
+(define (check-lines forms defined)
+  (when (side-by-side? forms)
+    (define (known? name)
+      (or (and (memq name defined) #t)
+          (and (identifier-binding (datum->syntax (car forms) name)) #t)))
+    (define found (misread-line forms known? (lambda (name) #f)))
+    (when found (raise-syntax-error 'line (cdr found) (car found)))))
+
+;; A form of a module; if it looks like a printed result, that is advice on the names in it.
+;; defines? : symbol -> does the module define it?
+(define (as-pasted form defines?)
+  (define head (and (pair? (syntax-e form)) (car (syntax-e form))))
+  (define (known? name)
+    (or (defines? name) (and (identifier-binding (datum->syntax form name)) #t)))
+  (define text
+    (and head (memq (syntax-e head) '(+ - * / expt up down sqrt sin cos))
+         (pasted-sentence (syntax->datum form) known?)))
+  (if text (with-advice-throughout form text) form))
+
+(define (with-advice-throughout stx text)
+  (define d (syntax-e stx))
+  (cond [(symbol? d) (with-advice stx text)]
+        [(pair? d)
+         (datum->syntax stx (let within ([d d])
+                              (cond [(pair? d) (cons (within (car d)) (within (cdr d)))]
+                                    [(syntax? d) (with-advice-throughout d text)]
+                                    [else d]))
+                        stx stx)]
+        [else stx]))
+
+;; Do two of them stand on one line?
+(define (side-by-side? forms)
+  (and (pair? forms)
+       (for/or ([form (in-list forms)] [next (in-list (cdr forms))])
+         (and (syntax-line form) (eqv? (syntax-line form) (syntax-line next))))))

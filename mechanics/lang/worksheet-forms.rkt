@@ -1,0 +1,180 @@
+#lang racket/base
+;; The forms of `#lang mechanics/worksheet`.  Each adds a part to the worksheet of its module,
+;; in the order in which they stand; what is defined between them the teacher keeps.
+
+(require (for-syntax racket/base racket/file
+                     "../error/spelling.rkt" "../teaching/worksheet/clause-names.rkt")
+         (prefix-in m: "redefinition/module.rkt")
+         "../error/complain.rkt"
+         "../generic/describe.rkt"
+         "../teaching/worksheet/exercise.rkt" "../teaching/worksheet/make-exercise.rkt"
+         "../teaching/worksheet/make-worksheet.rkt")
+
+(provide (rename-out [worksheet-begin #%module-begin]
+                     [title-form title] [text-form text] [given-form given]
+                     [formula-form formula] [exercise-form exercise]))
+
+;; title, due : or #f; parts : latest first
+(struct draft ([title #:mutable] [due #:mutable] [parts #:mutable]))
+
+(define (add-part! d part) (set-draft-parts! d (cons part (draft-parts d))))
+
+(define (set-title! d title due)
+  (check-text 'title title)
+  (when due (check-text 'title due))
+  (set-draft-title! d title)
+  (set-draft-due! d due))
+
+;; who : the form
+(define (check-text who x)
+  (unless (string? x)
+    (complain who "expected a text, in quotation marks\n  given: ~a" (value->text x))))
+
+(define (joined-texts texts)
+  (for ([t (in-list texts)]) (check-text 'text t))
+  (apply string-append texts))
+
+(define (finished d name)
+  (make-worksheet (draft-title d) (draft-due d) name (reverse (draft-parts d))))
+
+;; ---------------------------------------------------------------------------
+;; The module
+
+;; The name under which a module has its draft; no reader can write it.
+(define-for-syntax (draft-id stx) (datum->syntax stx (string->symbol "the worksheet")))
+
+(define-syntax (worksheet-begin stx)
+  (syntax-case stx ()
+    [(_ form ...)
+     (with-syntax ([d (draft-id stx)]
+                   [name (source-name stx)]
+                   [worksheet (datum->syntax stx 'worksheet)])
+       (syntax/loc stx
+         (m:#%module-begin
+          (define-values (d) (draft #f #f '()))
+          form ...
+          (define-values (worksheet) (finished d 'name))
+          (#%provide worksheet)
+          (module* main #f
+            (#%plain-app display (#%plain-app outline worksheet))
+            (#%plain-app newline)))))]))
+
+(define-for-syntax (source-name stx)
+  (define source (syntax-source stx))
+  (if (path? source)
+      (let-values ([(folder name dir?) (split-path source)])
+        (path->string (path-replace-extension name #"")))
+      "worksheet"))
+
+;; ---------------------------------------------------------------------------
+;; Parts
+
+(define-syntax (title-form stx)
+  (syntax-case stx ()
+    [(_ text) #`(set-title! #,(draft-id stx) text #f)]
+    [(_ text #:due due) #`(set-title! #,(draft-id stx) text due)]
+    [_ (raise-syntax-error
+        #f "a title is a text, and says perhaps when it is due: (title \"...\" #:due \"...\")"
+        stx)]))
+
+(define-syntax (text-form stx)
+  (syntax-case stx ()
+    [(_ text ...)
+     #`(add-part! #,(draft-id stx) (passage (joined-texts (list text ...))))]))
+
+(define-syntax (formula-form stx)
+  (syntax-case stx ()
+    [(_ value) #`(add-part! #,(draft-id stx) (formula "" value))]
+    [(_ label value) #`(add-part! #,(draft-id stx) (formula label value))]))
+
+;; Definitions for both, the teacher and the student.
+(define-syntax (given-form stx)
+  (syntax-case stx ()
+    [(_ form ...)
+     #`(begin form ...
+              (add-part! #,(draft-id stx)
+                         (given #,(source-text (syntax->list #'(form ...))))))]))
+
+(define-syntax (exercise-form stx)
+  (syntax-case stx ()
+    [(_ name kind question clause ...)
+     (and (identifier? #'name) (identifier? #'kind))
+     (let ([who (syntax-e #'name)])
+       (check-question who #'question stx)
+       (with-syntax ([(made ...) (for/list ([c (in-list (syntax->list #'(clause ...)))])
+                                   (clause-expression who c stx))])
+         #`(add-part! #,(draft-id stx) (make-exercise 'name 'kind question (list made ...)))))]
+    [_ (raise-syntax-error
+        #f "an exercise has a name, a kind and a question: (exercise name kind \"...\" clause ...)"
+        stx)]))
+
+(begin-for-syntax
+  (define (head-of stx)
+    (define parts (syntax-e stx))
+    (and (pair? parts) (identifier? (car parts)) (syntax-e (car parts))))
+
+  (define (check-question who question stx)
+    (when (and (identifier? question)
+               (regexp-match? #rx"^[“”„«]" (symbol->string (syntax-e question))))
+      (raise-syntax-error who "a text stands in straight quotation marks, \"...\"" stx question))
+    (when (memq (head-of question) clause-names)
+      (raise-syntax-error who "the question is missing, a text behind the kind of the exercise"
+                          stx question)))
+
+  ;; Names are not evaluated, and keywords stand for themselves.
+  (define (clause-expression who clause stx)
+    (define head (head-of clause))
+    (define parts (syntax->list clause))
+    (define (refuse text) (raise-syntax-error who text stx clause))
+    (cond [(not (and head parts))
+           (refuse "a clause is a list that begins with its name, such as (points 3)")]
+          [(not (memq head clause-names))
+           (refuse (format "there is no clause called ~a~a" head (among head clause-names)))]
+          [(odd-keyword head (cdr parts))
+           => (lambda (k)
+                (refuse (format "the clause `~a` takes no keyword ~a" head (syntax-e k))))]
+          [(not (clause-fits? head (cdr parts)))
+           (refuse (format "the clause `~a` takes ~a" head (values-wanted head)))]
+          [(names-clause? head) #`'#,clause]
+          [else
+           (with-syntax ([head (car parts)]
+                         [(value ...) (for/list ([a (in-list (cdr parts))])
+                                        (if (keyword? (syntax-e a)) #`'#,a a))])
+             #'(list 'head value ...))]))
+
+  (define (odd-keyword head parts)
+    (for/first ([p (in-list parts)]
+                #:when (keyword? (syntax-e p))
+                #:unless (memq (syntax-e p) (keywords-of head)))
+      p))
+
+  (define (clause-fits? head parts)
+    (and (values-fit? head (length (without-keywords parts)))
+         (or (not (names-clause? head)) (andmap identifier? parts))))
+
+  ;; #:absolute stands alone, the others with what belongs to them.
+  (define (without-keywords parts)
+    (cond [(null? parts) '()]
+          [(eq? '#:absolute (syntax-e (car parts))) (without-keywords (cdr parts))]
+          [(and (keyword? (syntax-e (car parts))) (pair? (cdr parts)))
+           (without-keywords (cddr parts))]
+          [else (cons (car parts) (without-keywords (cdr parts)))]))
+
+  ;; The forms as they stand in the file; or as data where there is none.
+  (define (source-text forms)
+    (define first-form (car forms))
+    (define source (syntax-source first-form))
+    (define-values (start end)
+      (let ([last-form (car (reverse forms))])
+        (values (syntax-position first-form)
+                (and (syntax-position last-form)
+                     (+ (syntax-position last-form) (syntax-span last-form))))))
+    (if (and (path? source) (file-exists? source) start end)
+        (let ([text (regexp-replace* #rx"\r\n?" (file->string source) "\n")])
+          (without-indentation (substring text (- start 1) (- end 1))
+                               (syntax-column first-form)))
+        (apply string-append
+               (for/list ([f (in-list forms)]) (format "~s\n" (syntax->datum f))))))
+
+  (define (without-indentation text column)
+    (regexp-replace* (pregexp (format "\n {1,~a}" (max 1 column))) text "\n")))

@@ -1,0 +1,90 @@
+#lang racket/base
+;; Calls that a procedure does not take.  Racket's message names the procedure and the
+;; keyword it does not know; of a number of arguments it says no more than that another is
+;; expected, where several are.  A procedure of the library is known by its entry in the
+;; manual (signature-hint.rkt), one of the reader's by its definition (reader-signature.rkt).
+
+(require "procedure-called.rkt" "../../error/spelling.rkt"
+         "../../generic/on-demand.rkt")
+
+(require-on-demand ["count-message.rkt" restated]
+                   ["reader-signature.rkt" own-count-hint tuple-hint-of-library]
+                   ["signature-hint.rkt" count-hint order-hint keyword-names constraint-hint])
+
+(provide hint-for-call in-our-words)
+
+;; e : what was raised, with this message; entry : the form that was typed, a datum, or #f
+;; -> lines to add, or #f
+(define (hint-for-call message e entry)
+  (or (hint-for-keyword message)
+      (and (about-number? message e) (hint-for-number message e entry))
+      (and (about-constraint? message) (constraint-hint message))
+      (and (regexp-match? about-order message) (order-hint message))
+      (and (regexp-match? applied-number message) "\n  operations come first, as in (* 2 pi)")))
+
+(define (hint-for-number message e entry)
+  (define marks (exn-continuation-marks e))
+  (or (own-count-hint message marks entry)
+      (let* ([hint (or (count-hint message) "")]
+             [tuple (or (tuple-hint-of-library message hint marks entry) "")])
+        (string-append hint tuple))))
+
+;; The message itself, if it is about something else than a number of arguments.
+(define (in-our-words message e)
+  (if (about-number? message e) (restated message) message))
+
+;; A number where a Lagrangian belongs, say.
+(define about-order
+  (pregexp (string-append "^[^\\s]+: (?:a (?:Lagrangian|path) is a function|expected a final time |"
+                          "expected a state of real numbers; the procedure )")))
+
+;; (pi * 2): names of the library are applied by Racket itself.
+(define applied-number
+  #rx"^application: not a procedure;\n[^\n]*\n  given: -?[0-9.:]")
+
+(define (about-number? message e)
+  (or (exn:fail:contract:arity? e)
+      (regexp-match? #rx"^application: no case matching [0-9]+ non-keyword argument" message)))
+
+(define (about-constraint? message)
+  (regexp-match? #rx"^[^ \n]+: expected [^\n]*\n  given: [(](non)?holonomic " message))
+
+;; ---------------------------------------------------------------------------
+;; Keywords
+
+(define unknown-keyword
+  (list
+   (regexp
+    (string-append "^application: procedure does not expect an argument with given keyword\n"
+                   "  procedure: ([^ \n]+)\n  given keyword: #:([^ \n]+)"))
+   #rx"^([^ \n]+): there is no keyword #:([^ \n]+) here"))
+
+(define (hint-for-keyword message)
+  (define found (for/or ([p (in-list unknown-keyword)]) (regexp-match p message)))
+  (define known (if found (keywords-of (cadr found)) '()))
+  (and (pair? known)
+       (keyword-hint (caddr found) known (regexp-match? #rx"its keywords: " message))))
+
+;; In the order of the alphabet, if the prompt knows the procedure.
+(define (keywords-of name)
+  (define f (procedure-called name))
+  (define-values (required known) (if f (procedure-keywords f) (values '() '())))
+  (if (pair? known)
+      known
+      (map (lambda (k) (string->keyword (substring (symbol->string k) 2)))
+           (keyword-names (string->symbol name)))))
+
+;; told? : does the message name them already
+(define (keyword-hint given known told?)
+  (define likely (likely-names (string->symbol given) (map bare known)))
+  (define beginning
+    (filter (lambda (k) (regexp-match? (regexp (string-append "^" (regexp-quote given)))
+                                       (symbol->string k)))
+            (map bare known)))
+  (define meant (if (null? likely) beginning likely))
+  (cond [(pair? meant) (format "\n  did you mean ~a?" (alternatives (map dressed meant)))]
+        [told? #f]
+        [else (format "\n  its keywords: ~s" known)]))
+
+(define (bare k) (string->symbol (keyword->string k)))
+(define (dressed name) (string->symbol (format "#:~a" name)))

@@ -1,0 +1,134 @@
+#lang racket/base
+;; What is said beneath a message of a wrong number of arguments, if it is about a procedure of
+;; the reader's: how that is called, which argument is missing, and that a local tuple is one
+;; argument where its parts were given.
+
+(require racket/list
+         racket/string
+         "count-message.rkt" "procedure-head.rkt"
+         "../written-form.rkt"
+         "../redefinition/heads.rkt")
+
+(provide own-count-hint tuple-hint-of-library head->text)
+
+;; message : Racket's; entry : the form typed at the prompt, a datum, or #f -> text or #f
+(define (own-count-hint message marks entry)
+  (define m (read-miscount message))
+  (define name (and m (miscount-name m) (string->symbol (miscount-name m))))
+  (define head (and name (own-head name marks)))
+  (define formals (and head (list-at-fault m head)))
+  (and formals
+       (string-append
+        (format "\n  it is called as ~a" (head->text head))
+        (missing formals (miscount-given m))
+        (tuple-hint formals (miscount-given m)
+                    (call-in (or entry (form-evaluated marks)) name (miscount-given m))))))
+
+;; ---------------------------------------------------------------------------
+;; Argument lists
+
+;; Of a head ((L m k) local), which of the lists (m k) and (local) the call did not fit; or #f
+(define (list-at-fault m head)
+  (define expected (string->number (or (miscount-expected m) "")))
+  (define others
+    (filter (lambda (formals) (not (takes? formals (miscount-given m)))) (argument-lists head)))
+  (or (for/first ([formals (in-list others)]
+                  #:when (and expected (takes? formals expected)))
+        formals)
+      (and (pair? others) (car others))))
+
+(define (argument-lists head)
+  (if (pair? head)
+      (append (argument-lists (car head)) (list (cdr head)))
+      '()))
+
+(define (takes? formals n)
+  (define-values (needed most) (least-and-most (positional formals)))
+  (<= needed n most))
+
+(define (least-and-most formals)
+  (let count ([formals formals] [needed 0] [most 0])
+    (cond [(pair? formals)
+           (count (cdr formals) (if (optional? (car formals)) needed (add1 needed)) (add1 most))]
+          [(null? formals) (values needed most)]
+          [else (values needed +inf.0)])))
+
+(define (optional? a) (and (pair? a) (not (memq (car a) '(up down)))))
+
+;; Without keywords and what they take.
+(define (positional formals)
+  (cond [(not (pair? formals)) formals]
+        [(and (keyword? (car formals)) (pair? (cdr formals))) (positional (cddr formals))]
+        [else (cons (car formals) (positional (cdr formals)))]))
+
+(define (missing formals given)
+  (define needed (filter (lambda (a) (not (optional? a))) (proper (positional formals))))
+  (if (< given (length needed))
+      (format "\n  missing: ~a" (string-join (map form->text (drop needed given)) ", "))
+      ""))
+
+(define (proper formals) (if (pair? formals) (cons (car formals) (proper (cdr formals))) '()))
+
+;; ---------------------------------------------------------------------------
+;; A tuple, given as its parts
+
+;; call : the call as it was written, or #f
+(define (tuple-hint formals given call)
+  (define pattern (and (list? formals) (= (length formals) 1) (car formals)))
+  (cond [(or (not pattern) (keyword? pattern) (< given 2) (optional? pattern)) ""]
+        [(and (pair? pattern) (not (= (length (cdr pattern)) given))) ""]
+        [(and (symbol? pattern) (< given 3)) ""]
+        [else
+         (define parts (cond [call (cdr call)]
+                             [(pair? pattern) (cdr pattern)]
+                             [else '(t q v)]))
+         (define tuple (cons (if (pair? pattern) (car pattern) 'up) parts))
+         (one-tuple given (if call (list (car call) tuple) tuple))]))
+
+(define (one-tuple n form)
+  (format "\n  one ~atuple: ~a" (if (>= n 3) "local " "") (form->text form)))
+
+;; ((Lagrangian->energy L) 't 'q 'v), and (p->r 't 'q 'v) of which it was said how it is called:
+;; functions of the library that take a local tuple
+(define (tuple-hint-of-library message said marks entry)
+  (define made-by
+    (regexp-match #px"^\\(*([^\\s()]+) [^\n]*\\): takes 1 argument; it was given ([3-9])" message))
+  (define m
+    (cond [made-by (miscount (cadr made-by) #f (string->number (caddr made-by)))]
+          [(regexp-match? #rx"[()][^ ()]* (local|state)[)]" said) (read-miscount message)]
+          [else #f]))
+  (define call
+    (and m (>= (miscount-given m) 3)
+         (call-in (or entry (form-evaluated marks))
+                  (string->symbol (miscount-name m)) (miscount-given m))))
+  (and call (one-tuple (miscount-given m) (list (car call) (cons 'up (cdr call))))))
+
+;; The first call of the procedure, in two steps or more perhaps, with so many arguments that a
+;; form has, a datum; or #f
+(define (call-in form name given)
+  (cond [(not (pair? form)) #f]
+        [(and (list? form) (= (length form) (add1 given)) (eq? (head-name-in form) name)) form]
+        [else (or (call-in (car form) name given) (call-in (cdr form) name given))]))
+
+;; ---------------------------------------------------------------------------
+;; As the manual has it: [y 2] for an argument that may be left out, [#:k k] for one with a
+;; keyword.
+
+(define (head->text head)
+  (if (pair? head)
+      (format "(~a~a)" (head->text (car head)) (formals->text (cdr head)))
+      (format "~s" head)))
+
+(define (formals->text formals)
+  (cond [(null? formals) ""]
+        [(not (pair? formals)) (format " ~s ..." formals)]
+        [(and (keyword? (car formals)) (pair? (cdr formals)))
+         (string-append (keyword->text (car formals) (cadr formals))
+                        (formals->text (cddr formals)))]
+        [else (string-append " " (argument->text (car formals)) (formals->text (cdr formals)))]))
+
+(define (argument->text a)
+  (if (optional? a) (format "[~a]" (string-join (map form->text a))) (form->text a)))
+
+(define (keyword->text k a)
+  (if (optional? a) (format " [~s ~a]" k (car a)) (format " ~s ~a" k (form->text a))))

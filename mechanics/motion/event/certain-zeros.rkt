@@ -1,0 +1,87 @@
+#lang racket/base
+;; Does a polynomial tell where a function is 0?
+;;
+;; The coefficients are those of the function along a part of a step, the part being 1, up to some
+;; order.  The last two of them tell how much is left out.  It is to be little beside all of them;
+;; or beside what is uncertain of the function anyway, as of one that is conserved, whose
+;; coefficients are rounding.
+;;
+;; And what is left out and rounded is to be little where the function is small, too: exp(100 x)
+;; - 1 is 10⁴³ where a step begins, and -1 where it ends, of which the sum of such coefficients
+;; knows nothing.  Nor may the terms grow, however little they are yet: those of exp(-200 x²) - 1/2
+;; do far from 0, where it is -1/2, and say that there is something to come.
+
+(require racket/flonum
+         racket/unsafe/ops
+         "../../numeric/constants.rkt" "../../numeric/unboxed-loop.rkt")
+
+(provide tells-zeros? polynomial-value total scaled
+         places-for usual-places)
+
+;; uncertain : (-> how much of the function is), which costs another look at it
+(define (tells-zeros? c tolerance uncertain)
+  (define n (flvector-length c))
+  (define rest (fl+ (flabs (flvector-ref c (- n 1))) (flabs (flvector-ref c (- n 2)))))
+  (define varying (total c 1))
+  (define all (fl+ (flabs (flvector-ref c 0)) varying))
+  (and (or (and (fl<= rest (fl* (fl* 10.0 tolerance) all))
+                (fl<= rest (fl* most-of-varying varying)))
+           (fl<= rest (fl* 0.1 (uncertain))))
+       (known-all-along? c (fl+ rest (fl* epsilon all)) all)))
+
+;; Two of twenty terms have a tenth of the sum if they are all alike.
+(define most-of-varying 0.05)
+
+;; by : how far the values may be off
+(define (known-all-along? c by all)
+  (for/and ([x (in-list '(0.25 0.5 0.75 1.0))])
+    (define size (size-near c x))
+    (or (fl>= size (fl* 1e-3 all)) (fl>= size (fl* 1e8 by)))))
+
+;; Of the value and, lest there is a zero, of slope and curvature, over a length in which the last
+;; of n terms may change.
+(define (size-near c x)
+  (define n (->fl (flvector-length c)))
+  (let loop ([k (unsafe-fx- (flvector-length c) 1)] [value 0.0] [slope 0.0] [bend 0.0])
+    (if (unsafe-fx< k 0)
+        (fl+ (flabs value) (fl/ (fl+ (flabs slope) (fl/ (flabs bend) n)) n))
+        (loop (unsafe-fx- k 1)
+              (unsafe-fl+ (unsafe-flvector-ref c k) (unsafe-fl* x value))
+              (unsafe-fl+ value (unsafe-fl* x slope))
+              (unsafe-fl+ slope (unsafe-fl* x bend))))))
+
+(define (total c [from 0])
+  (let loop ([k (unsafe-fx- (flvector-length c) 1)] [sum 0.0])
+    (if (unsafe-fx< k from)
+        (unboxed sum)
+        (loop (unsafe-fx- k 1) (unsafe-fl+ sum (unsafe-flabs (unsafe-flvector-ref c k)))))))
+
+(define (polynomial-value c x)
+  (for/fold ([sum 0.0]) ([k (in-range (- (flvector-length c) 1) -1 -1)])
+    (fl+ (flvector-ref c k) (fl* x sum))))
+
+;; c_k span^k, 0 where c_k is, however long the step
+(define (scaled row order span)
+  (define c (make-flvector (+ order 1)))
+  (let loop ([k 0] [power 1.0])
+    (when (unsafe-fx<= k order)
+      (define x (unsafe-flvector-ref row k))
+      (unsafe-flvector-set! c k (if (unsafe-fl= x 0.0) 0.0 (unsafe-fl* power x)))
+      (loop (unsafe-fx+ k 1) (unsafe-fl* span power))))
+  c)
+
+;; ---------------------------------------------------------------------------
+;; Where it does not
+
+(define usual-places 8)
+(define most-places 400)
+
+;; Six for the radius of convergence.
+(define (places-for c)
+  (define n (- (flvector-length c) 1))
+  (define (ratio k)
+    (flexpt (fl/ (flabs (flvector-ref c k)) (fl+ 1e-300 (flabs (flvector-ref c 0))))
+            (fl/ 1.0 (->fl k))))
+  (define wanted (fl* 6.0 (flmax (ratio n) (ratio (- n 1)))))
+  (if (fl< wanted (->fl most-places)) (max usual-places (fl->exact-integer (ceiling wanted)))
+      most-places))

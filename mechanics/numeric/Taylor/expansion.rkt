@@ -1,0 +1,128 @@
+#lang racket/base
+;; Taylor coefficients of a motion: y' = f(y) solved as a power series, order by order.
+;;
+;; The coefficients of f up to order k follow from those of y by kernels (kernels.rkt), and
+;; y_{k+1} = f_k / (k + 1).  They are those of t/h, for a unit h of time near the length of
+;; a step, so that none overflows whatever the system's own units: y_{k+1} = h f_k / (k + 1).
+;; It is divided by k + 1: a factor 1/(k + 1) would be rounded in the same direction at every
+;; step, and a long run drift.
+
+(require racket/unsafe/ops
+         "../record-fields.rkt" "../flvector.rkt"
+         "convolution.rkt")
+
+(provide (struct-out expander) (struct-out work) work-of-order
+         (struct-out expansion) (struct-out ending) expand! follow! coefficient-row
+         for-each-sum value-at! coefficients-finite?)
+
+;; What makes expansions.  make : order -> expansion; work : what one of them takes;
+;; branches? : may they go on where f takes another branch, as that of √x² = x does where x < 0?
+(struct expander (make work branches?)
+  #:authentic
+  #:property prop:procedure 0)
+
+;; How many nodes there are, rows that do not end, and convolutions for each order.
+(struct work (nodes rows convolutions) #:authentic)
+
+;; Nanoseconds or so, of an expansion of order n and the step it is made for, as measured.
+(define (work-of-order w n)
+  (+ 300 (* 12 (work-nodes w))
+     (* n (+ 4 (* 1.8 (work-rows w))))
+     (* n n 0.45 (work-convolutions w))))
+
+;; order   : the last one; states, slopes : vectors of rows, y and f(y)
+;; lasts   : fxvector, where the rows of the states end
+;; moving  : vector, state row and slope row in turn, of those that do not end
+;; starts  : vector of thunks, for order 0; ending : list of those below, whose rows end;
+;; kernels : vector of those that do not
+(struct expansion (order states slopes lasts moving starts ending kernels) #:authentic)
+
+;; A kernel of rows that are 0 beyond an order.
+(struct ending (last kernel) #:authentic)
+
+(define (coefficient-row e i) (vector-ref (expansion-states e) i))
+
+;; Coefficients of the motion from the state y on, in the unit h.
+(define (expand! e y h)
+  (define-fields expansion e states slopes moving order kernels ending)
+  (define n (vector-length states))
+  (let loop ([i 0])
+    (when (unsafe-fx< i n)
+      (put! (unsafe-vector-ref states i) 0 (unsafe-flvector-ref y i))
+      (loop (unsafe-fx+ i 1))))
+  (start-all! (expansion-starts e))
+  (let loop ([k 1])
+    (if (unsafe-fx<= k latest-end) (next-of-all! states slopes h k) (next-of! moving h k))
+    (when (unsafe-fx< k order)
+      (when (unsafe-fx<= k latest-end) (run-ending! ending k))
+      (run-all! kernels k)
+      (loop (unsafe-fx+ k 1)))))
+
+;; Rows that end are 0 from the order after this one on.
+(define latest-end 5)
+
+(define-syntax-rule (next! state slope h k)
+  (put! state k (unsafe-fl/ (unsafe-fl* h (at slope (unsafe-fx- k 1))) (unsafe-fx->fl k))))
+
+(define (next-of-all! states slopes h k)
+  (for ([state (in-vector states)] [slope (in-vector slopes)]) (next! state slope h k)))
+
+(define (next-of! moving h k)
+  (define n (vector-length moving))
+  (let loop ([i 0])
+    (when (unsafe-fx< i n)
+      (next! (unsafe-vector-ref moving i) (unsafe-vector-ref moving (unsafe-fx+ i 1)) h k)
+      (loop (unsafe-fx+ i 2)))))
+
+;; Coefficients of what depends on rows that are known already, up to the order.
+(define (follow! e)
+  (start-all! (expansion-starts e))
+  (for ([k (in-range 1 (+ 1 (expansion-order e)))])
+    (run-ending! (expansion-ending e) k)
+    (run-all! (expansion-kernels e) k)))
+
+(define (start-all! starts)
+  (define n (vector-length starts))
+  (let loop ([i 0])
+    (when (unsafe-fx< i n)
+      ((unsafe-vector-ref starts i))
+      (loop (unsafe-fx+ i 1)))))
+
+(define (run-all! kernels k)
+  (define n (vector-length kernels))
+  (let loop ([i 0])
+    (when (unsafe-fx< i n)
+      ((unsafe-vector-ref kernels i) k)
+      (loop (unsafe-fx+ i 1)))))
+
+(define (run-ending! kernels k)
+  (unless (null? kernels)
+    (when (unsafe-fx<= k (ending-last (car kernels))) ((ending-kernel (car kernels)) k))
+    (run-ending! (cdr kernels) k)))
+
+;; Of each state, the row c and s = Σ c_j u^(j − first), j from `first` on, for what is done with
+;; these at its index i.  Two at a time, for the processor works on both at once.
+(define-syntax-rule (for-each-sum e u first (i c s) do)
+  (let* ([states (expansion-states e)]
+         [lasts (expansion-lasts e)]
+         [end (unsafe-fx- (vector-length states) 1)])
+    (define-syntax-rule (row k) (unsafe-vector-ref states k))
+    (define-syntax-rule (last k) (unsafe-fxvector-ref lasts k))
+    (let loop ([i 0])
+      (cond [(unsafe-fx> i end) (void)]
+            [(and (unsafe-fx< i end) (unsafe-fx= (last i) (last (unsafe-fx+ i 1))))
+             (let* ([c (row i)] [next (unsafe-fx+ i 1)] [d (row next)])
+               (polynomials u first (last i) ([s odd c] [t other-odd d])
+                            (begin do
+                                   (let ([i next] [c d] [s t]) do)))
+               (loop (unsafe-fx+ i 2)))]
+            [else
+             (let ([c (row i)]) (polynomials u first (last i) ([s odd c]) do))
+             (loop (unsafe-fx+ i 1))]))))
+
+;; Stores in `out` the state at the time u, in units of that of the coefficients.
+(define (value-at! e u out)
+  (for-each-sum e u 0 (i c s) (put! out i s)))
+
+(define (coefficients-finite? e)
+  (for/and ([row (in-vector (expansion-states e))]) (flvector-finite? row)))

@@ -1,0 +1,228 @@
+#lang racket/base
+;; The zeros of a polynomial between 0 and 1, none of them missed.
+;;
+;; By Descartes's rule in Budan's form, p has at most as many zeros in (0, 1) as the
+;; coefficients of (1 + x)ⁿ p(1/(1 + x)) change their sign, and as many up to an even number:
+;; with no change there is none, with one there is one.  Where there are more, the extremum
+;; of p is found in the same way if there is one only, which parts two zeros however close,
+;; or shows that p touches zero or stays away; otherwise the interval is halved.  A zero that
+;; is known to be alone is refined by Newton's method within its bounds.
+;;
+;; Mostly less will do.  Between 0 and 1 a polynomial lies between its least and its greatest
+;; coefficient in Bernstein's basis, and so do those of low degree: of the first terms, that is,
+;; and the others are small.
+
+(require racket/flonum
+         racket/unsafe/ops
+         "../unboxed-loop.rkt")
+
+(provide polynomial-zeros (struct-out zero) halved shifted)
+
+;; at : in (0, 1]; kind : 'rising, 'falling, or 'touching if p keeps its sign
+(struct zero (at kind) #:transparent)
+
+;; p : flvector of coefficients, from order 0 on; touch : what is not more than that at an
+;; extremum counts as zero -> zeros, in their order.  A zero at 0 itself is none.
+(define (polynomial-zeros p touch)
+  (define q (without-zero-at-0 p))
+  (cond [(< (flvector-length q) 2) '()]
+        [else
+         (define inside
+           (case (shape q)
+             [(clear) '()]
+             [(monotone) (only-zero q 0.0 1.0 0.0 1.0)]
+             [else (search q 0.0 1.0 touch most-halvings)]))
+         (if (fl= (value q 1.0) 0.0)
+             (append inside (list (zero 1.0 (direction (value (derivative q) 1.0)))))
+             inside)]))
+
+;; 'clear if p is plainly not 0 between 0 and 1, 'monotone if p' is not, or #f.
+(define (shape p)
+  (define n (unsafe-fx- (flvector-length p) 1))
+  (define m (if (unsafe-fx< n low-degree) n low-degree))
+  (define b (Bernstein-coefficients p m))
+  (let loop ([k n] [rest 0.0] [slope-rest 0.0])
+    (if (unsafe-fx= k m)
+        (shape-of b m (unboxed rest) (unsafe-fl/ slope-rest (unsafe-fx->fl m)))
+        (let ([c (unsafe-flabs (unsafe-flvector-ref p k))])
+          (loop (unsafe-fx- k 1)
+                (unsafe-fl+ rest c)
+                (unsafe-fl+ slope-rest (unsafe-fl* (unsafe-fx->fl k) c)))))))
+
+;; by, slope-by : how far value and slope, divided by m, may be from what b tells
+(define (shape-of b m by slope-by)
+  (let loop ([k (unsafe-fx- m 1)] [last (unsafe-flvector-ref b m)]
+             [least (unsafe-flvector-ref b m)] [greatest (unsafe-flvector-ref b m)]
+             [falls +inf.0] [rises -inf.0])
+    (if (unsafe-fx< k 0)
+        (let ([doubt (unsafe-fl* 1e-14 (unsafe-flmax (unsafe-flabs least)
+                                                     (unsafe-flabs greatest)))])
+          (cond [(one-sign? least greatest (unsafe-fl+ by doubt)) 'clear]
+                [(one-sign? falls rises (unsafe-fl+ slope-by doubt)) 'monotone]
+                [else #f]))
+        (let* ([x (unsafe-flvector-ref b k)] [change (unsafe-fl- last x)])
+          (loop (unsafe-fx- k 1) x
+                (unsafe-flmin x least) (unsafe-flmax x greatest)
+                (unsafe-flmin change falls) (unsafe-flmax change rises))))))
+
+(define-syntax-rule (one-sign? least greatest by)
+  (or (unsafe-fl> least by) (unsafe-fl< greatest (unsafe-fl- 0.0 by))))
+
+(define low-degree 8)
+
+;; Of the first terms, up to degree m: b_i = Σ C(i, k)/C(m, k) p_k, by repeated sums.
+(define (Bernstein-coefficients p m)
+  (define b (make-flvector (+ m 1)))
+  (let loop ([k 0] [binomial 1.0])
+    (when (unsafe-fx<= k m)
+      (unsafe-flvector-set! b k (unsafe-fl/ (unsafe-flvector-ref p k) binomial))
+      (loop (unsafe-fx+ k 1)
+            (unsafe-fl/ (unsafe-fl* binomial (unsafe-fx->fl (unsafe-fx- m k)))
+                        (unsafe-fx->fl (unsafe-fx+ k 1))))))
+  (let outer ([j 1])
+    (when (unsafe-fx<= j m)
+      (let inner ([i m])
+        (when (unsafe-fx>= i j)
+          (unsafe-flvector-set! b i (unsafe-fl+ (unsafe-flvector-ref b i)
+                                                (unsafe-flvector-ref b (unsafe-fx- i 1))))
+          (inner (unsafe-fx- i 1))))
+      (outer (unsafe-fx+ j 1))))
+  b)
+
+(define (without-zero-at-0 p)
+  (define n (flvector-length p))
+  (let loop ([k 0])
+    (cond [(= k n) (flvector)]
+          [(not (fl= (flvector-ref p k) 0.0)) (if (= k 0) p (flvector-copy p k n))]
+          [else (loop (+ k 1))])))
+
+(define most-halvings 40)
+
+(define (direction slope)
+  (cond [(fl> slope 0.0) 'rising] [(fl< slope 0.0) 'falling] [else 'touching]))
+
+;; ---------------------------------------------------------------------------
+
+;; The zeros of p in (0, 1), which is the part of the whole from `low` on of that width.
+(define (search p low width touch halvings)
+  (define (only a b) (only-zero p a b low width))
+  (define changes (sign-changes p))
+  (cond
+    [(= changes 0) '()]
+    [(= changes 1) (crossing p 0.0 1.0 low width)]
+    [else
+     (define slope (derivative p))
+     (define turns (sign-changes slope))
+     (cond
+       [(or (= turns 0) (= halvings 0)) (only 0.0 1.0)]
+       [(= turns 1)
+        (define turn (refined slope 0.0 1.0))
+        (if (touches? p turn touch)
+            (list (zero (fl+ low (fl* width turn)) 'touching))
+            (append (only 0.0 turn) (only turn 1.0)))]
+       [else (search-halves p low width touch (- halvings 1))])]))
+
+;; The zero between a and b, if there is one, where p has no other.
+(define (only-zero p a b low width) (if (opposite? p a b) (crossing p a b low width) '()))
+
+(define (crossing p a b low width)
+  (list (zero (fl+ low (fl* width (refined p a b))) (direction (fl- (value p b) (value p a))))))
+
+(define (search-halves p low width touch halvings)
+  (define left (halved p))
+  (define right (shifted left))
+  (define half (fl* 0.5 width))
+  (define middle
+    (if (fl= (flvector-ref right 0) 0.0)
+        (list (zero (fl+ low half) (direction (value (derivative right) 0.0))))
+        '()))
+  (append (search left low half touch halvings)
+          middle
+          (search (without-zero-at-0 right) (fl+ low half) half touch halvings)))
+
+;; Not by a product, which may be too small for a flonum.
+(define (opposite? p a b)
+  (define-values (pa pb) (values (value p a) (value p b)))
+  (if (fl< pa 0.0) (fl> pb 0.0) (and (fl> pa 0.0) (fl< pb 0.0))))
+
+;; Is the extremum at x zero, as far as can be told, and p of one sign on both sides?
+(define (touches? p x touch)
+  (and (fl<= (flabs (value p x)) touch) (not (opposite? p 0.0 1.0))))
+
+;; ---------------------------------------------------------------------------
+;; Polynomials
+
+(define (value p x)
+  (let loop ([k (unsafe-fx- (flvector-length p) 1)] [sum 0.0])
+    (if (unsafe-fx< k 0)
+        (unboxed sum)
+        (loop (unsafe-fx- k 1) (unsafe-fl+ (unsafe-flvector-ref p k) (unsafe-fl* x sum))))))
+
+(define (derivative p)
+  (define n (flvector-length p))
+  (if (= n 1)
+      (flvector 0.0)
+      (for/flvector #:length (- n 1) ([k (in-range 1 n)]) (fl* (->fl k) (flvector-ref p k)))))
+
+;; p(x/2) and p(x + 1)
+(define (halved p)
+  (for/flvector #:length (flvector-length p) ([c (in-flvector p)] [k (in-naturals)])
+    (fl* c (flexpt 0.5 (->fl k)))))
+
+(define (shifted p)
+  (define q (flvector-copy p))
+  (shift! q)
+  q)
+
+(define (shift! q)
+  (define n (flvector-length q))
+  (let outer ([i 0])
+    (when (unsafe-fx< i (unsafe-fx- n 1))
+      (let loop ([k (unsafe-fx- n 2)] [above (unsafe-flvector-ref q (unsafe-fx- n 1))])
+        (when (unsafe-fx>= k i)
+          (let ([sum (unsafe-fl+ (unsafe-flvector-ref q k) above)])
+            (unsafe-flvector-set! q k sum)
+            (loop (unsafe-fx- k 1) sum))))
+      (outer (unsafe-fx+ i 1)))))
+
+;; Of (1 + x)ⁿ p(1/(1 + x)).
+(define (sign-changes p)
+  (define n (flvector-length p))
+  (define q (make-flvector n))
+  (let loop ([k 0])
+    (when (unsafe-fx< k n)
+      (unsafe-flvector-set! q k (unsafe-flvector-ref p (unsafe-fx- (unsafe-fx- n 1) k)))
+      (loop (unsafe-fx+ k 1))))
+  (shift! q)
+  (let loop ([k 0] [count 0] [sign 0.0])
+    (if (unsafe-fx= k n)
+        count
+        (let ([c (unsafe-flvector-ref q k)])
+          (cond [(unsafe-fl= c 0.0) (loop (unsafe-fx+ k 1) count sign)]
+                [(unsafe-fl< (unsafe-fl* sign c) 0.0)
+                 (loop (unsafe-fx+ k 1) (unsafe-fx+ count 1) (unsafe-fl- 0.0 sign))]
+                [else (loop (unsafe-fx+ k 1) count (if (unsafe-fl< c 0.0) -1.0 1.0))])))))
+
+;; The zero between a and b, where p has opposite signs, by Newton's steps, or halving where
+;; these lead out or are slow.
+(define (refined p a b)
+  (define rising? (fl< (value p a) (value p b)))
+  (define last (unsafe-fx- (flvector-length p) 1))
+  (let loop ([a a] [b b] [x (fl* 0.5 (fl+ a b))] [count 0])
+    (define-values (px slope)
+      (let horner ([k (unsafe-fx- last 1)] [sum (unsafe-flvector-ref p last)] [slope 0.0])
+        (if (unsafe-fx< k 0)
+            (values (unboxed sum) (unboxed slope))
+            (horner (unsafe-fx- k 1)
+                    (unsafe-fl+ (unsafe-flvector-ref p k) (unsafe-fl* x sum))
+                    (unsafe-fl+ sum (unsafe-fl* x slope))))))
+    (define below? (if rising? (fl< px 0.0) (fl> px 0.0)))
+    (define-values (low high) (if below? (values x b) (values a x)))
+    (define newton (fl- x (fl/ px slope)))
+    (define middle (fl* 0.5 (fl+ low high)))
+    (cond [(or (fl= px 0.0) (= count 80)) x]
+          [(fl<= (flabs (fl- newton x)) (fl* 4e-16 x)) (flmax a (flmin b newton))]
+          [(or (fl= middle low) (fl= middle high)) middle]
+          [(and (fl< low newton) (fl< newton high) (not (= 7 (remainder count 8))))
+           (loop low high newton (+ count 1))]
+          [else (loop low high middle (+ count 1))])))

@@ -1,0 +1,170 @@
+#lang racket/base
+;; Modes of M ẍ + G ẋ + K x = 0 for matrices of numbers.
+;;
+;; Without G the pencil is symmetric: with M = L Lᵀ (Cholesky) the squares of the
+;; frequencies are the eigenvalues of L⁻¹ K L⁻ᵀ.  With G the equation is made one of
+;; first order in (x, ẋ), whose eigenvalues λ = iω come in pairs of opposite ones; of
+;; each pair the one with ω to the right is taken, and its shape is a null vector.
+
+(require racket/flonum
+         racket/list
+         "flonum-systems.rkt" "general-eigenvalues.rkt" "row-matrix.rkt" "symmetric-eigenvalues.rkt"
+         "../flvector.rkt")
+
+(provide symmetric-modes gyroscopic-modes)
+
+;; M, K : vectors of rows of real numbers; M positive definite
+;; -> a list of (frequency component ...), from slow to fast, or #f if M is not;
+;;    frequencies that are imaginary grow and decay
+(define (symmetric-modes M K)
+  (define n (vector-length M))
+  (define L (Cholesky M n))
+  (and L
+       (let*-values ([(C) (congruent L K n)]
+                     [(squares vectors) (symmetric-eigenvalues C n)])
+         (for/list ([k (in-range n)])
+           (define y (for/list ([i (in-range n)]) (flvector-ref vectors (+ (* k n) i))))
+           (cons (sqrt (clean (flvector-ref squares k) C))
+                 (first-one (back-substitute L y n)))))))
+
+;; Zero frequencies are found but for rounding.
+(define (clean square C)
+  (if (<= (abs square) (* 1e-14 (flvector-length C) (greatest C))) 0.0 square))
+
+;; A vector of rows of the lower triangle, or #f.
+(define (Cholesky M n)
+  (define L (build-vector n (lambda (_) (make-vector n 0.0))))
+  (define (less-products i j)
+    (for/fold ([x (real->double-flonum (entry M i j))]) ([k (in-range j)])
+      (- x (* (entry L i k) (entry L j k)))))
+  (and (for*/and ([i (in-range n)] [j (in-range (+ i 1))])
+         (define x (less-products i j))
+         (cond [(< j i) (vector-set! (vector-ref L i) j (/ x (entry L j j))) #t]
+               [(> x 0.0) (vector-set! (vector-ref L i) i (sqrt x)) #t]
+               [else #f]))
+       L))
+
+;; L⁻¹ K L⁻ᵀ: L⁻¹ takes the columns of K, then those of what that gives, turned.
+(define (congruent L K n)
+  (define (solved rows) (rows-transpose (for/vector ([c (in-vector (rows-transpose rows))])
+                                          (forward L c n))))
+  (define C (solved (rows-transpose (solved K))))
+  (for*/flvector #:length (* n n) ([i (in-range n)] [j (in-range n)])
+    (real->double-flonum (/ (+ (entry C i j) (entry C j i)) 2))))
+
+(define (forward L b n)
+  (define x (make-vector n 0.0))
+  (for ([i (in-range n)])
+    (vector-set! x i (/ (for/fold ([s (vector-ref b i)]) ([k (in-range i)])
+                          (- s (* (entry L i k) (vector-ref x k))))
+                        (entry L i i))))
+  x)
+
+;; Lᵀ x = y, as a list
+(define (back-substitute L y n)
+  (define x (list->vector y))
+  (for ([i (in-range (- n 1) -1 -1)])
+    (vector-set! x i (/ (for/fold ([s (vector-ref x i)]) ([k (in-range (+ i 1) n)])
+                          (- s (* (entry L k i) (vector-ref x k))))
+                        (entry L i i))))
+  (vector->list x))
+
+;; A multiple with first component 1; what is but rounding beside it is 0.
+(define (first-one components)
+  (define greatest (apply max (map magnitude components)))
+  (define head (findf (lambda (x) (> (magnitude x) (* 1e-12 greatest))) components))
+  (define limit (* 1e-12 (/ greatest (magnitude head))))
+  (for/list ([x (in-list components)]) (without-rounding (/ x head) limit)))
+
+(define (without-rounding z limit)
+  (define (part x) (if (<= (abs x) limit) 0.0 (real->double-flonum x)))
+  (define-values (re im) (values (part (real-part z)) (part (imag-part z))))
+  (if (= im 0.0) re (make-rectangular re im)))
+
+;; ---------------------------------------------------------------------------
+
+(define (gyroscopic-modes M K G)
+  (define n (vector-length M))
+  (and (Cholesky M n)
+       (let ([exponents (real-matrix-eigenvalues (first-order M K G n) (* 2 n))])
+         (and exponents
+              (let ([omegas (frequencies exponents n)])
+                (for/list ([omega (in-list omegas)] [before (in-list (repetitions omegas))])
+                  (define A (at-frequency M K G omega n))
+                  (define small (* 1e-12 (frequency-scale M K G omega)))
+                  (cons omega (first-one (null-vector A n small before)))))))))
+
+;; Of each, how many before it are the same but for rounding.
+(define (repetitions omegas)
+  (for/list ([w (in-list omegas)] [k (in-naturals)])
+    (for/sum ([u (in-list omegas)] [_ (in-range k)])
+      (if (<= (magnitude (- w u)) (* 1e-9 (magnitude w))) 1 0))))
+
+;; The size of what is added up in K − ω²M + iωG.
+(define (frequency-scale M K G omega)
+  (define w (magnitude omega))
+  (define (size A) (for*/fold ([s 0.0]) ([row (in-vector A)] [x (in-vector row)]) (max s (abs x))))
+  (max (size K) (* w w (size M)) (* w (size G))))
+
+;; (x, ẋ)' = (ẋ, −M⁻¹(K x + G ẋ))
+(define (first-order M K G n)
+  (define right (floating-solutions M (beside K G)))
+  (for*/flvector #:length (* 4 n n) ([i (in-range (* 2 n))] [j (in-range (* 2 n))])
+    (cond [(< i n) (if (= j (+ i n)) 1.0 0.0)]
+          [else (- (real->double-flonum (entry right (- i n) j)))])))
+
+;; One of each pair λ, −λ, as ω = −iλ, the real ones without the rounding beside them.
+(define (frequencies exponents n)
+  (define size (apply max 1e-300 (map magnitude exponents)))
+  (define (clean x) (if (<= (abs x) (* 1e-9 size)) 0.0 x))
+  (define omegas
+    (for/list ([z (in-list exponents)])
+      (make-rectangular (clean (imag-part z)) (clean (- (real-part z))))))
+  (define moving (filter (lambda (w) (> (real-part w) 0.0)) omegas))
+  (define still (sort (filter (lambda (w) (= (real-part w) 0.0)) omegas) > #:key imag-part))
+  (define chosen (append (take still (- n (length moving))) moving))
+  (sort (for/list ([w (in-list chosen)]) (if (= (imag-part w) 0.0) (real-part w) w))
+        < #:key real-part))
+
+(define (at-frequency M K G omega n)
+  (for/vector #:length n ([i (in-range n)])
+    (for/vector #:length n ([j (in-range n)])
+      (+ (entry K i j) (* -1 omega omega (entry M i j)) (* +i omega (entry G i j))))))
+
+;; Elimination with the greatest of all remaining entries as pivot leaves the least
+;; for the end, where it counts as zero; so do those that are `small`.  Of several null
+;; vectors the one that has `before` others before it.
+(define (null-vector A n small before)
+  (define order (build-vector n values))
+  (define rank (eliminate! A order n small))
+  (define unknowns (solve-above A n rank (+ rank (modulo before (- n rank)))))
+  (define x (make-vector n 0.0))
+  (for ([place (in-vector order)] [v (in-vector unknowns)]) (vector-set! x place v))
+  (vector->list x))
+
+;; -> how many pivots there are, less than n; A becomes triangular as far as they go
+(define (eliminate! A order n small)
+  (let loop ([k 0])
+    (define-values (p q) (greatest-left A k n))
+    (cond [(or (= k (- n 1)) (<= (magnitude (entry A p q)) small)) k]
+          [else
+           (exchange! A k p)
+           (exchange! order k q)
+           (for ([row (in-vector A)]) (exchange! row k q))
+           (clear-below! A k k (+ k 1))
+           (loop (+ k 1))])))
+
+;; The unknowns, the one at `free` being 1 and the others without pivot 0.
+(define (solve-above A n rank free)
+  (define unknowns (make-vector n 0.0))
+  (vector-set! unknowns free 1.0)
+  (for ([k (in-range (- rank 1) -1 -1)])
+    (vector-set! unknowns k
+                 (/ (for/fold ([s 0.0]) ([j (in-range (+ k 1) n)])
+                      (- s (* (entry A k j) (vector-ref unknowns j))))
+                    (entry A k k))))
+  unknowns)
+
+(define (greatest-left A k n)
+  (for*/fold ([p k] [q k]) ([i (in-range k n)] [j (in-range k n)])
+    (if (> (magnitude (entry A i j)) (magnitude (entry A p q))) (values i j) (values p q))))

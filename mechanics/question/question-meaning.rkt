@@ -1,0 +1,73 @@
+#lang racket/base
+;; What a question about a Lagrangian is about, so that no condition is told by which it
+;; would be about nothing: the Lagrangian, its mass matrix, the path or the quantity
+;; (algebra/zero/nondegeneracy.rkt).
+
+(require "../algebra/expression/expression.rkt"
+         "../calculus/derivative.rkt"
+         "../error/refusal.rkt"
+         (only-in "../hamiltonian/H-state.rkt" state->qp)
+         "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
+         "../value/algebra.rkt" "../value/shape.rkt")
+
+(provide meaning-of-solution meaning-of-quantity meaning-of-Lagrangian
+         meaning-of-states meaning-of-quantity-in-phase-space meaning-of-Hamiltonian)
+
+;; q : a path; n : the order of L; force : #f, or the force outside L
+(define (meaning-of-solution L q n force)
+  (define t (string->uninterned-symbol "t"))
+  (define local ((Gamma q (+ n 2)) t))
+  (define state (unknowns-like local))
+  (about L state n force (expressions-in (lambda () (coordinate local))) (list t)))
+
+;; state : of symbols; Q : a function of it, which shall not become a constant
+(define (meaning-of-quantity L Q state force)
+  (about L state 1 force (expressions-in (lambda () (Q state))) (scalars state)))
+
+;; states : time -> (up t q p)
+(define (meaning-of-states H states)
+  (define t (string->uninterned-symbol "t"))
+  (define state (states t))
+  (make-meaning (expressions-in (lambda () (H state)))
+                '()
+                (expressions-in (lambda () (state->qp state)))
+                (list t)))
+
+;; state : (up t q p) of symbols
+(define (meaning-of-quantity-in-phase-space H Q state)
+  (make-meaning (expressions-in (lambda () (H state)))
+                '()
+                (expressions-in (lambda () (Q state)))
+                (scalars state)))
+
+;; state : of symbols
+(define (meaning-of-Lagrangian L state) (about L state 1 #f '() '()))
+
+(define (meaning-of-Hamiltonian H state)
+  (make-meaning (expressions-in (lambda () (H state))) '() '() '()))
+
+(define (about L state n force moving variables)
+  (make-meaning (append (expressions-in (lambda () (L state)))
+                        (if force (expressions-in (lambda () (force state))) '()))
+                (mass-matrix L state n)
+                moving
+                variables))
+
+;; What L makes of symbols may be beyond it; then nothing is known.
+(define (expressions-in value)
+  (filter expression? (scalars (with-handlers ([raised? (lambda (e) 0)]) (value)))))
+
+;; The second derivatives by the highest velocities, as rows.
+(define (mass-matrix L state n)
+  (define highest (partial (+ n 1)))
+  (with-handlers ([raised? (lambda (e) '())])
+    (define M (expressions-in (lambda () ((highest (highest (scalar-valued 'L L))) state))))
+    (define width (integer-sqrt (length M)))
+    (if (= (length M) (* width width)) (rows-of M width) '())))
+
+(define (rows-of xs width)
+  (define rows (make-vector width '()))
+  (for ([x (in-list (reverse xs))] [k (in-range (- (length xs) 1) -1 -1)])
+    (define i (quotient k width))
+    (vector-set! rows i (cons x (vector-ref rows i))))
+  (vector->list rows))

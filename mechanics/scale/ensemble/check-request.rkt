@@ -1,0 +1,63 @@
+#lang racket/base
+;; What is wanted of an ensemble, checked before the first start is looked at.
+
+(require (only-in racket/path path-only)
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../motion/system/check.rkt" "../../motion/method-names.rkt")
+
+(provide check-argument-order check-settings check-callbacks)
+
+(define who 'evolve-ensemble)
+
+(define (check-argument-order maker starts end)
+  (when (and (procedure? starts) (sequence? maker) (not (procedure? maker)))
+    (complain who "the state derivative comes first, then the starts\n  given first: ~a"
+              (describe-with-value maker)))
+  (when (and (real? starts) (sequence? end) (not (real? end)))
+    (complain who "the starts come before the time where they end\n  given second: ~a"
+              (describe-with-value starts))))
+
+(define (check-settings end tolerance method jobs batch-size file)
+  (check-real who "final time" end)
+  (check-tolerance who tolerance)
+  (check-method who method)
+  (unless (symbol? method)
+    (complain who "methods are told to other processes by name\n  given: ~a" (value->text method)))
+  (for ([x (in-list (list jobs batch-size))] [what (in-list '("#:jobs" "#:batch"))])
+    (unless (exact-positive-integer? x)
+      (complain who "~a is a positive integer\n  given: ~a" what (value->text x))))
+  (unless (or (not file) (path-string? file))
+    (complain who "expected the name of a file as checkpoint\n  given: ~a" (value->text file)))
+  (when file (check-file-place file)))
+
+(define (check-file-place file)
+  (define folder (path-only (path->complete-path file)))
+  (unless (directory-exists? folder)
+    (complain who "there is no such folder for the checkpoint\n  folder: ~a" folder))
+  (when (directory-exists? file)
+    (complain who "the checkpoint is a file, and this is a folder\n  folder: ~a" file)))
+
+;; from : void if it was not given
+(define (check-callbacks collect events? on-each fold from)
+  (if events?
+      (check-callback "#:collect" collect 2 "a state and a list of occurrences, with #:events")
+      (check-callback "#:collect" collect 1 "a state"))
+  (unless on-each
+    (complain who "#:on-each is a procedure of an index and a value\n  given: #f, a boolean"))
+  (check-callback "#:on-each" on-each 2 "an index and a value")
+  (check-callback "#:fold" fold 2 "a value and what was made of those before")
+  (when (and fold (void? from))
+    (complain who
+              (string-append "#:fold comes with #:from, what it is given with the first value"
+                             "\n  a sum: #:fold + #:from 0"
+                             "\n  a list, the last value first: #:fold cons #:from '()")))
+  (unless (or fold (void? from))
+    (complain who
+              (string-append "#:from comes with #:fold, which is given it with the first value"
+                             "\n  given: #:from ~a\n  a sum: #:fold + #:from 0")
+              (value->text from))))
+
+(define (check-callback what f arguments takes)
+  (unless (or (not f) (and (procedure? f) (accepts? f arguments)))
+    (complain who "~a is a procedure of ~a\n  given: ~a" what takes (describe-with-value f))))

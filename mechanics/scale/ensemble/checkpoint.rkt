@@ -1,0 +1,146 @@
+#lang racket/base
+;; What is finished of an ensemble, in a file, batch by batch, so that an interrupted run goes on
+;; where it was.
+;;
+;; The file begins with a line that says what it is, and a fingerprint of the task.  A batch is
+;; kept with one of its starts; what was being written when the process ended is dropped.  Each
+;; has a checksum (record-file.rkt): a batch that the disk has damaged is done again, and the
+;; others are used.  Files of the first version have none; they are read, and go on as they are.
+
+(require file/sha1
+         racket/fasl
+         "batch.rkt" "record-file.rkt" "task.rkt"
+         "../../error/complain.rkt" "../../error/machine-limits.rkt" "../../error/note.rkt")
+
+(provide open-checkpoint checkpointed keep! close-checkpoint)
+
+;; found : hash, index of a batch -> (cons fingerprint finished); port : where to go on;
+;; bytes-of : what is written of a record
+(struct checkpoint (who file found port bytes-of) #:authentic)
+
+(define title #"mechanics: an ensemble, version 2\n")
+(define first-title #"mechanics: an ensemble, version 1\n")
+
+(define (task-fingerprint t) (fingerprint (task->datum t)))
+(define (fingerprint x) (sha1 (open-input-bytes (s-exp->fasl x))))
+
+;; file : a path; fresh ones begin here
+(define (open-checkpoint who file t)
+  (define print (task-fingerprint t))
+  (define-values (found good bytes-of)
+    (if (and (file-exists? file) (positive? (file-size file)))
+        (call-with-input-file file (lambda (in) (read-checkpoint who file print in)))
+        (values (make-hasheqv) 0 record-bytes)))
+  (writing who file ""
+    (define port (open-output-file file #:exists 'can-update))
+    (file-truncate port good)
+    (file-position port good)
+    (when (= good 0)
+      (write-bytes (beginning print) port)
+      (flush-output port))
+    (checkpoint who file found port bytes-of)))
+
+;; What a file of that task begins with
+(define (beginning print) (bytes-append title (record-bytes print)))
+
+(define-syntax-rule (writing who file effect body ...)
+  (with-handlers ([exn:fail? (lambda (e) (raise-not-kept who file effect e))]) body ...))
+
+(define (raise-not-kept who file effect e)
+  (raise-unwritable who "the checkpoint cannot be written~a\n  file: ~a\n  reason: ~a"
+                    effect file (exn-message e)))
+
+;; -> the batches found, how long the file is as far as it is good, and how to go on
+(define (read-checkpoint who file print in)
+  (define first-line (read-bytes (bytes-length title) in))
+  (cond [(equal? first-line title) (read-checked who file print in)]
+        [(equal? first-line first-title) (read-first-version who file print in)]
+        [(just-begun? file print) (values (make-hasheqv) 0 record-bytes)]
+        [else
+         (complain who "this file is no checkpoint of an ensemble; it is left as it is\n  file: ~a"
+                   file)]))
+
+;; Did the process end while it wrote the beginning?
+(define (just-begun? file print)
+  (define whole (beginning print))
+  (define there (call-with-input-file file (lambda (in) (read-bytes (bytes-length whole) in))))
+  (and (< (file-size file) (bytes-length whole))
+       (equal? there (subbytes whole 0 (bytes-length there)))))
+
+(define (read-checked who file print in)
+  (define size (file-size file))
+  (define found (make-hasheqv))
+  (define-values (whose _) (read-record in (bytes-length title) size))
+  (define after (file-position in))
+  (cond [whose
+         (check-same who file whose print)
+         (define-values (good damaged)
+           (read-records in after size (lambda (record) (add-record! found record))))
+         (when (> damaged 0) (note-damage who file damaged))
+         (values found good record-bytes)]
+        [(just-begun? file print) (values found 0 record-bytes)]
+        [else (raise-unknown-owner who file)]))
+
+(define (add-record! found record) (hash-set! found (finished-index (cdr record)) record))
+
+(define (check-same who file whose print)
+  (unless (equal? whose print)
+    (complain who
+              (string-append "the checkpoint is of another ensemble: another system, end,"
+                             " tolerance, method, #:collect or #:events; it is left as it is"
+                             "\n  file: ~a")
+              file)))
+
+(define (note-damage who file damaged)
+  (note (format (string-append "~a: the checkpoint is damaged in ~a, as by a failing disk; "
+                               "batches that stood there alone are done again, the others are used"
+                               "\n  file: ~a")
+                who (if (= damaged 1) "one place" (format "~a places" damaged)) file)))
+
+(define (raise-unknown-owner who file)
+  (complain who
+            (string-append "the checkpoint is damaged where it says of which ensemble it is; it is "
+                           "left as it is\n  file: ~a\n  another name for #:checkpoint begins anew")
+            file))
+
+;; Without checksums; what is no batch ends it.
+(define (read-first-version who file print in)
+  (define size (file-size file))
+  (define (next) (with-handlers ([exn:fail? (lambda (e) eof)]) (receive in size)))
+  (define found (make-hasheqv))
+  (check-same who file (next) print)
+  (let loop ([good (file-position in)])
+    (define record (next))
+    (cond [(and (pair? record) (finished? (cdr record)))
+           (add-record! found record)
+           (loop (file-position in))]
+          [else (values found good message)])))
+
+;; -> finished, if the batch was.  One that was the last, and is longer or shorter now that there
+;; are more starts or fewer, is done again.
+(define (checkpointed c b)
+  (define record (hash-ref (checkpoint-found c) (batch-index b) #f))
+  (define f (and record (cdr record)))
+  (define-values (kept now)
+    (values (if f (length (finished-outcomes f)) 0) (length (batch-starts b))))
+  (cond [(not f) #f]
+        [(equal? (car record) (fingerprint b)) f]
+        [(= kept now) (refuse c b "has other starts or parameters, from start ~a on")]
+        [(last-kept? c b) #f]
+        [else (refuse c b (format "has batches of ~a where there are ~a now, from start ~~a on"
+                                  kept now))]))
+
+(define (last-kept? c b)
+  (for/and ([index (in-hash-keys (checkpoint-found c))]) (<= index (batch-index b))))
+
+(define (refuse c b what)
+  (complain (checkpoint-who c)
+            (string-append "the checkpoint " what "; it is left as it is\n  file: ~a")
+            (batch-index b) (checkpoint-file c)))
+
+(define (keep! c b f)
+  (writing (checkpoint-who c) (checkpoint-file c) "; the batches that are in it stay there"
+    (write-bytes ((checkpoint-bytes-of c) (cons (fingerprint b) f)) (checkpoint-port c))
+    (flush-output (checkpoint-port c))))
+
+(define (close-checkpoint c) (close-output-port (checkpoint-port c)))

@@ -1,0 +1,82 @@
+#lang racket/base
+;; A task done for one start after another, in this process.
+
+(require racket/flonum
+         "task.rkt" "event-watching.rkt"
+         "../../compile/code.rkt" "../../compile/program.rkt"
+         "../../error/failure.rkt" "../../error/computed-once.rkt"
+         "../../generic/up-down.rkt"
+         "../../motion/integration-plan.rkt" "../../motion/system/rates-code.rkt" "../../motion/run-system.rkt"
+         "../../motion/system/system.rkt"
+         "../../value/shape.rkt")
+
+(provide performer)
+
+;; who : on whose behalf -> (start parameters -> outcome), flvectors both.  Code is made once.
+(define (performer who t)
+  (define plan (make-plan who (task-tolerance t) (task-method t) #:progress #f))
+  (define system-for (systems t))
+  (define collect (collector t))
+  (define follow (if (null? (task-watches t)) (following plan) (watching plan t)))
+  (lambda (start parameters)
+    (define s (system-for parameters))
+    (with-handlers ([exn:fail:mechanics? failed])
+      (define-values (last events) (follow s start (task-end t)))
+      (outcome (flvector->vector (collect last)) #f #f events))))
+
+;; -> (system start end -> the last state and no events)
+(define ((following plan) s start end)
+  (define (visit from to interpolant) #t)
+  (define last (run-system plan s start (start-time s start) end visit))
+  (values (structure->flvector last values) '()))
+
+;; -> (parameters -> system), the last one again for the same parameters
+(define (systems t)
+  (define system-of (system-maker t))
+  (define last-system #f)
+  (define last-parameters #f)
+  (lambda (parameters)
+    (unless (equal? parameters last-parameters)
+      (set! last-system (system-of parameters))
+      (set! last-parameters parameters))
+    last-system))
+
+(define (system-maker t)
+  (define n (task-size t))
+  (define shape (apply up (for/list ([_ (in-range n)]) 0)))
+  (define slope-maker (program->maker (task-slope t)))
+  (define jacobian-maker
+    (once (lambda () (and (task-jacobian t) (program->maker (task-jacobian t))))))
+  (define machine (once (lambda () (program-machine-rates (task-slope t) n))))
+  (lambda (parameters)
+    (define slope! (fix-parameters (slope-maker) n parameters))
+    (define (derivative state)
+      (define rates (make-flvector n))
+      (slope! (structure->flvector state values) rates)
+      (flvector->structure shape rates))
+    (system shape (task-clock? t) derivative
+            (lambda () (fix-parameters (slope-maker) n parameters))
+            (lambda () (and (jacobian-maker) (fix-parameters ((jacobian-maker)) n parameters)))
+            (program-length (task-slope t))
+            (once (lambda () (program-expander (task-slope t) n parameters)))
+            machine parameters
+            #f (box '()) (box #f) #f)))
+
+(define (failed e)
+  (define where
+    (cond [(exn:fail:mechanics:singular? e) (exn:fail:mechanics:singular-where e)]
+          [(exn:fail:mechanics:not-convergent? e) (exn:fail:mechanics:not-convergent-value e)]
+          [else #f]))
+  (outcome #f (exn-message e)
+           (and (tuple? where) (list->vector (scalars where)))
+           '()))
+
+;; -> (last state -> what is wanted of it), flvectors
+(define (collector t)
+  (define p (task-collect t))
+  (cond [p (define run ((program->maker p)))
+           (lambda (y)
+             (define out (make-flvector (vector-length (program-outputs p))))
+             (run y out)
+             out)]
+        [else values]))

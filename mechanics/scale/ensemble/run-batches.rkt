@@ -1,0 +1,59 @@
+#lang racket/base
+;; Batches done by workers (worker-pool.rkt), or here where there is but one job or the system has no
+;; code; with a checkpoint what it has is not done again.
+
+(require "batch.rkt" "checkpoint.rkt" "worker-pool.rkt" "task.rkt"
+         "../../error/complain.rkt")
+
+(provide run)
+
+(define who 'evolve-ensemble)
+
+;; t : task, or #f if it has no code; next : -> batch or #f; perform : start parameters -> outcome
+;; add! : finished -> void; file : of a checkpoint, or #f
+(define (run t next perform jobs add! file)
+  (if file
+      (run-kept t file next perform jobs add!)
+      (run-all t next perform jobs add! add!)))
+
+;; add-unkept! : as add!, of what is to be tried again another time
+(define (run-all t next perform jobs add! add-unkept!)
+  (define first (next))
+  (define second (and first (next)))
+  (define (next-of-all)
+    (cond [first (begin0 first (set! first #f))]
+          [second (begin0 second (set! second #f))]
+          [else (next)]))
+  (if (and t (> jobs 1) second)
+      (perform-by-crew t jobs next-of-all add! (lambda (b) (add-unkept! (given-up b))))
+      (let loop ()
+        (define b (next-of-all))
+        (when b
+          (add! (perform-batch perform b))
+          (loop)))))
+
+(define (given-up b)
+  (finished (batch-index b)
+            (for/list ([_ (in-list (batch-starts b))])
+              (outcome #f "the processes that followed it have died, several times" #f '()))))
+
+;; The same with a checkpoint: what it has is not done again.
+(define (run-kept t file next perform jobs add!)
+  (unless t
+    (complain who "a checkpoint is for systems that have code; this one does not\n  file: ~a" file))
+  (define c (open-checkpoint who file t))
+  (define open (make-hasheqv))
+  (define (next-undone)
+    (define b (next))
+    (define done (and b (checkpointed c b)))
+    (cond [done (add! done) (next-undone)]
+          [else (when b (hash-set! open (batch-index b) b))
+                b]))
+  (define (add-and-keep! f)
+    (keep! c (hash-ref open (finished-index f)) f)
+    (hash-remove! open (finished-index f))
+    (add! f))
+  (dynamic-wind
+   void
+   (lambda () (run-all t next-undone perform jobs add-and-keep! add!))
+   (lambda () (close-checkpoint c))))

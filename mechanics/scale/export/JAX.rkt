@@ -1,0 +1,71 @@
+#lang racket/base
+;; A system as a module of Python for JAX: its rates, and integrators that `jit`, `vmap` and
+;; `grad` go through, in 64 bits.
+
+(require racket/list
+         racket/runtime-path
+         racket/string
+         "program-text.rkt" "exported-system.rkt" "variable-names.rkt" "python.rkt" "template.rkt"
+         "../../error/complain.rkt")
+
+(provide JAX-files)
+
+(define-runtime-path JAX-folder "JAX")
+
+;; -> alist of names of files and their texts
+(define (JAX-files who s)
+  (define words
+    (hash "NAME" (exported-name s)
+          "DEFINITION" (python-text (exported-definition s))
+          "VARIABLES" (python-tuple (exported-variables s))
+          "PARAMETERS" (python-tuple (exported-parameters s))
+          "SIZE" (number->string (exported-size s))
+          "CLOCK" (if (exported-clock? s) "True" "False")
+          "BODY" (python-body who s)))
+  (list (cons (string-append (exported-name s) ".py")
+              (fill-template (build-path JAX-folder "module.py") words))))
+
+(define (python-body who s)
+  (define variables (exported-variables s))
+  (define names (identifiers (append variables (exported-parameters s)) reserved))
+  (define-values (lines outputs)
+    (program->code (exported-slope s) python names
+                   (lambda (operation)
+                     (complain who "there is no function for this operation in JAX\n  ~a: ~a"
+                               "operation" operation))))
+  (define n (length variables))
+  (string-append*
+   (for/list ([line (in-list
+                     (append (unpacked "y" (take names n)) (unpacked "p" (drop names n)) lines
+                             (list (format "return jnp.stack([~a])"
+                                           (string-join (map as-array outputs) ", ")))))])
+     (string-append "    " line "\n"))))
+
+(define (unpacked from names)
+  (for/list ([name (in-list names)] [k (in-naturals)]) (format "~a = ~a[~a]" name from k)))
+
+;; A number alone is none of the array's.
+(define (as-array text) (format "jnp.asarray(~a, jnp.float64)" text))
+
+(define python
+  (language
+   (hasheq 'sqrt "jnp.sqrt" 'exp "jnp.exp" 'log "jnp.log" 'sin "jnp.sin" 'cos "jnp.cos"
+           'tan "jnp.tan" 'asin "jnp.arcsin" 'acos "jnp.arccos" 'sinh "jnp.sinh"
+           'cosh "jnp.cosh" 'tanh "jnp.tanh" 'asinh "jnp.arcsinh" 'acosh "jnp.arccosh"
+           'atanh "jnp.arctanh" 'abs "jnp.abs" 'expt "jnp.power" 'wrapped "_wrapped"
+           'sgn "jnp.sign" 'atan "jnp.arctan" 'atan2 "jnp.arctan2")
+   (lambda (name rows right symmetric?)
+     (list (format "~a = jnp.linalg.solve(jnp.array([~a]), jnp.array([~a]))" name
+                   (string-join (for/list ([row (in-list rows)])
+                                  (format "[~a]" (string-join row ", ")))
+                                ", ")
+                   (string-join right ", "))))
+   (lambda (name k) (format "~a[~a]" name k))
+   (lambda (name text) (format "~a = ~a" name text))))
+
+(define reserved
+  (string-split
+   (string-append
+    "False None True and as assert async await break class continue def del elif else except "
+    "finally for from global if import in is lambda nonlocal not or pass raise return try while "
+    "with yield y p jax jnp jnp_ lax derivative evolve partial INFINITY NAN")))

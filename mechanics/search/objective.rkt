@@ -1,0 +1,94 @@
+#lang racket/base
+;; A function to be made least, as the searches see it: of a point, an flvector.
+;;
+;; The user's function takes a number, a tuple, or a list, as the book gives coordinates at
+;; several times; a list is a tuple meanwhile.  Values may depend on something that is being
+;; differentiated: a search goes by their real parts.
+
+(require racket/flonum
+         "../calculus/gradient.rkt" "../calculus/number-argument.rkt" "../calculus/perturbed-value.rkt"
+         "../error/complain.rkt" "../error/refusal.rkt"
+         "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../value/shape.rkt")
+
+(provide make-target target-who
+         target-start target-argument target-value target-value-and-gradient
+         target-gradient target-second-derivatives target-curvature-along
+         target-tuple-function target-structure tuple-like)
+
+;; given : where the search starts, as the user has it; shape : the same as a tuple or a number
+(struct target (who f given shape) #:authentic)
+
+(define (make-target who f start) (target who f start (list->tuple who start)))
+
+(define (real-part-of who x) (number who (innermost x)))
+
+(define (target-start t)
+  (define who (target-who t))
+  (structure->flvector (target-shape t) (lambda (x) (real-part-of who x))))
+
+;; What a point is to the user, and the same as a tuple or a number.
+(define (target-argument t x) (tuple-like (target-given t) (target-structure t x)))
+(define (target-structure t x) (flvector->structure (target-shape t) x))
+
+;; The user's function, of a tuple or a number
+(define ((target-tuple-function t) s) ((target-f t) (tuple-like (target-given t) s)))
+
+(define (target-value t x)
+  (value-or-nan (target-who t) ((target-f t) (target-argument t x))))
+
+;; -> value, flvector
+(define (target-value-and-gradient t x)
+  (define who (target-who t))
+  (define-values (y slopes)
+    (value-and-derivatives-at who (target-tuple-function t) (target-structure t x)))
+  (values (value-or-nan who y)
+          (for/flvector #:length (flvector-length x) ([slope (in-vector slopes)])
+            (value-or-nan who slope))))
+
+;; The gradient at x, or #f where the function refuses to be differentiated
+(define (target-gradient t x)
+  (with-handlers ([refusal? (lambda (e) #f)])
+    (define-values (y slope) (target-value-and-gradient t x))
+    slope))
+
+;; The n² second derivatives row by row, exact; #f where the function refuses them.  A column
+;; is the derivative of the gradient along an axis.
+(define (target-second-derivatives t x)
+  (define n (flvector-length x))
+  (define along (Hessian-vector-product (target-tuple-function t)))
+  (define s (target-structure t x))
+  (define all (make-flvector (* n n)))
+  (define (fill-column! j)
+    (define axis (scalars->structure s (lambda (k) (if (= k j) 1.0 0.0))))
+    (for ([y (in-list (scalars (along s axis)))] [i (in-naturals)])
+      (flvector-set! all (+ (* i n) j) (value-or-nan (target-who t) y))))
+  (with-handlers ([refusal? (lambda (e) #f)])
+    (for ([j (in-range n)]) (fill-column! j))
+    all))
+
+;; v·Hv at x, by one product of the second derivatives with v; #f where these are refused.
+(define (target-curvature-along t x v)
+  (define s (target-structure t x))
+  (with-handlers ([refusal? (lambda (e) #f)])
+    (define product
+      ((Hessian-vector-product (target-tuple-function t)) s (flvector->structure s v)))
+    (for/fold ([sum 0.0]) ([y (in-list (scalars product))] [a (in-flvector v)])
+      (fl+ sum (fl* a (value-or-nan (target-who t) y))))))
+
+;; Outside of its domain a function may be complex.
+(define (value-or-nan who y)
+  (define x (innermost y))
+  (if (and (number? x) (not (real? x))) +nan.0 (real->double-flonum (number who x))))
+
+(define (list->tuple who x)
+  (cond [(list? x) (apply up (for/list ([y (in-list x)]) (list->tuple who y)))]
+        [(or (tuple? x) (real? (innermost x))) x]
+        [else
+         (complain who "expected real numbers to start from, in a list or a tuple; given ~a"
+                   (describe-with-value x))]))
+
+(define (tuple-like given s)
+  (if (list? given)
+      (for/list ([x (in-list given)] [y (in-vector (structure-elements s))]) (tuple-like x y))
+      s))

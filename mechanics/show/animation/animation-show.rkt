@@ -1,0 +1,42 @@
+#lang racket/base
+;; Animations on the screen, where there is one.  The window and the libraries for it are
+;; loaded when the first is opened.
+
+(require "animation.rkt" "drawing.rkt" "film.rkt" "pictures-on-demand.rkt" "schedule.rkt"
+         "../../generic/on-demand.rkt"
+         "../plot/window-screen.rkt")
+
+(require-on-demand #:in-this-thread ["player.rkt" loaded? open-player make-performance])
+
+(provide animation-show
+         ;; for tests: -> the window
+         animation-window)
+
+;; wait? : until the reader closes the window
+(define (animation-show a #:wait? [wait? #f])
+  (define closed (make-semaphore))
+  (animation-window a (lambda () (semaphore-post closed)))
+  (when wait? (semaphore-wait/enable-break closed)))
+
+(define (animation-window a [closed void])
+  (define who 'animation-show)
+  (check-animation who a)
+  (check-screen who loaded? "(animation-save animation \"motion.gif\"), or \"motion.html\"")
+  (check-drawing-library who)
+  (define f (animation-film a))
+  (define s (film-schedule f))
+  (define seconds (schedule-seconds s))
+  (define pictures ((animation-pictures a)))
+  (define (time share) (time-after s (* share seconds)))
+  (define-values (width height) (scenery-size pictures))
+  (define pause (inexact->exact (ceiling (/ 1000 (schedule-rate s)))))
+  (open-player (make-performance (film-title f) width height seconds pause
+                                 (lambda (share) (scenery->pict pictures (time share)))
+                                 (lambda (share) (time->text s share)))
+               closed))
+
+(define (time->text s share)
+  (define t (+ (schedule-start s) (* share (schedule-span s))))
+  (define hundredths (inexact->exact (round (* 100 (abs t)))))
+  (define-values (whole part) (quotient/remainder hundredths 100))
+  (format "t = ~a~a.~a~a" (if (< t 0.0) "-" "") whole (quotient part 10) (remainder part 10)))

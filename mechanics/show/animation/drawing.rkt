@@ -1,0 +1,133 @@
+#lang racket/base
+;; Drawings: functions from the states of a system to its pictures.
+;;
+;; Any procedure that makes a pict of a state will do for an animation.  A drawing of this
+;; library knows more: the part of the plane that it shows, for how many coordinates it is,
+;; which of its points leave a trail, and the marks that make a diagram of it.
+
+(require "extent.rkt" "on-demand.rkt" "shapes.rkt" "system-state.rkt"
+         "../../error/complain.rkt"
+         "../../error/machine-limits.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"
+         "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
+         "../plot/view.rkt")
+
+(provide mechanism make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes
+         drawing-sample
+         check-state drawing-trail drawn-place trail-points
+         sketch diagram
+         check-drawing-library)
+
+;; datum  : what it prints as
+;; bounds : (list x-min x-max y-min y-max); width : pixels
+;; counts : for which numbers of coordinates it is, or #f
+;; shapes, trail, marks : functions of the state; trail gives points of the plane; or #f
+;; sample : a state of which a diagram can be made, or #f
+;; axes   : names of the coordinates, or '()
+(value-struct drawing (datum bounds width counts shapes trail marks sample axes)
+  #:datum (lambda (d) (drawing-datum d))
+  #:constructor-name new-drawing
+  #:property prop:procedure (lambda (d state) (draw-state d state)))
+
+;; ---------------------------------------------------------------------------
+;; Making them
+
+;; Of a mechanism of this library: its functions take the time and the coordinates, a vector
+;; of flonums; name (argument ...) : the call that makes it.
+(define (mechanism call #:bounds bounds #:width width #:coordinates counts
+                   #:sample sample #:axes axes
+                   #:trail [trail (lambda (t q) '())] #:marks [marks (lambda (t q) '())]
+                   shapes)
+  (define who (car call))
+  (check-picture-width who width)
+  (define ((of-state f) state)
+    (define-values (t q) (read-state who state counts))
+    (f t q))
+  (new-drawing call (map real->double-flonum bounds) width counts
+               (of-state shapes) (of-state trail) (of-state marks)
+               (up 0.0 (vector->up (list->vector sample)) 0.0) axes))
+
+;; Of a system of the reader's: shapes and trail are functions of the state.
+(define (make-drawing x-min x-max y-min y-max shapes #:trail [trail #f] #:width [width 300])
+  (define who 'make-drawing)
+  (define bounds (list x-min x-max y-min y-max))
+  (check-bounds who bounds)
+  (check-picture-width who width)
+  (check-function-of-state who shapes)
+  (when trail (check-function-of-state who trail))
+  (new-drawing `(make-drawing ,@bounds ,(procedure-datum shapes))
+               (map real->double-flonum bounds) width #f
+               shapes (and trail (lambda (state) (trail-points who (trail state))))
+               #f #f '()))
+
+(define (check-function-of-state who f)
+  (unless (and (procedure? f) (accepts? f 1))
+    (raise-other-function who "a function of the state" f)))
+
+(define (check-picture-width who width)
+  (unless (and (exact-positive-integer? width) (<= 50 width 4000))
+    (complain-of-argument who "a width of 50 to 4000 pixels" width)))
+
+;; One point, or a list of them -> vectors of two flonums
+(define (trail-points who x)
+  (for/list ([p (in-list (if (list? x) x (list x)))])
+    (point-of who (lambda () "a point of the trail") p)))
+
+;; ---------------------------------------------------------------------------
+;; Drawing
+
+(define (draw-state d state)
+  (check-drawing-library (name-of d))
+  (paint (drawing-bounds d) (drawing-width d) (shapes-of d state)))
+
+(define (name-of d) (car (drawing-datum d)))
+(define (shapes-of d state) (flat-shapes (name-of d) ((drawing-shapes d) state)))
+
+;; Complains unless the state is one that this draws.
+(define (check-state d state) (read-state (name-of d) state (drawing-counts d)))
+
+(define (check-drawing-library who)
+  (define reason (why-no-pictures))
+  (when reason
+    (raise-unavailable who "pictures cannot be drawn on this machine\n  reason: ~a" reason)))
+
+;; A point of the plane that is drawn -> pixels from the upper left corner
+(define (drawn-place d p)
+  (define-values (x-min x-max y-min y-max) (apply values (drawing-bounds d)))
+  (define scale (/ (drawing-width d) (- x-max x-min)))
+  (vector (* scale (- (vector-ref p 0) x-min)) (* scale (- y-max (vector-ref p 1)))))
+
+;; ---------------------------------------------------------------------------
+;; Still pictures
+
+(define (sketch x-min x-max y-min y-max #:width [width 300] . shapes)
+  (define bounds (list x-min x-max y-min y-max))
+  (check-bounds 'sketch bounds)
+  (check-picture-width 'sketch width)
+  (define all (flat-shapes 'sketch shapes))
+  (check-drawing-library 'sketch)
+  (paint (map real->double-flonum bounds) width all))
+
+;; The mechanism with its angles, lengths and masses named; about so many pixels high, unless
+;; it is wide.  names : hash, from names to what they are called instead
+(define (diagram d [state (and (drawing? d) (drawing-sample d))]
+                 #:names [names (hash)] #:size [size 220])
+  (define who 'diagram)
+  (unless (and (drawing? d) (drawing-marks d))
+    (complain who
+              "expected a drawing of a mechanism of the library, such as (draw-pendulum)\n  given: ~a"
+              (if (drawing? d) (value->text (drawing-datum d)) (describe-with-value d))))
+  (unless (hash? names)
+    (complain-of-argument who "a hash from names to names, such as (hash \"θ\" \"φ\")" names))
+  (check-picture-width who size)
+  (define marked (append (shapes-of d state) (flat-shapes who ((drawing-marks d) state))))
+  (define named (for/list ([s (in-list marked)]) (if (lettering? s) (renamed s names) s)))
+  (check-drawing-library who)
+  (define scale (fitting-scale named size))
+  (define bounds (extent named scale))
+  (paint bounds (* scale (- (cadr bounds) (car bounds))) named))
+
+(define (renamed s names)
+  (define other (hash-ref names (lettering-text s) (lettering-text s)))
+  (unless (string? other) (complain-of-argument 'diagram "a string as name" other))
+  (struct-copy lettering s [text other]))

@@ -1,0 +1,12 @@
+#lang racket/base
+;; What needs the drawing library, loaded when the first picture is made.
+
+(require "../display/drawing-library.rkt"
+         "../../generic/on-demand.rkt")
+
+(require-on-demand ["paint.rkt" loaded? paint])
+
+(provide paint why-no-pictures)
+
+;; -> string, which ends with what to install, or #f
+(define why-no-pictures (reason-not-to-load loaded?))

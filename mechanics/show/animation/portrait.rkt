@@ -1,0 +1,87 @@
+#lang racket/base
+;; The phase portrait beside the mechanism, as shapes in pixels, y up: axes with numbers, the
+;; curve, and a place on it for each state.
+
+(require racket/math
+         "plane.rkt" "shapes.rkt"
+         "../../numeric/finite-number.rkt")
+
+(provide portrait-size make-portrait portrait-shapes portrait-dot)
+
+(define portrait-size 260)       ; pixels, width and height
+
+;; Between the edge and the axes.
+(define-values (left right bottom top) (values 52.0 12.0 40.0 14.0))
+
+;; x, y : ranges, what the axes show; shapes : all that stands
+(struct portrait (x y shapes))
+(struct range (low high))
+
+;; points : vectors of two flonums, of the curve
+(define (make-portrait points x-label y-label)
+  (define fine (filter finite-point? points))
+  (define-values (x y) (values (range-of (map at-x fine)) (range-of (map at-y fine))))
+  (define places (for/list ([p (in-list fine)]) (place x y p)))
+  (define curve
+    (if (pair? (if (pair? places) (cdr places) '()))
+        (polyline places #:color faint #:width 1.5)
+        '()))
+  (portrait x y (flat-shapes 'phase-portrait (list (axes x y x-label y-label) curve))))
+
+(define (finite-point? p) (and (finite? (at-x p)) (finite? (at-y p))))
+
+(define (portrait-dot p point)
+  (if (finite-point? point)
+      (list (disc (place (portrait-x p) (portrait-y p) point) 5.0
+                  #:fill (cadr accents) #:color #f))
+      '()))
+
+;; A little more than there is; an interval even where there is no variation.
+(define (range-of xs)
+  (define low (if (null? xs) 0.0 (apply min xs)))
+  (define high (if (null? xs) 0.0 (apply max xs)))
+  (define least (* 1e-9 (max 1.0 (abs low) (abs high))))
+  (define margin (if (< (- high low) least) (max 0.5 (* 0.1 (abs high))) (* 0.06 (- high low))))
+  (range (- low margin) (+ high margin)))
+
+(define (place x y p)
+  (vector (along x (at-x p) left (- portrait-size right))
+          (along y (at-y p) bottom (- portrait-size top))))
+
+(define (along r x from to)
+  (+ from (* (- to from) (/ (- x (range-low r)) (- (range-high r) (range-low r))))))
+
+;; ---------------------------------------------------------------------------
+;; Axes
+
+(define (axes x y x-label y-label)
+  (define-values (l r b t)
+    (values left (- portrait-size right) bottom (- portrait-size top)))
+  (list (polyline (list (vector l b) (vector r b) (vector r t) (vector l t))
+                  #:closed? #t #:color faint #:width 1)
+        (for/list ([tick (in-list (ticks x))])
+          (define at (along x tick l r))
+          (list (polyline (list (vector at b) (vector at (- b 4))) #:color faint #:width 1)
+                (label (vector at b) (tick->text tick) #:anchor 'below #:size 11 #:italic? #f)))
+        (for/list ([tick (in-list (ticks y))])
+          (define at (along y tick b t))
+          (list (polyline (list (vector l at) (vector (- l 4) at)) #:color faint #:width 1)
+                (label (vector l at) (tick->text tick) #:anchor 'left #:size 11 #:italic? #f)))
+        (label (vector (/ (+ l r) 2) 14.0) x-label #:size 14)
+        (label (vector (+ l 3.0) (- t 10.0)) y-label #:anchor 'right #:size 14)))
+
+;; Two to five round numbers: multiples of 1, 2 or 5 times a power of 10.
+(define (ticks r)
+  (define wide (- (range-high r) (range-low r)))
+  (define unit (expt 10 (exact-floor (log (/ wide 2.5) 10))))
+  (define step
+    (for/first ([m (in-list '(10 5 2 1))] #:when (>= (/ wide (* m unit)) 2.0)) (* m unit)))
+  (for/list ([k (in-range (exact-ceiling (/ (range-low r) step))
+                          (+ 1 (exact-floor (/ (range-high r) step))))])
+    (* k step)))
+
+;; ticks are exact
+(define (tick->text x)
+  (define text (number->string (exact->inexact x)))
+  (define m (regexp-match #rx"^(.*)[.]0$" text))
+  (if m (cadr m) text))

@@ -1,0 +1,41 @@
+#lang racket/base
+;; States as drawings read them: the time, and all coordinates in a row, as flonums.
+
+(require "../../error/complain.rkt" "../../error/hint.rkt" "../../error/message-words.rkt"
+         "../../generic/describe.rkt" "../../generic/up-down.rkt"
+         "../../lagrangian/local-tuple.rkt"
+         "../plot/coordinate.rkt")
+
+(provide read-state slot-components)
+
+;; counts : how many coordinates there may be, a list, or #f for any number
+;; -> two values, a flonum and a vector of flonums
+(define (read-state who state counts)
+  (unless (local-tuple? state)
+    (complain who "expected a state, such as (up t q v)\n  given: ~a~a"
+              (describe-with-value state) (list-hint state "(up t q v)")))
+  (define q (slot-components who state 1))
+  (unless (or (not counts) (memv (vector-length q) counts))
+    (complain who "draws a system of ~a; this state has ~a\n  state: ~a"
+              (counted-coordinates counts) (vector-length q) (value->text state)))
+  (values (coordinate-of who (lambda () "the time of the state") (time state)) q))
+
+;; "1 coordinate", "1 or 2 coordinates"
+(define (counted-coordinates counts)
+  (define last-one (car (reverse counts)))
+  (define others (reverse (cdr (reverse counts))))
+  (string-append (if (null? others) "" (format "~a or " (joined (map number->string others))))
+                 (counted last-one "coordinate")))
+
+;; The components of a part of the state, whatever tuples they are in.
+(define (slot-components who state slot)
+  (define (all x)
+    (if (tuple? x)
+        (apply append (for/list ([part (in-vector (tuple-elements (adopt x)))]) (all part)))
+        (list x)))
+  (for/vector ([x (in-list (all (vector-ref (tuple-elements (adopt state)) slot)))]
+               [i (in-naturals)])
+    (coordinate-of who
+                   (lambda () (format "component ~a of ~a" i
+                                      (if (= slot 1) "the coordinates" "the velocities")))
+                   x)))

@@ -1,0 +1,78 @@
+#lang racket/base
+;; Racket's procedures that print, for values of ours: a program that displays a result shows
+;; what the prompt would, simplified and in lines, with what that took for granted beneath.
+;; Within the text of `format` and its kin a value is simplified, and stays on one line; as
+;; nothing is told beneath, nothing is taken for granted.
+;;
+;; What is not ours is Racket's affair, and so is `write`, whose text is for programs to read.
+
+(require "result.rkt"
+         "../../algebra/expression/expression.rkt"
+         "../../generic/cyclic-data.rkt" "../../generic/kind.rkt" "../../generic/naming.rkt"
+         "../../value/assumptions.rkt" "../../value/simplify.rkt")
+
+(provide (rename-out [show:display display] [show:displayln displayln]
+                     [show:print print] [show:println println]
+                     [show:printf printf] [show:eprintf eprintf]
+                     [show:fprintf fprintf] [show:format format]))
+
+;; ---------------------------------------------------------------------------
+;; One value
+
+(define line-width 79)
+
+;; What Racket is to print in place of x.
+(define (shown x) (if (plain? x) x (simplified-result x line-width)))
+
+;; Nothing that could be simplified, at a glance.
+(define (plain? x) (or (number? x) (string? x) (symbol? x) (boolean? x) (null? x) (char? x)))
+
+(define-named show:display display
+  (case-lambda
+    [(x) (display (shown x))]
+    [(x port) (display (shown x) port)]))
+
+(define-named show:displayln displayln
+  (case-lambda
+    [(x) (displayln (shown x))]
+    [(x port) (displayln (shown x) port)]))
+
+(define-named show:print print
+  (case-lambda
+    [(x) (print (shown x))]
+    [(x port) (print (shown x) port)]
+    [(x port depth) (print (shown x) port depth)]))
+
+(define-named show:println println
+  (case-lambda
+    [(x) (println (shown x))]
+    [(x port) (println (shown x) port)]
+    [(x port depth) (println (shown x) port depth)]))
+
+;; ---------------------------------------------------------------------------
+;; Values within a text
+
+(define (within-text x)
+  (cond [(plain? x) x]
+        [(or (node? x) (has-kind? x) (vector? x))
+         (define-values (simple assumptions)
+           (parameterize ([automatic-assumptions #f]) (as-shown x)))
+         (if (unprintable-alone? simple) (shown simple) simple)]
+        [(pair? x) (cons (within-text (car x)) (within-text (cdr x)))]
+        [(unprintable-alone? x) (shown x)]
+        [else x]))
+
+;; For `format` and its kin.
+(define (as-text x) (if (cyclic? x) x (within-text x)))
+
+;; A procedure that Racket would print as #<procedure:its-name>.
+(define (unprintable-alone? x) (and (procedure? x) (not (custom-write? x))))
+
+(define-named show:format format
+  (lambda (text . xs) (apply format text (map as-text xs))))
+(define-named show:printf printf
+  (lambda (text . xs) (apply printf text (map as-text xs))))
+(define-named show:eprintf eprintf
+  (lambda (text . xs) (apply eprintf text (map as-text xs))))
+(define-named show:fprintf fprintf
+  (lambda (port text . xs) (apply fprintf port text (map as-text xs))))

@@ -1,0 +1,57 @@
+#lang racket/base
+;; A result to be typeset: the tree of its formula, and the text that it is elsewhere.
+;;
+;; It is made without a library that draws.
+
+(require "../typesetting/break.rkt"
+         "../../algebra/notation/tree.rkt"
+         racket/fasl)
+
+(provide (struct-out formula) formula-tree formula-size
+         formula->bytes bytes->formula formula-syntax)
+
+;; body    : tree
+;; remarks : trees of what simplification took for granted, each with its label: (label . tree)
+;; program : the S-expression of the value, or its text, in lines
+;; text    : the same with the remarks, as it is printed where there are no pictures
+;; width   : columns there are for a line
+;; Prefab, as the tree is: so it can be written and read by other instances of this file.
+(struct formula (body remarks program text width) #:prefab)
+
+;; The whole, cut into lines.
+(define (formula-tree f)
+  (define body (fit (formula-body f) (formula-width f)))
+  (define remarks (formula-remarks f))
+  (if (null? remarks)
+      body
+      (broken (list body
+                    (report (for/list ([r (in-list remarks)])
+                              (report-line 0 (car r) (list (cdr r)))))))))
+
+;; Numbers, names and words in a tree, those of a part that is shared as often as it is drawn.
+(define (formula-size tree)
+  (define known (make-hasheq))
+  (let size ([t tree])
+    (or (hash-ref known t #f)
+        (let* ([parts (tree-parts t)]
+               [n (if (null? parts) 1 (apply + (map size parts)))])
+          (hash-set! known t n)
+          n))))
+
+;; ---------------------------------------------------------------------------
+;; In files
+
+(define (formula->bytes f) (s-exp->fasl f))
+
+;; -> formula, or #f of bytes that are none
+(define (bytes->formula bytes)
+  (define f (with-handlers ([exn:fail:read? (lambda (e) #f)]) (fasl->s-exp bytes)))
+  (and (formula? f) (string? (formula-program f)) (string? (formula-text f)) f))
+
+;; What a formula in a program stands for: the one S-expression that its text is; if it is
+;; words, these, in a string.
+(define (formula-syntax f location)
+  (define program (formula-program f))
+  (define data (with-handlers ([exn:fail:read? (lambda (e) '())])
+                 (for/list ([d (in-port read (open-input-string program))]) d)))
+  (datum->syntax #f (if (and (pair? data) (null? (cdr data))) (car data) program) location))

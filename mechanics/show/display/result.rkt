@@ -1,0 +1,162 @@
+#lang racket/base
+;; A value as a result is shown: simplified, unless another form was asked for, in
+;; the book's notation, as an S-expression or in the style that is wanted.
+;;
+;; What is ours becomes text that prints as itself, or a picture; what is not (strings, lists,
+;; pictures) stays as it is for Racket to print, its elements simplified.
+
+(require "picture-advice.rkt" "announcement.rkt" "text.rkt"
+         "../../algebra/expression/expression.rkt"
+         "../../generic/cyclic-data.rkt" "../../generic/kind.rkt" "../../generic/notation.rkt"
+         "../../generic/on-demand.rkt" "../../generic/value-struct.rkt"
+         "../../value/simplify.rkt"
+         "../../verdict/verdict.rkt"
+         (only-in racket/list append* remove-duplicates))
+
+(require-on-demand ["styled-result.rkt" styled-result])
+
+(provide simplified-result plain-result)
+
+;; What to print in place of x; ours takes lines of at most `width` columns.  manner : one of
+;; those of manner-here (display-style.rkt); a special (print-shown.rkt) where that is 'snip
+;; What contains itself is left to Racket.
+(define (simplified-result x width [manner 'expression])
+  (define see (seen-once))
+  (cond [(cyclic? x) x]
+        [(or (eq? manner 'expression) (not (formula? x))) (expression-result x width see)]
+        [else (typeset-result x width manner see)]))
+
+(define (typeset-result x width manner see)
+  (define-values (shown notes) (shown-throughout x see))
+  (call-announced
+   "typesetting the result ..."
+   (lambda ()
+     (styled-result shown notes width manner
+                    (lambda () (result-text x width see))
+                    laid-out))))
+
+;; As an S-expression.  The elements of a list or vector are simplified though Racket prints it.
+(define (expression-result x width see)
+  (cond [(in-notation? x)
+         (define s (see x))
+         (laid-out (value->lines (seen-value s) width (seen-notes s)))]
+        [(and (list? x) (ormap ours? x) (textual? x)) (list-result x width see)]
+        [else (with-notes-of x (simplified-elements x width see) see)]))
+
+;; What was taken for granted within x is told beneath what is shown of it, if that is text.
+(define (with-notes-of x shown see)
+  (define notes (if (textual? x) (remove-duplicates (notes-within x see)) '()))
+  (if (null? notes) shown (laid-out (with-notes (format "~v" shown) notes))))
+
+(define (notes-within x see)
+  (cond [(unprintable? x) '()]
+        [(in-notation? x) (seen-notes (see x))]
+        [(list? x) (append* (map (lambda (e) (notes-within e see)) x))]
+        [(vector? x) (notes-within (vector->list x) see)]
+        [else '()]))
+
+;; -> the text, and the part of it that is no remark
+(define (result-text x width see)
+  (define text (format "~v" (expression-result x width see)))
+  (values text
+          (if (in-notation? x) (value->lines (seen-value (see x)) width) text)))
+
+;; ---------------------------------------------------------------------------
+;; Simplified, each value once
+
+(struct seen (value notes) #:authentic)
+
+;; -> a procedure from a value in our notation to what is seen of it
+(define (seen-once)
+  (define known (make-hasheq))
+  (lambda (x)
+    (define (look)
+      (define-values (shown notes) (as-shown x))
+      (seen shown notes))
+    (hash-ref! known x look)))
+
+;; The value with all its elements simplified, and the notes of all
+(define (shown-throughout x see)
+  (cond [(in-notation? x)
+         (define s (see x))
+         (values (seen-value s) (seen-notes s))]
+        [(list? x)
+         (define-values (elements notes)
+           (for/lists (elements notes) ([e (in-list x)]) (shown-throughout e see)))
+         (values elements (remove-duplicates (append* notes)))]
+        [else (values x '())]))
+
+;; Is x typeset where other styles are wanted?  What has a picture of its own is not.
+(define (formula? x)
+  (or (in-notation? x)
+      (and (has-notation? x) (not (advice x)))
+      (and (list? x) (ormap ours? x) (textual? x) (not (ormap advice x)))))
+
+;; ---------------------------------------------------------------------------
+;; Lists
+
+;; Each element of a list begins a line if one is told in words, as a verdict is, so that
+;; nothing else would part it from the next; and if together they are too long for a line.
+(define (list-result xs width see)
+  (define row (and (not (ormap in-words? xs)) (simplified-elements xs width see)))
+  (if (and row (<= (string-length (format "~v" row)) width))
+      (with-notes-of xs row see)
+      (laid-out (stacked xs width see))))
+
+(define (in-words? x)
+  (or (verdict? x)
+      (and (ours? x) (regexp-match? #rx"^[^(\"]* " (format "~v" x)))))
+
+(define (stacked xs width see)
+  (define indentation "      ")
+  (define (text x)
+    (define result (expression-result x (- width (string-length indentation)) see))
+    (regexp-replace* #rx"\n" (format "~v" result) (string-append "\n" indentation)))
+  (string-append
+   "(list " (text (car xs))
+   (apply string-append
+          (for/list ([x (in-list (cdr xs))]) (string-append "\n" indentation (text x))))
+   ")"))
+
+;; Nothing that an editor would show as more than text.
+(define (textual? x)
+  (or (ours? x) (number? x) (string? x) (boolean? x)
+      (and (list? x) (andmap textual? x))
+      (and (vector? x) (andmap textual? (vector->list x)))))
+
+(define (simplified-elements x width see)
+  (define (simplified-element e)
+    (cond [(unprintable? e) (laid-out (value->lines e width))]
+          [(in-notation? e) (seen-value (see e))]
+          [else (simplified-elements e width see)]))
+  (cond [(list? x) (map simplified-element x)]
+        [(vector? x) (list->vector (map simplified-element (vector->list x)))]
+        [else x]))
+
+;; ---------------------------------------------------------------------------
+
+;; The same without simplification.
+(define (plain-result x width)
+  (if (and (in-notation? x) (not (cyclic? x))) (laid-out (value->lines x width)) x))
+
+;; Text that prints as itself in all of Racket's modes.
+(value-struct laid-out (text)
+  #:text laid-out-text)
+
+;; Is x written by us?  Numbers are not: they look the same either way.
+(define (in-notation? x)
+  (or (symbolic? x)
+      (has-kind? x)
+      (verdict? x)
+      (unprintable? x)))
+
+;; The rest of what we write, such as equilibria and trajectories, which is not simplified:
+;; it prints itself, and is never a part of quoted data.
+(define (ours? x)
+  (or (in-notation? x)
+      (and (custom-write? x) (custom-print-quotable? x)
+           (eq? 'never (custom-print-quotable-accessor x)))))
+
+;; A procedure that Racket would print as #<procedure:its-name>.
+(define (unprintable? x)
+  (and (procedure? x) (not (custom-write? x))))

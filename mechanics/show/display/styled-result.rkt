@@ -1,0 +1,78 @@
+#lang racket/base
+;; Results in the styles that are not S-expressions.
+;;
+;; Nothing that fails here reaches the prompt: what cannot be typeset is shown as it was
+;; before there were styles, with a line that says why.
+
+(require "print-shown.rkt" "result-formula.rkt"
+         "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt" "../typesetting/drawn-text.rkt"
+         "../../algebra/expression/write.rkt"
+         "../../algebra/notation/formula.rkt" "../../algebra/notation/infix.rkt"
+         (only-in "../../algebra/notation/tree.rkt" plain?)
+         "../../generic/describe.rkt" "../../generic/kind.rkt" "../../generic/on-demand.rkt"
+         "../../generic/value-tree.rkt"
+         (only-in "../../algebra/expression/expression.rkt" symbolic?))
+
+(require-on-demand ["formula-snip.rkt" formula->snip]
+                   ["formula-picture.rkt" formula->picture])
+
+(provide styled-result most-drawn)
+
+;; Numbers and names that are drawn in one picture at most.
+(define most-drawn 2000)
+
+;; shown  : a value; notes : what its simplification took for granted (text.rkt)
+;; manner : as manner-here (display-style.rkt) gives it, but 'expression
+;; unstyled : -> the result as an S-expression, as text with its notes and without
+;; made   : (string -> value), which prints as that string
+;; -> a value to be printed
+(define (styled-result shown notes width manner unstyled made)
+  (define (give-up why)
+    (define-values (text program) (unstyled))
+    (made (if why (format "~a\n; not typeset: ~a" text why) text)))
+  (with-handlers ([exn:fail? (lambda (e) (give-up (one-line (exn-message e))))])
+    (define tree (value->tree shown (not (eq? manner 'infix))))
+    (define size (if (picture? manner) (max (atoms shown) (formula-size tree)) 0))
+    (cond [(plain? tree) (give-up #f)]
+          [(> size most-drawn)
+           (give-up (format "it has ~a parts, and up to ~a are drawn" size most-drawn))]
+          [(picture? manner)
+           (define-values (text program) (unstyled))
+           (define f (formula tree (map note->remark notes) program text width))
+           (if (eq? manner 'snip) (special (formula->snip f)) (formula->picture f))]
+          [else (made (styled-text tree notes width manner))])))
+
+(define (picture? manner) (memq manner '(snip picture)))
+
+;; Those of an expression before its tree is cut at print-limit.
+(define (atoms x)
+  (if (or (symbolic? x) (has-kind? x)) ((make-sizer) (value->datum x)) 0))
+
+(define (one-line text) (regexp-replace* #rx"\n *" text "; "))
+
+;; ---------------------------------------------------------------------------
+;; Text, and what stands beneath it
+
+(define (styled-text tree notes width manner)
+  (define-values (text comment)
+    (case manner
+      [(infix) (values (tree->line tree) "; ~a")]
+      [(text) (values (tree->text (fit tree width)) "; ~a")]
+      [(TeX) (values (tree->TeX (fit tree width)) "% ~a")]
+      [else (values (tree->MathML (fit tree width) #t) "<!-- ~a -->")]))
+  (apply string-append text
+         (for/list ([n (in-list notes)]) (string-append "\n" (format comment (note->line n))))))
+
+(define (note->remark n) (cons (string-append (note-label n) ":") (note-tree n)))
+
+(define (note->line n) (format "~a ~a" (note-label n) (tree->line (note-tree n))))
+
+(define (note-label n) (if (left-unexpanded? n) "left unexpanded" "assuming"))
+
+;; Of what was left unexpanded as much as makes it known.
+(define (note-tree n)
+  (if (left-unexpanded? n)
+      (parameterize ([print-limit 24]) (plain-datum->tree (cadr n)))
+      (plain-datum->tree n)))
+
+(define (left-unexpanded? n) (eq? (car n) 'left-unexpanded))

@@ -1,0 +1,42 @@
+#lang racket/base
+;; Values as formulas: the tree of a value, drawn in one of several ways.
+
+(require "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt" "../typesetting/drawn-text.rkt"
+         "../../algebra/notation/infix.rkt" "../../algebra/notation/read-infix.rkt"
+         "../../error/note.rkt"
+         "../../generic/define-plain.rkt" "../../generic/value-tree.rkt" "../../generic/wrong-argument.rkt"
+         "../../value/read-expression.rkt")
+
+(provide ->infix ->text ->TeX ->MathML read-infix check-width)
+
+;; On one line, in characters of Unicode.
+(define (->infix x) (tree->line (value->tree x #f)))
+
+;; In lines of text, fractions and roots drawn.
+(define-plain (->text x #:width [width 80])
+  (check-width '->text width)
+  (tree->text (fit (value->tree x #t) width)))
+
+;; For LaTeX's mathematics mode, with amsmath.
+(define-plain (->TeX x #:width [width 80])
+  (check-width '->TeX width)
+  (tree->TeX (fit (value->tree x #t) width)))
+
+(define-plain (->MathML x #:width [width 80] #:inline? [inline? #f])
+  (check-width '->MathML width)
+  (tree->MathML (fit (value->tree x #t) width) (not inline?)))
+
+;; The value of a formula that is written as ->infix writes it.
+(define (read-infix text)
+  (unless (string? text)
+    (complain-of-argument 'read-infix "a string such as \"½ m ẋ²\"" text))
+  (when (regexp-match? #px"\\p{L}\\^[0-9]" text) (note-superscript))
+  (read-expression (infix->datum text)))
+
+;; So is the component x^2 of a literal tuple written.
+(define (note-superscript)
+  (note-once "read-infix: x^2 is a name with a superscript; the square of x is x² or x**2"))
+
+(define (check-width who width)
+  (unless (or (not width) (exact-positive-integer? width))
+    (complain-of-argument who "a width in columns, or #f for lines of any length" width)))

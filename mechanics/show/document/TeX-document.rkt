@@ -1,0 +1,125 @@
+#lang racket/base
+;; A document for LaTeX, with amsmath.  Pictures are files beside it, in PDF where they can be
+;; had in that.
+;;
+;; The program's text is set line by line, its characters as TeX-prose.rkt has them; so nothing
+;; in it is a command, and none is beyond what pdfLaTeX knows.
+
+(require racket/path
+         racket/string
+         "TeX-prose.rkt" "document-piece.rkt" "shown-result.rkt"
+         "../../algebra/notation/tree.rkt"
+         "../typesetting/TeX.rkt" "../typesetting/break.rkt")
+
+(provide document->TeX)
+
+;; base : path of the file to be written, without its extension
+;; -> string, and ((path . bytes) ...)
+(define (document->TeX d base)
+  (define names (make-hasheq))
+  (define pictures
+    (for*/list ([p (in-list (document-pieces d))] #:when (result? p)
+                [s (in-value (result-shown p))] #:when (shown-picture? s))
+      (define extension (if (shown-picture-pdf s) "pdf" "png"))
+      (define file (path-add-extension base (format "-~a.~a" (+ 1 (hash-count names)) extension)
+                                       #""))
+      (hash-set! names s (path->string (file-name-from-path file)))
+      (cons file (or (shown-picture-pdf s) (shown-picture-png s) #""))))
+  (values (string-append preamble
+                         (format "\\title{~a}\n" (prose->TeX (document-title d)))
+                         "\\author{}\\date{}\n\n\\begin{document}\n\\maketitle\n\n"
+                         (string-append* (map (lambda (p) (piece->TeX p names))
+                                              (document-pieces d)))
+                         "\\end{document}\n")
+          pictures))
+
+(define preamble #<<TeX
+\documentclass[a4paper]{article}
+\usepackage[utf8]{inputenc}
+\usepackage[T1]{fontenc}
+\usepackage{amsmath,graphicx}
+\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
+\setlength{\textwidth}{16cm}\setlength{\oddsidemargin}{0pt}
+\setlength{\textheight}{24cm}\setlength{\topmargin}{-1.5cm}
+\setlength{\parindent}{0pt}\setlength{\parskip}{0.5\baselineskip}
+\allowdisplaybreaks
+% a line of a program, or of what it prints; a result
+\newcommand{\programline}[1]{\noindent\texttt{#1}\par}
+\newcommand{\shown}[1]{\par\smallskip\noindent\hspace*{1.5em}$\displaystyle #1$\par\smallskip}
+\newenvironment{program}%
+  {\par\medskip\begingroup\footnotesize\setlength{\parskip}{0pt}\raggedright}%
+  {\par\endgroup\medskip}
+
+TeX
+  )
+
+;; ---------------------------------------------------------------------------
+;; Pieces
+
+(define (piece->TeX p names)
+  (cond [(heading? p) (format "\\section*{~a}\n\n" (prose->TeX (heading-text p)))]
+        [(prose? p)
+         (string-append* (for/list ([lines (in-list (prose-paragraphs p))])
+                           (string-append (string-join (map prose->TeX lines) "\\\\\n") "\n\n")))]
+        [(code? p) (program (code-text p))]
+        [(folded? p)
+         (string-append (format "\\textit{~a}\n" (prose->TeX (folded-label p)))
+                        (program (folded-text p)))]
+        [(output? p) (program (output-text p))]
+        [(failure? p) (program (failure-text p))]
+        [else (shown->TeX (result-shown p) names)]))
+
+(define (program text)
+  (string-append
+   "\\begin{program}\n"
+   (string-append* (for/list ([line (in-list (string-split (string-trim text "\n") "\n"
+                                                           #:trim? #f))])
+                     (format "\\programline{~a}\n" (if (string=? line "") "~" (code->TeX line)))))
+   "\\end{program}\n\n"))
+
+(define (shown->TeX s names)
+  (cond [(shown-formula? s)
+         (string-append (tree-block (shown-formula-tree s))
+                        (string-append* (for/list ([n (in-list (shown-formula-notes s))])
+                                          (string-append (inline n) "\n\n"))))]
+        [(shown-table? s) (table s)]
+        [(shown-picture? s)
+         (format "\\begin{center}\\includegraphics[width=0.6\\textwidth]{~a}\\end{center}\n\n"
+                 (hash-ref names s))]
+        [else (program (shown-text-text s))]))
+
+;; ---------------------------------------------------------------------------
+;; Formulas
+
+(define (tree-block t)
+  (cond [(report? t) (report-block t)]
+        [(plain? t) (program (plain-text t))]
+        [(and (listing? t) (ormap report? (listing-items t)))
+         (string-append* (map tree-block (listing-items t)))]
+        [else (format "\\shown{~a}\n\n" (tree->TeX (fit t 80)))]))
+
+(define (report-block t)
+  (string-append
+   "\\begin{flushleft}\n"
+   (string-join
+    (for/list ([l (in-list (report-lines t))])
+      (format "\\hspace*{~aem}~a" (* 2 (report-line-depth l))
+              (string-join (cons (prose->TeX (report-line-label l))
+                                 (map inline (report-line-parts l))))))
+    "\\\\\n")
+   "\n\\end{flushleft}\n\n"))
+
+(define (inline t)
+  (cond [(word? t) (prose->TeX (word-text t))]
+        [(plain? t) (format "\\texttt{~a}" (code->TeX (plain-text t)))]
+        [(and (row? t) (ormap word? (row-items t))) (string-append* (map inline (row-items t)))]
+        [else (format "$\\displaystyle ~a$" (tree->TeX (fit t 60)))]))
+
+(define (table s)
+  (define columns (apply max (map length (shown-table-rows s))))
+  (define (line cells) (string-append (string-join cells " & ") "\\\\\n"))
+  (string-append
+   (format "\\begin{center}\n\\begin{tabular}{~a}\n" (make-string columns #\l))
+   (if (shown-table-header s) (string-append (line (shown-table-header s)) "\\hline\n") "")
+   (string-append* (map (lambda (row) (line (map inline row))) (shown-table-rows s)))
+   "\\end{tabular}\n\\end{center}\n\n"))

@@ -1,0 +1,64 @@
+#lang racket/base
+;; Text and programs as TeX: characters that occur in what physicists write, beyond those of
+;; names (../display/formula/TeX-text.rkt).
+
+(require racket/string
+         "../typesetting/TeX-text.rkt")
+
+(provide prose->TeX code->TeX)
+
+;; Letters with a dot are taken together with it.
+(define pieces #px".[\u307\u308\u20DB]|.")
+
+(define (prose->TeX text)
+  (string-append*
+   (for/list ([piece (in-list (regexp-match* pieces (string-replace text "\n" " ")))])
+     (piece->TeX piece))))
+
+;; The same with spaces as wide as a letter, where they stand.
+(define (code->TeX text) (string-replace (prose->TeX (string-replace text "\t" "    ")) " " "~"))
+
+(define (piece->TeX piece)
+  (define c (string-ref piece 0))
+  (cond [(= 2 (string-length piece))
+         (format "\\ensuremath{\\~a{~a}}" (cdr (assv (string-ref piece 1) dots))
+                 (escaped (string c)))]
+        [(hash-ref signs c #f) => (lambda (formula) (format "\\ensuremath{~a}" formula))]
+        [(hash-ref words c #f) => values]
+        [(hash-ref pieces-of-text c #f) => values]
+        [else (escaped (string c))]))
+
+(define dots '((#\u307 . "dot") (#\u308 . "ddot") (#\u20DB . "dddot")))
+
+(define words
+  (hasheqv #\– "--" #\— "---" #\‘ "`" #\’ "'" #\“ "\\textquotedblleft{}" #\” "\\textquotedblright{}"
+           #\° "\\textdegree{}" #\§ "\\S{}" #\u00A0 "~" #\u202F "\\," #\u2009 "\\,"
+           #\′ "\\ensuremath{'}"))
+
+;; What formulas in text are drawn with: lines, and pieces of brackets.
+(define pieces-of-text
+  (for*/hasheqv ([entry (in-list '(("─" . "\\rule[0.55ex]{0.525em}{0.4pt}")
+                                   ("│⎜⎟" . "\\textbar{}") ("⎛⎠╱" . "/")
+                                   ("⎝⎞╲" . "\\textbackslash{}") ("⎡⎢⎣" . "[") ("⎤⎥⎦" . "]")))]
+                 [c (in-string (car entry))])
+    (values c (cdr entry))))
+
+(define (numbered characters form)
+  (for/list ([c (in-string characters)] [i (in-naturals)]) (list c (form i))))
+
+(define signs
+  (for/hasheqv ([entry (in-list
+                        (append
+                         (numbered "⁰¹²³⁴⁵⁶⁷⁸⁹" (lambda (i) (format "^{~a}" i)))
+                         (numbered "₀₁₂₃₄₅₆₇₈₉" (lambda (i) (format "_{~a}" i)))
+                         (numbered "½⅓¼⅕" (lambda (i) (format "\\tfrac{1}{~a}" (+ i 2))))
+                         '((#\¾ "\\tfrac{3}{4}") (#\⅔ "\\tfrac{2}{3}") (#\⅛ "\\tfrac{1}{8}")
+                           (#\⁻ "^{-}") (#\⁺ "^{+}") (#\ⁿ "^{n}") (#\× "\\times") (#\√ "\\surd")
+                           (#\± "\\pm") (#\≈ "\\approx") (#\≠ "\\ne") (#\≡ "\\equiv")
+                           (#\→ "\\to") (#\← "\\leftarrow") (#\↦ "\\mapsto") (#\⇒ "\\Rightarrow")
+                           (#\∈ "\\in") (#\∫ "\\int") (#\∑ "\\sum") (#\∏ "\\prod")
+                           (#\∇ "\\nabla") (#\∘ "\\circ") (#\⋯ "\\cdots") (#\↑ "\\uparrow")
+                           (#\↓ "\\downarrow") (#\∝ "\\propto") (#\ℏ "\\hbar") (#\ϕ "\\phi")
+                           (#\ϵ "\\epsilon") (#\∧ "\\wedge") (#\⟨ "\\langle")
+                           (#\⟩ "\\rangle"))))])
+    (values (car entry) (cadr entry))))

@@ -1,0 +1,101 @@
+#lang racket/base
+;; What stands between the forms of a program, as prose: comments, in paragraphs, and headings,
+;; which are comments beneath a rule of hyphens.
+
+(require racket/list
+         racket/string
+         "document-piece.rkt")
+
+(provide gap->pieces take-title)
+
+;; The text between two forms -> pieces.  What is no comment is a form that a #; leaves out; it
+;; stands as it is written.
+(define (gap->pieces text)
+  (define rest (string-trim text #:right? #f))
+  (cond [(string=? rest "") '()]
+        [(regexp-match #px"^(?:;[^\n]*(?:\n[ \t]*|$))+" rest)
+         => (lambda (m)
+              (append (lines->pieces (map uncommented (string-split (car m) "\n")))
+                      (gap->pieces (substring rest (string-length (car m))))))]
+        [(block-end rest)
+         => (lambda (end)
+              (append (lines->pieces (map string-trim
+                                          (string-split (substring rest 2 (- end 2)) "\n"
+                                                        #:trim? #f)))
+                      (gap->pieces (substring rest end))))]
+        [else (list (code (string-trim rest) 1))]))
+
+(define (uncommented line) (string-trim (regexp-replace #px"^\\s*;+ ?" line "") #:left? #f))
+
+;; Where a comment #| ... |# at the start of the text ends, with all those in it, or #f.
+(define (block-end text)
+  (and (string-prefix? text "#|")
+       (let loop ([at 2] [depth 1])
+         (define m (regexp-match-positions #rx"#[|]|[|]#" text at))
+         (cond [(not m) #f]
+               [(char=? #\# (string-ref text (caar m))) (loop (cdar m) (+ depth 1))]
+               [(= depth 1) (cdar m)]
+               [else (loop (cdar m) (- depth 1))]))))
+
+;; ---------------------------------------------------------------------------
+;; Paragraphs and headings
+
+(define (rule? line) (regexp-match? #px"^[-=─*#]{5,}$" line))
+
+(define (lines->pieces lines)
+  (define rest (dropf lines (lambda (l) (string=? l ""))))
+  (cond [(null? rest) '()]
+        [(rule? (car rest))
+         (define after (dropf (cdr rest) rule?))
+         (if (or (null? after) (string=? (car after) ""))
+             (lines->pieces after)
+             (cons (heading (car after)) (lines->pieces (cdr after))))]
+        [else
+         (define-values (block more) (splitf-at rest (lambda (l) (not (rule? l)))))
+         (cons (prose (paragraphs block)) (lines->pieces more))]))
+
+(define (paragraphs lines)
+  (define-values (first rest) (splitf-at lines (lambda (l) (not (string=? l "")))))
+  (define more (dropf rest (lambda (l) (string=? l ""))))
+  (cons (meant-lines first) (if (null? more) '() (paragraphs more))))
+
+;; A line that the first word of the next would have fitted on was meant to end there, and so
+;; was one before an item of a list or a label, as in "Units: metres".
+(define (meant-lines lines)
+  (define widest (apply max (map string-length lines)))
+  (define (meant? line next)
+    (or (regexp-match? #px"^(?:\\s|- |[*] |\\p{Lu}\\p{Ll}+: )" next)
+        (< (+ (string-length line) (string-length (car (string-split next))) 12) widest)))
+  (let loop ([lines (cdr lines)] [current (car lines)])
+    (cond [(null? lines) (list (string-normalize-spaces current))]
+          [(meant? (last (string-split current "\n" #:trim? #f)) (car lines))
+           (cons (string-normalize-spaces current) (loop (cdr lines) (car lines)))]
+          [else (loop (cdr lines) (string-append current "\n" (car lines)))])))
+
+;; ---------------------------------------------------------------------------
+;; The title
+
+(define longest-title 120)
+
+;; The first sentence of the opening comment is the title, if it is short; -> it, or the other
+;; text, and the pieces without it.
+(define (take-title pieces otherwise)
+  (define first-lines
+    (and (pair? pieces) (prose? (car pieces)) (car (prose-paragraphs (car pieces)))))
+  (define line (and first-lines (string-normalize-spaces (car first-lines))))
+  (define end (and line (or (sentence-end line) (string-length line))))
+  (cond [(and line (<= end longest-title))
+         (define left (cons (string-trim (substring line end)) (cdr first-lines)))
+         (values (string-trim (substring line 0 end) "." #:left? #f)
+                 (without-first pieces (remove "" left)))]
+        [else (values otherwise pieces)]))
+
+;; "p. 22" ends no sentence.
+(define (sentence-end line)
+  (define m (regexp-match-positions #px"(?<![ (]p)(?<![ (]pp)[.?!](?=\\s|$)" line))
+  (and m (cdar m)))
+
+(define (without-first pieces lines)
+  (define others (cdr (prose-paragraphs (car pieces))))
+  (define left (if (null? lines) others (cons lines others)))
+  (if (null? left) (cdr pieces) (cons (prose left) (cdr pieces))))

@@ -1,0 +1,26 @@
+#lang racket/base
+;; A result as markup that may stand within a line of a document that others make, as the
+;; manual: spans, and formulas.
+
+(require (only-in xml xexpr->string)
+         "page-value.rkt" "shown-result.rkt")
+
+(provide value->line-markup)
+
+;; -> string; or #f for what a prompt shows as well: texts, numbers, pictures, tables
+(define (value->line-markup x)
+  (define s (and (not (number? x)) (value->shown x)))
+  (and (shown-formula? s)
+       (xexpr->string `(span ([class "typeset"]) ,@(map within-line (shown->xexprs s void))))))
+
+;; What a paragraph may not hold becomes what it may.
+(define (within-line x)
+  (cond [(and (pair? x) (memq (car x) '(div p pre)))
+         (define class (assq 'class (cadr x)))
+         (define kind (symbol->string (car x)))
+         (list* 'span
+                (cons (list 'class (if class (string-append kind " " (cadr class)) kind))
+                      (remq class (cadr x)))
+                (map within-line (cddr x)))]
+        [(pair? x) (cons (car x) (map within-line (cdr x)))]
+        [else x]))

@@ -1,0 +1,141 @@
+#lang racket/base
+;; A result as a document shows it: a formula, a table, a picture, or the text that a prompt
+;; prints.  It is made when the result comes, for a frame may be drawn in later, and what is
+;; assumed may change.
+
+(require racket/list
+         file/convertible
+         (only-in "../../algebra/expression/expression.rkt" node? symbolic?)
+         "../../algebra/notation/formula.rkt" "../../algebra/notation/name.rkt"
+         "../../algebra/notation/tree.rkt"
+         "../display/result.rkt"
+         "../../generic/kind.rkt" "../../generic/notation.rkt" "../../generic/on-demand.rkt"
+         "../../generic/up-down.rkt" "../../generic/value-tree.rkt"
+         (only-in "../../motion/on-demand.rkt" occurrence? occurrence-event occurrence-time
+                  occurrence-state)
+         "../../value/simplify.rkt"
+         "../../verdict/verdict.rkt")
+
+(require-on-demand ["../../motion/event/event.rkt" event-name])
+
+(provide value->shown
+         (struct-out shown-formula) (struct-out shown-table) (struct-out shown-picture)
+         (struct-out shown-text))
+
+;; tree : of its notation; notes : trees of what its simplification took for granted
+(struct shown-formula (tree notes) #:transparent)
+;; header : strings, or #f; rows : lists of trees
+(struct shown-table (header rows) #:transparent)
+;; bytes, or #f where the picture cannot be had in that format; text : in place of it
+(struct shown-picture (svg png pdf text) #:transparent)
+(struct shown-text (text) #:transparent)
+
+(define text-width 79)
+
+(define (value->shown x)
+  (cond [(cyclic? x) (shown-text (printed x))]
+        [(table-of x) => values]
+        [(typeset? x) (formula x)]
+        [(convertible? x) (picture x)]
+        [else (shown-text (printed (simplified-result x text-width)))]))
+
+(define (printed x)
+  (parameterize ([print-as-expression #t]) (format "~v" x)))
+
+;; ---------------------------------------------------------------------------
+;; Formulas
+
+(define (typeset? x)
+  (cond [(pair? x) (and (list? x) (ormap ours? x) (andmap typeset-element? x))]
+        [(vector? x) (for/and ([e (in-vector x)]) (typeset? e))]
+        [(symbol? x) (letter? x)]
+        [else (or (number? x) (ours? x))]))
+
+;; Among formulas a word is one, as in (list (acos 5/8) 'stable), and so are quoted data.
+(define (typeset-element? x)
+  (or (symbol? x) (typeset? x)
+      (and (list? x) (andmap typeset-element? x))))
+
+;; Quoted data are none of ours; they are shown as they are quoted, and pictures as pictures.
+(define (ours? x)
+  (or (node? x) (has-kind? x) (verdict? x)
+      (and (has-notation? x) (not (convertible? x)))
+      (and (list? x) (ormap ours? x))))
+
+;; A variable, and not a word such as 'proved.
+(define (letter? s) (not (eq? 'word (parts-sort (name-parts s)))))
+
+(define (formula x)
+  (define-values (value grounds) (as-result x))
+  (define tree (value->tree value #t))
+  (if (plain? tree)
+      (shown-text (plain-text tree))
+      (shown-formula tree (map note->tree (remove-duplicates grounds)))))
+
+;; What is simplified at a prompt is here.  Whatever cannot be is shown as it is.
+(define (as-result x)
+  (with-handlers ([exn:fail? (lambda (e) (values x '()))])
+    (cond [(or (pair? x) (vector? x))
+           (define-values (values-of grounds) (as-results (if (pair? x) x (vector->list x))))
+           (values (if (pair? x) values-of (list->vector values-of)) grounds)]
+          [(or (symbolic? x) (has-kind? x) (verdict? x)) (as-shown x)]
+          [else (values x '())])))
+
+(define (as-results xs)
+  (for/fold ([shown '()] [grounds '()] #:result (values (reverse shown) grounds))
+            ([x (in-list xs)])
+    (define-values (value more) (as-result x))
+    (values (cons value shown) (append grounds more))))
+
+(define (note->tree n)
+  (if (eq? (car n) 'left-unexpanded)
+      (row (list (word "left unexpanded: ") (plain-datum->tree (cadr n))))
+      (row (list (word "assuming ") (plain-datum->tree n)))))
+
+;; ---------------------------------------------------------------------------
+;; Tables: of events, and of rows of scalars of one length
+
+(define least-rows 2)
+
+(define (table-of x)
+  (and (list? x) (>= (length x) least-rows)
+       (cond [(andmap plain-row x) => (lambda (_) (row-table (map plain-row x)))]
+             [(andmap opaque? x) (event-table x)]
+             [else #f])))
+
+(define (row-table rows)
+  (and (apply = (map length rows))
+       (shown-table #f (for/list ([r (in-list rows)]) (map scalar->tree r)))))
+
+(define (plain-row x)
+  (define items (cond [(vector? x) (vector->list x)]
+                      [(structure? x) (vector->list (structure-elements x))]
+                      [else x]))
+  (and (list? items) (>= (length items) 2) (andmap number? items) items))
+
+(define (scalar->tree x)
+  (define-values (value grounds) (as-result x))
+  (value->tree value #t))
+
+;; May it be an event?  Only then motion is loaded, to ask.
+(define (opaque? x) (not (or (pair? x) (number? x) (string? x) (boolean? x) (symbolic? x))))
+
+(define (event-table xs)
+  (and (andmap occurrence? xs)
+       (shown-table '("event" "time" "state")
+                    (for/list ([o (in-list xs)])
+                      (list (word (format "~a" (event-name (occurrence-event o))))
+                            (scalar->tree (occurrence-time o))
+                            (scalar->tree (occurrence-state o)))))))
+
+;; ---------------------------------------------------------------------------
+;; Pictures
+
+(define (picture x)
+  (define (in-format format) (convert x format #f))
+  (define svg (in-format 'svg-bytes))
+  (define png (in-format 'png-bytes))
+  (define text (printed x))
+  (if (or svg png)
+      (shown-picture svg png (in-format 'pdf-bytes) text)
+      (shown-text text)))

@@ -1,0 +1,131 @@
+#lang racket/base
+;; Orbits of a map of the plane, as points (SICM 3.6.1, p. 248).
+
+(require racket/flonum
+         "../plot/coordinate.rkt" "../plot/frame.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt" "../../generic/on-demand.rkt"
+         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         "../../dynamics/map/map-of-the-plane.rkt"
+         "../../numeric/finite-number.rkt")
+
+(require-on-demand ["../../dynamics/map/compiled-map.rkt" orbit-stepper]
+                   ["explore-in-window.rkt" explore-in-window])
+
+(provide explore-map display-map)
+
+;; n : how many points each orbit has, or #f where the map is a collector, which follows an orbit
+;; and shows its points (following-orbits.rkt); from : a list of points; grid : (list across up)
+;; color : of the first orbit; window? : is it to be explored in a window?
+;; source : the expression of the map, for the program that a window saves
+;; -> the frame
+(define (explore-map f map [n 1000] #:from [from #f] #:grid [grid #f]
+                     #:size [size 1.0] #:color [color 0]
+                     #:window? [window? (not (or from grid))] #:source [source #f])
+  (define who 'explore-map)
+  (check-exploration who f map (or n 0))
+  (unless (exact-nonnegative-integer? color)
+    (complain-of-argument who "a small natural number as the first color" color))
+  (define given (if from (checked-starts who f from) '()))
+  (define starts (append given (if grid (grid-starts who f grid) '())))
+  (cond [(not n) (collect-orbits who f map given (list-tail starts (length given)) window?)]
+        [else
+         (for ([p (in-list given)]) (check-image who f map (car p) (cdr p)))
+         (if window?
+             (explore-in-window who f map n starts source)
+             (for ([p (in-list starts)] [k (in-naturals color)])
+               (draw-orbit who f map n (car p) (cdr p) k size)))])
+  f)
+
+;; A collector goes where it is sent; starts of a grid may have no image.
+(define (collect-orbits who f collector given grid window?)
+  (when window?
+    (complain who
+              (string-append "a collector follows its orbits by itself, from starts that are "
+                             "given, not in a window
+  (explore-map f collector #f #:from (list "
+                             "(up x y) ...)), or #:grid (list 5 5)")))
+  (for ([p (in-list given)])
+    (collector (car p) (cdr p) void (lambda () (raise-no-image who collector (car p) (cdr p)))))
+  (for ([p (in-list grid)]) (collector (car p) (cdr p) void void)))
+
+;; One orbit, by the convention of scmutils.
+(define (display-map f map x y n)
+  (check-exploration 'display-map f map n)
+  (define-values (x0 y0)
+    (values (check-number 'display-map "the abscissa" x)
+            (check-number 'display-map "the ordinate" y)))
+  (check-image 'display-map f map x0 y0)
+  (draw-orbit 'display-map f map n x0 y0 0 1.0)
+  f)
+
+;; The start is drawn as well.  It ends early where there is no image.
+(define (draw-orbit who f map n x y color size)
+  (define p (flvector x y))
+  (define step! (stepper-at who map x y))
+  (define (draw) (add-dot! who f color size #f (flvector-ref p 0) (flvector-ref p 1)))
+  (when step!
+    (draw)
+    (let loop ([n n])
+      (when (and (> n 0) (step! p))
+        (draw)
+        (loop (- n 1))))))
+
+;; #f where the map has no image at once.
+(define (stepper-at who map x y) (and (image? who map x y) (orbit-stepper map x y who)))
+
+(define (image? who map x y) (image-or-none who map x y (lambda (x y) #t)))
+
+;; ---------------------------------------------------------------------------
+;; Where orbits start
+
+(define (check-exploration who f map n)
+  (check-open who f)
+  (check-map who map)
+  (unless (exact-nonnegative-integer? n)
+    (complain-of-argument who "how many points an orbit has, a natural number" n)))
+
+(define (checked-starts who f from)
+  (unless (list? from)
+    (complain who "#:from is a list of points to start at; given ~a~a" (describe-with-value from)
+              (if (tuple? from)
+                  (format "\n  one point in a list: (list ~a)" (value->text from))
+                  "")))
+  (for/list ([p (in-list from)] [k (in-naturals)])
+    (define-values (x y) (plane-point who (lambda () (format "start ~a" k)) p))
+    (unless (and (finite? x) (finite? y))
+      (complain who "start ~a is not of finite numbers\n  given: ~a" k (describe-with-value p)))
+    (cons x y)))
+
+(define (check-image who f map x y)
+  (unless (image? who map x y)
+    (complain who "the map has no image of the start ~a\n  map: ~a~a"
+              (value->text (up x y)) (value->text map) (where-allowed who f map y))))
+
+;; The abscissas at that ordinate, within the frame, where there are images: those a section of
+;; that energy has, say.
+(define (where-allowed who f map y)
+  (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
+  (define (at k) (+ x-min (* (- x-max x-min) (/ k 200.0))))
+  (define (allowed? x) (image? who map x y))
+  (define inside (for/list ([k (in-range 201)] #:when (allowed? (at k))) k))
+  (define (edge in out)
+    (for/fold ([in in] [out out] #:result in) ([_ (in-range 30)])
+      (define middle (* 0.5 (+ in out)))
+      (if (allowed? middle) (values middle out) (values in middle))))
+  (if (null? inside)
+      (format "\n  in the frame it has none for the ordinate ~a" y)
+      (let ([first (car inside)] [last (car (reverse inside))])
+        (format "\n  for the ordinate ~a it has images of abscissas from ~a to ~a" y
+                (if (= first 0) x-min (edge (at first) (at (- first 1))))
+                (if (= last 200) x-max (edge (at last) (at (+ last 1))))))))
+
+;; The middles of as many equal parts of the frame; those without an image start no orbit.
+(define (grid-starts who f grid)
+  (unless (and (list? grid) (= (length grid) 2) (andmap exact-positive-integer? grid))
+    (complain who "#:grid is a list of two numbers of starts, across and up; given ~a"
+              (describe-with-value grid)))
+  (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
+  (define (middle low high k n) (+ low (* (- high low) (/ (+ k 0.5) n))))
+  (for*/list ([j (in-range (cadr grid))] [i (in-range (car grid))])
+    (cons (middle x-min x-max i (car grid)) (middle y-min y-max j (cadr grid)))))

@@ -1,0 +1,68 @@
+#lang racket/base
+;; Bodies that attract each other: one about a center at rest, or any number of them.
+
+(require "mechanism-parts.rkt"
+         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt")
+
+(provide draw-orbit draw-bodies)
+
+;; x and y from the center, or r and φ with #:polar? #t; range : how far one sees
+(define (draw-orbit #:range [range 2] #:polar? [polar? #f] #:width [width 320])
+  (define far (check-length 'draw-orbit "the range" range))
+  (define (body q) (if polar? (turned (vector-ref q 0) (vector-ref q 1)) q))
+  (define center (vector 0.0 0.0))
+  (mechanism
+   `(draw-orbit #:range ,range ,@(if polar? '(#:polar? #t) '()))
+   #:bounds (list (- far) far (- far) far)
+   #:width width #:coordinates '(2)
+   #:sample (if polar? (list (* 0.75 far) 0.6) (list (* 0.6 far) (* 0.42 far)))
+   #:axes (if polar? '("r" "φ") '("x" "y"))
+   #:trail (lambda (t q) (list (body q)))
+   #:marks (lambda (t q)
+             (define p (body q))
+             (list (polyline (list center (vector (* 0.9 far) 0.0)) #:width 1 #:style 'long-dash
+                             #:color faint)
+                   (polyline (list center p) #:width 1 #:color faint)
+                   (label (between center p 0.5) "r" #:anchor 'above #:shift #(-6 0))
+                   (angle-mark center 0.0 (atan (at-y p) (at-x p)) (* 0.35 far) "φ")
+                   (label p "m" #:anchor 'right #:shift #(12 0))
+                   (label center "M" #:anchor 'below #:shift #(0 -14))))
+   (lambda (t q)
+     (list (disc center (* 0.05 far) #:fill '(240 180 40) #:width 1)
+           (bob (body q) (* 0.03 far))))))
+
+;; x and y of each body in turn
+(define (draw-bodies #:masses [masses '(1 1)] #:range [range 2] #:width [width 320])
+  (define who 'draw-bodies)
+  (unless (and (list? masses) (pair? masses))
+    (complain who "expected a list of masses\n  given: ~a" (describe-with-value masses)))
+  (define ms (for/list ([m (in-list masses)]) (check-length who "a mass" m)))
+  (define far (check-length who "the range" range))
+  (define n (length ms))
+  (define greatest (apply max ms))
+  (define (places q)
+    (for/list ([k (in-range n)]) (vector (vector-ref q (* 2 k)) (vector-ref q (+ 1 (* 2 k))))))
+  (define (size m) (* 0.06 far (max 0.3 (expt (/ m greatest) 1/3))))
+  (mechanism
+   `(draw-bodies #:masses ,(cons 'list masses) #:range ,range)
+   #:bounds (list (- far) far (- far) far)
+   #:width width #:coordinates (list (* 2 n))
+   #:sample (apply append
+                   (for/list ([k (in-range n)])
+                     (define p (turned (* far (+ 0.35 (/ (* 0.3 k) n))) (+ 0.4 (* 6.28 (/ k n)))))
+                     (list (at-x p) (at-y p))))
+   #:axes (apply append (for/list ([k (in-range n)])
+                          (list (format "x_~a" (+ k 1)) (format "y_~a" (+ k 1)))))
+   #:trail (lambda (t q) (places q))
+   #:marks (lambda (t q) (body-marks (places q)))
+   (lambda (t q)
+     (for/list ([p (in-list (places q))] [m (in-list ms)] [color (in-cycle accents)])
+       (bob p (size m) #:color color)))))
+
+(define (body-marks places)
+  (list (for*/list ([p (in-list places)] [o (in-list places)] #:when (< (at-x p) (at-x o)))
+          (polyline (list p o) #:width 1 #:color faint #:style 'dot))
+        (for/list ([p (in-list places)] [k (in-naturals 1)])
+          (label p (format "m_~a" k) #:anchor 'right #:shift #(14 0)))))

@@ -1,0 +1,81 @@
+#lang racket/base
+;; Numbers to be drawn, as flonums.
+;;
+;; What has no place in the plane, as the logarithm of a negative number has none, is
+;; left out of the picture: it becomes a NaN.  What is no number is an error.
+
+(require "../../algebra/expression/constant-value.rkt" "../../algebra/expression/expression.rkt"
+         "../../algebra/expression/symbols.rkt"
+         "../../error/complain.rkt" "../../error/hint.rkt" "../../error/message-words.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/kind.rkt" "../../generic/multiplied-function.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../numeric/finite-number.rkt")
+
+(provide coordinate-of plane-point check-number check-function parameters)
+
+;; what : -> string, such as "y" or "the value at 0.5"
+(define (coordinate-of who what x)
+  (cond [(flonum? x) x]
+        [(real? x) (real->double-flonum x)]
+        [(number? x) +nan.0]
+        [(other-number? x) (real->double-flonum (comparand x))]
+        [(and (symbolic? x) (constant-value x))]
+        [else
+         (complain who "~a is no number\n  given: ~a~a"
+                   (what) (describe-with-value x) (advice x))]))
+
+(define (advice x)
+  (cond [(symbolic? x)
+         (define symbols (map symbol->string (symbols-in x)))
+         (if (null? symbols)
+             ""
+             (format "\n  without a number: ~a~a" (joined symbols) symbols-hint))]
+        [(tuple? x) "\n  draw its components one by one, as with (component 0)"]
+        [else (multiplied-hint x)]))
+
+;; Of a tuple of two, or as the book makes it by cons.
+(define (plane-point who what p)
+  (define-values (x y)
+    (cond [(and (tuple? p) (= (structure-length (adopt p)) 2))
+           (define v (tuple-elements p))
+           (values (vector-ref v 0) (vector-ref v 1))]
+          [(and (pair? p) (not (list? p))) (values (car p) (cdr p))]
+          [else
+           (complain who "~a is no point of the plane, such as (up x y) or (cons x y)\n  given: ~a"
+                     (what) (describe-with-value p))]))
+  (values (coordinate-of who (lambda () (string-append (what) ", its first component,")) x)
+          (coordinate-of who (lambda () (string-append (what) ", its second component,")) y)))
+
+;; An argument that must be a finite number.
+(define (check-number who what x)
+  (define number (coordinate-of who (lambda () what) x))
+  (unless (finite? number)
+    (complain-of-argument who (format "a finite number as ~a" what) x))
+  number)
+
+(define (check-function who f count)
+  (unless (and (procedure? f) (accepts? f count))
+    (raise-other-function
+     who (if (= count 1) "a function of one number" "a function of two numbers") f)))
+
+;; More than these are a slip in the step, and would fill the memory.
+(define most-parameters 10000000)
+
+;; From one number to another in steps; the last may be shorter.
+(define (parameters who from to step)
+  (unless (> step 0.0)
+    (complain-of-argument who "a positive step" step))
+  (define span (- to from))
+  (define steps (ceiling (- (/ (abs span) step) 1e-6)))
+  (unless (<= steps most-parameters)
+    (raise-arguments-error who "the step is too short for so long a curve"
+                           "step" step
+                           "from" from
+                           "to" to
+                           "steps" steps
+                           "at most" most-parameters))
+  (define count (max 1 (inexact->exact steps)))
+  (define signed (if (< span 0.0) (- step) step))
+  (for/list ([k (in-range (+ count 1))])
+    (if (= k count) to (+ from (* k signed)))))

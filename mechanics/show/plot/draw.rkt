@@ -1,0 +1,113 @@
+#lang racket/base
+;; Drawing in frames (SICM 1.4, p. 23; 1.7, p. 76; 4.3, p. 308).
+
+(require racket/flonum
+         "coordinate.rkt" "frame.rkt" "points.rkt" "style.rkt"
+         "../../error/complain.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt")
+
+(provide plot-point plot-line plot-function plot-parametric plot-parametric-fill
+         ;; for the curves of motions
+         draw-curve)
+
+(define-plain (plot-point f x y #:color [color 0] #:size [size 1.5] #:label [label #f])
+  (check-frame 'plot-point f)
+  (add-dot! 'plot-point f color size label
+            (coordinate-of 'plot-point (lambda () "x") x)
+            (coordinate-of 'plot-point (lambda () "y") y)))
+
+(define-plain (plot-line f x1 y1 x2 y2
+                         #:color [color 0] #:width [width 1] #:style [dash 'solid]
+                         #:label [label #f])
+  (check-frame 'plot-line f)
+  (define ends
+    (for/list ([x (in-list (list x1 y1 x2 y2))] [what (in-list '("x1" "y1" "x2" "y2"))])
+      (coordinate-of 'plot-line (lambda () what) x)))
+  (apply add-line! 'plot-line f color width dash label ends))
+
+(define-plain (plot-function f function from to [step #f]
+                             #:color [color 0] #:width [width 1] #:style [dash 'solid]
+                             #:label [label #f])
+  (check-frame 'plot-function f)
+  (check-function 'plot-function function 1)
+  (draw-curve 'plot-function f (make-style 'plot-function 'curve color width dash label)
+              (range 'plot-function from to step)
+              (lambda (x what) (values x (coordinate-of 'plot-function what (function x))))))
+
+(define-plain (plot-parametric f curve from to [step #f]
+                               #:color [color 0] #:width [width 1] #:style [dash 'solid]
+                               #:label [label #f])
+  (check-frame 'plot-parametric f)
+  (check-function 'plot-parametric curve 1)
+  (draw-curve 'plot-parametric f (make-style 'plot-parametric 'curve color width dash label)
+              (range 'plot-parametric from to step)
+              (lambda (t what) (plane-point 'plot-parametric what (curve t)))))
+
+;; Where no step is given there are 500.
+(define (range who from to step)
+  (define a (check-number who "the start" from))
+  (define b (check-number who "the end" to))
+  (parameters who a b
+              (cond [step (check-number who "the step" step)]
+                    [(= a b) 1.0]
+                    [else (/ (abs (- b a)) 500)])))
+
+;; at : number, -> string  ->  two flonums.  All is computed before any of it is drawn.
+(define (draw-curve who f style numbers at)
+  (check-open who f)
+  (define points (make-points))
+  (for ([t (in-list numbers)])
+    (define-values (x y) (at t (lambda () (format "the value at ~a" t))))
+    (add-point! points x y))
+  (add-layer! who f style points))
+
+;; ---------------------------------------------------------------------------
+
+;; Points of a curve, as close as `near?` demands: what lies between two that are not
+;; near is filled in by halving, until there is no number between.
+(define-plain (plot-parametric-fill f curve from to [near? (near-in f)]
+                                    #:color [color 0] #:size [size 1.5] #:label [label #f])
+  (define who 'plot-parametric-fill)
+  (check-open who f)
+  (check-function who curve 1)
+  (check-function who near? 2)
+  (define drawn 0)
+  (define (at t)
+    (define point (curve t))
+    (define-values (x y) (plane-point who (lambda () (format "the value at ~a" t)) point))
+    (set! drawn (+ drawn 1))
+    (when (> drawn most-points) (raise-never-near who near?))
+    (add-dot! who f color size label x y)
+    (and (rational? x) (rational? y) point))
+  (define (together? p q) (if (and p q) (near? p q) (eq? p q)))    ; nothing is near nothing
+  (define a (check-number who "the start" from))
+  (define b (check-number who "the end" to))
+  (let fill ([a a] [at-a (at a)] [b b] [at-b (at b)])
+    (define m (fl* 0.5 (fl+ a b)))
+    (unless (or (fl= m a) (fl= m b))
+      (define at-m (at m))
+      (unless (and (together? at-a at-m) (together? at-m at-b))
+        (fill a at-a m at-m)
+        (fill m at-m b at-b)))))
+
+;; More than these are asked for by a nearness that no two points have, and would fill the memory.
+(define most-points 1000000)
+
+(define (raise-never-near who near?)
+  (complain who
+            (string-append "the curve has more than ~a points before all neighbours are near"
+                           "\n  near: ~a\n  (plane-near? 0.01) takes points for near that are less "
+                           "than 0.01 apart")
+            most-points (value->text near?)))
+
+;; Are two points closer than about a pixel?
+(define (near-in f)
+  (check-frame 'plot-parametric-fill f)
+  (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
+  (define dx (/ (- x-max x-min) 300))
+  (define dy (/ (- y-max y-min) 300))
+  (define (point p) (plane-point 'plot-parametric-fill (lambda () "a point") p))
+  (lambda (p q)
+    (define-values (x1 y1) (point p))
+    (define-values (x2 y2) (point q))
+    (and (<= (abs (- x1 x2)) dx) (<= (abs (- y1 y2)) dy))))

@@ -1,0 +1,167 @@
+#lang racket/base
+;; Frames: windows of the plane that hold what was drawn in them (SICM 1.4, p. 23).
+;;
+;; Drawing only records; a picture is made when one is asked for, as where a frame is
+;; printed in DrRacket.  So a monitor may draw ten thousand points without a delay, on
+;; a machine without a display.  Whoever changes a frame holds its lock, and breaks wait
+;; until the change is complete; user's code is never called meanwhile.
+;;
+;; A frame on a page of Scribble is serialized where it is printed, hence shown as it
+;; was then.
+
+(require file/convertible
+         racket/serialize
+         "layer.rkt" "on-demand.rkt" "points.rkt" "style.rkt" "view.rkt"
+         "../display/picture-advice.rkt"
+         "../../generic/define-plain.rkt" "../../generic/value-struct.rkt"
+         "../../generic/wrong-argument.rkt")
+
+(provide
+ frame frame?
+ frame-points frame-curves
+ graphics-clear graphics-close
+ ;; for drawing
+ check-frame check-open frame-bounds add-dot! add-line! add-layer!
+ ;; for showing
+ frame-view frame-now frame-version frame-on-close set-frame-on-close! frame->bytes)
+
+;; layers : latest first; version : number of changes; on-close : -> any, or #f
+(value-struct frame (view lock [layers #:mutable] [closed? #:mutable]
+                          [version #:mutable] [on-close #:mutable])
+  #:text frame->text
+  #:constructor-name new-frame
+  #:omit-define-syntaxes
+  #:property prop:advice
+  (lambda (f)
+    "to see a frame f: (graphics-show f), or (graphics-save f \"picture.png\")")
+  #:property prop:convertible
+  (lambda (f request default)
+    (cond [(eq? request 'text) (frame->text f)]
+          [(can-draw?) (frame->bytes f request default)]
+          [else default]))
+  #:property prop:serializable
+  (make-serialize-info (lambda (f) (vector (frame->datum f))) #'frame-deserialize-info #f
+                       (or (current-load-relative-directory) (current-directory))))
+
+(define-plain (frame x-min x-max y-min y-max
+                     #:title [title #f] #:x-label [x-label #f] #:y-label [y-label #f]
+                     #:width [width 400] #:height [height 400]
+                     #:aspect-ratio [aspect-ratio #f])
+  (new-frame (make-view (list x-min x-max y-min y-max) title x-label y-label
+                        width height aspect-ratio)
+             (make-semaphore 1) '() #f 0 #f))
+
+(define (check-frame who f)
+  (unless (frame? f)
+    (complain-of-argument who "a frame, such as (frame 0 1 -1 1)" f)))
+
+;; Complains before anything is computed for a frame that is closed.
+(define (check-open who f)
+  (check-frame who f)
+  (when (frame-closed? f) (raise-closed who f)))
+
+(define (raise-closed who f)
+  (raise-arguments-error who "the frame is closed; make a new one to draw in" "frame" f))
+
+(define (frame-bounds f) (view-bounds (frame-view f)))
+
+;; ---------------------------------------------------------------------------
+;; Changes
+
+(define-syntax-rule (change! who f body ...)
+  (begin
+    (check-frame who f)
+    (unless (parameterize-break #f
+              (call-with-semaphore
+               (frame-lock f)
+               (lambda ()
+                 (cond [(frame-closed? f) #f]
+                       [else
+                        body ...
+                        (set-frame-version! f (+ 1 (frame-version f)))
+                        #t]))))
+      (raise-closed who f))))
+
+(define-plain (graphics-clear f)
+  (change! 'graphics-clear f (set-frame-layers! f '())))
+
+;; What was drawn stays; nothing more can be.
+(define-plain (graphics-close f)
+  (check-frame 'graphics-close f)
+  (set-frame-closed?! f #t)
+  (define on-close (frame-on-close f))
+  (set-frame-on-close! f #f)
+  (when on-close (on-close)))
+
+(define (add-layer! who f style data)
+  (change! who f (set-frame-layers! f (cons (layer style data) (frame-layers f)))))
+
+;; Points of one style are one layer, and so are lines.  What lies outside is no dot.
+(define (add-dot! who f color size label x y)
+  (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
+  (change! who f
+           (define points (layer-points! who f 'points color size 'solid label))
+           (when (and (<= x-min x x-max) (<= y-min y y-max))
+             (add-point! points x y))))
+
+(define (add-line! who f color width dash label x1 y1 x2 y2)
+  (change! who f
+           (define points (layer-points! who f 'lines color width dash label))
+           (add-point! points x1 y1)
+           (add-point! points x2 y2)
+           (add-point! points +nan.0 +nan.0)))
+
+(define (layer-points! who f kind color size dash label)
+  (define found
+    (for/first ([l (in-list (frame-layers f))]
+               #:when (style-is? (layer-style l) kind color size dash label))
+      l))
+  (layer-data
+   (or found
+       (let ([l (layer (make-style who kind color size dash label) (make-points))])
+         (set-frame-layers! f (cons l (frame-layers f)))
+         l))))
+
+;; ---------------------------------------------------------------------------
+;; The present picture
+
+;; Layers from below to above, which later drawing does not change.  No lock is needed.
+(define (frame-now f) (layers-now (reverse (frame-layers f))))
+
+(define-plain (frame-points f)
+  (check-frame 'frame-points f)
+  (for*/list ([l (in-list (frame-now f))] #:when (eq? (layer-kind l) 'points)
+              [v (in-list (snapshot->vectors (layer-data l)))])
+    v))
+
+(define-plain (frame-curves f)
+  (check-frame 'frame-curves f)
+  (for*/list ([l (in-list (frame-now f))] #:when (memq (layer-kind l) '(curve lines))
+              [c (in-list (snapshot->curves (layer-data l)))])
+    c))
+
+(define (frame->text f)
+  (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
+  (format "(frame x from ~a to ~a, y from ~a to ~a: ~a)"
+          x-min x-max y-min y-max (layers->text (frame-now f))))
+
+(define (frame->bytes f format [default #f])
+  (picture-bytes (frame-view f) (frame-now f) format default))
+
+;; ---------------------------------------------------------------------------
+;; Frames in files
+
+(define (frame->datum f)
+  (list (view->datum (frame-view f)) (frame-closed? f) (map layer->datum (frame-now f))))
+
+(define (datum->frame datum)
+  (define-values (view closed? layers) (apply values datum))
+  (new-frame (datum->view view) (make-semaphore 1) (reverse (map datum->layer layers))
+             closed? 0 #f))
+
+(define frame-deserialize-info
+  (make-deserialize-info datum->frame
+                         (lambda () (values (frame 0 1 0 1) void))))  ; never in a cycle
+
+(module+ deserialize-info
+  (provide frame-deserialize-info))

@@ -1,0 +1,44 @@
+#lang racket/base
+;; Files with what is to be seen, pictures and pages: what their names say, and writing them
+;; whole or not at all.
+
+(require racket/file
+         racket/path
+         "../../error/machine-limits.rkt"
+         "../../generic/wrong-argument.rkt")
+
+(provide format-of-file check-file write-file)
+
+;; formats : ((extension . format) ...), such as #".png"; listed : as a message lists them
+(define (format-of-file who file formats listed)
+  (unless (path-string? file) (complain-of-argument who "the name of a file" file))
+  (define extension (path-get-extension file))
+  (cond [(and extension (assoc (string->bytes/utf-8
+                                (string-downcase (bytes->string/utf-8 extension #\?)))
+                               formats))
+         => cdr]
+        [else
+         (raise-arguments-error
+          who (format "the name of the file says no format; it ends in ~a" listed)
+          "file" file)]))
+
+;; Complains before anything is computed; why-not : -> string or #f, if nothing can be drawn
+(define (check-file who file [why-not (lambda () #f)])
+  (define folder (path-only (path->complete-path file)))
+  (unless (directory-exists? folder)
+    (raise-not-written who "there is no such folder" file (path->string folder)))
+  (when (directory-exists? file)
+    (raise-not-written who "there is a folder of that name" file #f))
+  (define reason (why-not))
+  (when reason
+    (raise-not-written who "pictures cannot be drawn on this machine" file reason)))
+
+;; The file is written whole or not at all.
+(define (write-file who file bytes)
+  (define (failed e) (raise-not-written who "the file cannot be written" file (exn-message e)))
+  (with-handlers ([exn:fail:filesystem? failed])
+    (call-with-atomic-output-file file (lambda (port path) (void (write-bytes bytes port))))))
+
+(define (raise-not-written who what file reason)
+  (raise-unwritable who "~a\n  file: ~a~a" what file
+                    (if reason (format "\n  reason: ~a" reason) "")))

@@ -1,0 +1,44 @@
+#lang racket/base
+;; Motions drawn: one function of the state against another, or against the time.
+
+(require "coordinate.rkt" "draw.rkt" "frame.rkt" "style.rkt"
+         "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/function.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../motion/on-demand.rkt")
+
+(provide plot-trajectory)
+
+;; Points for each step of the integration, which is itself as long as the motion is
+;; smooth; and their least and greatest number.
+(define points-per-step 16)
+(define least-points 200)
+(define most-points 50000)
+
+;; (plot-trajectory f tr y) or (plot-trajectory f tr x y), x and y functions of the state
+(define-plain (plot-trajectory f tr a [b #f]
+                               #:color [color 0] #:width [width 1] #:style [dash 'solid]
+                               #:label [label #f])
+  (define who 'plot-trajectory)
+  (check-frame who f)
+  (unless (trajectory? tr)
+    (complain-of-argument who "a trajectory, such as evolve-trajectory gives" tr))
+  (for ([f (in-list (if b (list a b) (list a)))])
+    (unless (and (procedure? f) (accepts? f 1))
+      (raise-other-function who "a function of the state, such as coordinate" f)))
+  (define x (if b (lambda (t state) (a state)) (lambda (t state) t)))
+  (define y (or b a))
+  (draw-curve who f (make-style who 'curve color width dash label) (sample-times tr)
+              (lambda (t what)
+                (define state (tr t))
+                (values (coordinate-of who (lambda () (component "x" t)) (x t state))
+                        (coordinate-of who (lambda () (component "y" t)) (y state))))))
+
+(define (component name t) (format "~a at the time ~a" name t))
+
+(define (sample-times tr)
+  (define start (comparand (trajectory-start tr)))
+  (define end (comparand (trajectory-end tr)))
+  (define steps (- (length (trajectory-states tr)) 1))
+  (define count (max least-points (min most-points (* points-per-step steps))))
+  (for/list ([k (in-range (+ count 1))])
+    (if (= k count) end (+ start (* (- end start) (/ k count 1.0))))))

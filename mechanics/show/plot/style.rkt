@@ -1,0 +1,34 @@
+#lang racket/base
+;; How something is drawn, checked once, when it is.
+
+(require "layer.rkt" "on-demand.rkt"
+         "../../generic/wrong-argument.rkt")
+
+(provide make-style style-is?)
+
+(define dashes '(solid dot long-dash short-dash dot-dash))
+
+(define (make-style who kind color size dash label)
+  (unless (color? color)
+    (complain-of-argument
+     who "a color: a name such as 'red, a small integer, or a list of three bytes" color))
+  (unless (and (real? size) (<= 0 size 1000))
+    (complain-of-argument who "a size in pixels, from 0 to 1000" size))
+  (unless (memq dash dashes)
+    (complain-of-argument who (format "a line style, one of ~a" dashes) dash))
+  (unless (or (not label) (string? label))
+    (complain-of-argument who "a string as label, or #f" label))
+  (style kind color size dash label))
+
+(define (style-is? s kind color size dash label)
+  (and (eq? (style-kind s) kind)
+       (equal? (style-color s) color)
+       (equal? (style-size s) size)
+       (eq? (style-dash s) dash)
+       (equal? (style-label s) label)))
+
+;; Names are looked up in the drawing library's table, where there is one.
+(define (color? x)
+  (cond [(or (symbol? x) (string? x)) (or (not (can-draw?)) (color-name? x))]
+        [(list? x) (and (= (length x) 3) (andmap byte? x))]
+        [else (and (exact-integer? x) (< (abs x) 1000))]))

@@ -1,0 +1,53 @@
+#lang racket/base
+;; The window of the plane that a picture shows, its size on paper and what is written
+;; beside it.
+
+(require "../../generic/wrong-argument.rkt")
+
+(provide (struct-out view) make-view check-bounds view->datum datum->view)
+
+;; bounds : (list x-min x-max y-min y-max), flonums; width, height : pixels
+;; title, x-label, y-label : string or #f; aspect-ratio : positive real or #f
+(struct view (bounds title x-label y-label width height aspect-ratio))
+
+(define (make-view bounds title x-label y-label width height aspect-ratio)
+  (check-bounds 'frame bounds)
+  (for ([text (in-list (list title x-label y-label))])
+    (unless (or (not text) (string? text))
+      (complain-of-argument 'frame "a string as title or label, or #f" text)))
+  (for ([size (in-list (list width height))])
+    (unless (and (exact-positive-integer? size) (<= 50 size 10000))
+      (complain-of-argument 'frame "a size of 50 to 10000 pixels" size)))
+  (view (map real->double-flonum bounds) title x-label y-label width height
+        (ratio aspect-ratio bounds)))
+
+;; who : the procedure that was given them
+(define (check-bounds who bounds)
+  (for ([x (in-list bounds)]
+        [what (in-list '("least x" "greatest x" "least y" "greatest y"))])
+    (unless (and (real? x) (< (abs (real->double-flonum x)) +inf.0))
+      (complain-of-argument who (format "a real number as ~a" what) x)))
+  (define-values (x-min x-max y-min y-max) (apply values bounds))
+  (check-ascending who "x" x-min x-max)
+  (check-ascending who "y" y-min y-max))
+
+(define (check-ascending who axis low high)
+  (unless (< (real->double-flonum low) (real->double-flonum high))
+    (raise-arguments-error who (format "the least ~a is not below the greatest" axis)
+                           "least" low
+                           "greatest" high)))
+
+;; 'equal: one unit is as long on both axes.
+(define (ratio aspect-ratio bounds)
+  (define-values (x-min x-max y-min y-max) (apply values bounds))
+  (cond [(eq? aspect-ratio 'equal) (/ (- x-max x-min) (- y-max y-min))]
+        [(or (not aspect-ratio) (and (real? aspect-ratio) (< 0 aspect-ratio +inf.0)))
+         aspect-ratio]
+        [else (complain-of-argument 'frame "'equal, a positive ratio of width to height, or #f"
+                                    aspect-ratio)]))
+
+(define (view->datum v)
+  (list (view-bounds v) (view-title v) (view-x-label v) (view-y-label v)
+        (view-width v) (view-height v) (view-aspect-ratio v)))
+
+(define (datum->view fields) (apply view fields))

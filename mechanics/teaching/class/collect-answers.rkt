@@ -1,0 +1,103 @@
+#lang racket/base
+;; The answers of one submission, collected from a process of its own.
+;;
+;; The process may cost so many seconds (process-cost.rkt), two thirds of what a submission may, the rest
+;; being for its judgments; and it may write so much.  Then it is ended, with whatever it started.
+;; Nothing that it writes is run.
+
+(require racket/match
+         racket/port
+         "answer-lines.rkt" "process-cost.rkt" "evaluate.rkt" "isolation.rkt"
+         "../worksheet/exercise.rkt")
+
+(provide collect-answers collected-from (struct-out collected))
+
+;; answers : hasheq of answers (answer-lines.rkt), by name
+;; problem : why there are not more, or #f
+;; spent   : seconds, what the program has cost
+(struct collected (answers problem spent) #:transparent)
+
+(define most-output 250000)
+
+;; exercises : of the worksheet; text : the program -> collected
+(define (collect-answers i exercises text)
+  (define custodian (make-custodian))
+  (dynamic-wind
+   void
+   (lambda ()
+     (parameterize ([current-custodian custodian])
+       (run i (request->text i exercises text))))
+   (lambda () (custodian-shutdown-all custodian))))
+
+(define (seconds-to-run i) (* 2/3 (isolation-seconds i)))
+
+(define (request->text i exercises text)
+  (define bare (for/list ([e (in-list exercises)]) (without-key e)))
+  (format "~s\n" (request (and (not (waits-known?)) (seconds-to-run i))
+                          (isolation-megabytes i) bare text)))
+
+;; What tells how an answer is applied, and no more.
+(define (without-key e)
+  (exercise (exercise-name e) (exercise-kind e) "" (exercise-coordinates e)
+            (for/hasheq ([(name value) (in-hash (exercise-settings e))]
+                         #:when (memq name '(arguments Hamiltonian)))
+              (values name value))
+            #f 0 '() '() #f))
+
+(define (run i request)
+  (define-values (process out in err)
+    (start-isolated i '("-l" "racket/base" "-l" "mechanics/teaching/class/evaluate-main")))
+  (thread (lambda ()
+            (with-handlers ([exn:fail? void]) (write-string request in) (close-output-port in))))
+  (thread (lambda () (copy-port err (open-output-nowhere))))
+  (define-values (id nested?) (values (subprocess-pid process) (isolation-complete? i)))
+  (define-values (text end spent)
+    (read-within (seconds-to-run i) out (read-cost id nested?)
+                 (lambda (last) (read-on last id nested?))))
+  (define ended? (and (eq? end 'done) (sync/timeout 1 process)))
+  (define failed? (and ended? (not (eqv? 0 (subprocess-status process)))))
+  (subprocess-kill process #t)
+  (collected-from text (if failed? 'ended end) spent))
+
+;; text : what the process wrote; how : it ended, done, ended, late or long
+(define (collected-from text how [spent 0])
+  (define found (read-answer-lines text))
+  (collected (hash-remove (hash-remove found '*program*) '*ready*) (problem-of found how) spent))
+
+;; start : a reading; read-on : of the last one, what it is now
+;; -> text, how it ended, done, late or long, and what it cost since it had loaded the library
+;; and read what it is asked, which it says
+(define (read-within seconds in start read-on)
+  (define buffer (make-bytes 65536))
+  (let loop ([parts '()] [size 0] [start start] [now start])
+    (define cost (cost-between start now))
+    (define (ended how)
+      (values (bytes->string/utf-8 (apply bytes-append (reverse parts)) #\?) how cost))
+    (define n (sync/timeout pulse (read-bytes-avail!-evt buffer in)))
+    (cond [(eof-object? n) (ended 'done)]
+          [(> cost (if (null? parts) longest-start seconds)) (ended 'late)]
+          [(not n) (loop parts size start (read-on now))]
+          [(> (+ size n) most-output) (ended 'long)]
+          [else
+           (define later (read-on now))
+           (loop (cons (subbytes buffer 0 n) parts) (+ size n)
+                 (if (null? parts) later start) later)])))
+
+(define longest-start 60)        ; seconds
+(define pulse 1/5)               ; seconds, how often its cost is looked at
+
+;; A program that was stopped, or did not run at all.  What is said of the program may be the
+;; program's own invention, and of any form.
+(define (problem-of found end)
+  (define program
+    (match (hash-ref found '*program* #f)
+      [(list 'failed (? string? why)) why]
+      [_ #f]))
+  (cond [(eq? end 'late) "it took too long, and was stopped"]
+        [(and (eq? end 'ended) (hash-has-key? found '*ready*))
+         "it took too long, or too much memory, and was stopped"]
+        [(eq? end 'long) "it wrote without end, and was stopped"]
+        [program (string-append "it does not run: " program)]
+        [(not (hash-has-key? found '*ready*)) "Racket could not be started for it"]
+        [(= 1 (hash-count found)) "it ended without an answer"]
+        [else #f]))

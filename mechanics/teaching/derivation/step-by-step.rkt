@@ -1,0 +1,50 @@
+#lang racket/base
+;; Derivations as values: steps with what each came to, and a verdict on each: was it found in
+;; another way as well, or else, is what is shown what was computed?
+
+(require (only-in racket/string string-join)
+         "../../generic/describe.rkt" "../../generic/notation.rkt" "../../generic/value-struct.rkt"
+         "../../value/simplify.rkt"
+         "../../verdict/prove-zero.rkt" "../../verdict/verdict.rkt")
+
+(provide (struct-out step) derivation derivation? derivation-lines make-step)
+
+;; label : datum; value : simplified
+(struct step (label value verdict) #:authentic)
+
+(define (make-step label value [verdict #f])
+  (define shown (simplify value))
+  (step label shown (or verdict (verify-equal value shown))))
+
+;; lines : steps
+(value-struct derivation (lines)
+  #:text (lambda (d) (derivation->text d))
+  #:notation (lambda (d see) (derivation-notation d see)))
+
+(define (derivation->text d)
+  (string-join
+   (for/list ([s (in-list (derivation-lines d))])
+     (format "~a\n  ~a\n  ~a" (value->text (step-label s)) (value->text (step-value s))
+             (string-join (map car (grounds s)) "\n  ")))
+   "\n"))
+
+(define (derivation-notation d see)
+  (apply statement
+         (apply append
+                (for/list ([s (in-list (derivation-lines d))])
+                  (cons (list 0 "" (tree:relation (tree:datum (step-label s)) "="
+                                                  (see (step-value s))))
+                        (for/list ([g (in-list (grounds s))])
+                          (if (cdr g)
+                              (list 1 "assuming" (tree:datum (cdr g)))
+                              (list 1 (car g)))))))))
+
+;; The verdict in a word, and what it rests on: (text . datum), #f for the word.
+(define (grounds s)
+  (define v (step-verdict s))
+  (cons (cons (if (proved? v)
+                  "proved"
+                  (format "~a: it leaves ~a" (verdict-status v) (value->text (verdict-residual v))))
+              #f)
+        (for/list ([a (in-list (verdict-assumptions v))])
+          (cons (format "assuming ~a" (value->text a)) a))))

@@ -1,0 +1,85 @@
+#lang racket/base
+;; Answers as data, and back.
+;;
+;; Where the student's program runs an answer is applied to the symbols that its kind
+;; prescribes, and what comes of that is written down; where it is judged it is read as an
+;; expression, never run.  What is written down is a list:
+;;
+;;   (answer datum)   (text "...")   (unanswered)   (failed "why")
+
+(require racket/list
+         (only-in racket/string string-trim)
+         "answer-bounds.rkt"
+         "../../algebra/expression/expression.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"
+         "../../value/matrix/matrix.rkt" "../../value/read-expression.rkt" "../../value/shape.rkt")
+
+(provide unanswered unanswered? answer->datum text-answer->datum datum->answer apply-rounds
+         longest-text)
+
+;; What a hole in a student's file holds.
+(struct no-answer ()
+  #:property prop:custom-write (lambda (x port mode) (write-string "unanswered" port)))
+(define unanswered (no-answer))
+(define (unanswered? x) (eq? x unanswered))
+
+(define longest-text 4000)
+
+;; rounds : of arguments, the lists that it is applied to one after the other.  An error of the
+;; answer's own is what came of it.
+(define (answer->datum x rounds)
+  (cond [(or (unanswered? x) (void? x)) '(unanswered)]
+        [else (with-handlers ([exn:fail? (lambda (e) (list 'failed (exn-message e)))])
+                (applied x rounds))]))
+
+(define (applied x rounds)
+  (define value (apply-rounds x rounds))
+  (define d (and (value? value) (value->datum value)))
+  (define why (if d (why-not-an-answer d) (not-a-value value)))
+  (if why (list 'failed why) (list 'answer d)))
+
+(define (text-answer->datum x)
+  (cond [(unanswered? x) '(unanswered)]
+        [(not (string? x)) '(failed "it is no text; a text stands in quotation marks")]
+        [(string=? "" (string-trim x)) '(unanswered)]
+        [(> (string-length x) longest-text)
+         (list 'failed (format "it has more than ~a characters" longest-text))]
+        [else (list 'text x)]))
+
+;; The inverse of answer->datum, of what anybody may have written.
+(define (datum->answer d)
+  (define why (why-not-an-answer d))
+  (when why (complain 'answer "~a" why))
+  (read-expression d))
+
+;; ---------------------------------------------------------------------------
+;; Application
+
+;; An expression in the symbols themselves is taken as it is, and so is a function of all
+;; arguments at once.
+(define (apply-rounds f rounds)
+  (cond [(or (null? rounds) (not (function? f))) f]
+        [(accepts? f (length (car rounds))) (apply-rounds (apply f (car rounds)) (cdr rounds))]
+        [(accepts? f (length (append* rounds))) (apply f (append* rounds))]
+        [else (complain 'answer "the function takes ~a; here it is applied to ~a"
+                        (arity->text f) (arguments->text (car rounds)))]))
+
+(define (arguments->text xs)
+  (apply string-append (add-between (map value->text xs) " and ")))
+
+;; Tuples can be applied, too; one of expressions is a value.
+(define (function? x)
+  (if (tuple? x)
+      (ormap function? (scalars x))
+      (procedure? x)))
+
+(define (value? x)
+  (if (matrix? x)
+      #t
+      (for/and ([s (in-list (scalars x))]) (expression? s))))
+
+(define (not-a-value x)
+  (cond [(and (procedure? x) (not (tuple? x)))
+         "it is a function where an expression is expected: it takes one argument more"]
+        [else (format "it is ~a" (describe x))]))

@@ -1,0 +1,119 @@
+#lang racket/base
+;; Common slips, recognized: in what way a wrong answer differs from the key.
+;;
+;; Each is a claim that is proved before it is told: that the answer is the key with the other
+;; sign, that it lacks one of its terms, and so on.
+
+(require racket/list
+         "answer-parts.rkt" "judge-equations.rkt" "prescribed-symbols.rkt"
+         "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
+         "../../value/read-expression.rkt" "../../value/rewrite.rkt" "../../value/shape.rkt"
+         "../../value/simplify.rkt" "../../value/structure.rkt")
+
+(provide slip-of-values slip-of-equations slip-of-number unknown-names)
+
+;; -> a string or #f
+(define (slip-of-values key answer)
+  (cond [(alike? key answer) (slip-of-parts (scalars key) (scalars answer))]
+        [(not (= (shape-length key) (shape-length answer))) #f]
+        [(and (tuple? key) (tuple? answer) (alike? key (turned answer)))
+         (if (same? key (turned answer))
+         "the components are right, but up and down are exchanged"
+         "up and down are exchanged")]
+        [else #f]))
+
+(define (turned x)
+  (define parts (list->up (structure->list x)))
+  (if (up? x) (flip parts) parts))
+
+(define (slip-of-parts ks as)
+  (define ds (for/list ([k (in-list ks)] [a (in-list as)]) (simplify (g:- a k))))
+  (define (all? claim?) (andmap claim? ks as))
+  (cond [(all? (lambda (k a) (same? a (g:negate k)))) "the sign is the opposite"]
+        [(constant-factor ks as)
+         => (lambda (c) (format "it is right but for a factor: it is ~a times what it should be"
+                                (value->text c)))]
+        [(and (pair? (cdr ks)) (permuted? ks as)) "the components are exchanged"]
+        [else (for/or ([k (in-list ks)] [d (in-list ds)] #:unless (zero-value? d))
+                (slip-of-terms k d))]))
+
+(define (permuted? ks as)
+  (and (<= (length ks) 4)
+       (for/or ([p (in-permutations ks)])
+         (andmap same? p as))))
+
+;; A number by which the answer is the key, or #f.
+(define (constant-factor ks as)
+  (define ratio
+    (for/first ([k (in-list ks)] [a (in-list as)] #:unless (zero-value? k))
+      (simplify (g:/ a k))))
+  (and ratio (number? ratio) (not (zero? ratio))
+       (andmap (lambda (k a) (same? a (g:* ratio k))) ks as)
+       ratio))
+
+;; d : what the answer has too much
+(define (slip-of-terms key d)
+  (define terms (terms-of key))
+  (define (ratio-to t) (and (not (zero-value? t)) (simplify (g:/ d t))))
+  (define ratios (filter number? (map ratio-to terms)))
+  (cond [(or (null? terms) (null? (cdr terms))) #f]
+        [(memv -2 ratios) "one term has the opposite sign"]
+        [(memv -1 ratios) "a term is missing"]
+        [(pair? ratios) "one term has another factor than it should"]
+        [else #f]))
+
+(define (terms-of e)
+  (define d (value->datum (expand e)))
+  (if (and (pair? d) (eq? (car d) '+)) (map read-expression (cdr d)) (list e)))
+
+;; ---------------------------------------------------------------------------
+;; Equations of motion
+
+;; right? : does an answer, in symbols of the long tuple, agree with the key?
+(define (slip-of-equations names key answer right?)
+  (define long (structure->list (long-tuple-of names)))
+  (define-values (q v a) (apply values (map scalars (cdr long))))
+  (define (with from to) (replace answer (map cons from to)))
+  (cond [(right? (with v a)) "a first derivative stands where a second one should"]
+        [(right? (with q v)) "a derivative is missing: a coordinate stands for its velocity"]
+        [(right? (with q a)) "a second derivative is missing"]
+        [(and (pair? (cdr names))
+              (right? (with (append q v a) (append (turn q) (turn v) (turn a)))))
+         "the coordinates are exchanged"]
+        [else (slip-of-accelerations key answer names)]))
+
+(define (turn xs) (append (cdr xs) (list (car xs))))
+
+;; The accelerations that both give are compared.
+(define (slip-of-accelerations key answer names)
+  (define-values (k a) (values (accelerations-by key names) (accelerations-by answer names)))
+  (and k a (slip-of-parts k a)))
+
+;; ---------------------------------------------------------------------------
+;; Numbers
+
+(define (slip-of-number k a within?)
+  (define (is? x) (within? x a))
+  (cond [(or (zero? k) (zero? a)) #f]
+        [(is? (- k)) "the sign is the opposite"]
+        [(for/or ([n (in-range 1 10)]) (or (is? (* k (expt 10. n))) (is? (/ k (expt 10. n)))))
+         "it is off by a power of ten: is it in the unit asked for?"]
+        [(or (is? (* k 57.29577951308232)) (is? (/ k 57.29577951308232)))
+         "degrees and radians are mixed up"]
+        [(or (is? (* 2 k)) (is? (/ k 2))) "it is off by a factor 2"]
+        [(or (is? (* k 6.283185307179586)) (is? (/ k 6.283185307179586)))
+         "it is off by a factor 2π: angular frequency, frequency and period differ"]
+        [(is? (/ k)) "it is the reciprocal"]
+        [(is? (* k k)) "it is the square"]
+        [(and (positive? k) (is? (sqrt k))) "it is the square root"]
+        [(< (abs (- a k)) (* 1/10 (abs k))) "it is near, but not within the tolerance"]
+        [else #f]))
+
+;; ---------------------------------------------------------------------------
+
+;; Symbols in the answer that the question does not have.
+(define (unknown-names key answer others)
+  (define (names x) (append-map (lambda (e) (if (expression? e) (symbols-in e) '())) (scalars x)))
+  (define known (append others (names key)))
+  (remove-duplicates (filter (lambda (s) (not (memq s known))) (names answer))))

@@ -1,0 +1,152 @@
+#lang racket/base
+;; Equations of motion, up to a factor or a combination.
+;;
+;; The key's equations M a + b = 0 give the accelerations a of every motion.  An equation of
+;; the answer is right if it holds with these, whatever the state: no matter by which factor
+;; it was multiplied or to what others it was added.  The answer is right if all of its
+;; equations are, and they fix the accelerations as well.  What is true of every motion and
+;; fixes nothing, as 0 = 0, is trivial.
+;;
+;; Equations that are not linear in the accelerations may hold for other motions too, as
+;; (x'' + x)(x'' - x) = 0 does: they are left to a person.
+;;
+;; Where the key's equations do not give the accelerations, the answer's are compared with
+;; them one by one.
+
+(require "answer-parts.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
+         "../../calculus/derivative.rkt"
+         "../../error/message-words.rkt"
+         "../../generic/arithmetic.rkt"
+         "../../lagrangian/total-derivative.rkt"
+         "../../question/on-demand.rkt"
+         "../../value/matrix/linear-algebra.rkt" "../../value/matrix/matrix.rkt"
+         "../../value/shape.rkt" "../../value/simplify.rkt" "../../value/structure.rkt"
+         "../../verdict/prove-zero.rkt" "../../verdict/verdict.rkt")
+
+(provide judge-equations judge-Lagrangian accelerations-by Lagrangian-residual)
+
+(define (judge-equations e key answer)
+  (define names (exercise-coordinates e))
+  (judge-residuals names (along-path->symbols key names) (along-path->symbols answer names)))
+
+;; key, answer : in symbols of the long tuple
+(define (judge-residuals names key answer)
+  (define-values (n m) (values (shape-length key) (shape-length answer)))
+  (cond [(not (= n m))
+         (wrong #f (format "the answer has ~a, and the question ~a"
+                           (counted m "equation") (counted n "equation")))]
+        [else
+         (define a (accelerations-by key names))
+         (if a
+             (judge-along-motions names a n answer)
+             (judge-one-by-one key answer names))]))
+
+(define (judge-along-motions names a n answer)
+  (define M (mass-matrix-of answer names))
+  (define v
+    (prove-zero (as-one (scalars (along-motion answer a names)))
+                #:variables (scalars (long-tuple-of names))))
+  (cond [(refuted? v) (judge-those-that-hold names M n v)]
+        [(not (proved? v)) (undecided-judgment v)]
+        [(not (free-of-accelerations? M names))
+         (undecided-judgment #f "every motion obeys it, but it is not linear in the accelerations"
+                             "so other motions may obey it as well")]
+        [(all-zero? M)
+         (trivial v "it is true of every motion, and says nothing about the accelerations")]
+        [(= n (rank M)) (right v)]
+        [else (partly (/ (rank M) n) v "some of the equations say the same as others")]))
+
+;; Some do not hold.  Of the others each counts that says something of its own.
+(define (judge-those-that-hold names M n v)
+  (define hold
+    (for/list ([e (in-list (scalars (verdict-residual v)))] [i (in-naturals)]
+               #:when (proved? (prove-zero e)))
+      (for/list ([j (in-range (m:num-cols M))]) (matrix-ref M i j))))
+  (define those (and (pair? hold) (apply matrix-by-rows hold)))
+  (cond [(or (not those) (all-zero? those)) (wrong v)]
+        [(free-of-accelerations? those names) (partly (/ (rank those) n) v)]
+        [else
+         (undecided-judgment v (string-append "some of the equations are refuted, and one that "
+                                              "holds is not linear in the accelerations"))]))
+
+;; Multiples of the key's equations, each of its own.
+(define (judge-one-by-one key answer names)
+  (define v (verify-equal (as-one (scalars answer)) (as-one (scalars key))))
+  (define shares
+    (for/list ([k (in-list (scalars key))] [x (in-list (scalars answer))])
+      (if (multiple? k x names) 1 0)))
+  (define share (/ (apply + shares) (length shares)))
+  (if (= share 1)
+      (right v)
+      (judged-by (verdict-status v) v (lambda () share))))
+
+(define (multiple? k x names)
+  (or (same? k x)
+      (and (not (zero-value? k))
+           (let ([ratio (simplify (g:/ x k))])
+             (and (not (zero-value? ratio))
+                  (for/and ([s (in-list (scalars (long-tuple-of names)))])
+                    (zero-value? (rate ratio s))))))))
+
+(define (rate e symbol) (derivative-at (value-function e symbol) symbol))
+
+;; ---------------------------------------------------------------------------
+;; M a + b
+
+(define (acceleration-symbols names) (scalars (ref (long-tuple-of names) 3)))
+
+(define (mass-matrix-of E names)
+  (apply matrix-by-rows
+         (for/list ([e (in-list (scalars E))])
+           (for/list ([a (in-list (acceleration-symbols names))]) (simplify (rate e a))))))
+
+(define (all-zero? M)
+  (for*/and ([i (in-range (m:num-rows M))] [j (in-range (m:num-cols M))])
+    (zero-value? (matrix-ref M i j))))
+
+;; Are the equations linear in the accelerations?
+(define (free-of-accelerations? M names)
+  (for*/and ([i (in-range (m:num-rows M))] [j (in-range (m:num-cols M))]
+             [s (in-list (acceleration-symbols names))])
+    (zero-value? (rate (matrix-ref M i j) s))))
+
+;; E with the accelerations a, a list.
+(define (along-motion E a names)
+  (replace E (map cons (acceleration-symbols names) a)))
+
+;; The accelerations that the equations E = 0 give, a list; or #f if they do not, or are not
+;; linear in them.
+(define (accelerations-by E names)
+  (define M (mass-matrix-of E names))
+  (define symbols (acceleration-symbols names))
+  (and (free-of-accelerations? M names)
+       (= (m:num-rows M) (length symbols))
+       (not (zero-value? (determinant M)))
+       (let ([b (list->up (scalars (along-motion E (map (lambda (_) 0) symbols) names)))])
+         (map simplify (scalars (g:negate (solve-linear-left M b)))))))
+
+;; ---------------------------------------------------------------------------
+;; Lagrangians
+
+;; Lagrange's equations of L, an expression at the local tuple.
+(define (Lagrangian-residual L names)
+  ((Euler-Lagrange-operator (value-function L (local-tuple-of names))) (long-tuple-of names)))
+
+;; Up to a factor and a total time derivative, or whatever leaves the equations equivalent.
+(define (judge-Lagrangian e key answer)
+  (define names (exercise-coordinates e))
+  (define local (local-tuple-of names))
+  (define (residual L) (Lagrangian-residual L names))
+  (define found
+    (if (= 1 (shape-length answer))
+        (judge-residuals names (residual key) (residual answer))
+        (wrong #f "a Lagrangian has a single number as its value")))
+  (case (judgment-status found)
+    [(right)
+     (define v (verify-equivalent-Lagrangians (value-function key local)
+                                              (value-function answer local) local))
+     (judged-by (verdict-status v) v (lambda () 0))]
+    [(trivial)
+     (trivial (judgment-verdict found)
+              "its equations of motion are 0 = 0: it is a total time derivative")]
+    [else found]))

@@ -1,0 +1,142 @@
+#lang racket/base
+;; The judgment on an answer.
+;;
+;; An answer that is not right is held against the slips that the teacher foresaw, by the same
+;; judgment with the slip in place of the key; then against those that everybody makes
+;; (common-slips.rkt).
+
+(require racket/list
+         "answer-data.rkt" "answer-parts.rkt" "common-slips.rkt" "exercise.rkt"
+         "judge-equations.rkt" "judge-questions.rkt" "judge-values.rkt" "judgment.rkt"
+         "prescribed-symbols.rkt"
+         "../../algebra/expression/symbols.rkt"
+         "../../error/failure.rkt" "../../error/message-words.rkt"
+         "../../value/assumptions.rkt" "../../value/read-expression.rkt"
+         "../../value/shape.rkt"
+         "../../verdict/verdict.rkt")
+
+(provide judge)
+
+;; d : the answer as data (answer-data.rkt).  What anybody assumed does not matter here, but for
+;; what the exercise itself assumes.
+(define (judge e d)
+  (case (car d)
+    [(unanswered) (judgment 'unanswered 0 #f '())]
+    [(failed) (judgment 'failed 0 #f (cdr d))]
+    [(text) (if (eq? (exercise-kind e) 'reason)
+                (judgment 'kept #f #f '())
+                (judgment 'failed 0 #f '("it is a text where an expression is expected")))]
+    [else (if (keyless? e) (judgment 'kept #f #f '()) (judge-datum e (cadr d)))]))
+
+;; The student's copy may lack the key.
+(define (keyless? e)
+  (if (eq? (exercise-kind e) 'expects)
+      (not (setting e 'check))
+      (not (exercise-key e))))
+
+;; A datum that is no expression is the student's mistake; whatever goes wrong after it is read
+;; may be the teacher's or ours, and is left to a person.
+(define (judge-datum e d)
+  (define answer
+    (with-handlers ([exn:fail? (lambda (x) (judgment 'failed 0 #f (list (exn-message x))))])
+      (datum->answer d)))
+  (if (judgment? answer) answer (judge-answer e answer)))
+
+(define (judge-answer e answer)
+  (with-handlers ([exn:fail? not-judged])
+    (call-assuming (setting e 'assuming '())
+                   (lambda () (with-slips e answer (judged e (exercise-key e) answer))))))
+
+(define (not-judged x)
+  (undecided-judgment #f (string-append "it could not be judged: " (exn-message x))))
+
+;; key : a datum.  What the mathematics cannot answer is undecided.
+(define (judged e key answer)
+  (define judge-it
+    (case (exercise-kind e)
+      [(number) judge-number]
+      [(equations) judge-equations]
+      [(Lagrangian) judge-Lagrangian]
+      [(solution) judge-solution]
+      [(conserved) judge-conserved]
+      [(Hamiltonian) judge-Hamiltonian]
+      [(canonical) judge-canonical]
+      [(expects) judge-as-expected]
+      [else judge-value]))
+  (with-handlers ([exn:fail:mechanics? (lambda (x) (undecided-judgment #f (exn-message x)))])
+    (judge-it e (and key (read-expression key)) answer)))
+
+;; By the teacher's own procedure, which answers with a verdict or a truth value.
+(define (judge-as-expected e key answer)
+  (define found ((setting e 'check) answer))
+  (cond [(verdict? found) (judged-by (verdict-status found) found (lambda () 0))]
+        [found (right #f)]
+        [else (wrong #f)]))
+
+;; ---------------------------------------------------------------------------
+;; Slips
+
+;; A slip that cannot be compared leaves the judgment as it is.
+(define (with-slips e answer j)
+  (with-handlers ([exn:fail? (lambda (x) j)])
+    (explained e answer j)))
+
+(define (explained e answer j)
+  (cond [(not (memq (judgment-status j) '(wrong partly trivial))) j]
+        [(foreseen-slip e answer)
+         => (lambda (s)
+              (define share (max (judgment-share j) (slip-credit s)))
+              (with-message (struct-copy judgment j
+                                         [status (if (> share 0) 'partly (judgment-status j))]
+                                         [share share])
+                            (slip-message s)))]
+        [(eq? (judgment-status j) 'trivial) j]
+        [(common-slip e answer) => (lambda (text) (with-message j text))]
+        [else j]))
+
+(define (foreseen-slip e answer)
+  (for/first ([s (in-list (exercise-slips e))] #:when (slipped? e s answer)) s))
+
+;; Motions, integrals and maps are judged without the key; as slips they are compared.
+(define (slipped? e s answer)
+  (case (exercise-kind e)
+    [(solution conserved canonical expects) (same? (read-expression (slip-datum s)) answer)]
+    [else (eq? 'right (judgment-status (judged e (slip-datum s) answer)))]))
+
+(define (common-slip e answer)
+  (define key (and (exercise-key e) (read-expression (exercise-key e))))
+  (define names (exercise-coordinates e))
+  (define (right? x) (eq? 'right (judgment-status (judged e (exercise-key e) x))))
+  (define kind (if (and key (same? key answer)) 'key (exercise-kind e)))
+  (case kind
+    [(key reason expects) #f]           ; a key that is refuted has no slip in it that we know
+    [(number) (slip-of-number* e key answer)]
+    [(equations)
+     (or (slip-of-equations names (along-path->symbols key names)
+                            (along-path->symbols answer names) right?)
+         (strange-names e key answer))]
+    [(Lagrangian solution conserved canonical)
+     (or (slip-of-values key answer) (strange-names e key answer))]
+    [else (or (slip-of-values key answer) (strange-names e key answer))]))
+
+(define (slip-of-number* e key answer)
+  (define-values (k a) (values (real-value key) (real-value answer)))
+  (and k a (slip-of-number k a (lambda (x y) (within? e x y)))))
+
+;; A misspelt name is the most common mistake of all.
+(define (strange-names e key answer)
+  (define names (exercise-coordinates e))
+  (define usual
+    (append (setting e 'constants '())
+            (setting e 'arguments '())
+            (if (null? names)
+                '()
+                (append (scalars (long-tuple-of names)) (scalars (state-of names))))
+            (append-map names-in (filter values (list (setting e 'system) (setting e 'force))))))
+  (define found (unknown-names key answer usual))
+  (and (pair? found)
+       (format "it has ~a in it, of which the question does not speak"
+               (joined (map symbol->string found)))))
+
+(define (names-in d)
+  (append-map symbols-in (scalars (read-expression d))))

@@ -1,0 +1,159 @@
+#lang racket/base
+;; Exercises made of their clauses, as a teacher writes them.
+;;
+;; Whatever a clause computes is applied to the symbols of the exercise's kind, as an answer is,
+;; and kept as data.
+
+(require racket/list
+         "answer-data.rkt" (only-in "answer-parts.rkt" same?) "clause-names.rkt"
+         "exercise-kind.rkt" "exercise.rkt"
+         "prescribed-symbols.rkt"
+         "../../error/complain.rkt" "../../error/spelling.rkt"
+         "../../generic/describe.rkt"
+         "../../lagrangian/Lagrange-equations.rkt"
+         "../../value/read-expression.rkt")
+
+(provide make-exercise)
+
+;; clauses : lists of the name of a clause and its arguments
+(define (make-exercise name kind-name question clauses)
+  (check-clauses name kind-name question clauses)
+  (define (argument clause-name [otherwise #f])
+    (define c (assq clause-name clauses))
+    (if c (cadr c) otherwise))
+  (define names (rest-of 'coordinates clauses))
+  (define draft
+    (exercise name kind-name question names
+              (settings name names clauses argument)
+              #f (argument 'points 1) '()
+              (for/list ([c (in-list clauses)] #:when (eq? (car c) 'hint)) (make-hint name (cdr c)))
+              (and (not (assq 'no-practice clauses)) (not (eq? kind-name 'expects)))))
+  (define key-value (if (assq 'key clauses) (argument 'key) (usual-key draft argument)))
+  (define rounds (rounds-of draft))
+  (define key (and key-value (clause-datum name 'key key-value rounds)))
+  (when (eq? kind-name 'canonical) (check-moves-something name key names))
+  (struct-copy exercise draft
+               [key key]
+               [slips (for/list ([c (in-list clauses)] #:when (eq? (car c) 'slip))
+                        (make-slip name (cdr c) rounds))]))
+
+;; The equations of motion of a Lagrangian are known.
+(define (usual-key e argument)
+  (and (eq? (exercise-kind e) 'equations) (argument 'of) (Lagrange-equations (argument 'of))))
+
+(define (rest-of name clauses)
+  (define c (assq name clauses))
+  (if c (cdr c) '()))
+
+;; ---------------------------------------------------------------------------
+;; Clauses
+
+(define (settings name names clauses argument)
+  (define system (or (argument 'of-Hamiltonian) (argument 'of)))
+  (define (at-state f)
+    (clause-datum name 'of f (list (list (if (assq 'of-Hamiltonian clauses)
+                                             (state-of names)
+                                             (local-tuple-of names))))))
+  (define entries
+    (list
+     (cons 'system (and system (at-state system)))
+     (cons 'Hamiltonian (and (assq 'of-Hamiltonian clauses) #t))
+     (cons 'force (and (argument 'force) (at-state (argument 'force))))
+     (cons 'becomes (and (argument 'becomes)
+                         (clause-datum name 'becomes (argument 'becomes)
+                                       (list (list (state-of names))))))
+     (cons 'besides (map at-state (rest-of 'besides clauses)))
+     (cons 'starts (and (argument 'starts) (clause-datum name 'starts (argument 'starts) '())))
+     (cons 'arguments (rest-of 'arguments clauses))
+     (cons 'constants (rest-of 'constants clauses))
+     (cons 'assuming (rest-of 'assuming clauses))
+     (cons 'within (argument 'within))
+     (cons 'absolute (memq '#:absolute (rest-of 'within clauses)))
+     (cons 'unit (argument 'unit))
+     (cons 'check (argument 'expects))))
+  (for/hasheq ([entry (in-list entries)] #:unless (memv (cdr entry) '(#f ())))
+    (values (car entry) (cdr entry))))
+
+(define (clause-datum name clause x rounds)
+  (define d (answer->datum x rounds))
+  (unless (eq? (car d) 'answer)
+    (complain name "the clause `~a` is of no use: ~a" clause
+              (if (pair? (cdr d)) (cadr d) "it has no value")))
+  (cadr d))
+
+(define (make-slip name parts rounds)
+  (unless (and (>= (length parts) 2) (string? (cadr parts)))
+    (complain name "a slip is a wrong answer and what to say of it, (slip answer \"...\")"))
+  (define credit (keyword-value parts '#:credit 0))
+  (unless (and (real? credit) (<= 0 credit 1))
+    (complain name "the credit of a slip is a share of the points, from 0 to 1\n  given: ~a"
+              (value->text credit)))
+  (slip (clause-datum name 'slip (car parts) rounds) (cadr parts) credit))
+
+(define (make-hint name parts)
+  (unless (and (pair? parts) (string? (car parts)))
+    (complain name "a hint is a text, (hint \"...\") or (hint \"...\" #:after 2)"))
+  (define after (keyword-value parts '#:after 1))
+  (unless (exact-nonnegative-integer? after)
+    (complain name "a hint comes after a number of wrong answers, as in #:after 2\n  given: ~a"
+              (value->text after)))
+  (hint (car parts) after))
+
+(define (keyword-value parts keyword otherwise)
+  (define found (memq keyword parts))
+  (if (and found (pair? (cdr found))) (cadr found) otherwise))
+
+;; ---------------------------------------------------------------------------
+;; Complaints
+
+(define several-times '(hint slip))
+
+(define (check-clauses name kind-name question clauses)
+  (define k (for/first ([k (in-list kinds)] #:when (eq? kind-name (kind-name* k))) k))
+  (define (has? clause) (assq clause clauses))
+  (unless (string? question)
+    (complain name "the question is a text, behind the kind of the exercise\n  given: ~a"
+              (value->text question)))
+  (unless k
+    (complain name "there is no kind of exercise called ~a~a" kind-name
+              (among kind-name (map kind-name* kinds))))
+  (for ([c (in-list clauses)])
+    (unless (memq (car c) clause-names)
+      (complain name "there is no clause called ~a~a" (car c) (among (car c) clause-names))))
+  (define twice (check-duplicates (remq* several-times (map car clauses))))
+  (when twice (complain name "the clause `~a` stands there twice" twice))
+  (check-needed name k has?)
+  (check-numbers name clauses))
+
+(define kind-name* kind-name)
+
+(define (check-needed name k has?)
+  (define (need clause why) (unless (has? clause) (complain name "~a" why)))
+  (when (memq (kind-arguments k) '(path local state time))
+    (need 'coordinates "it needs the names of the coordinates, as in (coordinates theta)"))
+  (when (and (memq (kind-name k) '(solution conserved)) (not (has? 'of-Hamiltonian)))
+    (need 'of "it needs the system, as in (of L) for a Lagrangian L"))
+  (when (and (has? 'becomes) (not (has? 'of-Hamiltonian)))
+    (complain name "with (becomes K) it needs the Hamiltonian, as in (of-Hamiltonian H)"))
+  (when (eq? (kind-name k) 'expects)
+    (need 'expects "it needs the procedure that judges, as in (expects (lambda (answer) ...))"))
+  (when (and (kind-key? k) (not (and (eq? (kind-name k) 'equations) (has? 'of))))
+    (need 'key "it has no key, as in (key (sqrt (/ 'g 'l)))")))
+
+;; The identity would be called trivial, had a student answered with it.
+(define (check-moves-something name key names)
+  (when (same? (read-expression key) (state-of names))
+    (complain name (string-append "the key is the identity, which leaves every state where it "
+                                  "is: a canonical map is wanted that is not trivial"))))
+
+(define (check-numbers name clauses)
+  (define (refuse c wanted)
+    (complain name "~a\n  given: ~a" wanted (value->text (if (pair? (cdr c)) (cadr c) (cdr c)))))
+  (define (given-to c good?) (and (pair? (cdr c)) (good? (cadr c))))
+  (for ([c (in-list clauses)])
+    (case (car c)
+      [(points within)
+       (unless (given-to c (lambda (x) (and (real? x) (>= x 0))))
+         (refuse c (format "the clause `~a` takes a number that is not negative" (car c))))]
+      [(unit)
+       (unless (given-to c string?) (refuse c "the unit is a text, as in (unit \"s\")"))])))

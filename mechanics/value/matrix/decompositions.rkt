@@ -1,0 +1,76 @@
+#lang racket/base
+;; What a matrix is made of: eigenvectors and singular values.
+
+(require racket/flonum
+         racket/list
+         "eigenvalues.rkt" "linear-algebra.rkt" "matrix.rkt" "numeric-eigenvectors.rkt"
+         "../simplify.rkt" "../structure.rkt"
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
+         "../../numeric/flvector.rkt"
+         "../../numeric/linear-algebra/row-matrix.rkt" "../../numeric/linear-algebra/singular-values.rkt"
+         "../../numeric/linear-algebra/symmetric-eigenvalues.rkt")
+
+(provide eigenvectors svd)
+
+;; ---------------------------------------------------------------------------
+;; Eigenvectors
+
+;; A list of (eigenvalue eigenvector ...), the vectors up tuples.
+(define (eigenvectors m)
+  (define rows (or (square-entries 'eigenvectors m) (raise-no-matrix 'eigenvectors m)))
+  (cond [(not (inexact-entries? rows)) (vectors-of-null-spaces rows)]
+        [(symmetric? rows) (vectors-of-symmetric rows)]
+        [else
+         (define decimal (rows-map exact->inexact rows))
+         (numeric-eigenvectors decimal (eigenvalues (matrix decimal)))]))
+
+(define (inexact-entries? rows)
+  (and (all-entries? number? rows) (not (all-entries? exact? rows))))
+
+(define (symmetric? rows)
+  (and (all-entries? real? rows) (equal? rows (rows-transpose rows))))
+
+;; The vectors that the matrix less the eigenvalue maps to 0.
+(define (vectors-of-null-spaces rows)
+  (define m (matrix rows))
+  (for/list ([value (in-list (distinct (map simplify (eigenvalues m))))])
+    (cons value (map simplify (null-space (simplify (g:- m value)))))))
+
+(define (distinct values) (remove-duplicates values))
+
+(define (vectors-of-symmetric rows)
+  (define n (vector-length rows))
+  (define-values (found vectors)
+    (symmetric-eigenvalues
+     (for*/flvector #:length (* n n) ([row (in-vector rows)] [x (in-vector row)])
+       (real->double-flonum x))
+     n))
+  (for/list ([value (in-flvector found)] [i (in-naturals)])
+    (list value (apply up (for/list ([j (in-range n)]) (flvector-ref vectors (+ (* i n) j)))))))
+
+;; ---------------------------------------------------------------------------
+;; Singular values
+
+;; (list U values V) with A = U Σ Vᵀ, the values falling, the columns of U and V of unit
+;; length and orthogonal.
+(define (svd A)
+  (define rows
+    (cond [(matrix? A) (matrix-rows A)]
+          [(tuple? A) (square-entries 'svd A)]
+          [else (raise-no-matrix 'svd A)]))
+  (unless (all-entries? rational? rows)
+    (complain 'svd "expected a matrix of finite real numbers; given ~a" (describe-with-value A)))
+  (define wide? (> (row-length rows) (vector-length rows)))
+  (define-values (us values vs)
+    (singular-values (columns-of (if wide? (rows-transpose rows) rows))))
+  (define-values (u v)
+    (apply values-in-order wide? (map matrix-of-columns (list us vs))))
+  (list u values v))
+
+(define (values-in-order swapped? u v) (if swapped? (values v u) (values u v)))
+
+(define (matrix-of-columns columns) (apply matrix-by-columns (map flvector->list columns)))
+
+(define (raise-no-matrix who m)
+  (complain who "expected a matrix or a tuple of tuples; given ~a" (describe-with-value m)))

@@ -1,0 +1,131 @@
+#lang racket/base
+;; Functions of numbers that mathematical physics has names for.
+;;
+;; They are functions of numbers and not of expressions.  Derivatives are taken of those that
+;; have them in functions of this page: Γ' = Γ ψ, erf' x = 2 e^(−x²)/√π, W' = e^(−W)/(1 + W),
+;; Jₙ' = (Jₙ₋₁ − Jₙ₊₁)/2 (Abramowitz and Stegun, 6.3, 7.1, 9.1).
+
+(require (prefix-in math: (only-in math/special-functions
+                                   gamma log-gamma psi beta erf erfc zeta lambert))
+         (only-in racket/math nan?)
+         "series/coefficients.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
+         "../generic/elementary.rkt" "../generic/kind.rkt"
+         "../numeric/special/Bessel.rkt" "../numeric/constants.rkt")
+
+(provide gamma (rename-out [factorial-of factorial])
+         log-gamma beta erf erfc zeta Lambert-W
+         bessj bessj0 bessj1)
+
+;; ---------------------------------------------------------------------------
+;; Of numbers, and of what is being differentiated
+
+;; A function of a number, of which (slope x value) is the derivative.
+(define (lifted name numeric slope)
+  (define (value x)
+    (cond [(has-kind? x) (dispatch-unary op x)]
+          [else (check-real name x) (numeric x)]))
+  (define op (generic-op name #f value (list slope) #f '((0.3 0.9))))
+  value)
+
+(define (gamma x)
+  (if (has-kind? x) (smooth-gamma x) (gamma-of-number x)))
+
+(define (gamma-of-number x)
+  (check-real 'gamma x)
+  (check-not-pole 'gamma x)
+  (math:gamma x))
+
+(define (check-not-pole who x)
+  (when (and (rational? x) (integer? x) (<= x 0))
+    (complain who "there is a pole at 0, -1, -2, ...; given the number ~a" x)))
+
+;; The m-th derivative of log Γ, m > 0
+(define (polygamma m)
+  (lifted 'polygamma
+          (lambda (x) (math:psi (- m 1) (real->double-flonum x)))
+          (lambda (x value) ((polygamma (+ m 1)) x))))
+
+(define smooth-gamma
+  (lifted 'gamma
+          (lambda (x) (gamma-of-number x))
+          (lambda (x value) (g:* value ((polygamma 1) x)))))
+
+(define log-gamma
+  (lifted 'log-gamma
+          (lambda (x) (check-not-pole 'log-gamma x) (math:log-gamma (real->double-flonum x)))
+          (lambda (x value) ((polygamma 1) x))))
+
+;; B(x, y) = Γ(x) Γ(y)/Γ(x + y)
+(define (beta x y)
+  (cond [(or (has-kind? x) (has-kind? y))
+         (g:exp (g:- (g:+ (log-gamma x) (log-gamma y)) (log-gamma (g:+ x y))))]
+        [else
+         (for ([z (list x y)])
+           (check-real 'beta z)
+           (unless (> z 0) (complain 'beta "expected positive numbers; given ~a" z)))
+         (math:beta (real->double-flonum x) (real->double-flonum y))]))
+
+(define bell (/ 2.0 (sqrt pi)))
+(define (bell-at x) (g:* bell (g:exp (g:- 0 (g:* x x)))))
+
+(define erf
+  (lifted 'erf
+          (lambda (x) (math:erf (real->double-flonum x)))
+          (lambda (x value) (bell-at x))))
+
+(define erfc
+  (lifted 'erfc
+          (lambda (x) (math:erfc (real->double-flonum x)))
+          (lambda (x value) (g:- 0 (bell-at x)))))
+
+;; The branch W ≥ −1 of w e^w = x
+(define Lambert-W
+  (lifted 'Lambert-W
+          (lambda (x)
+            (unless (>= x (- (exp -1.0)))
+              (complain 'Lambert-W "expected a number from -1/e on; given ~a" x))
+            (math:lambert (real->double-flonum x)))
+          (lambda (x value) (g:/ (g:exp (g:- 0 value)) (g:+ 1 value)))))
+
+;; No derivative: racket/math has none of it.
+(define (zeta x)
+  (when (has-kind? x) (complain 'zeta "has no derivative here"))
+  (check-real 'zeta x)
+  (when (= x 1) (complain 'zeta "there is a pole at 1"))
+  (math:zeta (real->double-flonum x)))
+
+(define (factorial-of n)
+  (unless (exact-nonnegative-integer? n)
+    (complain 'factorial "expected a natural number; given ~a~a" (describe-with-value n)
+              (if (real? n) "; of other numbers x it is (gamma (+ x 1))" "")))
+  (factorial n))
+
+(define (bessj n x)
+  (unless (exact-integer? n)
+    (complain 'bessj "expected a whole order; given ~a" (describe-with-value n)))
+  (if (has-kind? x) (dispatch-unary (Bessel-operation n) x) (Bessel-of-number n x)))
+
+(define (Bessel-operation n)
+  (generic-op 'bessj #f (lambda (x) (bessj n x))
+              (list (lambda (x value) (g:* 1/2 (g:- (bessj (- n 1) x) (bessj (+ n 1) x)))))
+              #f '((0.3 0.9))))
+
+;; J of order n at x; of −n or at −x it is (−1)ⁿ times that.
+(define (Bessel-of-number n x)
+  (check-real 'bessj x)
+  (unless (< (abs x) most)
+    (complain 'bessj "expected a number below ~a in size; given ~a" most x))
+  (define value (Bessel-J (abs n) (abs (real->double-flonum x))))
+  (define turns (+ (if (negative? n) 1 0) (if (negative? x) 1 0)))
+  (if (and (odd? n) (odd? turns)) (- value) value))
+
+(define most 1e6)
+
+(define (bessj0 x) (bessj 0 x))
+(define (bessj1 x) (bessj 1 x))
+
+(define (check-real who x)
+  (unless (and (real? x) (not (nan? (real->double-flonum x))))
+    (complain who "expected a real number; given ~a" (describe-with-value x))))

@@ -1,0 +1,135 @@
+#lang racket/base
+;; Fixed and periodic points, and what maps do near them.
+
+(require (except-in rackunit fail)
+         (only-in racket/flonum flvector)
+         mechanics
+         mechanics/book
+         (only-in mechanics/dynamics/map/map-on-tuples make-map-on-tuples returns-after)
+         "../../support/close.rkt" "../../support/messages.rkt")
+
+(define (found map guess [period 1]) (find-fixed-point map guess #:period period))
+
+(test-case "of the standard map, where the formulas say, for several K"
+  (for ([K '(0.6 1.4 3.0)])
+    (define center (found (standard-map K) (up 3.0 0.1)))
+    (define saddle (found (standard-map K) (up 0.1 -0.1)))
+    (check-close (fixed-point-coordinates center) (up :pi 0) 1e-12)
+    (check-close (fixed-point-coordinates saddle) (up 0 0) 1e-12)
+    (check-equal? (map fixed-point-kind (list center saddle)) '(elliptic hyperbolic))
+    ;; the trace is 2 - K, and 2 + K
+    (check-close (fixed-point-rotation-angle center) (acos (- 1 (/ K 2))) 1e-12)
+    (check-close (+ (car (fixed-point-multipliers saddle)) (cadr (fixed-point-multipliers saddle)))
+                 (+ 2 K) 1e-12)
+    (check-false (fixed-point-rotation-angle saddle))
+    (check-close (map fixed-point-determinant (list center saddle)) '(1 1) 1e-12)))
+
+(test-case "multipliers at (0, 0), as published"
+  (check-close (fixed-point-multipliers (found (standard-map 1.4) (up 0 0)))
+               '(3.07477270848675 .325227291513248) 1e-13))
+
+(test-case "beyond K = 4 the center is a saddle that turns over"
+  (check-equal? (fixed-point-kind (found (standard-map 5.0) (up 3.1 0))) 'reflection-hyperbolic)
+  (check-equal? (fixed-point-kind (found (standard-map 4) (up :pi 0))) 'parabolic))
+
+(test-case "of motions: the pendulum whose pivot is shaken, stable at the bottom, or above"
+  (define (kinds A ratio)
+    (define T (driven-pendulum-map 1 1 9.8 A (* ratio (sqrt 9.8))))
+    (for/list ([theta '(0.01 3.14)]) (fixed-point-kind (found T (up theta 0)))))
+  (check-equal? (kinds .05 4.2) '(elliptic hyperbolic))
+  (check-equal? (kinds .1 2) '(reflection-hyperbolic hyperbolic))
+  (check-equal? (kinds .03 100) '(elliptic elliptic)))
+
+(test-case "of states: all but the time comes back"
+  (define omega (* 4.2 (sqrt 9.8)))
+  (define strobe (stroboscopic-map (H-pend-sysder 1 1 9.8 .05 omega) (/ :2pi omega)))
+  (define p (found strobe (up 0 3.0 0.1)))
+  (check-close (fixed-point-coordinates p) (up 0 :pi 0) 1e-12)
+  (check-close (apply + (fixed-point-multipliers p)) 4.63081658352 1e-10))
+
+(test-case "in more dimensions: a start of two oscillators, one of them unstable"
+  (define (T s) (up (* 2 (ref s 0)) (* 1/2 (ref s 1))))
+  (check-close (fixed-point-coordinates (found T (up 1 1))) (up 0 0) 1e-14)
+  (define (four s)
+    (define-values (a b c d) (values (ref s 1) (ref s 2) (ref s 3) (ref s 4)))
+    (up (+ 1 (ref s 0)) (* 2 a) (/ b 2) (- (* 0.6 c) (* 0.8 d)) (+ (* 0.8 c) (* 0.6 d))))
+  (define p (found four (up 0 1 1 1 1)))
+  (check-equal? (fixed-point-kind p) 'mixed)
+  (check-close (map magnitude (fixed-point-multipliers p)) '(2 1 1 1/2) 1e-12))
+
+(test-case "points of period 2 of the standard map: two chains, one of them elliptic"
+  (define two (periodic-points (standard-map 0.6) 2 (list 0 :2pi 0 :2pi)))
+  (check-equal? (map fixed-point-kind two) '(elliptic hyperbolic elliptic hyperbolic))
+  (check-close (map fixed-point-coordinates two)
+               (list (up 0 :pi) (up 1.4224439341263382 2.844887868252677) (up :pi :pi)
+                     (up 4.860741373053247 3.43829743892691))
+               1e-11)
+  (for ([p two])
+    (define T ((iterated-map (standard-map 0.6) 2) (abscissa (fixed-point-coordinates p))
+                                                   (ordinate (fixed-point-coordinates p))
+                                                   make-point void))
+    (check-true ((torus-near? 1e-10) T (fixed-point-coordinates p)))))
+
+(test-case "Poincaré and Birkhoff: an even number, half of them elliptic"
+  (define five (periodic-points (Henon-map 1.32) 5 (list -0.6 0.6 -0.6 0.6) #:grid '(30 30)))
+  (define kinds (map fixed-point-kind five))
+  (check-equal? (length (filter (lambda (k) (eq? k 'elliptic)) kinds)) 5)
+  (check-equal? (length (filter (lambda (k) (eq? k 'hyperbolic)) kinds)) 5))
+
+(test-case "a map that does not keep areas says so"
+  (define (dissipative x y return fail) (return (+ 1 y (* -1.4 x x)) (* 0.3 x)))
+  (define p (found dissipative (up 0.6 0.2)))
+  (check-close (fixed-point-determinant p) -0.3 1e-12)
+  (check-regexp-match #rx"areas are not kept: the determinant is -0[.]" (format "~a" p))
+  (define (sink x y return fail) (return (* 0.5 x) (* 0.3 y)))
+  (check-equal? (fixed-point-kind (found sink (up 1 1))) 'attracting))
+
+(test-case "what it prints"
+  (check-equal? (format "~a" (found (standard-map 0.5) (up 0 0)))
+                (string-append "hyperbolic point of period 1 at (up 0.0 0.0)\n"
+                               "  multipliers: (2.0 0.5)")))
+
+(define (sin-and-cos x y return fail) (return (sin x) (cos y)))
+(define (shift x y return fail) (return (+ x 1/3) y))
+
+(says
+ [(found sin-and-cos (up 1 2 3))
+  "find-fixed-point: expected a point (up x y) of real numbers; given (up 1 2 3), "
+  "an up tuple of 3"]
+ [(found 3 (up 1 2))
+  "find-fixed-point: expected a map of the plane, or a function of a state\n"
+  "  given: the number 3"]
+ [(find-fixed-point standard-map (up 3 0.1))
+  "find-fixed-point: the map gives another thing than it was given\n  map: standard-map\n"
+  "  of: (up 3.0 0.1)\n  value: standard-map\n"
+  "  parameters are supplied first: (standard-map ...)"]
+ [(find-fixed-point (lambda (x y return fail) (list y x)) (up 1 2))
+  "find-fixed-point: the map calls neither `return` nor `fail`\n  map: <function>\n"
+  "  point: (up 1.0 2.0)\n  value: (2.0 1.0)\n"
+  "  the image goes to the third argument: (return x y)"]
+ [(find-fixed-point shift (up 1 2) #:period 0)
+  "find-fixed-point: expected a period, a positive integer\n  given: the number 0"]
+ [(periodic-points shift 2 '(1 0 0 1))
+  "periodic-points: expected a region, (list x-min x-max y-min y-max)\n"
+  "  given: (1 0 0 1), a list"])
+
+(test-case "no fixed point"
+  (check-exn exn:fail:mechanics? (lambda () (found shift (up 0.6 0.2))))
+  (check-equal? (periodic-points shift 1 '(0 1 0 1)) '()))
+
+(test-case "whether the period is a lesser one costs one run through the greatest of its divisors"
+  (define runs 0)
+  (define (third-of-a-turn x y return fail)
+    (set! runs (+ runs 1))
+    (return (- (* -1/2 x) (* (sqrt 3/4) y)) (+ (* (sqrt 3/4) x) (* -1/2 y))))
+  (define m (make-map-on-tuples 'test third-of-a-turn (up 1.0 0.0) 12))
+  (define (back? d) (for/and ([z d]) (< (abs z) 1e-9)))
+  (set! runs 0)
+  (check-equal? (returns-after m (flvector 1.0 0.0) back?) '(3 6))
+  (check-equal? runs 6))
+
+(test-case "a point found with a multiple of its period has its own"
+  (for ([n '(2 4 6 12)])
+    (define p (found (standard-map 0.6) (up 0.1 3.0) n))
+    (check-equal? (fixed-point-period p) 2)
+    (check-close (fixed-point-coordinates p) (up 0 :pi) 1e-12)))

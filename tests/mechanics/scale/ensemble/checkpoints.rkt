@@ -1,0 +1,147 @@
+#lang racket/base
+;; Ensembles that are interrupted and taken up again, and checkpoints that are not theirs.
+
+(require racket/file
+         racket/port
+         racket/runtime-path
+         racket/system
+         (only-in racket/list take)
+         (except-in rackunit fail)
+         mechanics/book
+         mechanics
+         tests/mechanics/support/skip)
+
+(define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
+(define count 100)
+(define starts (for/list ([k count]) (up 0 (* 0.02 k) 0.1)))
+(define parameters (for/list ([k count]) (list 1.0 (+ 1 (* 0.01 k)) 9.8)))
+(define bottom (event (lambda (s) (ref s 1)) #:name 'bottom #:direction 'falling))
+
+(define (follow #:jobs [jobs 2] #:checkpoint [file #f] #:on-each [each void]
+                #:starts [starts starts] #:batch [batch 16])
+  (evolve-ensemble pendulum starts 5 #:parameters (take parameters (length starts)) #:jobs jobs
+                   #:batch batch #:checkpoint file #:on-each each))
+
+(define alone (follow #:jobs 1))
+
+(define-syntax-rule (with-file file body ...)
+  (let ([file (make-temporary-file "ensemble~a")])
+    (dynamic-wind void
+                  (lambda () (delete-file file) body ...)
+                  (lambda () (when (file-exists? file) (delete-file file))))))
+
+(test-case "an interrupted run goes on where it was, though its last words were cut off"
+  (with-file file
+    (check-exn #rx"enough"
+               (lambda ()
+                 (follow #:jobs 1 #:checkpoint file
+                         #:on-each (lambda (k v) (when (= k 47) (error "enough"))))))
+    (define kept (file-size file))
+    (check-true (> kept 1000))
+    (call-with-output-file file #:exists 'append (lambda (port) (write-bytes #"\5\0\0\0" port)))
+    (check-equal? (follow #:checkpoint file) alone)
+    ;; all of it is there now
+    (define whole (file-size file))
+    (check-equal? (follow #:jobs 1 #:checkpoint file) alone)
+    (check-equal? (file-size file) whole)))
+
+(test-case "a break in mid-run leaves a checkpoint that the same call goes on from"
+  (with-file file
+    (define here (current-thread))
+    (define broken?
+      (with-handlers ([exn:break? (lambda (e) #t)])
+        (follow #:checkpoint file #:on-each (lambda (k v) (when (= k 40) (break-thread here))))
+        #f))
+    (check-true broken?)
+    (define kept (file-size file))
+    (check-true (> kept 1000))
+    (define seen 0)
+    (check-equal? (follow #:checkpoint file #:on-each (lambda (k v) (set! seen (+ seen 1)))) alone)
+    (check-equal? seen count)
+    (check-true (>= (file-size file) kept))))
+
+(test-case "a checkpoint of another system, or of other events, is refused"
+  (with-file file
+    (define (sideways m l g) (Lagrangian->state-derivative (L-pendulum (* -1 g) m l)))
+    (define (again #:maker [maker pendulum] #:events [events '()])
+      (evolve-ensemble maker starts 5 #:parameters parameters #:jobs 1 #:checkpoint file
+                       #:events events))
+    (again)
+    (define before (file->bytes file))
+    (for ([call (list (lambda () (again #:maker sideways)) (lambda () (again #:events bottom)))])
+      (check-exn #rx"checkpoint is of another ensemble" call)
+      (check-equal? (file->bytes file) before))))
+
+(test-case "a checkpoint of something else is refused and left as it is"
+  (with-file file
+    (follow #:jobs 1 #:checkpoint file)
+    (define before (file->bytes file))
+    (check-exn #rx"checkpoint is of another ensemble"
+               (lambda () (evolve-ensemble pendulum starts 6 #:parameters parameters
+                                           #:checkpoint file)))
+    (check-exn #rx"other starts or parameters, from start 0"
+               (lambda () (evolve-ensemble pendulum (reverse starts) 5 #:parameters parameters
+                                           #:checkpoint file)))
+    (check-equal? (file->bytes file) before)
+    (call-with-output-file file #:exists 'truncate (lambda (port) (write-string "my notes" port)))
+    (check-exn #rx"no checkpoint" (lambda () (follow #:checkpoint file)))
+    (check-equal? (file->string file) "my notes")))
+
+(test-case "an ensemble of more starts goes on from the checkpoint of fewer"
+  (with-file file
+    (define few (take starts 40))       ; the last batch is of 8
+    (check-equal? (follow #:jobs 1 #:checkpoint file #:starts few) (take alone 40))
+    (check-equal? (follow #:jobs 1 #:checkpoint file) alone)
+    (define whole (file-size file))
+    (check-equal? (follow #:jobs 1 #:checkpoint file) alone)
+    (check-equal? (file-size file) whole)))
+
+(test-case "batches of another size are told, and change nothing"
+  (with-file file
+    (follow #:jobs 1 #:checkpoint file)
+    (define before (file->bytes file))
+    (check-exn #rx"checkpoint has batches of 16 where there are 7 now, from start 0 on"
+               (lambda () (follow #:jobs 1 #:checkpoint file #:batch 7)))
+    (check-equal? (file->bytes file) before)))
+
+(test-case "what another #:collect gives is not in the checkpoint"
+  (with-file file
+    (define (collected f)
+      (evolve-ensemble pendulum starts 5 #:parameters parameters #:collect f #:jobs 1
+                       #:checkpoint file))
+    (collected coordinate)
+    (check-exn #rx"of another ensemble: .*#:collect or #:events; it is left as it is"
+               (lambda () (collected velocity)))))
+
+(test-case "where a checkpoint cannot be written is told"
+  (define folder (make-temporary-file "ensemble~a" 'directory))
+  (check-exn #rx"the checkpoint is a file, and this is a folder"
+             (lambda () (follow #:checkpoint folder)))
+  (delete-directory folder)
+  (skip-unless (file-exists? "/dev/full") "ensembles: there is no /dev/full"
+    (check-exn #rx"evolve-ensemble: the checkpoint cannot be written\n  file: /dev/full\n  reason: "
+               (lambda () (follow #:checkpoint "/dev/full")))))
+
+;; A limit on the size of files stands for a full disk.
+(define-runtime-path small-ensemble "../../support/ensembles/small-ensemble.rkt")
+(define shell (find-executable-path "sh"))
+
+(test-case "a disk that is full ends the run, and what was kept is good"
+  (skip-unless shell "ensembles: no shell to limit the size of files"
+    (with-file file
+      (define racket (find-system-path 'exec-file))
+      (define program (find-executable-path racket))
+      (define out (open-output-string))
+      (parameterize ([current-error-port out])
+        (system* shell "-c" "trap '' XFSZ; ulimit -f 4; exec \"$0\" \"$1\" \"$2\""
+                 program small-ensemble file))
+      (check-regexp-match
+       #rx"evolve-ensemble: the checkpoint cannot be written; the batches that are in it stay there"
+       (get-output-string out))
+      (define kept (file-size file))
+      (check-true (> kept 1000))
+      (define again
+        (parameterize ([current-error-port (open-output-nowhere)])
+          (with-output-to-string (lambda () (system* program small-ensemble file)))))
+      (check-equal? again "400")
+      (check-true (> (file-size file) kept)))))

@@ -1,0 +1,31 @@
+#lang racket/base
+;; What takes long is announced, and what does not is not.
+
+(require mechanics/show/display/announcement
+         rackunit)
+
+;; What is written while `f` gets the port, and its value
+(define (announced seconds f)
+  (define port (open-output-string))
+  (define value
+    (parameterize ([current-error-port port] [announcement-delay seconds])
+      (call-announced "waiting ..." (lambda () (f port)))))
+  (list value (get-output-string port)))
+
+(define (wait-for-text port)
+  (when (string=? (get-output-string port) "")
+    (sleep 0.01)
+    (wait-for-text port)))
+
+(test-case "a remark is made once while the work goes on"
+  (check-equal? (announced 0 (lambda (port) (wait-for-text port) 'value))
+                '(value "; waiting ...\n")))
+
+(test-case "none is made of what is done before"
+  (check-equal? (announced 3600 (lambda (port) 'value)) '(value "")))
+
+(test-case "nor of what fails or is left"
+  (check-equal? (announced 3600 (lambda (port) (with-handlers ([exn:fail? exn-message])
+                                                 (raise-user-error "no"))))
+                '("no" ""))
+  (check-exn exn:fail? (lambda () (announced 3600 (lambda (port) (raise-user-error "no"))))))

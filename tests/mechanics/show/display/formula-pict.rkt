@@ -1,0 +1,54 @@
+#lang racket/base
+;; Formulas as picts: their measures, on which putting them together rests.
+
+(require mechanics
+         (only-in mechanics/pict ->pict)
+         (only-in mechanics/show/plot/on-demand why-not)
+         "../../support/messages.rkt" "../../support/skip.rkt"
+         rackunit)
+
+(define (of-pict name) (dynamic-require 'pict name))
+
+(define (width p) ((of-pict 'pict-width) p))
+(define (height p) ((of-pict 'pict-height) p))
+(define (descent p) ((of-pict 'pict-descent) p))
+
+;; Is a point of the picture painted?  Coordinates are fractions of width and height.
+(define (column-painted? p x)
+  (define bitmap ((of-pict 'pict->argb-pixels) p))
+  (define w (inexact->exact (ceiling (width p))))
+  (define h (quotient (bytes-length bitmap) (* 4 w)))
+  (for/or ([y (in-range h)])
+    (> (bytes-ref bitmap (* 4 (+ (* y w) (min (sub1 w) (inexact->exact (floor (* x w))))))) 0)))
+
+(skip-unless (not (why-not)) "nothing can be drawn here"
+  (test-case "a quotient is taller than its parts, and its bar stands above the base line"
+    (define f (->pict (/ 'a 'b)))
+    (check-true (> (height f) (* 1.5 (height (->pict 'a)))))
+    (check-true (< 0 (descent f) (/ (height f) 2))))
+  (test-case "an exponent makes it taller, and leaves the base line"
+    (define-values (base power) (values (->pict 'x) (->pict (square 'x))))
+    (check-true (> (width power) (width base)))
+    (check-= (descent power) (descent base) 0.001))
+  (test-case "letters are as large as one wishes"
+    (check-true (> (height (->pict 'x #:size 40)) (* 2 (height (->pict 'x #:size 16))))))
+  (test-case "a dot over a letter makes no room beside it"
+    (check-= (width (->pict 'theta)) (width (->pict 'thetadot)) 0.001)
+    (check-true (> (height (->pict 'thetadot)) (- (height (->pict 'theta)) 0.001))))
+  (test-case "a long sum is broken within its width"
+    (define long (expand (expt (+ 'a 'b 'c) 7)))
+    (check-true (< (width (->pict long #:width 40)) (/ (width (->pict long #:width #f)) 3)))
+    (check-true (> (height (->pict long #:width 40)) (* 5 (height (->pict long #:width #f))))))
+  (test-case "something is drawn"
+    (define p (->pict (sqrt (/ 'a 'b)) #:size 40))
+    (check-true (for/and ([x '(0.3 0.5 0.7)]) (column-painted? p x)))
+    (check-true (> (width (->pict '|</mi>|)) 10)))
+  (test-case "an empty tuple, a matrix, a verdict and what is no formula are picts"
+    (for ([x (list (up) (down) (matrix-by-rows '(1 a) '(0 2)) (verify-equal 'x 'x)
+                   (lambda (x) x) "text" (void) '|| '|\n|)])
+      (check-true ((of-pict 'pict?) (->pict x)))))
+  (says
+   [(->pict 'x #:size 0)
+    "->pict: expected a size of letters, a number between 0 and 1000\n  given: 0"]
+   [(->pict 'x #:width 'wide)
+    "->pict: expected a width in columns, or #f for lines of any length\n  given: the symbol wide"]))

@@ -1,0 +1,165 @@
+#lang racket/base
+;; Documents as pages: well-formed, with nothing in them that could be markup of its own.
+
+(require racket/list
+         racket/string
+         rackunit
+         (only-in xml document-element read-xml xml->xexpr)
+         mechanics mechanics/plot
+         (prefix-in t: "../../../../mechanics/algebra/notation/tree.rkt")
+         "../../../../mechanics/show/document/coloring.rkt" "../../../../mechanics/show/document/line-markup.rkt"
+         "../../../../mechanics/show/document/web-page.rkt" "../../../../mechanics/show/document/document-piece.rkt"
+         "../../../../mechanics/show/document/shown-result.rkt"
+         (only-in "../../../../mechanics/show/plot/on-demand.rkt" can-draw?)
+         "../../support/skip.rkt")
+
+(define (page . pieces) (document->page (document "A title" "#lang mechanics" pieces)))
+(define (shown . values) (apply page (map (lambda (x) (result (value->shown x))) values)))
+
+;; The page as an X-expression; fails if it is not well-formed.
+(define (parsed text)
+  (xml->xexpr
+   (document-element
+    (read-xml (open-input-string (string-replace text "<!DOCTYPE html>" ""))))))
+
+;; All elements of that name.
+(define (elements name x)
+  (cond [(and (pair? x) (list? x))
+         (append (if (eq? (car x) name) (list x) '())
+                 (append-map (lambda (y) (elements name y)) (cdr x)))]
+        [else '()]))
+
+(define (text-in x)
+  (cond [(string? x) x]
+        [(symbol? x) ""]
+        [(pair? x)
+         (string-append* (for/list ([y (in-list (cddr x))] #:when (or (string? y) (element? y)))
+                           (text-in y)))]
+        [else ""]))
+(define (element? y) (and (pair? y) (symbol? (car y))))
+
+(define evil "</mi><script>alert(1)</script>&<!--")
+(define evil-symbol (string->symbol evil))
+
+(test-case "no name, string, comment, output or message breaks out of the page"
+  (define p
+    (parsed
+     (page (prose (list (list evil (string-append evil "θ\u307")))) (heading evil) (code evil 0)
+           (folded evil evil) (output evil) (failure evil)
+           (result (value->shown evil-symbol))
+           (result (value->shown (* 2 evil-symbol)))
+           (result (value->shown ((literal-function evil-symbol) evil-symbol)))
+           (result (value->shown evil))
+           (result (value->shown (list evil (sqrt evil-symbol))))
+           (result (value->shown (verify-equal evil-symbol 'x)))
+           (result (shown-table
+                    (list "a")
+                    (list (list (shown-formula-tree (value->shown (* 2 evil-symbol))))))))))
+  (check-equal? (elements 'script p) '())
+  (check-true (> (length (elements 'math p)) 3)))
+
+(test-case "characters that XML has no place for are replaced"
+  (check-not-exn (lambda () (parsed (page (output "a\u0\u1\uFFFE") (code "\u0" 0)))))
+  (check-not-exn (lambda () (parsed (shown (string->symbol "a\u0") "\u1")))))
+
+(test-case "the page asks for nothing, runs nothing, and says so"
+  (define text (shown (* 'a 'b) (sqrt 'x)))
+  (check-false (regexp-match? #rx"<script|<link|src=\"http|@import" text))
+  (check-false (regexp-match? #rx"url[(](?!data:|#)" text))
+  (for ([part '("default-src 'none'" "name=\"viewport\"" "prefers-color-scheme: dark" "@media print"
+                "font/woff2;base64")])
+    (check-true (string-contains? text part) part)))
+
+(test-case "a long formula is there twice, a short one once"
+  (define long (apply + (for/list ([i 12]) (* 'amplitude (sin (* i 'omega 't))))))
+  (check-equal? (length (elements 'math (parsed (shown (* 'a 'b))))) 1)
+  (check-equal? (length (elements 'math (parsed (shown long)))) 2))
+
+(test-case "assumptions are told beneath, verdicts have their colour"
+  (check-regexp-match #rx"assuming " (text-in (parsed (shown (sqrt (square 'x))))))
+  (check-regexp-match #rx"class=\"[a-z]+ proved\"" (shown (verify-equal 'x 'x)))
+  (check-regexp-match #rx"class=\"[a-z]+ refuted\"" (shown (verify-equal 'x 'y))))
+
+(define a-report
+  (t:report (list (t:report-line 0 "refuted: the residual is not zero" '())
+                  (t:report-line 1 "zero if:" (list (t:relation (t:name 'k) "=" (t:name 'theta_1))))
+                  (t:report-line 2 "at:" (list (t:row (list (t:name 'a) (t:word ",")))
+                                               (t:plain "<b>"))))))
+
+(test-case "a report is text with formulas in it, indented as it is"
+  (define r (parsed (page (result (shown-formula a-report '())))))
+  (define lines (filter (lambda (p) (assq 'style (cadr p))) (elements 'p r)))
+  (check-equal? (map (lambda (p) (cadr (assq 'style (cadr p)))) lines)
+                '("margin-left:0em" "margin-left:1.5em" "margin-left:3.0em"))
+  (check-equal? (map (lambda (p) (length (elements 'math p))) lines) '(0 1 1))
+  (check-equal? (text-in (third lines)) "at: a, <b>")
+  (check-equal? (length (elements 'math (parsed (page (result (shown-formula
+                                                               (t:listing (list a-report a-report))
+                                                               '()))))))
+                4))
+
+(test-case "what a result is shown as"
+  (define (kind x)
+    (define s (value->shown x))
+    (cond [(shown-formula? s) 'formula] [(shown-table? s) 'table]
+          [(shown-picture? s) 'picture] [else (shown-text-text s)]))
+  (for ([x (list (* 'a 'b) 1/2 'theta_1 (up 'a 1) (matrix-by-rows (list 'a))
+                 (list 'a (sqrt 'b)) D)])
+    (check-equal? (kind x) 'formula (format "~s" x)))
+  (for ([(x text) (hash "text" "\"text\"" 'proved "proved" #t "#t" '(a b) "'(a b)"
+                        '(= k 3) "'(= k 3)" '() "'()")])
+    (check-equal? (kind x) text))
+  (check-equal? (kind (list (list 1 2) (list 3 4))) 'table)
+  (check-equal? (kind (list (up 0 1.5) (up 1 2.5) (up 2 4))) 'table)
+  (check-equal? (kind (list (list 1 2) (list 3))) "'((1 2) (3))")
+  (define cycle (make-vector 1 0))
+  (vector-set! cycle 0 cycle)
+  (check-pred string? (kind cycle)))
+
+(test-case "events are a table"
+  (define motion
+    (evolve-trajectory (lambda (s) (up 1 (velocity s) 0.)) (up 0. -1. 1.) 2.
+                       #:events (list (event coordinate #:name 'passes)
+                                      (event (lambda (s) (- (coordinate s) 0.5)) #:name 'half))))
+  (define s (value->shown (trajectory-events motion)))
+  (check-equal? (shown-table-header s) '("event" "time" "state"))
+  (check-equal? (length (shown-table-rows s)) 2)
+  (define texts (map text-in (elements 'td (parsed (page (result s))))))
+  (check-equal? (list (first texts) (fourth texts)) '("passes" "half")))
+
+(test-case "colors leave the text as it is"
+  (for ([text '("(define (f x) ; é\n  (* 1/2 \"s\" #;(a) 'x #| b |# |c d|))"
+                "" "(" "#lang x" "\"open")])
+    (check-equal? (string-append* (map cdr (colored text))) text))
+  (check-not-false (member '(form . "define") (colored "(define x 1)")))
+  (check-not-false (member '(constant . "1.5") (colored "(f 1.5)")))
+  (check-false (assq 'form (colored "(f define)"))))
+
+(test-case "markup for a line has no blocks, and texts and numbers have none"
+  (check-equal? (value->line-markup 75) #f)
+  (check-equal? (value->line-markup "a") #f)
+  (define m (value->line-markup (verify-equal (* 'a 'b) 'c)))
+  (for ([m (filter values (list m (value->line-markup (* 'a 'b))))])
+    (check-false (regexp-match? #rx"<(div|p|pre)[ >]" m))))
+
+(test-case "pictures are in place, each with names of its own"
+  (skip-unless (can-draw?) "pictures on pages: the libraries that draw are not here"
+    (define (picture)
+      (define f (frame 0 1 0 1 #:title "x"))
+      (plot-line f 0 0 1 1)
+      f)
+    (define text (shown (picture) (picture)))
+    (define ids (regexp-match* #rx" id=\"([^\"]*)\"" text #:match-select cadr))
+    (check-true (> (length ids) 2))
+    (check-equal? (length ids) (length (remove-duplicates ids)))
+    (define used
+      (regexp-match* #rx"(?:href=\"#|url[(]#)([^\")]*)" text #:match-select cadr))
+    (check-equal? (remove* ids (remove-duplicates used)) '())
+    (check-equal? (length (elements 'svg (parsed text))) 2)))
+
+(test-case "a frame is shown as it was when it came"
+  (skip-unless (can-draw?) "pictures on pages: the libraries that draw are not here"
+    (define f (frame 0 1 0 1))
+    (define before (value->shown f))
+    (plot-line f 0 0 1 1)
+    (check-not-equal? (shown-picture-svg before) (shown-picture-svg (value->shown f)))))

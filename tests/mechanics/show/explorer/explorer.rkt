@@ -1,0 +1,42 @@
+#lang racket/base
+;; The window in which maps are explored, where there is a display or a program, Xvfb, that
+;; stands for one.  It is tested in a process of its own, which has that display.
+
+(require racket/list
+         racket/runtime-path
+         rackunit
+         "../../support/display.rkt" "../../support/skip.rkt")
+
+(define-runtime-path program "../../runner/fixture/explorer.rkt")
+(define-runtime-path in-DrRacket "../../runner/fixture/explorer-as-in-DrRacket.rkt")
+
+(skip-unless (eq? (system-type) 'unix) "this system has no displays that could be missing"
+  (test-case "without a display there is a message, the same every time, and no window"
+    (define output (run-program program (environment-with #"nowhere:99")))
+    (define refusals
+      (regexp-match* #px"(?m:^)explore-map: no window can be opened here\n  reason: [^\n]+\n"
+                     output))
+    (check-equal? (length refusals) 2 output)
+    (check-equal? (remove-duplicates refusals) (list (car refusals)))
+    (check-regexp-match
+     (string-append "\n  without one orbits start where that is said: "
+                    "\\(explore-map f map n #:from \\(list \\(up x y\\) ...\\)\\), or #:grid")
+     output)))
+
+(test-windows
+ "clicks start orbits, drags zoom, keys undo, clear, save and close"
+ program
+ '("shown" "an orbit appears" "and another" "both seen" "undone" "more of it"
+   "zoomed" "whole again" "cleared" "brought back"
+   "written: explored-1.png and explored-1.rkt" "closed, with its orbit in the frame" "redrawn"
+   "other clicks do not wait" "says what failed"
+   "told of 0.5" "told of 1.5" "told of 2.5" "told of 3.5" "and goes on" "done"))
+
+(skip-unless (find-executable-path "xdotool")
+             "xdotool (Debian: apt install xdotool) is not installed: nobody moves the mouse"
+  (test-windows
+   "as DrRacket runs a program: it waits, its value is a picture, Stop ends it"
+   in-DrRacket
+   '("shown" "the program waits" "closed, and the program goes on"
+     "its value is a picture of the orbits" "shown" "waits again" "stopped"
+     "and the window is gone")))

@@ -1,0 +1,212 @@
+#lang racket/base
+;; Pictures of frames, in the formats that editors and documents ask for, and in files.
+
+(require file/convertible
+         mechanics/plot
+         (only-in mechanics/show/plot/on-demand why-not)
+         (only-in pict pict-width pict-height)
+         racket/file
+         racket/string
+         rackunit
+         "../../support/messages.rkt" "../../support/picture-programs.rkt" "../../support/skip.rkt"
+         "../../support/svg.rkt")
+
+(define drawable? (not (why-not)))
+(define no-drawing "the shared libraries of racket/draw are not installed: no pictures")
+
+(define (drawn)
+  (define f
+    (frame 0 1 -1 1 #:title "A title" #:x-label "x" #:y-label "y" #:width 300 #:height 200))
+  (plot-function f (lambda (x) (- 1 x)) 0 1 #:color '(10 20 200) #:label "falling")
+  (plot-line f 0 0 1 1 #:color "red" #:style 'dot)
+  (for ([i (in-range 20)]) (plot-point f (/ i 20) 0 #:color 'green))
+  f)
+
+;; ---------------------------------------------------------------------------
+;; PNG, by the book: a signature, then the header chunk with width and height
+
+(define (png-size bytes)
+  (check-equal? (subbytes bytes 0 8) #"\211PNG\r\n\32\n")
+  (check-equal? (subbytes bytes 12 16) #"IHDR")
+  (list (integer-bytes->integer bytes #f #t 16 20) (integer-bytes->integer bytes #f #t 20 24)))
+
+(skip-unless drawable? no-drawing
+
+  (test-case "formats"
+    (define f (drawn))
+    (check-equal? (png-size (convert f 'png-bytes)) '(300 200))
+    (check-equal? (png-size (convert f 'png@2x-bytes)) '(600 400))
+    (check-true (string-prefix? (bytes->string/latin-1 (convert f 'pdf-bytes)) "%PDF-"))
+    (check-regexp-match #rx"^<[?]xml.*<svg " (bytes->string/utf-8 (convert f 'svg-bytes)))
+    (check-false (convert f 'no-such-format))
+    (check-equal? (convert f 'no-such-format 'default) 'default))
+
+  (test-case "a picture holds the curve, the line and the points"
+    (define svg (bytes->string/utf-8 (convert (drawn) 'svg-bytes)))
+    (check-not-equal? (strokes svg '(10 20 200)) '())
+    (check-not-equal? (strokes svg '(255 0 0)) '())
+    (check-equal? (length (strokes svg '(0 255 0))) 20)
+    (check-equal? (strokes svg '(255 255 0)) '()))
+
+  ;; An image holds them, of which SVG has but one.
+  (test-case "very many points are one image, with axes and a legend as for few"
+    (define (dotted n)
+      (define f (frame 0 1 0 1))
+      (for ([k (in-range n)])
+        (plot-point f 0.5 (/ k n) #:color 'red #:label "dots"))
+      (bytes->string/utf-8 (convert f 'svg-bytes)))
+    (define-values (few many) (values (dotted 100) (dotted 30000)))
+    (check-equal? (length (strokes few '(255 0 0))) 101)
+    (check-equal? (length (strokes many '(255 0 0))) 2)
+    (check-equal? (length (regexp-match* #rx"<image " few)) 0)
+    (check-true (pair? (regexp-match* #rx"<image " many)))
+    (check-equal? (length (strokes many '(0 0 0))) (length (strokes few '(0 0 0)))))
+
+  (test-case "nothing is drawn outside"
+    (define (count-blue f)
+      (length (strokes (bytes->string/utf-8 (convert f 'svg-bytes)) '(0 0 255))))
+    (define f (frame 0 1 0 1))
+    (plot-line f 2 2 3 3 #:color 'blue)
+    (plot-function f (lambda (x) 5) 0 1 #:color 'blue)
+    (check-equal? (count-blue f) 0)
+    (plot-line f 0 0 3 3 #:color 'blue)
+    (check-equal? (count-blue f) 1))
+
+  (test-case "levels are drawn where the function has them, and its poles are no trouble"
+    (define f (frame -1 1 -1 1 #:aspect-ratio 'equal))
+    (define (well x y) (- (/ (sqrt (+ (* x x) (* y y))))))
+    (define (blue)
+      (apply + (strokes (bytes->string/utf-8 (convert f 'svg-bytes)) '(0 0 255))))
+    (plot-contours f well '(-0.1) #:color 'blue)
+    (check-equal? (blue) 0)
+    (plot-contours f well '(-2 -3) #:color 'blue #:samples 51)
+    (check-true (> (blue) 100)))
+
+  (test-case "the picture is the present one"
+    (define f (drawn))
+    (define before (convert f 'png-bytes))
+    (check-equal? (convert f 'png-bytes) before)
+    (plot-line f 0 1 1 0)
+    (check-not-equal? (convert f 'png-bytes) before)
+    (graphics-clear f)
+    (check-true (< (bytes-length (convert f 'png-bytes)) (bytes-length before))))
+
+  (test-case "a pict of a frame stays as it was made"
+    (define f (frame 0 1 0 1 #:width 320 #:height 240))
+    (define p (frame->pict f))
+    (define before (convert p 'png-bytes))
+    (check-equal? (list (pict-width p) (pict-height p)) '(320 240))
+    (check-equal? before (convert f 'png-bytes))
+    (plot-line f 0 1 1 0)
+    (check-equal? (convert p 'png-bytes) before))
+
+  (test-case "an empty frame, and one with nothing in sight, have pictures"
+    (define f (frame 0 1 0 1))
+    (check-equal? (png-size (convert f 'png-bytes)) '(400 400))
+    (plot-point f 2 2)
+    (plot-function f (lambda (x) +nan.0) 0 1)
+    (check-equal? (png-size (convert f 'png-bytes)) '(400 400)))
+
+  (test-case "a hundred thousand points"
+    (define f (frame 0 1 0 1))
+    (for ([i (in-range 100000)])
+      (plot-point f (/ (modulo (* i 7919) 100003) 100003.0)
+                  (/ (modulo (* i 104729) 100019) 100019.0)))
+    (check-equal? (png-size (convert f 'png-bytes)) '(400 400)))
+
+  (test-case "names of colors are those of the drawing library"
+    (define f (frame 0 1 0 1))
+    (plot-point f 0 0 #:color "Steel Blue")
+    (plot-point f 0 0 #:color 'steelblue)
+    (check-exn #rx"expected a color: .*\n  given: the symbol bleu"
+               (lambda () (plot-point f 0 0 #:color 'bleu)))
+    (check-equal? (length (frame-points f)) 2)))
+
+;; ---------------------------------------------------------------------------
+;; Files
+
+(define-syntax-rule (with-folder (folder) body ...)
+  (let ([folder (make-temporary-file "figures~a" 'directory)])
+    (dynamic-wind void (lambda () body ...) (lambda () (delete-directory/files folder)))))
+
+(skip-unless drawable? no-drawing
+
+  (test-case "the name of the file says the format; what was there is replaced"
+    (with-folder (folder)
+      (define (save name) (graphics-save (drawn) (build-path folder name)))
+      (for ([name '("a.png" "b.svg" "c.pdf" "D.PNG" "a.png")]) (save name))
+      (check-equal? (map path->string (directory-list folder)) '("D.PNG" "a.png" "b.svg" "c.pdf"))
+      (check-equal? (png-size (file->bytes (build-path folder "a.png"))) '(300 200))
+      (check-true (regexp-match? #rx"<svg " (file->string (build-path folder "b.svg"))))
+      (check-true (regexp-match? #rx"^%PDF-" (file->bytes (build-path folder "c.pdf"))))
+      (parameterize ([current-directory folder])
+        (graphics-save (drawn) "e.png"))
+      (check-true (file-exists? (build-path folder "e.png")))))
+
+  (test-case "where nothing can be written, nothing is left, and what was there stays"
+    (with-folder (folder)
+      (define (save . names) (graphics-save (drawn) (apply build-path folder names)))
+      (check-exn #rx"graphics-save: there is no such folder\n  file: .*a.png\n  reason: .*nowhere"
+                 (lambda () (save "nowhere" "a.png")))
+      (make-directory (build-path folder "b.png"))
+      (check-exn #rx"graphics-save: there is a folder of that name\n  file: .*b.png$"
+                 (lambda () (save "b.png")))
+      (check-equal? (map path->string (directory-list folder)) '("b.png")))))
+
+(test-case "a name that says no format"
+  (for ([name '("figure" "figure.gif" "png")])
+    (check-message
+     (format "graphics-save: the name of the file says no format; it ends in ~a\n  file: ~s"
+             ".png, .svg or .pdf" name)
+     (graphics-save (drawn) name)))
+  (check-exn #rx"expected the name of a file\n  given: the number 3"
+             (lambda () (graphics-save (drawn) 3)))
+  (check-exn #rx"expected a frame" (lambda () (graphics-save 3 "a.png")))
+  (check-exn #rx"frame->pict: .*expected a frame" (lambda () (frame->pict 3))))
+
+;; ---------------------------------------------------------------------------
+;; With the drawing library, when it is needed, and without it
+
+(test-case "the drawing library is loaded for the first picture, not before"
+  (parameterize ([current-namespace (make-base-empty-namespace)])
+    (define (plot name) (dynamic-require 'mechanics/plot name))
+    (define (drawing?) (module-declared? 'racket/draw #f))
+    (define f ((plot 'frame) 0 1 0 1))
+    ((plot 'plot-point) f 0 0)
+    ((plot 'plot-function) f sin 0 1 #:color '(200 0 0))
+    ((plot 'plot-contours) f * 0.5 #:color 3)
+    (check-equal? (format "~a" f)
+                  "(frame x from 0.0 to 1.0, y from 0.0 to 1.0: 2 curves, 1 point)")
+    (check-false (drawing?))
+    (when drawable?
+      ((dynamic-require 'file/convertible 'convert) f 'png-bytes)
+      (check-true (drawing?)))))
+
+(define remedy
+  (string-append
+   "\n  pictures are drawn by the libraries Cairo and Pango; to install them:"
+   "\n  Debian: apt install libpangocairo-1.0-0 libjpeg62-turbo"
+   "\n  Ubuntu: apt install libpangocairo-1.0-0 libjpeg-turbo8"
+   "\n  Fedora: dnf install pango libjpeg-turbo; Arch: pacman -S pango libjpeg-turbo"
+   "\n  macOS, Windows: Racket's package draw-lib brings them: raco pkg install draw-lib"))
+
+(test-case "frames work where pictures cannot be made, and say so when asked for one"
+  (without-drawing
+   (lambda (plot convertible)
+     (define f ((plot 'frame) 0 1 0 1))
+     ((plot 'plot-point) f 0.5 0.5 #:color 'red)
+     (check-equal? ((plot 'frame-points) f) '(#(0.5 0.5)))
+     (check-equal? ((convertible 'convert) f 'png-bytes) #f)
+     (check-equal? ((convertible 'convert) f 'text)
+                   "(frame x from 0.0 to 1.0, y from 0.0 to 1.0: 1 point)")
+     (check-exn #rx"^frame->pict: pictures cannot be drawn on this machine\n  reason: libcairo"
+                (lambda () ((plot 'frame->pict) f)))
+     (with-folder (folder)
+       (define file (build-path folder "a.png"))
+       (define message
+         (with-handlers ([exn:fail? exn-message]) ((plot 'graphics-save) f file)))
+       (check-equal? message
+                     (format "graphics-save: pictures cannot be drawn on this machine\n~a~a~a~a"
+                             "  file: " file "\n  reason: libcairo.so.2 is missing" remedy))
+       (check-equal? (directory-list folder) '())))
+   'mechanics/plot 'file/convertible))

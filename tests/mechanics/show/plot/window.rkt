@@ -1,0 +1,32 @@
+#lang racket/base
+;; Windows, where there is a display or a program, Xvfb, that stands for one.
+;;
+;; They are tested in a process of its own, which has that display.
+
+(require racket/list
+         racket/runtime-path
+         rackunit
+         "../../support/display.rkt" "../../support/skip.rkt")
+
+(define-runtime-path program "../../runner/fixture/window.rkt")
+
+;; ---------------------------------------------------------------------------
+
+(skip-unless (eq? (system-type) 'unix) "this system has no displays that could be missing"
+  (test-case "without a display there is a message, the same every time, and no window"
+    (define output (run-program program (environment-with #"nowhere:99")))
+    (define refusals
+      (regexp-match* #px"(?m:^)graphics-show: no window can be opened here\n  reason: [^\n]+\n"
+                     output))
+    (check-equal? (length refusals) 3)
+    (check-equal? (remove-duplicates refusals) (list (car refusals)))
+    (check-regexp-match
+     (string-append
+      "\n  to a file it goes with \\(graphics-save frame \"picture.png\"\\)"
+      "\n  windows need a display and the library GTK 3: .*apt install libgtk-3-0\n")
+     output)))
+
+(test-windows
+ "a window follows what is drawn, and is closed with its frame"
+ program
+ '("shown, drawn in and closed" "(0 300 200)" "follows" "rests" "looks no more"))
