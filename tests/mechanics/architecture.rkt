@@ -11,7 +11,8 @@
          "support/house/graph.rkt"
          "support/house/habits.rkt"
          "support/house/library.rkt"
-         "support/house/map.rkt")
+         "support/house/map.rkt"
+         "support/house/room-page.rkt")
 
 (define-runtime-path fixture "runner/fixture/requiring.rkt")
 
@@ -44,7 +45,7 @@
 (test-case "rooms are read off the map in their order, and a file is in the nearest"
   (check-equal? made-up-rooms
                 '(("numeric/") ("numeric/ode/") ("algebra/") ("value/") ("lagrangian/")
-                  ("display/") ("main.rkt" "base.rkt") ("book/" "book.rkt")))
+                  ("show/display/") ("main.rkt" "base.rkt") ("book/" "book.rkt")))
   (define (place name) (room-of name made-up-rooms))
   (check-equal? (map place '("numeric/a.rkt" "numeric/ode/a.rkt" "value/series/a.rkt" "base.rkt"))
                 '(0 1 3 6))
@@ -62,7 +63,7 @@
           "main.rkt" '("display/e.rkt" "book.rkt")
           "book.rkt" '("book/h.rkt")
           "book/h.rkt" '("main.rkt")))
-  (check-sentences (upward-requires graph '(("display/" "lagrangian/")) made-up-rooms)
+  (check-sentences (upward-requires graph '(("show/display/" "lagrangian/")) made-up-rooms)
                    '("algebra/d.rkt requires main.rkt"
                      "display/e.rkt requires lagrangian/f.rkt"
                      "lagrangian/f.rkt requires attic/g.rkt"
@@ -146,10 +147,34 @@
   (check-equal? (long-functions "value/a.rkt" (module-of "value/a.rkt" text) 3 '()) '()))
 
 (test-case "a file name of two concepts is found"
-  (check-equal? (twin-names '("value/tape.rkt" "algebra/tape.rkt" "map/on-demand.rkt"
+  (check-equal? (twin-names '("value/tape.rkt" "algebra/tape.rkt" "dynamics/on-demand.rkt"
                               "force/on-demand.rkt" "value/up.rkt")
                             '("on-demand.rkt"))
                 '("one name for algebra/tape.rkt, value/tape.rkt")))
+
+(test-case "a big room without a page, and a page that is not true, are found"
+  (define helpers (for/list ([i 11]) (format "value/h~a.rkt" (+ i 10))))
+  (define big
+    (for/fold ([graph (hash "value/a.rkt" helpers "value/b.rkt" '("value/a.rkt")
+                            "force/c.rkt" '("value/b.rkt"))])
+              ([name (in-list helpers)])
+      (hash-set graph name '())))
+  (check-equal? (page-faults big (lambda (folder) #f))
+                '("value/ has 13 modules and no README.md"))
+  (define page
+    (string-append "# Values\n\n## Doors\n- `b.rkt`: bees\n\n## Helpers\n"
+                   (apply string-append
+                          (for/list ([i 11]) (format "- `h~a.rkt`: help\n" (+ i 10))))))
+  (check-equal? (page-faults big (lambda (folder) (string-append page "- `a.rkt`: ants\n"))) '())
+  (check-sentences (page-faults big (lambda (folder) (string-append page "- `d.rkt`: dogs\n")))
+                   '("value/README.md has d.rkt among its helpers"
+                     "value/README.md lacks a.rkt among its helpers"))
+  (check-sentences (page-faults (hash-set big "force/c.rkt" '("value/a.rkt"))
+                                (lambda (folder) (string-append page "- `a.rkt`: ants\n")))
+                   '("value/README.md has a.rkt among its helpers"
+                     "value/README.md has b.rkt among its doors"
+                     "value/README.md lacks a.rkt among its doors"
+                     "value/README.md lacks b.rkt among its helpers")))
 
 (test-case "requires are read at every phase, from submodules, and when on demand"
   (define (names read)
@@ -188,6 +213,17 @@
 
 (test-case "no file requires from a later room"
   (check-equal? (upward-requires graph strangers) '()))
+
+(test-case "rooms that a rule names are there"
+  (for* ([rule (in-list strangers)] [room (in-list rule)])
+    (check-not-false (room-of room) room)
+    (check-true (directory-exists? (full-path room)) room)))
+
+(test-case "a room of more than a dozen modules has a page, and it is true"
+  (define (page-of folder)
+    (define file (build-path (full-path folder) "README.md"))
+    (and (file-exists? file) (file->string file)))
+  (check-equal? (page-faults graph page-of) '()))
 
 (test-case "there is no circle"
   (check-equal? (circles graph) '()))
