@@ -1,6 +1,6 @@
 #lang info
 (define collection 'multi)
-(define version "0.2")
+(define version "0.3")
 (define license 'MIT)
 (define pkg-desc
   (string-append "Classical mechanics in the language of SICM: Lagrangians, Hamiltonians, "
