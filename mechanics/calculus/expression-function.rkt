@@ -5,9 +5,10 @@
 (require "derivative.rkt" "literal-function.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
-         "../generic/up-down.rkt")
+         "../generic/up-down.rkt"
+         "../value/shape.rkt" (only-in "../value/structure.rkt" s:map/r))
 
-(provide evaluate-generically expression-derivative)
+(provide evaluate-generically evaluate-at expression-derivative)
 
 ;; The value of e with values in place of symbols, ((symbol . value) ...).
 (define (evaluate-generically e point)
@@ -16,6 +17,12 @@
                (define entry (and (symbol? leaf) (assq leaf point)))
                (if entry (cdr entry) leaf))
              (lambda (n arguments) (apply-generically (node-head n) arguments))))
+
+;; The value of `formula`, an expression or a structure of them in the symbols of `place`, where
+;; these have the values that stand in their places in `at`, a structure of the same shape.
+(define (evaluate-at formula place at)
+  (define point (map cons (scalars place) (scalars at)))
+  (s:map/r (lambda (e) (evaluate-generically e point)) formula))
 
 (define (apply-generically head arguments)
   (cond [(literal-head? head) (apply-head head arguments)]
