@@ -15,7 +15,8 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/kind.rkt" "../generic/multiplied-function.rkt"
+         "../generic/function-check.rkt" "../generic/function.rkt" "../generic/kind.rkt"
+         "../generic/multiplied-function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          (only-in "../value/compose.rkt" compose))
@@ -30,10 +31,8 @@
              #:datum (lambda (e) (equations->datum e))
              #:arity (lambda (e) 2)))
 
-;; A function of paths that keeps what it was made from, for those who want to
-;; see its steps.
-;; of-local : what gives the residual of a Lagrangian at a local tuple; #f if paths only
-;; are taken
+;; A function of paths that keeps its Lagrangian, force and order, for derivations.
+;; of-local : Lagrangian, local tuple -> the residual there; #f if only paths are taken
 (value-struct equations (Lagrangian force order of-local)
   #:kind kind:equations
   #:property prop:procedure
@@ -54,13 +53,13 @@
   (check-order 'Lagrange-equations n)
   (equations L (external-force 'Lagrange-equations Q dissipation) n #f))
 
-;; The same of order n for paths, and at local tuples by of-local
+;; The equations of order n, for paths and, by of-local, for local tuples
 (define (equations-of-either L n of-local)
   (check-Lagrangian 'generalized-LE L)
   (check-order 'generalized-LE n)
   (equations L #f n of-local))
 
-;; No path: the first component is a time.
+;; Is q a local tuple and no path?  Then its first component is a time.
 (define (local? q)
   (and (local-tuple? q) (scalar? (time q))))
 
@@ -73,7 +72,7 @@
   (define n (equations-order e))
   (define local (Gamma (path 'Lagrange-equations q) (+ n 2)))
   (define force (equations-force e))
-  (unary-function (lambda () (list (value->datum e) (value->datum q))) (t)
+  (unary-function (lambda () (value->datum (list e q))) (t)
     (check-time-of-path 'Lagrange-equations q t (along e))
     (define momenta (momentum-terms L local n t))
     (define residual (g:- momenta (((partial 1) L) (local t))))
@@ -102,7 +101,7 @@
                                          ((along e) (argument->text (car arguments)))
                                          (argument->text (cadr arguments)))])))
 
-;; text of a path -> that of the residual along it
+;; text of a path -> text of the residual along it
 (define ((along e) path) (format "(~a ~a)" (value->text e) path))
 
 (define (argument->text x)
@@ -128,16 +127,12 @@
                        "")
                    who (value->text L))]))
 
-;; L, refusing to go on when its value is no number.
-(define (scalar-valued who L)
-  (lambda (local)
-    (define value (L local))
-    (if (scalar? value) value (raise-not-scalar who L value))))
+;; L, whose value is checked to be a number.
+(define ((scalar-valued who L) local)
+  (check-scalar-value who "a Lagrangian" L (L local) not-scalar-hint))
 
-(define (raise-not-scalar who L value)
-  (complain who "the value of a Lagrangian is a number, but that of ~a is ~a~a"
-            (value->text L) (describe-with-value value)
-            (cond [(not (pointwise? value)) ""]
-                  [(equal? (multiplied-hint value) "")
-                   "\n  was a parameter left out, as the mass in (L-free-particle 'm)?"]
-                  [else (multiplied-hint value)])))
+(define (not-scalar-hint value)
+  (cond [(not (pointwise? value)) ""]
+        [(equal? (multiplied-hint value) "")
+         "\n  was a parameter left out, as the mass in (L-free-particle 'm)?"]
+        [else (multiplied-hint value)]))

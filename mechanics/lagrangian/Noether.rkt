@@ -12,8 +12,9 @@
 (require "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/structure.rkt")
 
 (provide Noether-integral)
@@ -24,8 +25,7 @@
   (check-Lagrangian 'Noether-integral L)
   (define n (parameter-count F-tilde))
   (define P ((partial 2) (scalar-valued 'Noether-integral L)))
-  (define (name) (list 'Noether-integral (value->datum L) (value->datum F-tilde)))
-  (unary-function name (local)
+  (printed-function (Noether-integral L F-tilde) (local)
     (define momenta (P local))
     (define integrals
       (for/list ([k (in-range n)])
@@ -47,11 +47,10 @@
               (describe-with-value (coordinate local))))
   q)
 
-;; How many parameters the family takes, the fewest if it leaves a choice.
+;; The number of parameters that the family takes, the least if it leaves a choice.
 (define (parameter-count F-tilde)
   (define least
-    (and (procedure? F-tilde)
-         (for/first ([n (in-range 1 100)] #:when (accepts? F-tilde n)) n)))
+    (for/first ([n (in-range 1 100)] #:when (takes-arguments? F-tilde n)) n))
   (unless least
     (complain-of-argument
      'Noether-integral

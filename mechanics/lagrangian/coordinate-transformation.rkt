@@ -11,8 +11,8 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
-         "../generic/wrong-argument.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/compose.rkt" "../value/structure.rkt")
 
 (provide F->C Gamma-bar osculating-path
@@ -27,8 +27,7 @@
               (describe-with-value F)
               "\n  its value is such a tuple: (lambda (local) (up ...))"))
   (unless (accepts? F 1) (raise-takes-parameters F))
-  (unary-function (lambda () (list 'F->C (value->datum F))) (local)
-    (transform F local)))
+  (printed-function (F->C F) (local) (transform F local)))
 
 (define (raise-takes-parameters F)
   (complain 'F->C

@@ -10,13 +10,13 @@
 
 (require "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/printed-function.rkt"
          "../generic/wrong-argument.rkt"
          "../value/compose.rkt")
 
 (provide make-Lagrangian Lagrangian->energy Lagrangian->power-loss)
 
-;; T and V are functions of the local tuple, or of parameters with such as values.
+;; T and V are functions of the local tuple, or of parameters that give such functions.
 (define (make-Lagrangian kinetic-energy potential-energy)
   (for ([f (in-list (list kinetic-energy potential-energy))])
     (unless (procedure? f)
@@ -28,13 +28,12 @@
   (check-Lagrangian 'Lagrangian->energy L)
   (define L-scalar (scalar-valued 'Lagrangian->energy L))
   (define P ((partial 2) L-scalar))
-  (unary-function (lambda () (list 'Lagrangian->energy (value->datum L))) (state)
+  (printed-function (Lagrangian->energy L) (state)
     (check-local-length 'Lagrangian->energy state 3)
     (g:- (g:* (P state) (velocity state)) (L-scalar state))))
 
 ;; ((Lagrangian->power-loss L) q) : t ↦ the rate of change of the energy along q
 (define (Lagrangian->power-loss L)
   (define energy (Lagrangian->energy L))
-  (define name (lambda () (list 'Lagrangian->power-loss (value->datum L))))
-  (unary-function name (q)
+  (printed-function (Lagrangian->power-loss L) (q)
     (D (compose energy (Gamma (path 'Lagrangian->power-loss q))))))

@@ -9,13 +9,15 @@
          "../calculus/derivative.rkt"
          (only-in "../calculus/literal-function.rkt" literal-function? literal-function-takes?)
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../generic/function-check.rkt" "../generic/function.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide Rayleigh-dissipation external-force force-like force->datum)
 
 (define (Rayleigh-dissipation k)
-  (unary-function (lambda () (list 'Rayleigh-dissipation (value->datum k))) (local)
+  (printed-function (Rayleigh-dissipation k) (local)
     (g:* k (g:square (velocity local)))))
 
 ;; Q − ∂₂F, of which either may be #f; #f if both are.
@@ -23,7 +25,7 @@
   (unless (or (not Q) (procedure? Q))
     (complain-of-argument who "a force: a function of the local tuple" Q))
   (when (and Q (not (accepts? Q 1))) (raise-arity-of-force who Q))
-  (unless (or (not F) (and (procedure? F) (accepts? F 1)))
+  (unless (or (not F) (takes-arguments? F 1))
     (complain-of-argument who "a dissipation function: a function of the local tuple" F))
   (when (and (literal-function? F) (not (literal-function-takes? F (list (up 't 'q 'v)))))
     (raise-path-as-dissipation who F))
@@ -49,23 +51,17 @@
                 "\n  of a force on particles, (F t r v), (generalized-force r F) makes one"
                 "")))
 
-;; As the last argument of what it is given to, if it is.
+;; The keyword and its argument in the datum of a call; none without a force.
 (define (force->datum Q)
   (if Q (list '#:force (value->datum Q)) '()))
 
-;; F, refusing to go on when its value is a tuple, as that of a force is.
+;; F, whose value is checked to be a number and no tuple, as that of a force is.
 (define (scalar-dissipation who F)
+  (define (hint value) (format "\n  a force is given as #:force ~a" (value->text F)))
   (unary-function (lambda () (value->datum F)) (local)
-    (define value (F local))
-    (unless (scalar? value)
-      (complain who
-                (string-append "the value of a dissipation function is a number, "
-                               "but that of ~a is ~a"
-                               "\n  a force is given as #:force ~a")
-                (value->text F) (describe-with-value value) (value->text F)))
-    value))
+    (check-scalar-value who "a dissipation function" F (F local) hint)))
 
-;; The force, known to have the shape of the momenta; 0 is no force whatever the shape.
+;; The force, checked to have the shape of the momenta; 0 is no force whatever the shape.
 (define (force-like who momenta force)
   (cond [(or (eqv? force 0) (same-shape? momenta force)) force]
         [else

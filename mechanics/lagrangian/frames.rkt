@@ -8,7 +8,7 @@
 (require "local-tuple.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../value/structure.rkt")
 
 (provide Rx Ry Rz
@@ -24,7 +24,7 @@
 
 ;; The rotation by the angle that turns the axis i towards the axis j.
 (define (rotation who angle i j)
-  (unary-function (lambda () (list who (value->datum angle))) (q)
+  (unary-function (call-datum who angle) (q)
     (unless (and (tuple? q) (= (s:length q) 3))
       (raise-wrong-size who "a tuple of 3 coordinates" q))
     (when (local-tuple-of-tuples? q) (raise-local-tuple who angle q))
@@ -32,7 +32,7 @@
 
 ;; A local tuple has three parts too.
 (define (local-tuple-of-tuples? q)
-  (for/or ([part (in-vector (structure-elements (adopt q)))]) (tuple? part)))
+  (ormap tuple? (structure->list q)))
 
 (define (raise-local-tuple who angle q)
   (complain who
@@ -46,12 +46,11 @@
   (define a (ref q i))
   (define b (ref q j))
   (define parts
-    (for/vector #:length (s:length q) ([x (in-vector (structure-elements (adopt q)))]
-                                       [k (in-naturals)])
+    (for/vector #:length (s:length q) ([x (in-list (structure->list q))] [k (in-naturals)])
       (cond [(= k i) (g:- (g:* c a) (g:* s b))]
             [(= k j) (g:+ (g:* s a) (g:* c b))]
             [else x])))
-  (structure (structure-orientation (adopt q)) parts))
+  (same-orientation (adopt q) parts))
 
 ;; ---------------------------------------------------------------------------
 ;; Frames
@@ -65,7 +64,7 @@
   (rotating-frame 'inertial->rotating Omega (g:negate Omega)))
 
 (define (rotating-frame who Omega rate)
-  (unary-function (lambda () (list who (value->datum Omega))) (local)
+  (unary-function (call-datum who Omega) (local)
     (define q (coordinate local))
     (unless (and (tuple? q) (memv (s:length q) '(2 3)))
       (raise-wrong-size who "a local tuple with 2 or 3 coordinates" local))
@@ -79,7 +78,7 @@
   (accelerated-frame 'inertial->accelerated a -1/2))
 
 (define (accelerated-frame who a half)
-  (unary-function (lambda () (list who (value->datum a))) (local)
+  (unary-function (call-datum who a) (local)
     (g:+ (coordinate local) (g:* half (g:square (time local)) a))))
 
 (define (raise-wrong-size who expected given)

@@ -2,9 +2,9 @@
 ;; Lagrange's equations of a Lagrangian that depends on higher derivatives (SICM, exercise
 ;; 1.10), of a path, or of a local tuple.
 ;;
-;; Of a local tuple (t, q, v, a, ...) with an even number of components, 2n + 2, they are of
-;; order n.  The path that osculates there has those derivatives and no others are asked
-;; for, so that its residual is the local tuple's.
+;; At a local tuple (t, q, v, a, ...) with an even number of components, 2n + 2, they are of
+;; order n.  The osculating path has these derivatives there, and the residual depends on no
+;; others, so that the residual of the path is that of the local tuple.
 
 (require "coordinate-transformation.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
          "../error/complain.rkt"
@@ -13,7 +13,7 @@
 
 (provide generalized-LE)
 
-;; n : the order for paths; a local tuple tells it by its length
+;; n : the order for paths; the length of a local tuple determines the order there
 (define-plain (generalized-LE L #:order [n 2]) (equations-of-either L n residual-at))
 
 (define (residual-at L local)

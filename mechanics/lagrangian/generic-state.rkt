@@ -1,9 +1,9 @@
 #lang racket/base
-;; The local tuple at which a question about all states is asked: nothing but
-;; symbols, each of which may be any number.
+;; The local tuple at which a question about all states is asked: its scalars are symbols,
+;; each of which may be any number.
 
 (require "local-tuple.rkt" "total-derivative.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/symbols.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt"
          "../value/shape.rkt" "../value/structure.rkt")
@@ -17,20 +17,20 @@
 ;; what : the state's name
 (define (check-symbols who local what)
   (define names (scalars local))
-  (define odd-one
+  (define other
     (for/first ([x (in-list names)] [i (in-naturals)]
                 #:unless (and (free-symbol? x) (not (memq x (list-tail names (add1 i))))))
       x))
-  (when odd-one
+  (when other
     (complain who
               (string-append "the ~a must be made of symbols, each there once, "
                              "to stand for any state"
                              "\n  given: ~a"
                              "\n  ~a: ~a")
-              what (value->text local) (if (free-symbol? odd-one) "more than once" "no symbol")
-              (value->text odd-one))))
+              what (value->text local) (if (free-symbol? other) "more than once" "no symbol")
+              (value->text other))))
 
-;; Of functions of (t, q, v), some of them #f, none of which has a parameter that is there.
+;; fs : functions of (t, q, v), or #f; no symbol of the local tuple may be a parameter of one
 (define (check-generic-states who local . fs)
   (check-generic-state who local)
   (define state ((clip-state 3) local))
@@ -46,11 +46,8 @@
 ;; A symbol that is a parameter of f could not stand for any state as well: f is asked
 ;; for its value at other symbols, where those of the local tuple must not occur.
 (define (check-parameters who f local [what "local tuple"])
-  (define names (scalars local))
-  (define elsewhere (unknowns-like local))
-  (for* ([e (in-list (scalars (f elsewhere)))]
-         #:when (expression? e)
-         [name (in-list names)]
+  (for* ([e (in-list (scalars (f (unknowns-like local))))]
+         [name (in-list (scalars local))]
          #:when (occurs? name e))
     (complain who
               (string-append "the symbol ~a is a parameter of ~a, and stands in the ~a, too"
@@ -61,13 +58,11 @@
 ;; The local tuple with derivatives up to `length` components in all; new ones are
 ;; named after the coordinates: xddot, xdddot, and so on.
 (define (lengthened local length)
-  (define given (structure->list local))
   (define q (coordinate local))
-  (define names (scalars q))
   (list->up
-   (append given
+   (append (structure->list local)
            (for/list ([k (in-range (- (s:length local) 1) (- length 1))])
-             (scalars->structure q (lambda (i) (derivative-name (list-ref names i) k)))))))
+             (s:map/r (lambda (name) (derivative-name name k)) q)))))
 
 ;; x and 2 -> xddot; q^0 and 2 -> qddot^0
 (define (derivative-name name order)

@@ -1,19 +1,19 @@
 #lang racket/base
 ;; Local tuples (t, q, q̇, ...) and the paths they come from.
 ;;
-;; Γ[q](t) = (t, q(t), Dq(t), ...) is all the Lagrangian knows of a path: SICM
-;; section 1.4.  Paths and selectors are functions of the arithmetic, so they
-;; compose with D and with each other.
+;; Γ[q](t) = (t, q(t), Dq(t), ...) is all that the Lagrangian knows of a path (SICM 1.4).
+;; Paths and selectors are functions of the arithmetic, so that they compose with D and with
+;; each other.
 
 (require "several-paths.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
-         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/describe.rkt" "../generic/function-check.rkt" "../generic/function.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/structure.rkt")
 
 (provide
- Gamma path->state-path path
+ Gamma path->state-path path state-parts
  ->local ->state ->L-state local-tuple?
  time coordinate velocity acceleration
  coordinates velocities accelerations
@@ -37,7 +37,7 @@
   (define (name) (list* 'Gamma (value->datum q) (if (= n 3) '() (list n))))
   (unary-function name (t)
     (check-time-of-path 'Gamma q t along)
-    (structure 'up (list->vector (cons t (derivatives-at q t (- n 2)))))))
+    (list->up (cons t (derivatives-at q t (- n 2))))))
 
 (define (along path) (format "(Gamma ~a)" path))
 
@@ -46,14 +46,14 @@
 ;; q, known to be a path; a Racket vector counts as a tuple.
 (define (path who q)
   (cond [(tuple? q) (tuple-of-paths who (adopt q) q)]
-        [(and (procedure? q) (accepts? q 1)) q]
+        [(takes-arguments? q 1) q]
         [else (raise-no-path who q (path-hint q))]))
 
 ;; A tuple whose components, all the way down, are paths.
 (define (tuple-of-paths who q whole)
   (for ([f (in-vector (structure-elements q))] [i (in-naturals)])
     (cond [(tuple? f) (tuple-of-paths who (adopt f) whole)]
-          [(not (and (procedure? f) (accepts? f 1)))
+          [(not (takes-arguments? f 1))
            (raise-no-path who whole (component-hint i f))]))
   q)
 
@@ -84,7 +84,7 @@
 (define (->state t q . derivatives) (apply up t q derivatives))
 (define (->L-state t q . derivatives) (apply up t q derivatives))
 
-;; Their parts: what multiplies a velocity is a down tuple.
+;; Their parts: momenta, which multiply velocities, are a down tuple.
 (define (coordinate-tuple . qs) (apply up qs))
 (define (velocity-tuple . vs) (apply up vs))
 (define (acceleration-tuple . as) (apply up as))
@@ -136,6 +136,9 @@
 (define Qdotdot acceleration)
 (define state->t time)
 
+;; -> time, coordinates, velocities
+(define (state-parts local) (values (time local) (coordinate local) (velocity local)))
+
 (define (state->n-dof local) (s:dimension (coordinate local)))
 
 ;; A local tuple of n coordinates with components named after `name`.
@@ -145,5 +148,5 @@
   (define (tuple name)
     (if (= n 1)
         name
-        (apply up (for/list ([i (in-range n)]) (string->symbol (format "~a^~a" name i))))))
+        (list->up (for/list ([i (in-range n)]) (string->symbol (format "~a^~a" name i))))))
   (up 't (tuple 'q) (tuple 'qdot)))

@@ -1,8 +1,8 @@
 #lang racket/base
-;; What a function is called, where nothing else tells a Lagrangian from an energy.
+;; The name of a function as a hint, where nothing else tells a Lagrangian from an energy.
 ;;
-;; Both are functions of a state, and what is asked of one has a value for the other, too: so
-;; a name that says which it is deserves a remark, or a question back.
+;; Both are functions of a state, and a question about the one has an answer for the other, too:
+;; so a name that says which of them it is deserves a remark, or a question back.
 
 (require "../generic/describe.rkt")
 

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What comes after the equations, loaded when it is first used: actions and paths that make
-;; them least, energies, frames, variations.
+;; Actions and paths that make them least, energies, frames, variations: loaded when one is
+;; first used.
 
 (require "../generic/on-demand.rkt")
 

@@ -5,7 +5,8 @@
 (require racket/list
          "action.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/wrong-argument.rkt")
+         "../generic/function.rkt" "../generic/printed-function.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide make-path make-eta parametric-path-action
          linear-interpolants Lagrange-interpolation-function)
@@ -23,10 +24,8 @@
 (define (make-eta nu t1 t2)
   (unless (procedure? nu)
     (complain-of-argument 'make-eta "a function of time, or a tuple of them" nu))
-  (unary-function
-   (lambda () (cons 'make-eta (map value->datum (list nu t1 t2))))
-   (t)
-   (g:* (g:- t t1) (g:- t t2) (nu t))))
+  (printed-function (make-eta nu t1 t2) (t)
+    (g:* (g:- t t1) (g:- t t2) (nu t))))
 
 ;; ((parametric-path-action L t0 q0 t1 q1) qs): the action of the path of
 ;; make-path, as a function of the intermediate coordinates.
@@ -57,7 +56,7 @@
   (define who 'Lagrange-interpolation-function)
   (interpolation who who ys xs))
 
-;; name : what it prints as, with its first and last point
+;; name : it prints as (name from first-point to last-point)
 (define (interpolation who name ys xs)
   (define twice (check-duplicates xs))
   (when twice (raise-arguments-error who "two points are the same" "point" twice))

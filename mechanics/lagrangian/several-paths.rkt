@@ -11,7 +11,7 @@
   (format "\n  one path of ~a: ~a" (if (= (length paths) 2) "both" "all")
           (call (format "(up ~a)" (joined (names-of paths) " ")))))
 
-;; Letters, where one has no name.
+;; Texts of their names; letters, where one of the paths has no name.
 (define (names-of paths)
   (define names (map value->datum paths))
   (for/list ([name (in-list names)] [k (in-naturals)])
@@ -23,7 +23,7 @@
 
 (define (nameable? d) (and (symbol? d) (not (eq? d '<function>))))
 
-;; Along the path q a time is wanted, and t is given: a second path, or a state?
+;; t is given where the time of the path q is expected; a second path, or a state, is refused.
 (define (check-time-of-path who q t [call values])
   (when (or (pointwise? t) (tuple? t) (pair? t))
     (complain who "expected a time; given ~a~a" (describe-with-value t)

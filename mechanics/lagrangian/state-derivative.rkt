@@ -13,7 +13,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt")
 
@@ -44,7 +44,7 @@
       f
       (Lagrangian-derivative (function-procedure f) (function-mask f) (function-make-datum f) L)))
 
-;; The state derivative of a Lagrangian alone, which those who compile it want to know.
+;; The state derivative without outside forces; it keeps its Lagrangian, from which it is compiled.
 (value-struct Lagrangian-derivative function (Lagrangian))
 
 (define local-state-derivative Lagrangian->state-derivative)
@@ -68,13 +68,13 @@
      (with-handlers ([exn:fail:mechanics:singular:matrix? raise-no-inertia])
        (solve-linear-left (mass state) (force state))))))
 
-;; Differences show late otherwise, as parts of equations that cannot be added.
+;; Without this check a difference in shape would show only where parts of the equations are added.
 (define (check-velocity who state)
   (unless (and (local-tuple? state) (>= (s:length state) 3))
     (complain who "expected a state (up t q v); given ~a~a" (describe-with-value state)
-              (cond [(and (local-tuple? state) (= (s:length state) 2))
-                     "\n  the velocities are missing"]
-                    [else (list-hint state "(up t q v)")])))
+              (if (local-tuple? state)
+                  "\n  the velocities are missing"
+                  (list-hint state "(up t q v)"))))
   (define-values (q v) (values (coordinate state) (velocity state)))
   (unless (same-shape? q v)
     (complain who "the velocities are of another shape than the coordinates~a~a"
@@ -84,20 +84,20 @@
 ;; A null vector of the mass matrix is a direction in which a change of velocity
 ;; changes no momentum.
 (define (raise-no-inertia e)
-  (define directions (exn:fail:mechanics:singular:matrix-null-vectors e))
   (define mass-matrix (exn:fail:mechanics:singular-where e))
   (raise-without-inverse
    'Lagrangian->acceleration
    (string-append "the mass matrix has no inverse; accelerations do not follow from the state"
-                  (directions->text (or directions '()))
+                  (directions->text e)
                   (format "\n  mass matrix: ~a" (value->text (simplify mass-matrix))))
    mass-matrix
-   directions
+   (exn:fail:mechanics:singular:matrix-null-vectors e)
    e))
 
-(define (directions->text directions)
-  (joined (for/list ([v (in-list directions)])
-            (format "\n  no inertia in the direction: ~a" (value->text v)))
+;; Lines on the directions in which the matrix of a failure has no inverse
+(define (directions->text e [missing "no inertia"] [readable values])
+  (joined (for/list ([v (in-list (or (exn:fail:mechanics:singular:matrix-null-vectors e) '()))])
+            (format "\n  ~a in the direction: ~a" missing (value->text (readable v))))
           ""))
 
 ;; ---------------------------------------------------------------------------
@@ -107,11 +107,10 @@
 ;; moving as the state derivative says.
 (define (Lagrange-equations-first-order L [dissipation #f] #:force [Q #f])
   (define slope (Lagrangian->state-derivative L dissipation #:force Q))
-  (define (name) (made-from 'Lagrange-equations-first-order L dissipation Q))
   (define (residual q v)
     (define states (qv->state-path q v))
     (g:- (D states) (compose slope states)))
-  (make-function residual 4 name))
+  (make-function residual 4 (made-from 'Lagrange-equations-first-order L dissipation Q)))
 
 (define Lagrange-equations-1 Lagrange-equations-first-order)
 
@@ -119,7 +118,7 @@
 (define (qv->state-path given-q given-v)
   (define q (path 'qv->state-path given-q))
   (define v (path 'qv->state-path given-v))
-  (unary-function (lambda () (list 'qv->state-path (value->datum q) (value->datum v))) (t)
+  (printed-function (qv->state-path q v) (t)
     (up t (q t) (v t))))
 
 (define qv->local-path qv->state-path)
@@ -127,9 +126,7 @@
 ;; ---------------------------------------------------------------------------
 
 (define (function-of-state who L dissipation Q f)
-  (unary-function (lambda () (made-from who L dissipation Q)) (state) (f state)))
+  (unary-function (made-from who L dissipation Q) (state) (f state)))
 
 (define (made-from who L dissipation Q)
-  `(,who ,(value->datum L)
-         ,@(if dissipation (list (value->datum dissipation)) '())
-         ,@(force->datum Q)))
+  (apply call-datum who L (append (if dissipation (list dissipation) '()) (force->datum Q))))

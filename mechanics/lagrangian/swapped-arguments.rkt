@@ -10,8 +10,8 @@
   (when (swapped? who L q)
     (complain who "the Lagrangian comes first, then the path; these look swapped")))
 
-;; Would the arguments do in the other order?  Asked only when they fail in this; if they
-;; fail in that one, too, it is the first failure that the user gets to see.
+;; Would the arguments serve in the other order?  This is asked after they failed in the given
+;; order; if they fail in the other order, too, the user sees the first failure.
 (define (swapped? who L q)
   (define (works? thunk) (with-handlers ([raised? (lambda (x) #f)]) (thunk) #t))
   (and (procedure? L) (procedure? q)

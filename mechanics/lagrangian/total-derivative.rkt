@@ -13,11 +13,13 @@
 ;;
 ;; a function of local tuples up to the 2n-th.
 
-(require "Lagrange-equations.rkt" "local-tuple.rkt"
+(require racket/list
+         "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative-errors.rkt" "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/operator.rkt" "../value/structure.rkt")
 
 (provide Dt Euler-Lagrange-operator LE Lagrange-equations-operator
@@ -30,8 +32,7 @@
      [(F)
       (unless (procedure? F)
         (complain-of-argument 'Dt "a function of the local tuple" F))
-      (unary-function (lambda () (list 'Dt (value->datum F))) (local)
-        (total-derivative F local))]
+      (printed-function (Dt F) (local) (total-derivative F local))]
      [Fs (raise-takes-only-function 'Dt Fs)])
    (lambda () 'Dt)))
 
@@ -78,9 +79,7 @@
     (unless (and (up? local) (<= n (s:length local)))
       (complain 'clip-state "expected a local tuple of at least ~a components; given ~a"
                 n (describe-with-value local)))
-    (for/fold ([parts '()] #:result (list->up (reverse parts)))
-              ([part (in-vector (structure-elements (adopt local)))] [_ (in-range n)])
-      (cons part parts))))
+    (list->up (take (structure->list local) n))))
 
 ;; All components but the last.
 (define (trim-last-argument local)

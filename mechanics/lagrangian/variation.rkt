@@ -8,7 +8,7 @@
 ;; again a function of paths; eta is a path of the shape of q.
 
 (require "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/wrong-argument.rkt"
+         "../generic/printed-function.rkt" "../generic/wrong-argument.rkt"
          "../calculus/derivative.rkt" "../value/operator.rkt")
 
 (provide delta)
@@ -17,7 +17,7 @@
 (define (delta eta)
   (unless (procedure? eta)
     (complain-of-argument 'delta "a variation: a function of time, or a tuple of them" eta))
-  (define (name) (list 'delta (value->datum eta)))
+  (define name (call-datum 'delta eta))
   (make-primitive-operator (lambda (f) (variation-of f eta name)) name))
 
 (define (variation-of f eta operator-name)
