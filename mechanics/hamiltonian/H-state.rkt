@@ -9,7 +9,7 @@
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt"
-         (only-in "../value/structure.rkt" flip s:dimension))
+         (only-in "../value/structure.rkt" flip list->down list->up s:dimension s:length s:map/r))
 
 (provide ->H-state H-state? compatible-H-state?
          momentum momenta state->p P state->qp
@@ -19,14 +19,14 @@
 
 (define (->H-state t q p) (up t q p))
 
-;; A triple of which the momenta are dual to the coordinates.
+;; Is x a triple whose momenta are dual to its coordinates?
 (define (H-state? x) (and (triple? x) (scalar? (time x)) (dual? (coordinate x) (part x 2))))
 (define compatible-H-state? H-state?)
 
 ;; Does x say that it has momenta?  With one coordinate that is not a tuple nothing says so.
 (define (state-of-momenta? x) (and (H-state? x) (tuple? (coordinate x))))
 
-(define (triple? x) (and (up? x) (= (structure-length (adopt x)) 3)))
+(define (triple? x) (and (up? x) (= (s:length x) 3)))
 (define (part x i) (vector-ref (tuple-elements x) i))
 
 (define (dual? q p)
@@ -39,7 +39,7 @@
 
 (define (momentum state)
   (note-asked! state)
-  (unless (and (up? state) (> (structure-length (adopt state)) 2))
+  (unless (and (up? state) (> (s:length state) 2))
     (complain 'momentum "expected a Hamiltonian state (up t q p); given ~a~a"
               (describe-with-value state)
               (if (pointwise? state)
@@ -84,10 +84,10 @@
     (for/list ([i (in-range n)]) (string->symbol (format mark i))))
   (if (= n 1)
       (up 't 'q 'p)
-      (up 't (apply up (names "q^~a")) (apply down (names "p_~a")))))
+      (up 't (list->up (names "q^~a")) (list->down (names "p_~a")))))
 
 ;; ---------------------------------------------------------------------------
-;; States that are none
+;; Bad states
 
 (define (check-H-state who state)
   (unless (triple? state)
@@ -96,7 +96,7 @@
   (define-values (q p) (values (part state 1) (part state 2)))
   (unless (dual? q p) (raise-not-dual who q p)))
 
-;; A state of as many coordinates as another
+;; The state must have the shape of model.
 (define (check-state-like who model state)
   (check-H-state who state)
   (unless (same-shape? state model)
@@ -108,18 +108,12 @@
             (value->text q) (value->text p) (remedy q p)))
 
 (define (remedy q p)
+  (define (dual-like) (value->text (s:map/r (lambda (x) 'p) (flip q))))
   (cond [(not (tuple? q)) ""]
-        [(pair? p) (list-hint p (value->text (dual-like q)))]
-        [(not (tuple? p)) (format "\n  momenta are written like ~a" (value->text (dual-like q)))]
-        [(not (= (s:dimension q) (s:dimension p)))
+        [(pair? p) (list-hint p (dual-like))]
+        [(and (tuple? p) (not (= (s:dimension q) (s:dimension p))))
          (format "\n  there are ~a coordinates and ~a momenta" (s:dimension q) (s:dimension p))]
         [(same-shape? q p)
          (format "\n  momenta are written ~a; velocities belong to a Lagrangian"
                  (value->text (flip p)))]
-        [else (format "\n  momenta are written like ~a" (value->text (dual-like q)))]))
-
-(define (dual-like q)
-  (flip (scalars-named q)))
-
-(define (scalars-named q)
-  (structure-map (lambda (x) (if (tuple? x) (scalars-named (adopt x)) 'p)) (adopt q)))
+        [else (format "\n  momenta are written like ~a" (dual-like))]))

@@ -14,8 +14,8 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/computed-once.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/scalar.rkt"
-         "../generic/up-down.rkt"
+         "../generic/function-check.rkt" "../generic/function.rkt"
+         "../generic/printed-function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          (only-in "../lagrangian/external-force.rkt" force-like force->datum)
          "../lagrangian/local-tuple.rkt" "../lagrangian/several-paths.rkt"
          "../value/compose.rkt")
@@ -38,38 +38,32 @@
   (check-Hamiltonian who H)
   (define flow (flow-direction who H F))
   (define called-otherwise? (once (lambda () (called-Lagrangian-only? H))))
-  (unary-function (lambda () (made-of who H F)) (state)
+  (unary-function (made-of who H F) (state)
     (check-H-state who state)
-    ;; of one coordinate nothing else tells a momentum from a velocity
+    ;; with one coordinate only the name of H tells whether the third part is a velocity
     (when (and (scalar? (momentum state)) (called-otherwise?))
       (raise-called-Lagrangian who H))
     (define-values (velocity force) (flow state))
     (up rate-of-time velocity force)))
 
-(define (made-of who H F) (list* who (value->datum H) (force->datum F)))
+(define (made-of who H F) (apply call-datum who H (force->datum F)))
 
 ;; state ↦ ∂₂H and −∂₁H + F, with F a function of the state or #f
 (define (flow-direction who H [F #f])
   (define flow (own-flow who H))
   (cond [F
-         (check-force who F)
+         (check-takes who F 1
+                      "a force outside a Hamiltonian is a function of the state (up t q p)")
          (lambda (state)
            (define-values (velocity force) (flow state))
            (values velocity (g:+ force (force-like who force (F state)))))]
         [else flow]))
 
-(define (check-force who F)
-  (unless (and (procedure? F) (accepts? F 1))
-    (complain who
-              "a force outside a Hamiltonian is a function of the state (up t q p); given ~a"
-              (describe-function F))))
-
 (define (own-flow who H)
-  (cond [(flow-of-declared H)]
-        [else
-         (define number (number-valued who H))
-         (define-values (by-q by-p) (values ((partial 1) number) ((partial 2) number)))
-         (lambda (state) (values (by-p state) (g:negate (by-q state))))]))
+  (define number (number-valued who H))
+  (define-values (by-q by-p) (values ((partial 1) number) ((partial 2) number)))
+  (or (flow-of-declared H)
+      (lambda (state) (values (by-p state) (g:negate (by-q state))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Along paths
@@ -77,7 +71,7 @@
 ;; (((Hamilton-equations H) q p) t) : the residual, (up 0 (up …) (down …))
 (define-plain (Hamilton-equations H #:force [F #f])
   (define slope (derivative-of-states 'Hamilton-equations H 1 F))
-  (define (name) (made-of 'Hamilton-equations H F))
+  (define name (made-of 'Hamilton-equations H F))
   (define (residual q p)
     (define states (states-along 'Hamilton-equations q p))
     (g:- (D states) (compose slope states)))
@@ -94,7 +88,7 @@
 
 (define (states-along who given-q given-p)
   (define-values (q p) (values (path who given-q) (path who given-p)))
-  (unary-function (lambda () (list 'qp->H-state-path (value->datum q) (value->datum p))) (t)
+  (printed-function (qp->H-state-path q p) (t)
     (check-time-of-path who (up q p) t)
     (define state (up t (q t) (p t)))
     (check-H-state who state)

@@ -1,23 +1,25 @@
 #lang racket/base
-;; Hamiltonians, and what is wrong with those that are none.
+;; Hamiltonians, and the errors of functions that are none.
 
 (require "H-state.rkt" "known-Hamiltonians.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
+         "../generic/function.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/name-hints.rkt")
 
 (provide make-Hamiltonian check-Hamiltonian check-Hamiltonian-and-state
          called-Lagrangian-only? raise-called-Lagrangian
          number-valued check-quantity)
 
-;; (make-Hamiltonian T V) : T + V, of functions of the state, or of parameters with such as
-;; values; (make-Hamiltonian H) : H, known from now on to be a Hamiltonian
+;; (make-Hamiltonian T V) : T + V, of functions of the state, or of parameters that give such
+;; functions; (make-Hamiltonian H) : H, known from now on to be a Hamiltonian
 (define make-Hamiltonian
   (case-lambda
     [(H)
      (check-Hamiltonian 'make-Hamiltonian H)
-     (if (declared-Hamiltonian? H) H (declared-Hamiltonian (one-argument H)))]
+     (if (declared-Hamiltonian? H)
+         H
+         (declared-Hamiltonian (unary-function (lambda () (value->datum H)) (state) (H state))))]
     [(kinetic-energy potential-energy)
      (for ([f (in-list (list kinetic-energy potential-energy))])
        (unless (procedure? f)
@@ -25,9 +27,7 @@
      (define sum (g:+ kinetic-energy potential-energy))
      (if (accepts? sum 1) (make-Hamiltonian sum) sum)]))
 
-(define (one-argument H) (unary-function (lambda () (value->datum H)) (state) (H state)))
-
-;; Of one that is asked about at a state: a Lagrangian has a value there, too, which is no energy.
+;; H is asked about at a state, where a Lagrangian would have a value, too, which is no energy.
 (define (check-Hamiltonian-and-state who H state)
   (when (and (tuple? H) (pointwise? state))
     (complain who "the Hamiltonian comes first, then the state; these look swapped"))
@@ -35,7 +35,7 @@
   (check-H-state who state)
   (when (called-Lagrangian-only? H) (raise-called-Lagrangian who H)))
 
-;; Is there nothing else that tells?  One that was said to be a Hamiltonian may have any name.
+;; Is H called a Lagrangian, and not known to be a Hamiltonian?
 (define (called-Lagrangian-only? H)
   (and (not (declared-Hamiltonian? H)) (called-Lagrangian? H)))
 
@@ -60,16 +60,9 @@
                   ""))))
 
 (define (check-quantity who Q)
-  (unless (and (procedure? Q) (accepts? Q 1))
-    (complain who "a quantity is a function of the state (up t q p); given ~a"
-              (describe-function Q))))
+  (check-takes who Q 1 "a quantity is a function of the state (up t q p)"))
 
-;; H, refusing to go on when its value is no number.
-(define (number-valued who H)
-  (lambda (state)
-    (define value (H state))
-    (unless (scalar? value)
-      (complain who "the value of a Hamiltonian is a number, but that of ~a is ~a~a"
-                (value->text H) (describe-with-value value)
-                (if (pointwise? value) "\n  was a parameter left out, as a mass?" "")))
-    value))
+;; H, whose value is checked to be a number.
+(define ((number-valued who H) state)
+  (define (hint value) (if (pointwise? value) "\n  was a parameter left out, as a mass?" ""))
+  (check-scalar-value who "a Hamiltonian" H (H state) hint))

@@ -7,10 +7,11 @@
 (require "H-state.rkt" "Hamiltonian.rkt" "inverse-gradient.rkt" "known-Hamiltonians.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/describe.rkt" "../generic/function-check.rkt" "../generic/function.rkt"
+         "../generic/printed-function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
-         (only-in "../lagrangian/state-derivative.rkt" check-velocity))
+         (only-in "../lagrangian/state-derivative.rkt" check-velocity)
+         (only-in "../value/structure.rkt" ref))
 
 (provide Legendre-transform Legendre-transform-procedure
          Lagrangian->Hamiltonian Lagrangian->Hamiltonian-procedure
@@ -19,9 +20,7 @@
 
 ;; F : a function of one argument with a number as value
 (define (Legendre-transform F)
-  (unless (and (procedure? F) (accepts? F 1))
-    (complain 'Legendre-transform "expected a function of one argument, the velocities; given ~a"
-              (describe-function F)))
+  (check-takes 'Legendre-transform F 1 "expected a function of one argument, the velocities")
   (define (value given v)
     (define x (F v))
     (unless (scalar? x)
@@ -29,7 +28,7 @@
                 (value->text F) (describe-with-value x)))
     x)
   (define i (make-inverter 'Legendre-transform value))
-  (unary-function (lambda () (list 'Legendre-transform (value->datum F))) (w)
+  (printed-function (Legendre-transform F) (w)
     (transform-at i nothing-else w)))
 
 (define nothing-else (up))
@@ -39,10 +38,10 @@
 
 ;; (Lagrangian->Hamiltonian L) : (t, q, p) ↦ p v − L(t, q, v), where ∂₂L = p
 (define (Lagrangian->Hamiltonian L)
-  (check-Lagrangian 'Lagrangian->Hamiltonian L)
-  (define f (scalar-valued 'Lagrangian->Hamiltonian L))
-  (define (check state) (check-H-state 'Lagrangian->Hamiltonian state))
-  (define-values (H velocity) (transformed 'Lagrangian->Hamiltonian L f check))
+  (define who 'Lagrangian->Hamiltonian)
+  (check-Lagrangian who L)
+  (define f (scalar-valued who L))
+  (define-values (H velocity) (transformed who L f (lambda (state) (check-H-state who state))))
   (define (flow state)
     (define v (velocity state))
     (values v (((partial 1) f) (up (time state) (coordinate state) v))))
@@ -50,29 +49,27 @@
 
 ;; (Hamiltonian->Lagrangian H) : (t, q, v) ↦ p v − H(t, q, p), where ∂₂H = v
 (define (Hamiltonian->Lagrangian H)
-  (check-Hamiltonian 'Hamiltonian->Lagrangian H)
+  (define who 'Hamiltonian->Lagrangian)
+  (check-Hamiltonian who H)
   (define (check state)
-    (check-local-length 'Hamiltonian->Lagrangian state 3)
-    (check-velocity 'Hamiltonian->Lagrangian state))
-  (define-values (L momentum)
-    (transformed 'Hamiltonian->Lagrangian H (number-valued 'Hamiltonian->Lagrangian H) check))
+    (check-local-length who state 3)
+    (check-velocity who state))
+  (define-values (L momentum) (transformed who H (number-valued who H) check))
   L)
 
-;; The transform of f by the third part of its states, and what that is with the other
-;; function: velocities for momenta, or momenta for velocities.
+;; -> the transform of f by the third part of its states; and the function of states that gives
+;; the velocities of momenta, or the momenta of velocities
 (define (transformed who given f check)
-  (define (at place v) (f (up (tuple-part place 0) (tuple-part place 1) v)))
+  (define (at place v) (f (up (ref place 0) (ref place 1) v)))
   (define i (make-inverter who at))
   (define (place state) (up (time state) (coordinate state)))
   (define value
-    (unary-function (lambda () (list who (value->datum given))) (state)
+    (unary-function (call-datum who given) (state)
       (check state)
-      (transform-at i (place state) (tuple-part state 2))))
-  (values value (lambda (state) (velocity-at i (place state) (tuple-part state 2)))))
+      (transform-at i (place state) (ref state 2))))
+  (values value (lambda (state) (velocity-at i (place state) (ref state 2)))))
 
-(define (tuple-part x i) (vector-ref (tuple-elements x) i))
-
-;; As scmutils calls the procedures in these.
+;; The names of scmutils
 (define Legendre-transform-procedure Legendre-transform)
 (define Lagrangian->Hamiltonian-procedure Lagrangian->Hamiltonian)
 (define Hamiltonian->Lagrangian-procedure Hamiltonian->Lagrangian)
@@ -84,7 +81,7 @@
 (define (Lstate->Hstate L)
   (check-Lagrangian 'Lstate->Hstate L)
   (define P ((partial 2) (scalar-valued 'Lstate->Hstate L)))
-  (unary-function (lambda () (list 'Lstate->Hstate (value->datum L))) (local)
+  (printed-function (Lstate->Hstate L) (local)
     (check-local-length 'Lstate->Hstate local 3)
     (check-velocity 'Lstate->Hstate local)
     (up (time local) (coordinate local) (P local))))
@@ -93,6 +90,6 @@
 (define (Hstate->Lstate H)
   (check-Hamiltonian 'Hstate->Lstate H)
   (define V ((partial 2) (number-valued 'Hstate->Lstate H)))
-  (unary-function (lambda () (list 'Hstate->Lstate (value->datum H))) (state)
+  (printed-function (Hstate->Lstate H) (state)
     (check-H-state 'Hstate->Lstate state)
     (up (time state) (coordinate state) (V state))))

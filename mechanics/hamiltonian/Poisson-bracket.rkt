@@ -9,7 +9,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt"
+         "../generic/printed-function.rkt" "../generic/scalar.rkt"
          "../value/structure.rkt")
 
 (provide Poisson-bracket rate-of-quantity)
@@ -17,8 +17,7 @@
 (define (Poisson-bracket f g)
   (check-bracketed f)
   (check-bracketed g)
-  (define (name) (list 'Poisson-bracket (value->datum f) (value->datum g)))
-  (unary-function name (state)
+  (printed-function (Poisson-bracket f g) (state)
     (check-H-state 'Poisson-bracket state)
     (define value (g state))
     (if (scalar? value)

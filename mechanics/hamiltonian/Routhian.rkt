@@ -12,12 +12,12 @@
 ;; A Lagrangian of coordinates that are not in two parts may say which of them are y, by their
 ;; places (split-coordinates.rkt).
 
-(require "Hamilton-equations.rkt" "H-state.rkt" "Routhian-state.rkt" "inverse-gradient.rkt"
-         "split-coordinates.rkt"
+(require "Hamilton-equations.rkt" "H-state.rkt" "inverse-gradient.rkt" "split-coordinates.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt"
+         "../generic/function-check.rkt" "../generic/function.rkt" "../generic/printed-function.rkt"
+         "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          (only-in "../lagrangian/state-derivative.rkt" directions->text)
          "../value/structure.rkt" "../value/matrix/linear-algebra.rkt")
@@ -35,7 +35,7 @@
   (define i (make-inverter 'Lagrangian->Routhian L-of-y))
   (unary-function (lambda () (made-of 'Lagrangian->Routhian L places)) (state)
     (check-Routhian-state 'Lagrangian->Routhian state)
-    (transform-at i (up (time state) (coordinate state) (part state 2 0)) (part state 2 1))))
+    (transform-at i (up (time state) (coordinate state) (ref state 2 0)) (ref state 2 1))))
 
 (define (parted L who places) (in-two-parts who L (check-places who places)))
 
@@ -45,7 +45,8 @@
 ;; (((Routh-equations R) x y p_y) t) : (up residual-of-x (up 0 residual-of-y residual-of-p_y))
 (define (Routh-equations R)
   (check-Routhian 'Routh-equations R)
-  (define name (lambda () (list 'Routh-equations (value->datum R))))
+  (define name (call-datum 'Routh-equations R))
+  (define (checked q) (path 'Routh-equations q))
   (make-function
    (case-lambda [(x y p) (residual-along R (checked x) (checked y) (checked p))]
                 [paths
@@ -53,8 +54,6 @@
                                     "takes three paths, x, y and p_y; it was given ~a"
                                     (length paths))])
    8 name))
-
-(define (checked q) (path 'Routh-equations q))
 
 (define (residual-along R x y p)
   (define ((L-at t) s)
@@ -77,43 +76,42 @@
 ;; (Routhian->acceleration R) : state ↦ ẍ
 (define (Routhian->acceleration R)
   (check-Routhian 'Routhian->acceleration R)
-  (unary-function (lambda () (list 'Routhian->acceleration (value->datum R))) (state)
-    (check-Routhian-state 'Routhian->acceleration state)
-    (define-values (y-rate p-rate) (Hamiltonian-part R state))
-    (acceleration-at R state y-rate p-rate)))
+  (printed-function (Routhian->acceleration R) (state)
+    (define-values (acceleration y-rate p-rate) (rates-at 'Routhian->acceleration R state))
+    acceleration))
 
 ;; (Routhian->state-derivative R) : state ↦ (1, (ẋ, ẏ), (ẍ, ṗ_y))
 (define (Routhian->state-derivative R)
   (check-Routhian 'Routhian->state-derivative R)
-  (unary-function (lambda () (list 'Routhian->state-derivative (value->datum R))) (state)
-    (check-Routhian-state 'Routhian->state-derivative state)
-    (define-values (y-rate p-rate) (Hamiltonian-part R state))
+  (printed-function (Routhian->state-derivative R) (state)
+    (define-values (acceleration y-rate p-rate) (rates-at 'Routhian->state-derivative R state))
     (up 1
-        (up (part state 2 0) y-rate)
-        (up (acceleration-at R state y-rate p-rate) p-rate))))
+        (up (ref state 2 0) y-rate)
+        (up acceleration p-rate))))
 
-(define (Hamiltonian-part R state)
-  (values (((partial 2 1) R) state)
-          (g:negate (((partial 1 1) R) state))))
-
-(define (acceleration-at R state y-rate p-rate)
+;; -> ẍ, ẏ and ṗ_y
+(define (rates-at who R state)
+  (check-Routhian-state who state)
+  (define y-rate (((partial 2 1) R) state))
+  (define p-rate (g:negate (((partial 1 1) R) state)))
   (define P ((partial 2 0) R))
-  (define vx (part state 2 0))
+  (define vx (ref state 2 0))
   (define-values (momenta drift)
     (value-and-derivative-along P state (up 1 (up vx y-rate) (up (g:* 0 vx) p-rate))))
   (define mass (((partial 2 0) P) state))
-  (with-handlers ([exn:fail:mechanics:singular:matrix? (lambda (e) (raise-no-inertia mass e))])
-    (solve-linear-left mass (g:- (((partial 1 0) R) state) drift))))
+  (define acceleration
+    (with-handlers ([exn:fail:mechanics:singular:matrix? (lambda (e) (raise-no-inertia mass e))])
+      (solve-linear-left mass (g:- (((partial 1 0) R) state) drift))))
+  (values acceleration y-rate p-rate))
 
 (define (raise-no-inertia mass e)
-  (define directions (or (exn:fail:mechanics:singular:matrix-null-vectors e) '()))
   (raise-without-inverse
    'Routhian->acceleration
    (string-append "the second derivatives by the velocities have no inverse"
-                  (directions->text directions)
+                  (directions->text e)
                   (format "\n  second derivatives: ~a" (value->text mass)))
    mass
-   directions
+   (or (exn:fail:mechanics:singular:matrix-null-vectors e) '())
    e))
 
 ;; ---------------------------------------------------------------------------
@@ -131,7 +129,7 @@
     (check-two-parts who state)
     (up (time state)
         (coordinate state)
-        (up (part state 2 0) (P_y state)))))
+        (up (ref state 2 0) (P_y state)))))
 
 ;; ((Routhian-state->Lagrangian-state R) (up t (up x y) (up vx p_y))), in two parts or with
 ;; coordinates at their places
@@ -144,5 +142,32 @@
     (define local
       (up (time state)
           (coordinate state)
-          (up (part state 2 0) (((partial 2 1) R) state))))
+          (up (ref state 2 0) (((partial 2 1) R) state))))
     (if places (joined-state who local places) local)))
+
+;; ---------------------------------------------------------------------------
+;; Bad Routhians and states
+
+(define (check-Routhian who R)
+  (check-takes who R 1 "a Routhian is a function of the state (up t (up x y) (up vx p_y))"))
+
+(define (check-two-parts who state)
+  (define (pair? x) (and (up? x) (= (s:length x) 2)))
+  (unless (and (up? state) (= (s:length state) 3) (pair? (ref state 1)) (pair? (ref state 2)))
+    (complain who "~a\n  given: ~a~a~a"
+              (string-append "expected coordinates in two parts, of which the second has momenta: "
+                             "(up t (up x y) (up vx p_y))")
+              (value->text state)
+              "\n  more coordinates are tuples within: (up theta (up phi psi))"
+              (list-hint state "(up t (up x y) (up vx p_y))"))))
+
+(define (check-Routhian-state who state)
+  (check-two-parts who state)
+  (define-values (y p) (values (ref state 1 1) (ref state 2 1)))
+  (unless (H-state? (up (time state) y p))
+    (complain who "the momenta of a Routhian state are dual to their coordinates~a~a~a"
+              (format "\n  coordinates: ~a" (value->text y))
+              (format "\n  in the place of momenta: ~a" (value->text p))
+              (if (and (tuple? p) (same-shape? y p))
+                  (format "\n  momenta are written ~a" (value->text (flip p)))
+                  ""))))

@@ -4,8 +4,8 @@
 
 (require "H-state.rkt" "known-Hamiltonians.rkt" "classify-system.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
-         "../generic/function.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
-         "../generic/up-down.rkt"
+         "../generic/describe.rkt" "../generic/function-check.rkt" "../generic/function.rkt"
+         "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../lagrangian/name-hints.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          (only-in "../value/structure.rkt" flip))
@@ -15,8 +15,8 @@
 (provide as-Lagrangian as-Lagrangian-along as-Lagrangian-at as-local)
 
 ;; -> the Lagrangian, and the force outside as a function of local tuples, or #f
-;; A function that nothing tells to be a Hamiltonian is taken for a Lagrangian, unless it is called
-;; one: the answer would be that to another question.
+;; A function that is not known to be a Hamiltonian is taken for a Lagrangian; one that is called a
+;; Hamiltonian is refused, since the answer would be that to another question.
 ;; q : coordinates; force : a function of the same states as f, or #f
 (define (as-Lagrangian who f q [force #f])
   (define told? (Hamiltonian-told? f q))
@@ -32,8 +32,8 @@
                "\n  of a Lagrangian, take another name")
               (value->text f) (value->text f))))
 
-;; The same where there is a path q.  It may be none, and f no function: those who solve the
-;; equations say so.
+;; The same where there is a path q.  Neither q nor f is checked: whoever solves the equations
+;; checks them.
 (define (as-Lagrangian-along f q [force #f])
   (define (position) (q (string->uninterned-symbol "t")))
   (converted f force
@@ -63,9 +63,9 @@
   (or (and (declared-Hamiltonian? H) (Lagrangian-of-declared H))
       (Hamiltonian->Lagrangian H)))
 
-;; (t, q, v) ↦ F(t, q, ∂₂L); what is no function is left to those who check forces.
+;; (t, q, v) ↦ F(t, q, ∂₂L); a value that is no function is returned, for the check of forces.
 (define (force-of-velocities L force)
-  (if (and (procedure? force) (accepts? force 1))
+  (if (takes-arguments? force 1)
       (unary-function (lambda () (value->datum force)) (local)
         (force ((Lstate->Hstate L) local)))
       force))

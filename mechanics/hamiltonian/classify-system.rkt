@@ -1,31 +1,30 @@
 #lang racket/base
-;; Is a function a Hamiltonian?  What tells, when a question that is asked of Lagrangians, too,
-;; is asked of it.
+;; Is a function a Hamiltonian or a Lagrangian, when a question is asked that both can answer?
 ;;
-;; Of several coordinates the state tells, if there is one: momenta are a down tuple.  So does
-;; the function: one that takes (t, q, p) with such a tuple and refuses velocities is a
-;; Hamiltonian.  Of one coordinate a number p is told from a number v by those functions only
-;; that were made as Hamiltonians (known-Hamiltonians.rkt), that are literal with such a signature, or
-;; that ask their state for its `momentum`.  What takes the third part of its argument for
-;; momenta by a pattern tells nothing.
+;; With several coordinates the state tells, if there is one: momenta are a down tuple.  So does
+;; the function: one that takes (t, q, p) with a down tuple p and refuses velocities is a
+;; Hamiltonian.  With one coordinate p and v are numbers; known to be Hamiltonians are then only
+;; functions that were made as Hamiltonians (known-Hamiltonians.rkt), that are literal with a signature of
+;; momenta, or that ask their state for its `momentum`.  A function that takes the third part of
+;; its argument by a pattern tells nothing.
 
 (require "H-state.rkt" "known-Hamiltonians.rkt"
          "../calculus/literal-function.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/describe.rkt" "../generic/function-check.rkt" "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt" (only-in "../value/structure.rkt" flip))
+         "../value/shape.rkt" (only-in "../value/structure.rkt" flip ref s:length))
 
 (provide Hamiltonian-told? told-by-state?)
 
 ;; q : coordinates
 (define (Hamiltonian-told? f q)
   (or (declared-Hamiltonian? f)
-      (and (procedure? f) (accepts? f 1)
+      (and (takes-arguments? f 1)
            (if (literal-function? f) (literal-takes-momenta? f q) (takes-momenta? f q)))))
 
-;; state : what the question is asked at; a state that leaves it open is refused where its third
-;; part is named like a momentum
+;; state : the state of the question; one that leaves it open is refused where its third part is
+;; named like a momentum
 (define (told-by-state? who f state)
   (cond [(state-of-momenta? state) #t]
         [(or (not (has-velocities? state)) (tuple? (coordinate state))) (declared-Hamiltonian? f)]
@@ -35,7 +34,7 @@
          #f]))
 
 (define (has-velocities? state)
-  (and (local-tuple? state) (> (vector-length (tuple-elements state)) 2)))
+  (and (local-tuple? state) (> (s:length state) 2)))
 
 ;; ---------------------------------------------------------------------------
 ;; By what the function takes
@@ -46,7 +45,7 @@
       (and (takes? (flip q)) (not (takes? q)))
       (and (takes? (down 'p)) (not (takes? (up 'v))))))
 
-;; What f makes of symbols may be beyond it; what it asked for before that tells nevertheless.
+;; f may fail at symbols; whether it asked for the momentum before it failed tells nevertheless.
 (define (takes-momenta? f q)
   (define state (unknowns-like (up 't q (if (tuple? q) (flip (adopt q)) q))))
   (define value #f)
@@ -62,7 +61,7 @@
 
 ;; (up t q p), with one coordinate
 (define (open? state)
-  (define third (vector-ref (tuple-elements state) 2))
+  (define third (ref state 2))
   (and (symbol? third) (regexp-match? #rx"^p([_^0-9].*)?$" (symbol->string third))))
 
 (define (raise-open who f state)

@@ -14,38 +14,42 @@
 ;;
 ;; Second derivatives without an inverse leave velocities open: directions without inertia.
 
-(require "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+(require "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
-         "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
-         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
-         "../value/structure.rkt"
+         (only-in "../lagrangian/state-derivative.rkt" directions->text)
+         "../value/by-shape.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/simplify.rkt" "../value/structure.rkt" "../value/symbols-like.rkt"
          "../value/matrix/linear-algebra.rkt")
 
 ;; Most Lagrangians are quadratic.
 (require-on-demand
  ["velocity-formula.rkt" solve-gradient]
- ["../calculus/expression-function.rkt" evaluate-generically]
+ ["../calculus/expression-function.rkt" evaluate-at]
  ["../search/find-root.rkt" find-root]
  ["../search/implicit-root.rkt" plain])
 
 (provide make-inverter velocity-at transform-at)
 
 ;; who : complains; F : given v -> number
-;; known : the way and what it was settled for, or #f; two threads that come here at once
-;; settle it twice
-(struct inverter (who F [known #:mutable]) #:authentic)
-(struct way (shape how declared) #:authentic)
+;; how : (up given w) -> 'exactly, 'by-numbers or a formula, which may rest on declared assumptions
+(struct inverter (who F how) #:authentic)
 
-(define (make-inverter who F) (inverter who F #f))
+(define (make-inverter who F)
+  (define i
+    (inverter who F (by-shape (lambda (given-w) (settle i (ref given-w 0) (ref given-w 1)))
+                              #:lasting? (lambda (how) (not (formula? how))))))
+  i)
+
+(define (how-to i given w) ((inverter-how i) (up given w)))
 
 ;; given : a tuple; w : momenta, or whatever is dual to v
 (define (velocity-at i given w)
   (define how (how-to i given w))
   (case how
-    [(exactly) (let-values ([(M b) (linear-equations i given w)]) (solved i M (g:- w b)))]
+    [(exactly) (let-values ([(M push) (linear-equations i given w)]) (solved i M push))]
     [(by-numbers) (velocity-by-numbers i given w)]
     [else (velocity-by-formula i how given w)]))
 
@@ -53,17 +57,17 @@
 (define (transform-at i given w)
   (define (F v) ((inverter-F i) given v))
   (cond [(eq? (how-to i given w) 'exactly)
-         (define-values (M b) (linear-equations i given w))
-         (define push (g:- w b))
+         (define-values (M push) (linear-equations i given w))
          (g:- (g:* 1/2 push (solved i M push)) (F (dual-zero w)))]
         [else
          (define v (velocity-at i given w))
          (g:- (g:* w v) (F v))]))
 
+;; -> M and w − b
 (define (linear-equations i given w)
   (define F ((gradient-in i) given))
   (define zero (dual-zero w))
-  (values (derivative-at F zero) (F zero)))
+  (values (derivative-at F zero) (g:- w (F zero))))
 
 ;; given ↦ (v ↦ ∂F/∂v)
 (define ((gradient-in i) given)
@@ -72,24 +76,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Settling the way
 
-(define (how-to i given w)
-  (define shape (up given w))
-  (define known (inverter-known i))
-  (cond [(and known (same-shape? shape (way-shape known)) (still-holds? known))
-         (way-how known)]
-        [else
-         (define how (settle i given w))
-         (set-inverter-known! i (way shape how (and (formula? how) (assumptions 'declared))))
-         how]))
-
-;; A formula may rest on what was declared.
-(define (still-holds? known)
-  (or (not (way-declared known)) (equal? (way-declared known) (assumptions 'declared))))
-
-;; What F makes of symbols may be beyond it; then numbers have to do.
+;; F may fail at symbols; then the velocities are found by numbers.
 (define (settle i given w)
-  (define (symbols-like x name)
-    (scalars->structure x (lambda (k) (string->uninterned-symbol (format "~a~a" name k)))))
   (define place (symbols-like given "q"))
   (define-values (v momenta) (values (symbols-like (dual-zero w) "v") (symbols-like w "w")))
   (define equations (gradient-at-symbols i place v))
@@ -100,9 +88,7 @@
          (define solution
            (solve-gradient (equations-values equations) (equations-slopes equations)
                            (scalars v) (scalars momenta)))
-         (if solution (formula place momenta (scalars->structure v (nth solution))) 'by-numbers)]))
-
-(define ((nth xs) k) (list-ref xs k))
+         (if solution (formula (up place momenta) (list->structure v solution)) 'by-numbers)]))
 
 ;; values : ∂F/∂v, slopes : its derivatives by v
 (struct equations (values slopes) #:authentic)
@@ -112,33 +98,26 @@
     (define F ((gradient-in i) place))
     (equations (F v) (derivative-at F v))))
 
-;; Often an expression shows it, and simplification must tell where it does not; without taking
-;; for granted that v is positive, as in the root of v².
+;; Do the slopes not depend on the names?  Often this is seen before they are simplified, which
+;; must not take for granted that v is positive, as in the root of v².
 (define (independent? slopes names)
   (define (free-of? x)
-    (not (for*/or ([e (in-list (scalars x))] [name (in-list names)])
-           (and (expression? e) (occurs? name e)))))
+    (not (for*/or ([e (in-list (scalars x))] [name (in-list names)]) (occurs? name e))))
   (or (free-of? slopes)
       (free-of? (simplify-strictly slopes))))
 
 ;; ---------------------------------------------------------------------------
 ;; Formulas
 
-;; given, w : of symbols; v : the velocities in terms of these
-(struct formula (given w v) #:authentic)
+;; place : (up given w) of symbols; v : the velocities in terms of these
+(struct formula (place v) #:authentic)
 
 (define (velocity-by-formula i f given w)
-  (define point
-    (map cons
-         (append (scalars (formula-given f)) (scalars (formula-w f)))
-         (append (scalars given) (scalars w))))
-  (define vs (scalars (formula-v f)))
-  (define v (scalars->structure (formula-v f)
-                                (lambda (k) (evaluate-generically (list-ref vs k) point))))
+  (define v (evaluate-at (formula-v f) (formula-place f) (up given w)))
   (when (ormap unreal? (scalars (plain v))) (raise-none-found i w (plain v) #f))
   v)
 
-;; As the logarithm of a negative number: that momentum no velocity has.
+;; Is x no real number, as the logarithm of a negative one?  No velocity has that momentum.
 (define (unreal? x) (and (number? x) (not (real? x))))
 
 ;; ---------------------------------------------------------------------------
@@ -158,11 +137,11 @@
   (with-handlers ([exn:fail:mechanics:not-convergent? complain])
     (find-root excess start)))
 
-;; Right if F were quadratic; where that does not say, along the momenta.
+;; The solution for a quadratic F; if it has no value, the momenta themselves.
 (define (starting-velocity i given w)
   (with-handlers ([no-value? (lambda (e) (flip w))])
-    (define-values (M b) (linear-equations i given w))
-    (solve-linear-left M (g:- w b))))
+    (define-values (M push) (linear-equations i given w))
+    (solve-linear-left M push)))
 
 ;; ---------------------------------------------------------------------------
 ;; Failures
@@ -174,28 +153,19 @@
 (define (check-inertia i equations w) (void (solved i (equations-slopes equations) w)))
 
 (define (raise-no-inertia i M e)
-  (define directions (or (exn:fail:mechanics:singular:matrix-null-vectors e) '()))
   (raise-without-inverse
    (inverter-who i)
    (string-append
-    (format "the second derivatives have no inverse; ~a" (what-is-open i))
-    (joined (for/list ([v (in-list directions)])
-              (format "\n  ~a in the direction: ~a" (what-is-missing i) (value->text (simplify v))))
-            "")
+    "the second derivatives have no inverse; "
+    (if (back? i) "momenta do not follow from velocities" "velocities do not follow from momenta")
+    (directions->text e (if (back? i) "the same velocity" "no inertia") simplify)
     (format "\n  second derivatives: ~a" (value->text (simplify M))))
    M
-   directions
+   (or (exn:fail:mechanics:singular:matrix-null-vectors e) '())
    e))
 
-;; From a Hamiltonian the way is back.
+;; Are momenta sought, those of velocities?
 (define (back? i) (eq? (inverter-who i) 'Hamiltonian->Lagrangian))
-
-(define (what-is-open i)
-  (if (back? i)
-      "momenta do not follow from velocities"
-      "velocities do not follow from momenta"))
-
-(define (what-is-missing i) (if (back? i) "the same velocity" "no inertia"))
 
 (define (raise-none-found i w reached estimate)
   (raise-not-convergent (inverter-who i)

@@ -1,17 +1,19 @@
 #lang racket/base
-;; Functions that are known to be Hamiltonians: made of a Lagrangian, or said to be ones.
+;; Functions that are known to be Hamiltonians: made of a Lagrangian, or declared.
 ;;
-;; Of a state (t, q, p) with one coordinate nothing tells it from a local tuple (t, q, v), nor
-;; a Hamiltonian from a Lagrangian; so a Hamiltonian that was made as one says so.
+;; A state (t, q, p) with one coordinate looks like a local tuple (t, q, v), and a Hamiltonian
+;; like a Lagrangian; so a Hamiltonian that was made as one says so.
 ;;
-;; Of one made of a Lagrangian the derivatives are known, too: with H = p v − L and p = ∂₂L,
-;; the terms with derivatives of v cancel, and ∂₂H = v and ∂₁H = −∂₁L at that v.  So the motion
-;; follows without a derivative of the velocities, which are found by solving equations.
+;; The derivatives of a Hamiltonian made of a Lagrangian are known, too: with H = p v − L and
+;; p = ∂₂L, the terms with derivatives of v cancel, and ∂₂H = v and ∂₁H = −∂₁L at that v.  So the
+;; motion follows without a derivative of the velocities, which are found by solving equations.
 
 (require "../generic/describe.rkt" "../generic/kind.rkt" "../generic/value-struct.rkt"
          "../lagrangian/function-of-momenta.rkt")
 
-(provide declared-Hamiltonian declared-Hamiltonian? flow-of-declared Lagrangian-of-declared)
+(provide declared-Hamiltonian flow-of-declared
+         (rename-out [declared? declared-Hamiltonian?]
+                     [declared-Lagrangian Lagrangian-of-declared]))
 
 (define kind:Hamiltonian
   (make-kind #:rank rank:function
@@ -27,6 +29,4 @@
 
 (define (declared-Hamiltonian value [flow #f] [L #f]) (declared value flow L))
 
-(define (declared-Hamiltonian? f) (declared? f))
 (define (flow-of-declared H) (and (declared? H) (declared-flow H)))
-(define (Lagrangian-of-declared H) (declared-Lagrangian H))

@@ -5,21 +5,20 @@
 ;; Σ ∂q̇ᵢ/∂qᵢ + ∂ṗᵢ/∂pᵢ, the trace of the derivative of the rates by the state.  Of Hamilton's
 ;; equations that is Σ ∂²H/∂qᵢ∂pᵢ − ∂²H/∂pᵢ∂qᵢ = 0, Liouville's theorem, whatever H is.
 
-(require "../calculus/derivative.rkt"
+(require (only-in racket/list list-set)
+         "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
-         "../value/shape.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../value/filled-shape.rkt" "../value/shape.rkt")
 
 (provide phase-space-divergence)
 
 ;; derivative : (t, q, p) ↦ (1, q̇, ṗ); of any states whose first part is the time
 (define (phase-space-divergence derivative)
-  (unless (and (procedure? derivative) (accepts? derivative 1))
-    (complain 'phase-space-divergence
-              "expected a state derivative, a function of the state; given ~a"
-              (describe-function derivative)))
-  (unary-function (lambda () (list 'phase-space-divergence (value->datum derivative))) (state)
+  (check-takes 'phase-space-divergence derivative 1
+               "expected a state derivative, a function of the state")
+  (printed-function (phase-space-divergence derivative) (state)
     (unless (and (tuple? state) (> (structure-length (adopt state)) 1))
       (complain 'phase-space-divergence "expected a state (up t q p); given ~a"
                 (describe-with-value state)))
@@ -38,8 +37,7 @@
 
 (define (trace-beyond-time derivative state)
   (define names (scalars state))
-  (for/fold ([sum 0]) ([x (in-list names)] [k (in-naturals)] #:unless (= k 0))
+  (for/fold ([sum 0]) ([x (in-list (cdr names))] [k (in-naturals 1)])
     (define (rate y)
-      (define moved (scalars->structure state (lambda (j) (if (= j k) y (list-ref names j)))))
-      (list-ref (scalars (derivative moved)) k))
+      (list-ref (scalars (derivative (list->structure state (list-set names k y)))) k))
     (g:+ sum (derivative-at rate x))))

@@ -1,13 +1,15 @@
 #lang racket/base
-;; Coordinates in two parts, as Routhians have them: of q = (q⁰ … qⁿ⁻¹), y are those at chosen
-;; places and x the others, each part in the order of q, one alone without a tuple.
+;; Coordinates in two parts, as Routhians have them: of q = (q⁰ … qⁿ⁻¹), y are the coordinates at
+;; chosen places and x the others, each part in the order of q; a part of one is no tuple.
 ;;
 ;; A function of (t, q, v) is then one of (t, (x, y), (vx, vy)).
 
 (require racket/list
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
-         "../lagrangian/local-tuple.rkt")
+         "../lagrangian/local-tuple.rkt"
+         "../value/filled-shape.rkt"
+         (only-in "../value/structure.rkt" list->up s:length structure->list))
 
 (provide check-places in-two-parts parted-state joined-state)
 
@@ -32,43 +34,42 @@
 
 ;; (t, q, v) -> (t, (x, y), (vx, vy))
 (define (parted-state who local places)
-  (unless (and (local-tuple? local) (= (vector-length (tuple-elements local)) 3)
+  (unless (and (local-tuple? local) (= (s:length local) 3)
                (up? (coordinate local)) (up? (velocity local)))
     (complain who "expected coordinates and velocities in tuples, (up t (up q ...) (up v ...))~a"
               (format "\n  given: ~a" (value->text local))))
-  (define (part q) (parted who (tuple->list q) places))
+  (define (part q) (parted who (structure->list q) places))
   (up (time local) (part (coordinate local)) (part (velocity local))))
 
 (define (parted who qs places)
   (define n (length qs))
   (check-inside who places n)
   (define others (remove* places (range n)))
-  (define (those indices) (alone-or-up (for/list ([i (in-list indices)]) (list-ref qs i))))
+  (define (those indices)
+    (single-or list->up (for/list ([i (in-list indices)]) (list-ref qs i))))
   (up (those others) (those (sort places <))))
 
 ;; (t, (x, y), (vx, vy)) -> (t, q, v)
 (define (joined-state who local places)
   (define y-alone? (null? (cdr places)))
   (define (join parts)
-    (define-values (x y) (apply values (tuple->list parts)))
-    (joined who x (if y-alone? (list y) (tuple->list y)) places))
+    (define-values (x y) (apply values (structure->list parts)))
+    (joined who x (if y-alone? (list y) (structure->list y)) places))
   (up (time local) (join (coordinate local)) (join (velocity local))))
 
-;; How many there are in x the tuple tells, but for one alone.
+;; x : a tuple of several coordinates, or one coordinate alone, which may be a tuple of one
 (define (joined who x ys places)
-  (define xs (if (and (up? x) (> (vector-length (tuple-elements x)) 1)) (tuple->list x) (list x)))
+  (define xs (if (and (up? x) (> (s:length x) 1)) (structure->list x) (list x)))
   (define n (+ (length xs) (length ys)))
   (check-inside who places n)
   (unless (= (length ys) (length places))
     (complain who "~a coordinates have momenta; the state has ~a in its second part"
               (length places) (length ys)))
   (define place-of (for/hash ([p (in-list (sort places <))] [y (in-list ys)]) (values p y)))
-  (define-values (all _rest)
-    (for/fold ([found '()] [rest xs]) ([i (in-range n)])
-      (if (hash-has-key? place-of i)
-          (values (cons (hash-ref place-of i) found) rest)
-          (values (cons (car rest) found) (cdr rest)))))
-  (apply up (reverse all)))
+  (for/fold ([found '()] [rest xs] #:result (list->up (reverse found))) ([i (in-range n)])
+    (if (hash-has-key? place-of i)
+        (values (cons (hash-ref place-of i) found) rest)
+        (values (cons (car rest) found) (cdr rest)))))
 
 (define (check-inside who places n)
   (for ([p (in-list places)] #:unless (< p n))
@@ -78,6 +79,3 @@
               (string-append "a Routhian keeps the velocity of one coordinate at least"
                              "\n  with momenta for all it is a Hamiltonian: "
                              "(Lagrangian->Hamiltonian L)"))))
-
-(define (alone-or-up xs) (if (null? (cdr xs)) (car xs) (apply up xs)))
-(define (tuple->list x) (vector->list (tuple-elements x)))

@@ -25,7 +25,8 @@
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
          "../value/assumptions.rkt" "../value/rewrite.rkt" "../value/shape.rkt"
          "../value/simplify.rkt"
-         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt")
+         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
+         "../value/matrix/row-products.rkt")
 
 (provide solve-gradient without-root)
 
@@ -37,20 +38,21 @@
     (solve-strictly gradient slopes vs ws)))
 
 (define (solve-strictly gradient slopes vs ws)
-  (define g (list->vector (map simplify (scalars gradient))))
-  (define n (vector-length g))
+  (define g (map simplify (scalars gradient)))
+  (define n (length g))
   (define H (rows-of (map simplify (scalars slopes)) n))
   (define found (make-vector n #f))
   (for ([block (in-list (blocks H))])
     (define (those xs) (for/list ([i (in-list block)]) (list-ref xs i)))
     (define solution
-      (solve-block (for/list ([i (in-list block)]) (vector-ref g i))
+      (solve-block (those g)
                    (for/list ([i (in-list block)])
                      (for/list ([j (in-list block)]) (matrix-ref H i j)))
                    (those vs) (those ws)))
     (when solution
       (for ([i (in-list block)] [v (in-list solution)]) (vector-set! found i v))))
-  (and (for/and ([v (in-vector found)]) v) (vector->list found)))
+  (define all (vector->list found))
+  (and (andmap values all) all))
 
 (define (rows-of xs n) (m:generate n n (lambda (i j) (list-ref xs (+ j (* i n))))))
 
@@ -97,36 +99,30 @@
   (define moved (for/list ([v (in-list vs)] [d (in-list ds)]) (cons v (g:* x d))))
   (define equation
     (for/fold ([sum 0])
-              ([g (in-list g)] [b (in-list b)] [Md (in-list (image M ds))] [d (in-list ds)])
+              ([g (in-list g)] [b (in-list b)] [Md (in-list (rows-times-list M ds))]
+               [d (in-list ds)])
       (g:+ sum (g:* (g:- (put g moved) b Md) d))))
   (define none (map (lambda (d) (cons d 0)) (cdr ds)))
   (define (from-rest? solution)
     (zero? (put (put (g:* solution (car ds)) none) (list (cons (car ds) 0)))))
   (solve-for (simplify equation) x from-rest?))
 
-(define (image M vs)
-  (for/list ([row (in-list M)])
-    (for/fold ([sum 0]) ([m (in-list row)] [v (in-list vs)]) (g:+ sum (g:* m v)))))
-
 ;; Is g − b along M v, for all v?
 (define (ray? g b M vs)
   (define push (map g:- g b))
-  (define rest (image M vs))
-  (for*/and ([(p i) (in-indexed-list push)] [(q j) (in-indexed-list push)] #:when (< i j))
-    (zero? (g:- (g:* p (list-ref rest j)) (g:* q (list-ref rest i))))))
-
-(define (in-indexed-list xs) (in-parallel xs (in-naturals)))
+  (define images (rows-times-list M vs))
+  (for*/and ([(p i) (in-indexed push)] [(q j) (in-indexed push)] #:when (< i j))
+    (zero? (g:- (g:* p (list-ref images j)) (g:* q (list-ref images i))))))
 
 ;; M⁻¹ w, or #f
 (define (solved-directions M w)
   (with-handlers ([exn:fail:mechanics:singular? (lambda (e) #f)])
-    (scalars (solve-linear-left (apply matrix-by-rows M) (up-of (list->vector w))))))
+    (scalars (solve-linear-left (apply matrix-by-rows M) (apply up w)))))
 
 ;; ---------------------------------------------------------------------------
 ;; One unknown
 
-;; The x where e vanishes, the first that is wanted if there are several; #f if there is no
-;; formula.
+;; The x where e vanishes, of several the first that is wanted; #f if there is no formula.
 (define (solve-for e x wanted?)
   (define R (string->uninterned-symbol "R"))
   (define polynomial (without-root e x R))
@@ -165,7 +161,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; What divides by zero there is no number.
+;; The value of e with the entries put in; +nan.0 where it divides by zero.
 (define (put e entries)
   (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) +nan.0)])
     (simplify (substitute-expression e entries))))
