@@ -1,6 +1,6 @@
 #lang racket/base
-;; From Newton's equations to Lagrange's for a given system: what they are made of along
-;; a path, and the identities that lead from the ones to the others.
+;; From Newton's equations to Lagrange's for a given system: their parts along a path, and the
+;; identities that lead from the former to the latter.
 
 (require "d-Alembert.rkt" "displacement.rkt" "force.rkt" "generalized-force.rkt"
          "kinetic-energy.rkt" "particles.rkt"
@@ -16,6 +16,8 @@
 (define (Newton-steps who e given-q t)
   (define q (path who given-q))
   (define-values (masses r F) (parts e))
+  (define Q (generalized-force r F))
+  (define T (kinetic-energy masses r))
   (define (positions t) (positions-at who r t (q t)))
   (define velocities (D positions))
   (define local (Gamma q))
@@ -26,9 +28,9 @@
         (step 'slopes (compose (slopes r) local))
         (step 'forces (lambda (t) (forces-at who F t (positions t) (velocities t))))
         (step '(compose (generalized-force r F) (Gamma q))
-              (compose (generalized-force r F) local))
+              (compose Q local))
         (step '(compose (kinetic-energy masses r) (Gamma q))
-              (compose (kinetic-energy masses r) local))
+              (compose T local))
         (step '((d-Alembert-equations masses r F) q) (e q))))
 
 ;; ((equation . verdict) ...): each line of the derivation, along the path.

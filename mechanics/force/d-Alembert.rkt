@@ -20,8 +20,7 @@
 (provide d-Alembert-equations
          newtonian? newtonian-masses newtonian-positions newtonian-force)
 
-;; A function of paths that keeps what it was made from, for those who want to see its
-;; steps.
+;; A function of paths that keeps its masses, positions and force, for derivations.
 (define kind:newtonian
   (make-kind #:rank rank:function
              #:describe (lambda (e) "a function of paths")
@@ -57,7 +56,7 @@
 (define (residual-along e given-q)
   (define who 'd-Alembert-equations)
   (define q (path who given-q))
-  (unary-function (lambda () (list (value->datum e) (value->datum q))) (t)
+  (unary-function (lambda () (value->datum (list e q))) (t)
     (residual-at who (newtonian-masses e) (newtonian-positions e) (newtonian-force e) q t)))
 
 (define (residual-at who masses r F q t)

@@ -7,7 +7,7 @@
 
 (require "particles.rkt" "several-arguments.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/printed-function.rkt"
          "../lagrangian/local-tuple.rkt")
 
 (provide particle-velocities virtual-displacement)
@@ -16,17 +16,16 @@
 (define (particle-velocities r)
   (define who 'particle-velocities)
   (check-positions who r)
-  (unary-function (lambda () (list who (value->datum r))) (local)
+  (printed-function (particle-velocities r) (local)
     (check-local who local)
-    (define-values (positions velocities)
-      (motion-at who r (time local) (coordinate local) 1 (velocity local)))
+    (define-values (positions velocities) (motion-along who r local))
     velocities))
 
 ;; (virtual-displacement r) : (t, q, ...), δq ↦ δr
 (define (virtual-displacement r)
   (define who 'virtual-displacement)
   (check-positions who r)
-  (function-of (local dq) (lambda () (list who (value->datum r)))
+  (function-of (local dq) (call-datum who r)
     (unless (local-tuple? local)
       (complain who "expected a local tuple (up t q v), then a displacement; given ~a"
                 (describe-with-value local)))

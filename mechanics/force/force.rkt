@@ -5,8 +5,9 @@
 (require "particles.rkt" "several-arguments.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt"
          "../value/structure.rkt")
 
 (provide potential->force check-force forces-at)
@@ -19,15 +20,11 @@
               "(V t r)" (describe-with-value V)
               (if (procedure? V) (format "\n  it takes ~a" (arity->text V)) "")))
   (define slope ((partial 1) (scalar-potential who V)))
-  (function-of (t r v) (lambda () (list who (value->datum V)))
+  (function-of (t r v) (call-datum who V)
     (g:negate (flip (slope t r)))))
 
 (define ((scalar-potential who V) t positions)
-  (define value (V t positions))
-  (unless (scalar? value)
-    (complain who "the value of a potential energy is a number, but that of ~a is ~a"
-              (value->text V) (describe-with-value value)))
-  value)
+  (check-scalar-value who "a potential energy" V (V t positions)))
 
 (define (check-force who F)
   (unless (takes? F 3)
@@ -42,7 +39,7 @@
                                     "of a potential energy V(t, r)")]
                     [else (format "\n  it takes ~a" (arity->text F))]))))
 
-;; The forces, known to be like the positions.
+;; The forces, checked to be like the positions.
 (define (forces-at who F t positions velocities)
   (define forces (F t positions velocities))
   (unless (fits? forces positions)
@@ -57,7 +54,7 @@
          (and (compatible? f p) (for/and ([x f] [y p]) (fits? x y)))]
         [else (and (scalar? force) (scalar? position))]))
 
-;; What is different, where it can be said.
+;; A line on the difference, or "" where none can be named.
 (define (difference forces positions)
   (cond [(pair? forces) (list-hint forces "(up F_x F_y ...)")]
         [(and (tuple? forces) (fits? (flip forces) positions))

@@ -9,7 +9,7 @@
 ;; A system at rest stays so if its forces do no work in any virtual displacement.
 
 (require "force.rkt" "particles.rkt" "several-arguments.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/printed-function.rkt"
          "../calculus/derivative.rkt"
          "../lagrangian/local-tuple.rkt")
 
@@ -20,16 +20,17 @@
   (define who 'generalized-force)
   (check-positions who r)
   (check-force who F)
-  (unary-function (lambda () (list who (value->datum r) (value->datum F))) (local)
+  (printed-function (generalized-force r F) (local)
     (check-local who local)
-    (generalized-force-at who r F (time local) (coordinate local) (velocity local))))
+    (define-values (t q v) (state-parts local))
+    (generalized-force-at who r F t q v)))
 
 ;; (static-equilibrium r F) : t, q ↦ the generalized force on the system at rest there
 (define (static-equilibrium r F)
   (define who 'static-equilibrium)
   (check-positions who r)
   (check-force who F)
-  (function-of (t q) (lambda () (list who (value->datum r) (value->datum F)))
+  (function-of (t q) (call-datum who r F)
     (generalized-force-at who r F t q (g:* 0 q))))
 
 (define (generalized-force-at who r F t q v)

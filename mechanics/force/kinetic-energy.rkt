@@ -13,6 +13,6 @@
   (check-positions who r)
   (unary-function (lambda () (list who (masses->datum masses) (value->datum r))) (local)
     (check-local who local)
-    (define-values (x v) (motion-at who r (time local) (coordinate local) 1 (velocity local)))
+    (define-values (x v) (motion-along who r local))
     (check-masses-fit who masses x)
     (g:* 1/2 (scaled-sum (times-masses masses v) v))))

@@ -4,7 +4,8 @@
 
 (require "../error/complain.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/scalar.rkt"
-         "../generic/up-down.rkt")
+         "../generic/up-down.rkt"
+         (only-in "../value/structure.rkt" list->up s:length structure->list))
 
 (provide check-masses check-masses-fit times-masses masses->datum)
 
@@ -21,35 +22,31 @@
 
 ;; One mass, one particle; n of them, n particles.
 (define (check-masses-fit who masses positions)
-  (define particles (particle-count positions))
   (cond [(list? masses)
          (define n (length masses))
-         (unless (and (tuple? positions) (= n (structure-length (adopt positions))))
+         (unless (and (tuple? positions) (= n (s:length positions)))
            (raise-wrong-count who n positions))]
-        [particles
+        [(several-particles? positions)
          (complain who
                    (string-append "there is one mass, but the positions are those of ~a"
                                   "\n  positions: ~a"
                                   "\n  several masses are a list: (list m1 m2 ...)")
-                   (counted particles "particle") (value->text positions))]))
+                   (counted (s:length positions) "particle") (value->text positions))]))
 
 (define (raise-wrong-count who n positions)
   (complain who "there ~a, but the positions are those of ~a\n  positions: ~a~a"
             (if (= n 1) "is 1 mass in the list" (format "are ~a masses" n))
-            (counted (if (tuple? positions) (structure-length (adopt positions)) 1) "particle")
+            (counted (s:length positions) "particle")
             (value->text positions)
             (if (= n 1) "\n  the mass of a particle alone stands by itself, in no list" "")))
 
-;; The number of particles, if their positions show that there may be several.
-(define (particle-count positions)
-  (and (tuple? positions)
-       (for/or ([p (in-vector (structure-elements (adopt positions)))]) (tuple? p))
-       (structure-length (adopt positions))))
+(define (several-particles? positions)
+  (and (tuple? positions) (ormap tuple? (structure->list positions))))
 
-;; A tuple like the positions, that of each particle multiplied by its mass.
+;; xs : a tuple like the positions -> the same with the part of each particle times its mass
 (define (times-masses masses xs)
   (if (list? masses)
-      (structure-map2 g:* (apply up masses) (adopt xs))
+      (structure-map2 g:* (list->up masses) (adopt xs))
       (g:* masses xs)))
 
 (define (masses->datum masses)

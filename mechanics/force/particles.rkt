@@ -5,16 +5,17 @@
 ;; axis serves as well, with a torque for its force and a moment of inertia for its
 ;; mass.  The positions of several particles are an up tuple of positions.
 ;;
-;; Here is checked what the user gives; what is computed is in the files beside this one.
+;; This file checks the user's positions, local tuples and displacements.
 
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
-         "../lagrangian/local-tuple.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
+         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../lagrangian/local-tuple.rkt"
+         (only-in "../value/structure.rkt" ref s:length structure->list))
 
 (provide takes? check-positions check-local check-displacement
-         positions-at motion-at scaled-sum)
+         positions-at motion-at motion-along scaled-sum)
 
 ;; ---------------------------------------------------------------------------
 ;; Positions and how they move
@@ -29,25 +30,27 @@
   (define (positions s) (positions-at who r (ref s 0) (ref s 1)))
   (value-and-derivative-along positions (up t q) (up dt dq)))
 
-(define (ref s i) (vector-ref (structure-elements s) i))
+;; The positions and velocities at a local tuple
+(define (motion-along who r local)
+  (define-values (t q v) (state-parts local))
+  (motion-at who r t q 1 v))
 
 ;; Σ a_i b_i over two tuples that are alike, at all depths.  0 stands for a tuple of zeros.
 (define (scaled-sum a b)
   (cond [(or (eqv? a 0) (eqv? b 0)) 0]
         [(tuple? b)
-         (for/fold ([sum 0]) ([x (in-vector (structure-elements (adopt a)))]
-                              [y (in-vector (structure-elements (adopt b)))])
+         (for/fold ([sum 0]) ([x (in-list (structure->list a))] [y (in-list (structure->list b))])
            (g:+ sum (scaled-sum x y)))]
         [else (g:* a b)]))
 
 ;; ---------------------------------------------------------------------------
 ;; The function r
 
-;; Is f a function of n arguments, or a tuple of such?
+;; Is f a function of n arguments, or a tuple of such functions?
 (define (takes? f n)
   (if (tuple? f)
-      (for/and ([part (in-vector (structure-elements (adopt f)))]) (takes? part n))
-      (and (procedure? f) (accepts? f n))))
+      (for/and ([part (in-list (structure->list f))]) (takes? part n))
+      (takes-arguments? f n)))
 
 (define (check-positions who r)
   (unless (takes? r 2)
@@ -80,7 +83,7 @@
                    (value->text r) (value->text whole)
                    (if (eq? part whole) "" (format ", of which a part is ~a" (value->text part))))]
         [(tuple? part)
-         (for ([p (in-vector (structure-elements (adopt part)))]) (check-ups who r p whole))]
+         (for ([p (in-list (structure->list part))]) (check-ups who r p whole))]
         [(not (scalar? part))
          (complain who "positions are tuples of scalars; ~a has the value ~a~a"
                    (value->text r) (value->text whole)
@@ -91,19 +94,18 @@
 ;; dimension : how many coordinates its position has
 (struct particle (index dimension) #:authentic)
 
-;; Those with several.
+;; The particles whose position has several coordinates
 (define (particles-in-space positions)
   (if (tuple? positions)
-      (for/list ([p (in-vector (structure-elements (adopt positions)))] [k (in-naturals)]
-                 #:when (tuple? p))
-        (particle k (structure-length (adopt p))))
+      (for/list ([p (in-list (structure->list positions))] [k (in-naturals)] #:when (tuple? p))
+        (particle k (s:length p)))
       '()))
 
 ;; ---------------------------------------------------------------------------
 ;; Local tuples and displacements
 
 (define (check-local who local)
-  (unless (and (local-tuple? local) (>= (structure-length (adopt local)) 3))
+  (unless (and (local-tuple? local) (>= (s:length local) 3))
     (complain who "expected a local tuple (up t q v); given ~a~a" (describe-with-value local)
               (list-hint local "(up t q v)")))
   (check-alike who "velocities" (velocity local) (coordinate local)))

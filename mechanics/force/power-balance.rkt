@@ -11,6 +11,7 @@
 
 (require "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/printed-function.rkt"
          "../lagrangian/energy.rkt" "../lagrangian/external-force.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt")
 
@@ -22,8 +23,7 @@
   (check-Lagrangian who L)
   (define outside (external-force who Q dissipation))
   (define rate (Lagrangian->power-loss L))
-  (define (name)
-    `(,who ,(value->datum L) ,@(force->datum outside)))
+  (define name (apply call-datum who L (force->datum outside)))
   (unary-function name (given-q)
     (define q (path who given-q))
     (define local (Gamma q))
