@@ -6,8 +6,8 @@
          "system/check.rkt" "system/parametric-system.rkt" "system/separable.rkt"
          "system/system.rkt"
          "../calculus/perturbed-value.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/on-demand.rkt" "../generic/up-down.rkt"
+         "../generic/function-check.rkt" "../generic/function.rkt" "../generic/on-demand.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../error/progress.rkt"
          "../value/shape.rkt")
 
@@ -16,13 +16,35 @@
 
 (provide state-advancer evolve linearized-flow
          ;; for single steps and sections
-         system-by-shape made-by)
+         system-by-shape takes-from-to)
+
+;; (integrating (who datum takes place least most) (plan-with extra ...) arguments body ...) :
+;; a function of `least` to `most` arguments and the keywords that integrations have in common,
+;; and extra ones.  It prints as (datum); in the body (plan-with tolerance) is the plan.
+;; takes : the arguments, in words; place : of the argument before the tolerance
+(define-syntax-rule (integrating (who datum takes place least most) (plan-with extra ...) arguments
+                      body ...)
+  (make-function
+   (with-tolerance-after place who
+     (lambda (extra ... #:method [method #f]
+                    #:longest-step [longest +inf.0] #:most-steps [most-steps +inf.0]
+                    #:precision [bits (ode-precision)] #:progress [progress? (report-progress)]
+                    . arguments)
+       (unless (<= least (length arguments) most) (raise-arguments (datum) takes arguments))
+       (define (plan-with tolerance)
+         (make-plan who tolerance method longest most-steps #:precision bits #:progress progress?))
+       body ...))
+   (takes-from-to least most)
+   datum))
+
+;; The arity mask of a function of `least` to `most` arguments
+(define (takes-from-to least most) (- (expt 2 (+ most 1)) (expt 2 least)))
 
 ;; (state-advancer sysder p ...) : state, duration, tolerance, continue -> state
 ;; continue : state, duration, a length for the next step -> the result
 (define (state-advancer derivative-maker . parameters)
   (define system-for (system-by-shape 'state-advancer derivative-maker parameters))
-  (define datum (made-by 'state-advancer derivative-maker parameters))
+  (define datum (apply call-datum 'state-advancer derivative-maker parameters))
   (define (advance plan-with state duration [tolerance #f] [continue state-alone])
     (define p (plan-with tolerance))
     (note-followed derivative-maker parameters state)
@@ -41,25 +63,19 @@
              (advance-flonums p (system-for state) state (->flonum duration))))
        (continue last duration
                  (if (negative? (real-number duration)) (fl- 0.0 longest) longest))]))
-  (define (advance/keywords #:method [method #f]
-                            #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
-                            #:precision [bits (ode-precision)]
-                            #:progress [progress? (report-progress)]
-                            . arguments)
-    (unless (<= 2 (length arguments) 4)
-      (raise-arguments (datum) "a state, a duration and perhaps a tolerance" arguments))
-    (apply advance (planning 'state-advancer method longest most bits progress?) arguments))
-  (make-function (with-tolerance-after "duration" 'state-advancer advance/keywords) 28 datum))
+  (integrating ('state-advancer datum duration-and-tolerance "duration" 2 4) (plan-with) arguments
+    (apply advance plan-with arguments)))
+
+(define duration-and-tolerance "a state, a duration and perhaps a tolerance")
 
 (define (state-alone state duration next) state)
 
 ;; Is one of these being differentiated?
 (define (varied? parameters state duration)
-  (or (perturbed? duration)
-      (ormap perturbed? (scalars state))
-      (for/or ([p (in-list parameters)]) (ormap perturbed? (scalars p)))))
+  (for*/or ([x (in-list (list* duration state parameters))] [y (in-list (scalars x))])
+    (perturbed? y)))
 
-;; What p says, of another system.
+;; Advances another system by the plan p.
 (define ((advancing p) maker parameters state duration)
   (call-unwatched
    (lambda ()
@@ -72,37 +88,24 @@
 ;; and, if that is asked for, the parameters, of the state that is reached
 (define (linearized-flow derivative-maker . parameters)
   (check-maker 'linearized-flow derivative-maker parameters)
-  (define datum (made-by 'linearized-flow derivative-maker parameters))
-  (define check-once (rates-check-by-shape 'linearized-flow derivative-maker parameters))
-  (define (derivative p parameters? state duration)
+  (define datum (apply call-datum 'linearized-flow derivative-maker parameters))
+  (define check-once
+    (by-shape (lambda (state)
+                (check-rates-at 'linearized-flow derivative-maker parameters state))))
+  (define (derivative plan-with parameters? state duration [tolerance #f])
+    (define p (plan-with tolerance))
     (check-method-of-displacements 'linearized-flow (plan-method p))
     (check-once state)
     (note-followed derivative-maker parameters state)
     (flow-derivative (advancing p) derivative-maker parameters state duration parameters?))
-  (define (derivative/keywords #:by-parameters? [parameters? #f] #:method [method #f]
-                               #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
-                               #:precision [bits (ode-precision)]
-                               #:progress [progress? (report-progress)]
-                               . arguments)
-    (unless (<= 2 (length arguments) 3)
-      (raise-arguments (datum) "a state, a duration and perhaps a tolerance" arguments))
-    (define plan-with (planning 'linearized-flow method longest most bits progress?))
-    (define tolerance (and (pair? (cddr arguments)) (caddr arguments)))
-    (derivative (plan-with tolerance) parameters? (car arguments) (cadr arguments)))
-  (make-function (with-tolerance-after "duration" 'linearized-flow derivative/keywords) 12 datum))
+  (integrating ('linearized-flow datum duration-and-tolerance "duration" 2 3)
+               (plan-with #:by-parameters? [parameters? #f]) arguments
+    (apply derivative plan-with parameters? arguments)))
 
-;; A maker that makes something else is told of the state, and not of its displacements: once for
-;; each shape of state.
-(define (rates-check-by-shape who maker parameters)
-  (define known '())
-  (lambda (state)
-    (unless (ormap (lambda (s) (same-shape? s state)) known)
-      (check-rates-at who maker parameters state)
-      (set! known (cons state known)))))
-
+;; The message about wrong rates shows the state, and not its displacements.
 (define (check-rates-at who maker parameters state)
   (define derivative (derivative-for maker parameters))
-  (when (and (tuple? state) (procedure? derivative) (accepts? derivative 1))
+  (when (and (tuple? state) (takes-arguments? derivative 1))
     (check-rates who derivative state (derivative state))))
 
 ;; -> the state reached and the length of the longest step
@@ -120,7 +123,7 @@
 ;; (evolve sysder p ...) : state, monitor, time step, final time, tolerance -> state
 (define (evolve derivative-maker . parameters)
   (define system-for (system-by-shape 'evolve derivative-maker parameters))
-  (define datum (made-by 'evolve derivative-maker parameters))
+  (define datum (apply call-datum 'evolve derivative-maker parameters))
   (define (follow plan-with state monitor step final [tolerance #f])
     (define p (plan-with tolerance))
     (note-followed derivative-maker parameters state)
@@ -132,15 +135,8 @@
         (follow-precisely p (derivative-for derivative-maker parameters) state shown
                           (real-number step) (real-number final))
         (follow-flonums p (system-for state) state shown (->flonum step) (->flonum final))))
-  (define (follow/keywords #:method [method #f]
-                           #:longest-step [longest +inf.0] #:most-steps [most +inf.0]
-                           #:precision [bits (ode-precision)]
-                           #:progress [progress? (report-progress)]
-                           . arguments)
-    (unless (<= 4 (length arguments) 5)
-      (raise-arguments (datum) evolve-takes arguments))
-    (apply follow (planning 'evolve method longest most bits progress?) arguments))
-  (make-function (with-tolerance-after "final time" 'evolve follow/keywords) 48 datum))
+  (integrating ('evolve datum evolve-takes "final time" 4 5) (plan-with) arguments
+    (apply follow plan-with arguments)))
 
 (define evolve-takes "a state, a monitor, a time step, a final time and perhaps a tolerance")
 
@@ -158,12 +154,6 @@
   last)
 
 (define (->flonum x) (real->double-flonum (real-number x)))
-
-(define ((planning who method longest most bits progress?) tolerance)
-  (make-plan who tolerance method longest most #:precision bits #:progress progress?))
-
-(define ((made-by who derivative-maker parameters))
-  (cons who (map value->datum (cons derivative-maker parameters))))
 
 ;; ---------------------------------------------------------------------------
 
@@ -192,10 +182,17 @@
 ;; A system is compiled once for an advancer and each shape of state it meets.
 (define (system-by-shape who derivative-maker parameters)
   (check-maker who derivative-maker parameters)
-  (define known '())
+  (by-shape (lambda (state)
+              (begin0 (make-parametric-system who derivative-maker parameters state)
+                      (note-followed derivative-maker parameters state)))))
+
+;; (f state), called once for each shape of state
+(define (by-shape f)
+  (define known '())                    ; ((state . value) ...)
   (lambda (state)
-    (or (for/first ([s (in-list known)] #:when (same-shape? (system-shape s) state)) s)
-        (let ([s (make-parametric-system who derivative-maker parameters state)])
-          (note-followed derivative-maker parameters state)
-          (set! known (cons s known))
-          s))))
+    (define entry (assf (lambda (s) (same-shape? s state)) known))
+    (cond [entry (cdr entry)]
+          [else
+           (define value (f state))
+           (set! known (cons (cons state value) known))
+           value])))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Why a motion cannot be followed any further, in words, and what may help.
+;; The reason why a motion cannot be followed any further, in words, and advice.
 
 (require racket/flonum
          "system/check.rkt" "system/singular-coordinate.rkt" "system/system.rkt"
@@ -12,15 +12,15 @@
 
 (provide raise-stuck raise-cut-short (struct-out cut-short))
 
-;; A motion that goes no further; cause : what its state derivative says there, or #f.
+;; A motion that goes no further; cause : the text of the state derivative's failure there, or #f
 (struct cut-short exn:fail:mechanics:singular (cause))
 
-;; s : system; m : method; t, y : the last time and the state there; why : as
-;; numeric/ode/integrate.rkt says; kept : what the failure is to carry
+;; s : system; m : method; t, y : the last time and the state there; why : a symbol of
+;; numeric/ode/integrate.rkt; kept : the value that the failure carries
 (define (raise-stuck who s m t y why kept)
   (raise-cut-short who why t (system-state s y) kept (hints s m y why) (cause s y why)))
 
-;; t : the time, or #f; hints : what the message says beside the time and the last state
+;; t : the time, or #f; hints : lines of the message after the time and the last state
 (define (raise-cut-short who why t state kept [hints ""] [cause #f])
   (define too-many? (eq? why 'too-many-steps))
   (define message
@@ -63,24 +63,24 @@
                         "steps became too short to change the time")]
         [else "\n  steps became too short to change the time"]))
 
-;; What there is instead of a finite state derivative; #f if there is one.
+;; A line on the state derivative; #f if it is finite.
 (define (slope-text s y where)
   (or (refusal-text s y where no-value?)
       (let ([slope ((system-derivative s) (system-state s y))])
         (and (not (andmap finite? (map real-number (scalars slope))))
              (format "\n  state derivative ~a: ~a" where (value->text slope))))))
 
-;; What the state derivative says if it raises a failure of that kind, or #f.
+;; The message of a failure of that kind that the state derivative raises, or #f.
 (define (refusal-text s y where kind?)
   (with-handlers ([exn:fail:mechanics:singular:matrix?
                    (lambda (e)
                      (string-append (format "\n  the mass matrix has no inverse ~a" where)
-                                    (directions->text (null-vectors e))))]
+                                    (directions->text e)))]
                   [kind? (lambda (e) (failure-text where e))])
     ((system-derivative s) (system-state s y))
     #f))
 
-;; Which hints quote the state derivative, and show none of its values?
+;; The failure of the state derivative that the hints quote, or #f.
 (define (cause s y why)
   (case why
     [(too-many-steps step-fails lost-digits) #f]
@@ -91,8 +91,8 @@
 
 (define (failure-text where e) (format "\n  ~a: ~a" where (exn-message e)))
 
-;; The same there, where formulas may tell less than compiled code, or a little further, on
-;; either side, where the motion has not come to and an error is an answer.
+;; A line on the state derivative there, or a little further on either side: formulas may fail
+;; where compiled code does not, and beyond the motion any error is an answer.
 (define (beyond-text s y) (or (slope-text s y "there") (slope-text-around s y)))
 
 (define (slope-text-around s y)
@@ -101,7 +101,7 @@
       (slope-text s y "beyond")))
   (around s y text))
 
-;; What (text y) tells of the first place of which it tells anything
+;; (text y) at the first place near the state where it is not #f
 (define (around s y text)
   (define slope (scalars ((system-derivative s) (system-state s y))))
   (define (after h)
@@ -109,11 +109,9 @@
                  (real->double-flonum (real-number v)))))
   (for/or ([h (in-list '(1e-9 -1e-9 1e-6 -1e-6))]) (text (after h))))
 
-(define (null-vectors e) (or (exn:fail:mechanics:singular:matrix-null-vectors e) '()))
-
 (define (step-text m) (format "\n  length of a step: ~a" (method-step m)))
 
-;; Of equations that were not solved, or of a step into what is no number.
+;; Advice where a step of fixed length fails.
 (define (advice m)
   (format "\n  take a shorter step, such as (~a ~a), or a method that chooses its own"
           (method-name m) (/ (method-step m) 4)))

@@ -1,16 +1,15 @@
 #lang racket/base
-;; Single steps of integration, for those who watch them or keep step themselves.
+;; Single steps of integration, for programs that watch them or choose their lengths.
 ;;
-;; A step goes as far as it is told to, or less far if the tolerance demands it.
-;; What is made of it decides a procedure `continue`: of the state reached, the
-;; step taken and the step that seems right next.  Without one these three are the
-;; values.
+;; A step has the given length, or a shorter one if the tolerance demands it.  The result is that
+;; of a procedure `continue`, given the state reached, the length of the step and the length that
+;; seems right for the next one; by default these three values.
 
 (require racket/flonum
          "method-names.rkt" "evolution.rkt" "integration-plan.rkt" "run-system.rkt" "choose-method.rkt"
          "system/check.rkt" "system/separable.rkt" "system/system.rkt"
          "../compile/compile-function.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../numeric/ode/integrate.rkt")
 
 (provide free-run-state-advancer ode-advancer advance-beyond)
@@ -18,21 +17,16 @@
 ;; (free-run-state-advancer sysder p ...) : state, step, tolerance, continue -> result
 (define (free-run-state-advancer derivative-maker . parameters)
   (define who 'free-run-state-advancer)
-  (define datum (made-by who derivative-maker parameters))
   (define system-for (system-by-shape who derivative-maker parameters))
   (define (advance method state step [tolerance default-tolerance] [continue values])
     (one-step (make-plan who tolerance method) (system-for state) state step continue))
-  (define (advance/keywords #:method [method (ode-integration-method)] . arguments)
-    (unless (<= 2 (length arguments) 4)
-      (raise-arguments (datum) "a state, a step and perhaps a tolerance" arguments))
-    (apply advance method arguments))
-  (make-function (procedure-rename advance/keywords who) 28 datum))
+  (stepping who (apply call-datum who derivative-maker parameters)
+            "a state, a step and perhaps a tolerance" 2 4 advance))
 
 ;; (ode-advancer derivative tolerance) : state, step, continue -> result
 (define (ode-advancer derivative [tolerance default-tolerance] [dimension #f])
   (check-function 'ode-advancer derivative "a state derivative, a function of the state")
   (check-tolerance 'ode-advancer tolerance)
-  (define datum (made-by 'ode-advancer derivative (list tolerance)))
   (define system-for (system-by-shape 'ode-advancer (lambda () derivative) '()))
   (define (advance method state step [continue values])
     (define s (system-for state))
@@ -41,16 +35,12 @@
                              "state" state
                              "dimension" dimension))
     (one-step (make-plan 'ode-advancer tolerance method) s state step continue))
-  (define (advance/keywords #:method [method (ode-integration-method)] . arguments)
-    (unless (<= 2 (length arguments) 3)
-      (raise-arguments (datum) "a state and a step" arguments))
-    (apply advance method arguments))
-  (make-function (procedure-rename advance/keywords 'ode-advancer) 12 datum))
+  (stepping 'ode-advancer (call-datum 'ode-advancer derivative tolerance)
+            "a state and a step" 2 3 advance))
 
 ;; (advance-beyond sysder p ...) : state, step, tolerance, time, continue -> result
 ;; The state after the first step that reaches the time or passes it.
 (define (advance-beyond derivative-maker . parameters)
-  (define datum (made-by 'advance-beyond derivative-maker parameters))
   (define system-for (system-by-shape 'advance-beyond derivative-maker parameters))
   (define (advance method state step tolerance target [continue values])
     (define p (make-plan 'advance-beyond tolerance method))
@@ -62,13 +52,18 @@
       (if (short? state)
           (one-step p s state step (lambda (state taken next) (loop state next taken)))
           (continue state taken step))))
-  (define (advance/keywords #:method [method (ode-integration-method)] . arguments)
-    (unless (<= 4 (length arguments) 5)
-      (raise-arguments (datum) "a state, a step, a tolerance and a time" arguments))
-    (apply advance method arguments))
-  (make-function (procedure-rename advance/keywords 'advance-beyond) 48 datum))
+  (stepping 'advance-beyond (apply call-datum 'advance-beyond derivative-maker parameters)
+            "a state, a step, a tolerance and a time" 4 5 advance))
 
-(define (clock state) (vector-ref (structure-elements (adopt state)) 0))
+(define (clock state) (vector-ref (tuple-elements state) 0))
+
+;; (advance method argument ...) as a function of `least` to `most` arguments, with the method as a
+;; keyword; takes : these arguments, in words
+(define (stepping who datum takes least most advance)
+  (define (advance/keywords #:method [method (ode-integration-method)] . arguments)
+    (unless (<= least (length arguments) most) (raise-arguments (datum) takes arguments))
+    (apply advance method arguments))
+  (make-function (procedure-rename advance/keywords who) (takes-from-to least most) datum))
 
 (define (one-step given s state step continue)
   (define who (plan-who given))

@@ -1,13 +1,13 @@
 #lang racket/base
 ;; Systems kept with the state derivatives that they were made of.
 ;;
-;; To evolve a system again costs the integration alone: what was traced and compiled for a
-;; state derivative is found with it as long as somebody holds it.  What it refers to may have
-;; changed, though: a mass that was set anew, a table that was filled.  So its values at two
-;; points are kept as well, and must be the same to the last digit; of a Lagrangian's state
-;; derivative those of the Lagrangian's gradient, which take less; of a constrained one those of
-;; the constraints as well.  One that decides by numbers is not kept, since two points may not
-;; show what became of its decisions.
+;; To evolve a system again costs the integration alone: the code that was compiled for a state
+;; derivative is found with it as long as somebody holds it.  The data of the derivative may have
+;; changed, though: a mass that was set anew, a table that was filled.  So its values at two points
+;; are kept as well, and must be the same to the last digit; for a Lagrangian's state derivative
+;; the values of the Lagrangian's gradient, which take less time; for a constrained one those of
+;; the constraints as well.  A derivative that decides by numbers is not kept, since two points may
+;; not show a change in its decisions.
 
 (require racket/list
          "../../calculus/gradient.rkt"
@@ -29,9 +29,10 @@
 (define most-shapes 4)
 
 ;; (make) : -> a system; (keep? system), (good? system) : may it be kept, and used for the state?
-;; watched : function of the state; mark : compared by equal?
+;; watched : function of the state, by default that of watched-of; mark : compared by equal?
 (define (keeping-system derivative state #:make make #:keep? keep? #:good? good?
-                        #:watched [watched (watched-of derivative)] #:mark [mark #f])
+                        #:watched [given #f] #:mark [mark #f])
+  (define watched (or given (watched-of derivative)))
   (define known (hash-ref (unbox table) derivative '()))
   (define same
     (findf (lambda (k) (and (same-shape? (kept-shape k) state) (equal? mark (kept-mark k)))) known))
@@ -40,11 +41,9 @@
          (define s (make))
          (define k (and (keep? s) (keep watched state mark s)))
          (define others (remq same known))
-         (hash-set! (unbox table) derivative
-                    (if k (cons k (first-few others)) others))
+         (define few (take others (min (length others) (- most-shapes 1))))
+         (hash-set! (unbox table) derivative (if k (cons k few) others))
          s]))
-
-(define (first-few known) (take known (min (length known) (- most-shapes 1))))
 
 (define (watched-of derivative)
   (if (Lagrangian-derivative? derivative)
@@ -54,8 +53,8 @@
 ;; #f where the function has no value at one of the points.
 (define (keep watched state mark s)
   (define points (points-about (structure->flvector state (lambda (x) 0.0)) (shape-length state)))
-  (define values (values-at watched state points))
-  (and values (kept state mark points values s)))
+  (define found (values-at watched state points))
+  (and found (kept state mark points found s)))
 
 (define (unchanged? watched k)
   (equal? (kept-values k) (values-at watched (kept-shape k) (kept-points k))))

@@ -10,23 +10,19 @@
          "../../numeric/flvector.rkt"
          "../../value/shape.rkt")
 
-(provide make-system)
+(provide make-system system-of-code)
 
 ;; given : state -> state
 (define (make-system who given state)
   (define (good? s) (starts? s (state-vector who state)))
-  (cond [(manifold-derivative? given)
-         (define p (prepare-motion who given state))
-         (keeping-system given state #:make (lambda () (new-system who p state))
-                         #:keep? system-operations #:good? good?
-                         #:watched (preparation-watched p) #:mark (preparation-mark p))]
-        [else
-         (keeping-system given state
-                         #:make (lambda () (new-system who (prepare-motion who given state) state))
-                         #:keep? system-operations #:good? good?)]))
+  (define p (prepare-motion who given state))
+  (keeping-system given state #:make (lambda () (new-system who p state))
+                  #:keep? system-operations #:good? good?
+                  #:watched (and (manifold-derivative? given) (preparation-watched p))
+                  #:mark (preparation-mark p)))
 
-;; What is compiled is a function.  What is not may depend on more than the state; then no step is
-;; short enough.
+;; Compiled rates are a function of the state.  Rates that are not compiled may depend on more; then
+;; no step is short enough.
 (define (check-repeatable who derivative state)
   (define s (flvector->structure state (state-vector who state)))
   (define (rates) (structure->flvector (derivative s) (lambda (x) +nan.0)))
@@ -38,7 +34,7 @@
                "time in it; random numbers are drawn before")
               (describe-with-value derivative) (value->text state))))
 
-;; Are the rates numbers at y?  If not, it is to be said why.
+;; Are the rates finite at y?  If not, the system is made anew, which raises the reason.
 (define (starts? s y)
   (define slope (make-flvector (flvector-length y)))
   (((system-make-slope! s)) y slope)
@@ -53,17 +49,19 @@
         (let ([slope (check-derivative who derivative state)])
           (compile-function derivative state #:name who #:value slope))))
   (when (compiled-function-reason code) (check-repeatable who derivative state))
-  (define clock? (clock-first? code))
-  (define (slope!)
-    (define run (compiled-function-runner code))
-    (if (and clock? (compiled-function-reason code)) (on-time who run) run))
+  (define (checked run)
+    (if (and (clock-first? code) (compiled-function-reason code)) (on-time who run) run))
+  (system-of-code state derivative code checked values (flvector) corrections))
+
+;; slope-of, jacobian-of : compiled procedure -> the procedure that an integration calls;
+;; ps : the values of the parameters
+(define (system-of-code state derivative code slope-of jacobian-of ps corrections)
   (define n (shape-length state))
   (define jacobian (once (lambda () (jacobian-maker code n))))
-  (system state clock? derivative
-          slope!
-          (lambda () (let ([make (jacobian)]) (and make (make))))
+  (system state (clock-first? code) derivative
+          (lambda () (slope-of (compiled-function-runner code)))
+          (lambda () (let ([make (jacobian)]) (and make (jacobian-of (make)))))
           (compiled-function-operations code)
-          (once (lambda () (expander-of code n (flvector))))
+          (once (lambda () (expander-of code n ps)))
           (once (lambda () (machine-rates-of code n)))
-          (flvector)
-          corrections (box '()) (box #f) #f))
+          ps corrections (box '()) (box #f) #f))

@@ -2,12 +2,11 @@
 ;; Systems with parameters.
 ;;
 ;; The parameters of a system that are numbers, or tuples of numbers, become inputs of
-;; the compiled code beside the state, so that other numbers use the same code.  If the system
-;; decides something by a parameter, it is compiled for that one.
+;; the compiled code beside the state, so that other numbers use the same code.  A system that
+;; decides something by a parameter is compiled for its value.
 
-(require "check.rkt" "clock.rkt" "make-system.rkt" "manifold.rkt" "rates-code.rkt" "system.rkt"
+(require "check.rkt" "make-system.rkt" "manifold.rkt" "rates-code.rkt"
          "../../compile/compile-function.rkt"
-         "../../error/computed-once.rkt"
          "../../generic/up-down.rkt"
          "../../value/shape.rkt" (only-in "../../value/structure.rkt" ref structure->list))
 
@@ -21,7 +20,7 @@
            (system-of-parameters who derivative derivative-maker parameters state))
       (make-system who derivative state)))
 
-;; #f if the system takes a decision.
+;; -> system, or #f if the system decides something by a parameter
 (define (system-of-parameters who derivative derivative-maker parameters state)
   (define slope (check-derivative who derivative state))
   (define inputs (apply up (filter numeric? parameters)))
@@ -35,22 +34,13 @@
   (define (rates-at v) (derivative (flvector->structure state v)))
   (define code
     (compile-traced f example #:name who #:value-at rates-at #:varying n #:value slope))
-  (define jacobian (once (lambda () (jacobian-maker code n))))
   (define (with-parameters run) (fix-parameters run n ps))
-  (and code
-       (system state (clock-first? code) derivative
-               (lambda () (with-parameters (compiled-function-runner code)))
-               (lambda () (let ([make (jacobian)]) (and make (with-parameters (make)))))
-               (compiled-function-operations code)
-               (once (lambda () (expander-of code n ps)))
-               (once (lambda () (machine-rates-of code n)))
-               ps
-               #f (box '()) (box #f) #f)))
+  (and code (system-of-code state derivative code with-parameters with-parameters ps #f)))
 
-;; Masses may be given as a tuple.
+;; Is it a number or a tuple of numbers?
 (define (numeric? parameter) (andmap real? (scalars parameter)))
 
-;; The parameters with these in place of the numeric ones.
+;; The parameters with the given numbers in place of the numeric ones.
 (define (with-numbers parameters numbers)
   (cond [(null? parameters) '()]
         [(numeric? (car parameters))

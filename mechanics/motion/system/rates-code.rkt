@@ -1,7 +1,7 @@
 #lang racket/base
-;; What is made of the compiled rates of a system beside these: Taylor coefficients, machine code
-;; for whole steps, and the derivatives that implicit methods ask for; and rates whose parameters,
-;; inputs after those of the state, have values.
+;; Code made of the compiled rates of a system: Taylor coefficients, machine code for whole steps,
+;; and the derivatives that implicit methods ask for; and rates whose parameters, inputs after
+;; those of the state, have values.
 ;;
 ;; All come from the list of instructions of the rates: nothing of the user's is run again, and
 ;; what was true of the rates when they were compiled is true of these.
