@@ -13,15 +13,15 @@
 ;; which keeps formulas short, for M is diagonal more often than not.  Where it has none,
 ;; there may be inertia in all directions that are left: then both are solved together.
 
-(require (only-in racket/vector vector-append)
+(require (only-in racket/vector vector-append vector-drop vector-take)
          "constraint.rkt" "dependence.rkt" "linearized.rkt"
          "../calculus/derivative.rkt"
          "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/function.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
-         "../value/shape.rkt"
+         "../value/shape.rkt" (only-in "../value/structure.rkt" ref)
          "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt")
 
 (provide constrained-accelerations constraint-forces
@@ -45,56 +45,45 @@
   (named who L cs Q
          (lambda (state)
            (define-values (a multipliers) (solve state))
-           (force-of-multipliers who cs (time state) (coordinate state) (velocity state)
-                                 multipliers))))
+           (force-of-multipliers who cs state multipliers))))
 
 (define (named who L constraints Q f)
-  (define cs (gather who constraints))
-  (define (name)
-    `(,who ,(value->datum L) ,(constraints->datum cs)
-           ,@(force->datum Q)))
-  (unary-function name (state) (f state)))
+  (unary-function (apply call-datum who L (gather who constraints) (force->datum Q)) (state)
+    (f state)))
 
-;; -> (state -> a, shaped like the velocities, and λ, shaped like the constraints)
+;; -> (state -> a, of the shape of the velocities, and λ, of the shape of the constraints)
 (define (accelerations-and-multipliers who given-L constraints Q)
   (define cs (gather-with who given-L constraints))
   (define solve (accelerations-with who (scalar-valued who given-L) cs (external-force who Q #f)))
   (lambda (state)
     (check-velocity who state)
-    (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
-    (check-linear who cs q)
-    (define shape (constraint-values who cs t q v))
-    (check-count who (shape-length shape) q)
+    (define shape (checked-constraint-values who cs state))
     (define-values (a multipliers) (solve state))
-    (values (vector->structure v a) (vector->structure shape multipliers))))
+    (values (vector->structure (velocity state) a) (vector->structure shape multipliers))))
 
 ;; The same in vectors.
-;; choose : list, one element for each constraint -> those of the constraints to keep
+;; choose : list, one element for each constraint -> the elements of the constraints to keep
 (define ((accelerations-with who L cs outside [choose values]) state)
-  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
   (solve-constrained who (mass-rows L state)
-                     (choose (jacobian-rows who cs t q v))
+                     (choose (jacobian-rows who cs state))
                      (applied-force who L outside state)
-                     (choose (map g:negate (drifts who cs t q v)))))
+                     (choose (map g:negate (drifts who cs state)))))
 
 ;; The mass matrix, as rows.
 (define (mass-rows L state)
-  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
+  (define-values (t q v) (state-parts state))
   (define P ((partial 2) L))
   (rows-of-function (lambda (v) (P (up t q v))) v))
 
 ;; f, a vector.
 (define (applied-force who L outside state)
-  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
+  (define-values (t q v) (state-parts state))
   (define P ((partial 2) L))
   (define-values (momentum rate)
-    (value-and-derivative-along (lambda (tq) (P (up (ref-0 tq) (ref-1 tq) v))) (up t q) (up 1 v)))
+    (value-and-derivative-along (lambda (tq) (P (up (ref tq 0) (ref tq 1) v))) (up t q) (up 1 v)))
   (define inside (g:- (((partial 1) L) state) rate))
   (list->vector
    (scalars (if outside (g:+ inside (force-like who inside (outside state))) inside))))
-
-(define (ref-0 s) (vector-ref (structure-elements s) 0))
-(define (ref-1 s) (vector-ref (structure-elements s) 1))
 
 ;; ---------------------------------------------------------------------------
 ;; The linear system
@@ -132,7 +121,7 @@
                          (for/vector ([g (in-list J)]) (g:negate (vector-ref g k))))
           (vector-append (list-ref J (- k n)) (make-vector m 0)))))
   (define x (solve-or-explain who J rows (vector-append f (list->vector c))))
-  (values (for/vector ([y (in-vector x 0 n)]) y) (for/vector ([y (in-vector x n)]) y)))
+  (values (vector-take x n) (vector-drop x n)))
 
 (define (solve-or-explain who J rows right)
   (with-handlers ([exn:fail:mechanics:singular:matrix?

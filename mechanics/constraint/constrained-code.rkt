@@ -12,11 +12,11 @@
 ;;     M a − Jᵀ λ = f,    J a = c,
 ;;
 ;; whatever a is: accelerations, or a way back to the constraints (constrained-motion.rkt).
-;; constrained-solution.rkt writes the solution of that.
+;; constrained-solution.rkt writes the solution of this system.
 
-(require (only-in racket/list range)
+(require (only-in racket/list append-map make-list range split-at)
          (only-in racket/vector vector-append vector-copy)
-         "constrained-solution.rkt" "constraint.rkt"
+         "constrained-solution.rkt" "linearized.rkt"
          "../compile/program-builder.rkt" "../compile/compile-function.rkt" "../compile/program.rkt"
          "../compile/sweep.rkt"
          "../generic/up-down.rkt"
@@ -37,7 +37,7 @@
 (define (constrained-code who L cs outside kept derivative state)
   (define p (traced-program (ingredients who L cs outside kept) state #:name who))
   (define n (shape-length (coordinate state)))
-  (define holonomic (holonomic-among cs kept state))
+  (define holonomic (holonomic-among who cs kept state))
   (define first-derivatives (and p (differentiable? p) (swept-back p n holonomic outside)))
   (and first-derivatives
        (differentiable? first-derivatives)
@@ -45,49 +45,38 @@
 
 ;; state ↦ L, the kept constraints, the force
 (define ((ingredients who L cs outside kept) state)
-  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
-  (define all (constraint-scalars who cs t q v))
+  (define all (scalars (constraint-values who cs state)))
   (apply up (L state)
          (append (for/list ([k (in-list kept)]) (list-ref all k))
-                 (if outside (force-scalars (outside state) (shape-length q)) '()))))
-
-(define (constraint-scalars who cs t q v)
-  (for*/list ([c (in-list (constraint-set-parts cs))]
-              [x (in-list (scalars (value-of who c t q v)))])
-    x))
+                 (if outside
+                     (force-scalars (outside state) (shape-length (coordinate state)))
+                     '()))))
 
 ;; 0 is no force whatever the shape
-(define (force-scalars force n)
-  (if (eqv? force 0) (for/list ([_ (in-range n)]) 0) (scalars force)))
+(define (force-scalars force n) (if (eqv? force 0) (make-list n 0) (scalars force)))
 
 ;; For each kept constraint: is it holonomic?
-(define (holonomic-among cs kept state)
-  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
-  (define all
-    (for*/list ([c (in-list (constraint-set-parts cs))]
-                [_ (in-list (scalars (value-of 'holonomic c t q v)))])
-      (holonomic? c)))
-  (for/list ([k (in-list kept)]) (list-ref all k)))
+(define (holonomic-among who cs kept state)
+  (define-values (positions velocities) (positions-and-velocities who cs state))
+  (for/list ([k (in-list kept)]) (and (list-ref positions k) #t)))
 
 ;; ---------------------------------------------------------------------------
 ;; First derivatives
 
-;; p : program of the ingredients -> that of ∂L/∂q, P, the force if there is one, and for each
+;; p : program of the ingredients -> the program of ∂L/∂q, P, the force if there is one, and for each
 ;; constraint its value, its rate and its row of J
 (define (swept-back p n holonomic outside)
   (define outputs (vector->list (program-outputs p)))
   (define b (reload p))
   (define of-L (sweep-back! b p (car outputs)))
-  (define constraints (for/list ([x (in-list (cdr outputs))] [_ (in-list holonomic)]) x))
-  (define force (list-tail (cdr outputs) (length holonomic)))
+  (define-values (constraints force) (split-at (cdr outputs) (length holonomic)))
   (builder->program
    b (program-inputs p)
    (append (elements of-L 1 (+ n 1))
            (elements of-L (+ n 1) (+ n n 1))
            force
-           (apply append
-                  (for/list ([x (in-list constraints)] [holonomic? (in-list holonomic)])
-                    (constraint-outputs b p n x holonomic?))))))
+           (append-map (lambda (x holonomic?) (constraint-outputs b p n x holonomic?))
+                       constraints holonomic))))
 
 (define (elements v from to) (vector->list (vector-copy v from to)))
 

@@ -17,12 +17,13 @@
          "../calculus/gradient.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
          "../motion/system/manifold.rkt"
          "../numeric/constants.rkt"
-         "../value/shape.rkt")
+         "../value/filled-shape.rkt" "../value/shape.rkt"
+         (only-in "../value/structure.rkt" list->up zero-like))
 
 (provide constrained-state-derivative consistent-state)
 
@@ -30,7 +31,7 @@
 (define-plain (constrained-state-derivative given-L constraints #:force [Q #f])
   (derivative-for 'constrained-state-derivative given-L constraints Q))
 
-;; who : whom the reader called
+;; who : the procedure that the reader called
 (define (derivative-for who given-L constraints Q)
   (define cs (gather-with who given-L constraints))
   (define-values (L outside) (values (scalar-valued who given-L) (external-force who Q #f)))
@@ -50,12 +51,10 @@
      (define ready (if kept (derivative (choosing kept)) all))
      (preparation ready kept (watched who L cs outside kept)
                   (lambda () (complete who L cs outside kept ready state))))
-   (lambda ()
-     `(constrained-state-derivative ,(value->datum given-L) ,(constraints->datum cs)
-            ,@(force->datum Q)))))
+   (apply call-datum 'constrained-state-derivative given-L cs (force->datum Q))))
 
-;; -> corrections, and the compiled rates; #f for both where symbols are left, which are the
-;; caller's affair; for the rates where the derivative is to be compiled
+;; -> corrections, and the compiled rates; both #f where symbols are left, which the caller
+;; refuses; the rates #f where the derivative itself is compiled later
 (define (complete who L cs outside kept ready state)
   (cond [(and kept (numeric? (ready state)))
          (define c (constrained-code who L cs outside kept ready state))
@@ -63,16 +62,15 @@
                  (and c (rates-code c)))]
         [else (values #f #f)]))
 
-;; The values of all, and the derivatives of L, of which a large constant may be a part.
+;; The values of L, force and constraints, and the derivatives of L, which a large constant in the
+;; value of L would hide.
 (define ((watched who L cs outside kept) state)
   (up ((ingredients who L cs outside (or kept '())) state)
       ((gradient L) state)))
 
 (define (check-state who cs state)
   (check-velocity who state)
-  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
-  (check-linear who cs q)
-  (check-count who (shape-length (constraint-values who cs t q v)) q))
+  (void (checked-constraint-values who cs state)))
 
 (define (numeric? x) (andmap real? (scalars x)))
 
@@ -82,10 +80,10 @@
 ;; Redundant constraints
 
 ;; The indices of the constraints to keep at this state and beyond, or #f if symbols are left.
-;; Where others depend on each other than beside it, the state is singular.
+;; The state is singular if constraints depend on each other there and not beside it.
 (define (kept-constraints who cs state)
   (define (kept state)
-    (define J (jacobian-rows who cs (time state) (coordinate state) (velocity state)))
+    (define J (jacobian-rows who cs state))
     (and (andmap (lambda (row) (andmap real? (vector->list row))) J)
          (independent-rows who J)))
   (define here (kept state))
@@ -94,22 +92,19 @@
   here)
 
 (define (beside-state state)
-  (scalars->structure
+  (list->structure
    state
-   (let ([xs (list->vector (scalars state))])
-     (lambda (k)
-       (define x (vector-ref xs k))
-       (define turns (* (+ k 1) golden-fraction))
-       (+ x (* 1e-3 (+ 1 (abs x)) (- turns (floor turns))))))))
+   (for/list ([x (in-list (scalars state))] [k (in-naturals 1)])
+     (define turns (* k golden-fraction))
+     (+ x (* 1e-3 (+ 1 (abs x)) (- turns (floor turns)))))))
 
 (define (raise-singular-state who cs state)
-  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
   (raise-singular
    who
    (string-append "where the motion begins, constraints depend on each other "
                   "that are independent elsewhere"
                   (format "\n  state: ~a" (value->text state))
-                  (dependences->text (dependences who (jacobian-rows who cs t q v))))
+                  (dependences->text (dependences who (jacobian-rows who cs state))))
    state))
 
 ;; ---------------------------------------------------------------------------
@@ -130,39 +125,33 @@
 ;; The increments of a state that take the coordinates, or the velocities, to where the
 ;; constraints hold.
 (define (towards-positions who L cs kept state)
-  (define-values (positions velocities) (violations who cs state))
+  (define-values (positions velocities) (positions-and-velocities who cs state))
   (define holonomic (filter (lambda (k) (list-ref positions k)) kept))
   (up 0
       (vector->structure (coordinate state) (shortest who L cs holonomic state positions))
-      (still (velocity state))))
+      (zero-like (velocity state))))
 
 (define (towards-velocities who L cs kept state)
-  (define-values (positions velocities) (violations who cs state))
+  (define-values (positions velocities) (positions-and-velocities who cs state))
   (up 0
-      (still (coordinate state))
+      (zero-like (coordinate state))
       (vector->structure (velocity state) (shortest who L cs kept state velocities))))
 
-(define (still q) (scalars->structure q (lambda (k) 0)))
-
-(define (violations who cs state)
-  (positions-and-velocities who cs (time state) (coordinate state) (velocity state)))
-
-;; δ, a vector; off : a list, of which those elements are used whose indices are given
+;; -> δ, a vector; off : the values of all constraints, a list; indices : the constraints to meet
 (define (shortest who L cs indices state off)
-  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
   (define choose (choosing indices))
   (define-values (step multipliers)
     (solve-constrained who (mass-rows L state)
-                       (choose (jacobian-rows who cs t q v))
-                       (make-vector (shape-length q) 0)
+                       (choose (jacobian-rows who cs state))
+                       (make-vector (shape-length (coordinate state)) 0)
                        (map g:negate (choose off))))
   step)
 
 (define (raise-inconsistent caller cs state)
-  (define-values (positions velocities) (violations caller cs state))
+  (define-values (positions velocities) (positions-and-velocities caller cs state))
   (define (field label xs)
     (if (ormap values xs)
-        (format "\n  ~a: ~a" label (value->text (one-or-up (filter values xs))))
+        (format "\n  ~a: ~a" label (value->text (single-or list->up (filter values xs))))
         ""))
   (complain caller
             (string-append "the state does not keep the constraints~a~a"
@@ -173,8 +162,6 @@
             (field "their rates of change" velocities)
             (value->text state)))
 
-(define (one-or-up xs) (if (null? (cdr xs)) (car xs) (structure 'up (list->vector xs))))
-
 ;; ---------------------------------------------------------------------------
 ;; A state to begin with
 
@@ -182,8 +169,7 @@
 (define (consistent-state L constraints)
   (define who 'consistent-state)
   (define derivative (derivative-for who L constraints #f))
-  (define (name) (list who (value->datum L) (constraints->datum (gather who constraints))))
-  (unary-function name (state)
+  (unary-function (call-datum who L (gather who constraints)) (state)
     (check-velocity who state)
     (define y (structure->flvector state (lambda (x) (raise-no-number who x state))))
     (define-values (on rates)

@@ -18,11 +18,11 @@
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide
- ;; made by the user
+ ;; for users
  holonomic nonholonomic constraint? holonomic? constraint-function
  ;; a set of them
  gather gather-with constraint-set-parts constraint-set-single?
- all-holonomic? constraints->datum
+ all-holonomic?
  value-of shape-values check-linear)
 
 ;; linear-at : coordinates for which A was found linear in the velocities, or #f
@@ -49,8 +49,9 @@
   (unless (and (of-functions? f) (accepts? f n))
     (complain who "expected a function of ~a\n  given: ~a~a" arguments
               (describe-with-value f)
-              (cond [(not (of-functions? f)) ""]
-                    [else (format ", which takes ~a~a" (arity->text f) (arity-hint who f))]))))
+              (if (of-functions? f)
+                  (format ", which takes ~a~a" (arity->text f) (arity-hint who f))
+                  ""))))
 
 (define (arity-hint who f)
   (cond [(and (eq? who 'holonomic) (accepts? f 3))
@@ -65,7 +66,9 @@
 ;; Sets
 
 ;; parts : list of constraints; single? : was one given, and no list or tuple?
-(struct constraint-set (parts single?) #:authentic)
+(struct constraint-set (parts single?)
+  #:property prop:printed-datum (lambda (cs) (constraints->datum cs))
+  #:authentic)
 
 (define (gather who given)
   (cond [(constraint-set? given) given]
@@ -103,12 +106,12 @@
 
 (define (parts-of given)
   (cond [(list? given) given]
-        [(tuple? given) (vector->list (structure-elements (adopt given)))]
+        [(tuple? given) (vector->list (tuple-elements given))]
         [else #f]))
 
 (define (constraints->datum cs)
-  (define data (map constraint->datum (constraint-set-parts cs)))
-  (if (constraint-set-single? cs) (car data) (cons 'list data)))
+  (define parts (constraint-set-parts cs))
+  (if (constraint-set-single? cs) (car parts) (cons 'list parts)))
 
 (define (all-holonomic? cs) (andmap holonomic? (constraint-set-parts cs)))
 
@@ -120,12 +123,12 @@
     (complain who
               (string-append "the value of a constraint is a number, or an up tuple of numbers"
                              "\n  constraint: ~a\n  value: ~a")
-              (value->text (constraint->datum c)) (describe-with-value value)))
+              (value->text c) (describe-with-value value)))
   value)
 
 ;; One value for each constraint, as one value.
 (define (shape-values cs values)
-  (if (constraint-set-single? cs) (car values) (structure 'up (list->vector values))))
+  (if (constraint-set-single? cs) (car values) (apply up values)))
 
 ;; ---------------------------------------------------------------------------
 ;; Linear in the velocities?
@@ -149,5 +152,5 @@
       (complain who
                 (string-append "a constraint must be linear in the velocities"
                                "\n  constraint: ~a\n  its value: ~a")
-                (value->text (constraint->datum c))
+                (value->text c)
                 (value->text (value-of who c 't at velocity))))))

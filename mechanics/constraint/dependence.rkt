@@ -20,10 +20,10 @@
        (string-append "the mass matrix and the constraints do not determine the accelerations"
                       "\n  a motion that the constraints allow has no inertia"))
    (exn:fail:mechanics:singular-where e)
-   (map (lambda (y) (structure 'up y)) found)
+   (map up-of found)
    e))
 
-;; A basis of the y with Σ yⱼ (row j) = 0, vectors; none if elimination gives up.
+;; A basis of the y with Σ yⱼ (row j) = 0, vectors; empty if elimination fails.
 (define (dependences who J)
   (with-handlers ([exn:fail:mechanics? (lambda (e) '())])
     (rows-null-space who J (rows-transpose (list->vector J)))))
@@ -31,16 +31,16 @@
 (define (dependences->text ys)
   (joined (for/list ([y (in-list ys)]) (format "\n  ~a" (dependence->text y))) ""))
 
-;; The last constraint in it, by the others.
+;; The last constraint in the dependence y, as a combination of the others.
 (define (dependence->text y)
-  (define last (for/last ([c (in-vector y)] [i (in-naturals)] #:unless (eqv? c 0)) i))
+  (define end (for/last ([c (in-vector y)] [i (in-naturals)] #:unless (eqv? c 0)) i))
   (define terms
-    (for/list ([c (in-vector y)] [i (in-range last)] #:unless (eqv? c 0))
-      (define factor (readable (simplify (g:negate (g:/ c (vector-ref y last))))))
+    (for/list ([c (in-vector y)] [i (in-range end)] #:unless (eqv? c 0))
+      (define factor (readable (simplify (g:negate (g:/ c (vector-ref y end))))))
       (if (member factor '(1 1.0))
           (format "constraint ~a" i)
           (format "~a times constraint ~a" (value->text factor) i))))
-  (format "constraint ~a demands ~a" last
+  (format "constraint ~a demands ~a" end
           (if (null? terms)
               "nothing here: its derivatives by the coordinates are zero"
               (string-append "the same as " (joined terms " plus ")))))
@@ -51,8 +51,7 @@
 
 ;; The indices of rows that together demand as much as all of them, the first ones first.
 (define (independent-rows who J)
-  (define n (length J))
-  (for/fold ([kept '()] [rank 0] #:result (reverse kept)) ([row (in-list J)] [k (in-range n)])
+  (for/fold ([kept '()] [rank 0] #:result (reverse kept)) ([k (in-range (length J))])
     (define with-it
       (rows-rank who J (list->vector (for/list ([i (in-list (cons k kept))]) (list-ref J i)))))
     (if (> with-it rank) (values (cons k kept) with-it) (values kept rank))))

@@ -7,12 +7,15 @@
 ;; coordinates s are known by which the constraints are kept, q = F(t, s), it is ∂F/∂s, and
 ;; the residual that is left is that of the Lagrangian in these coordinates.
 
-(require "constraint.rkt" "linearized.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+(require (only-in racket/list list-set)
+         "constraint.rkt" "linearized.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/compose.rkt" "../value/shape.rkt"
+         "../value/compose.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         (only-in "../value/structure.rkt" list->down list->up structure->list)
          "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt")
 
 (provide eliminate-multipliers)
@@ -23,11 +26,10 @@
   (define who 'eliminate-multipliers)
   (define cs (gather-with who L constraints))
   (define free (Lagrange-equations L #:force Q))
-  (unless (or (not F) (and (procedure? F) (accepts? F 1)))
+  (unless (or (not F) (takes-arguments? F 1))
     (complain-of-argument who "a coordinate transformation: a function of the local tuple" F))
-  (define (name)
-    `(,who ,(value->datum L) ,(constraints->datum cs) ,@(if F (list (value->datum F)) '())
-           ,@(force->datum Q)))
+  (define name
+    (apply call-datum who L cs (append (if F (list F) '()) (force->datum Q))))
   (unary-function name (given-path)
     (define s (path who given-path))
     (define q (if F (compose F (Gamma s)) s))
@@ -35,30 +37,23 @@
     (define (directions t)
       (if F (slopes F ((Gamma s) t)) (allowed who cs (local t))))
     (unary-function (lambda () (list (name) (value->datum s))) (t)
-      (define-values (q v) (values (coordinate (local t)) (velocity (local t))))
-      (check-linear who cs q)
-      (define left (in-directions (directions t) (list->vector (scalars (residual t)))))
-      (up (shape-like (and F (s t)) left) (constraint-values who cs t q v)))))
+      (check-linear who cs (coordinate (local t)))
+      (define left
+        (let ([all (list->vector (scalars (residual t)))])
+          (for/list ([d (in-list (directions t))]) (sum-of-products d all))))
+      (up (shape-like (and F (s t)) left) (constraint-values who cs (local t))))))
 
 ;; The columns of ∂F/∂s.
 (define (slopes F local)
-  (define rest (cdr (structure->elements local)))
-  (define (at s) (F (structure 'up (list->vector (list* (time local) s (cdr rest))))))
-  (vector->list (rows-transpose (rows-of-function at (car rest)))))
+  (define (at s) (F (list->up (list-set (structure->list local) 1 s))))
+  (vector->list (rows-transpose (rows-of-function at (coordinate local)))))
 
-(define (structure->elements s) (vector->list (structure-elements s)))
-
-;; A basis of what the constraints allow.
+;; A basis of the directions that the constraints allow.
 (define (allowed who cs local)
-  (define-values (t q v) (values (time local) (coordinate local) (velocity local)))
-  (define J (jacobian-rows who cs t q v))
-  (check-count who (length J) q)
+  (define J (jacobian-rows who cs local))
+  (check-count who (length J) (coordinate local))
   (rows-null-space who J (list->vector J)))
-
-(define (in-directions directions residual)
-  (for/list ([d (in-list directions)]) (sum-of-products d residual)))
 
 ;; One residual is a number, several are a down tuple.
 (define (shape-like s xs)
-  (define only (and (pair? xs) (null? (cdr xs)) (not (tuple? s))))
-  (if only (car xs) (structure 'down (list->vector xs))))
+  (if (tuple? s) (list->down xs) (single-or list->down xs)))

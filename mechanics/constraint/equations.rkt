@@ -10,10 +10,10 @@
 (require "constraint.rkt" "linearized.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt")
+         "../value/shape.rkt" (only-in "../value/structure.rkt" ref s:length))
 
 (provide constrained-Lagrange-equations augmented-Lagrangian)
 
@@ -29,20 +29,17 @@
     (define multipliers (multiplier-path who given-multipliers))
     (define residual (free q))
     (define local (Gamma q))
-    (unary-function (lambda () (list name-datum (value->datum q) (value->datum multipliers))) (t)
+    (unary-function (lambda () (cons (name) (value->datum (list q multipliers)))) (t)
       (define here (local t))
-      (define-values (q v) (values (coordinate here) (velocity here)))
-      (check-linear who cs q)
-      (define values-of-constraints (constraint-values who cs t q v))
+      (check-linear who cs (coordinate here))
+      (define values-of-constraints (constraint-values who cs here))
       (define lambdas (multipliers t))
       (check-multipliers who values-of-constraints lambdas)
-      (check-count who (shape-length values-of-constraints) q)
-      (up (g:- (residual t) (force-of-multipliers who cs t q v lambdas))
+      (check-count who (shape-length values-of-constraints) (coordinate here))
+      (up (g:- (residual t) (force-of-multipliers who cs here lambdas))
           values-of-constraints)))
-  (define name-datum
-    `(,who ,(value->datum L) ,(constraints->datum cs)
-           ,@(force->datum Q)))
-  (make-function residual 4 (lambda () name-datum)))
+  (define name (apply call-datum who L cs (force->datum Q)))
+  (make-function residual 4 name))
 
 (define (raise-no-multipliers who cs)
   (complain who
@@ -50,7 +47,7 @@
                            "\n  constraints: ~a"
                            "\n  (eliminate-multipliers L constraints) "
                            "makes equations without them")
-            (value->text (constraints->datum cs))))
+            (value->text cs)))
 
 (define (multiplier-path who given)
   (unless (procedure? given)
@@ -76,22 +73,21 @@
   (define who 'augmented-Lagrangian)
   (define cs (gather-with who L constraints))
   (unless (all-holonomic? cs) (raise-not-holonomic who cs))
-  (define (name) (list who (value->datum L) (constraints->datum cs)))
-  (unary-function name (local)
+  (unary-function (call-datum who L cs) (local)
     (define-values (q multipliers) (halves who (coordinate local) "coordinates" "(up q lambda)"))
     (define-values (v rates) (halves who (velocity local) "velocities" "(up v lambda-dot)"))
-    (define values-of-constraints (constraint-values who cs (time local) q v))
+    (define state (up (time local) q v))
+    (define values-of-constraints (constraint-values who cs state))
     (check-multipliers who values-of-constraints multipliers)
-    (for/fold ([sum (L (up (time local) q v))])
+    (for/fold ([sum (L state)])
               ([x (in-list (scalars multipliers))] [g (in-list (scalars values-of-constraints))])
       (g:+ sum (g:* x g)))))
 
 (define (halves who x what expected)
-  (unless (and (up? x) (= 2 (structure-length (adopt x))))
+  (unless (and (up? x) (= 2 (s:length x)))
     (complain who "expected ~a with multipliers, ~a; given ~a"
               what expected (describe-with-value x)))
-  (define parts (structure-elements (adopt x)))
-  (values (vector-ref parts 0) (vector-ref parts 1)))
+  (values (ref x 0) (ref x 1)))
 
 (define (raise-not-holonomic who cs)
   (complain who
@@ -99,4 +95,4 @@
                            "its equations are not those of the motion"
                            "\n  use constrained-Lagrange-equations"
                            "\n  constraints: ~a")
-            (value->text (constraints->datum cs))))
+            (value->text cs)))

@@ -10,17 +10,20 @@
 ;; an integrating factor μ with μ ω = dG.  Tried are 1, 1/ω_i, and those that depend on one
 ;; coordinate x: of these, (log μ)' = (∂_i ω_x − ∂_x ω_i)/ω_i has to be a function of x.
 
-(require "constraint.rkt" "linearized.rkt"
+(require (only-in racket/vector vector-append vector-drop)
+         "constraint.rkt" "linearized.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/expression-function.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../lagrangian/generic-state.rkt"
-         "../value/assumptions.rkt" "../value/shape.rkt"
+         "../value/assumptions.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         (only-in "../value/structure.rkt" list->down list->up zero-like)
+         "../value/symbols-like.rkt"
          "../value/matrix/row-systems.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
 
 (provide Frobenius-test constraint-integral check-generic)
 
@@ -34,18 +37,16 @@
 
 ;; forms : a procedure, as it may differentiate
 (define (Frobenius-verdict who variables forms)
-  (define-values (residual survey)
-    (survey-derivatives (lambda () (Frobenius-residual who variables (forms))) variables))
-  (prove-zero residual #:variables variables #:surveys (list survey)))
+  (prove-residual-zero (lambda () (Frobenius-residual who variables (forms))) variables))
 
-;; Time is left out if nothing depends on it.
+;; Time is left out if no form depends on it.
 (define (Frobenius-residual who variables forms)
   (define (timeless? w)
     (and (eqv? 0 (simple (vector-ref w 0)))
          (for/and ([a (in-vector w)]) (eqv? 0 (simple (expression-derivative a 't))))))
   (if (andmap timeless? forms)
       (residual-of who (cdr variables)
-                   (for/list ([w (in-list forms)]) (list->vector (cdr (vector->list w)))))
+                   (for/list ([w (in-list forms)]) (vector-drop w 1)))
       (residual-of who variables forms)))
 
 ;; The local tuple stands for any state, and none of its symbols is a parameter of the
@@ -53,40 +54,34 @@
 (define (check-generic who cs local)
   (check-generic-state who local)
   (check-parameters who
-                    (unary-function (lambda () (constraints->datum cs)) (local)
-                      (apply constraint-values who cs (vector->list (structure-elements local))))
+                    (unary-function (lambda () (value->datum cs)) (local)
+                      (constraint-values who cs local))
                     local))
 
 (define (check-coordinates who cs q)
-  (check-symbols who q)
-  (define v (scalars->structure q (lambda (k) (string->uninterned-symbol (format "v~a" k)))))
-  (check-generic who cs (up 't q v)))
-
-(define (check-symbols who q)
   (unless (and (andmap symbol? (scalars q)) (not (memq 't (scalars q))))
     (complain who "expected coordinates that are symbols other than t, such as (up 'x 'y); given ~a"
-              (describe-with-value q))))
+              (describe-with-value q)))
+  (check-generic who cs (up 't q (symbols-like q "v"))))
 
 ;; A vector (b a₁ a₂ ...) for each scalar of the constraints.
 (define (forms who cs q)
   (check-linear who cs q)
-  (define at-rest (scalars->structure q (lambda (k) 0)))
-  (define-values (positions rates) (positions-and-velocities who cs 't q at-rest))
-  (for/list ([b (in-list rates)] [a (in-list (jacobian-rows who cs 't q at-rest))])
-    (list->vector (cons b (vector->list a)))))
+  (define at-rest (up 't q (zero-like q)))
+  (define-values (positions rates) (positions-and-velocities who cs at-rest))
+  (for/list ([b (in-list rates)] [a (in-list (jacobian-rows who cs at-rest))])
+    (vector-append (vector b) a)))
 
 (define (residual-of who variables forms)
   (define allowed (rows-null-space who forms (list->vector forms)))
-  (define values
+  (define found
     (for*/list ([w (in-list forms)]
                 [slopes (in-value (derivative-of-form w variables))]
                 [(X k) (in-indexed allowed)]
                 [(Y l) (in-indexed allowed)]
                 #:when (< k l))
       (on-pair slopes X Y)))
-  (if (and (pair? values) (null? (cdr values)))
-      (car values)
-      (structure 'down (list->vector values))))
+  (single-or list->down found))
 
 ;; The component dω_ij of the derivative of a form.
 (struct component (i j value) #:authentic)
@@ -124,14 +119,10 @@
   (define found
     (if (and (constraint-set-single? cs) (null? (cdr integrals)))
         (car integrals)
-        (structure 'up (list->vector integrals))))
-  (make-function (lambda (t at) (evaluated found variables (cons t (scalars at))))
+        (list->up integrals)))
+  (make-function (lambda (t at) (evaluate-at found (up 't q) (up t at)))
                  4
-                 (lambda () (list who (constraints->datum cs)))))
-
-(define (evaluated found variables numbers)
-  (define environment (map cons variables numbers))
-  (map-leaves (lambda (e) (evaluate-generically e environment)) found))
+                 (call-datum who cs)))
 
 (define (integral-of who cs w variables)
   (define v (Frobenius-verdict who variables (lambda () (list w))))
@@ -140,7 +131,7 @@
         (integral-of-gradient (for/vector ([a (in-vector w)]) (simple (e:* factor a))) variables))
       (raise-no-answer who
                        "the constraint is integrable; its integral was not found\n  constraint: ~a"
-                       (value->text (constraints->datum cs)))))
+                       (value->text cs))))
 
 (define (raise-not-integrable who cs v)
   (raise-no-answer who
@@ -148,7 +139,7 @@
                                   "\n  constraint: ~a"
                                   "\n  by Frobenius's condition this had to vanish: ~a~a")
                    (if (refuted? v) "is not" "is not known to be")
-                   (value->text (constraints->datum cs))
+                   (value->text cs)
                    (value->text (verdict-residual v))
                    (kinks->text v)))
 
@@ -174,7 +165,7 @@
   (define exponent (and alone? (antiderivative h x (assumptions-in-force))))
   (and exponent (simple (e:apply op:exp exponent))))
 
-;; The expression with these derivatives, one by each variable, or #f.
+;; The expression whose derivatives by the variables are the slopes, or #f.
 (define (integral-of-gradient slopes variables)
   (define G
     (for/fold ([G 0]) ([x (in-list variables)] [slope (in-vector slopes)])

@@ -8,11 +8,11 @@
 
 (require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "linearized.rkt"
          "../error/complain.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/generic-state.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
-         "../value/shape.rkt"
+         "../value/shape.rkt" (only-in "../value/structure.rkt" list->up ref)
          "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
@@ -52,40 +52,39 @@
 (define-plain (reduce-by-substitution L constraints substitute state #:keep [kept #f])
   (define who 'reduce-by-substitution)
   (define cs (gather-with who L constraints))
-  (unless (and (procedure? substitute) (accepts? substitute 3))
+  (unless (takes-arguments? substitute 3)
     (complain-of-argument who "a function (t q v) of velocities that keep the constraints"
                           substitute))
   (check-generic who cs state)
   (check-parameters who L state)
-  (define-values (t q v) (values (time state) (coordinate state) (velocity state)))
-  (define true-v (substitute t q v))
-  (check-substitution who cs t q true-v)
-  (define (reduced local)
-    (L (up (time local) (coordinate local)
-           (substitute (time local) (coordinate local) (velocity local)))))
-  (define a
-    (vector-ref (structure-elements ((constrained-accelerations L cs) (up t q true-v))) 0))
+  (define (substituted local)
+    (define-values (t q v) (state-parts local))
+    (up t q (substitute t q v)))
+  (define true-state (substituted state))
+  (define-values (t q v) (state-parts true-state))
+  (check-substitution who cs true-state)
+  (define (reduced local) (L (substituted local)))
+  (define a (ref ((constrained-accelerations L cs) true-state) 0))
   (define-values (residual survey)
-    (survey-derivatives (lambda () ((Euler-Lagrange-operator reduced) (up t q true-v a)))
+    (survey-derivatives (lambda () ((Euler-Lagrange-operator reduced) (up t q v a)))
                         (scalars state)))
-  (reduction (unary-function (lambda () (list who (value->datum L))) (local) (reduced local))
+  (reduction (printed-function (reduce-by-substitution L) (local) (reduced local))
              (Frobenius-test cs q)
              (prove-zero (if kept
-                             (in-allowed who (gather who kept) t q true-v residual)
+                             (in-allowed who (gather who kept) true-state residual)
                              residual)
                          #:surveys (list survey))))
 
-(define (check-substitution who cs t q v)
-  (define-values (positions rates) (positions-and-velocities who cs t q v))
-  (define verdict (prove-zero (structure 'up (list->vector rates))))
+(define (check-substitution who cs state)
+  (define-values (positions rates) (positions-and-velocities who cs state))
+  (define verdict (prove-zero (list->up rates)))
   (when (refuted? verdict)
     (complain who "the velocities do not keep the constraints\n  velocities: ~a\n  constraints: ~a"
-              (value->text v) (value->text (verdict-residual verdict)))))
+              (value->text (velocity state)) (value->text (verdict-residual verdict)))))
 
-;; What is left of the residual where the kept constraints let the system move.
-(define (in-allowed who kept t q v residual)
-  (define J (jacobian-rows who kept t q v))
+;; The components of the residual in the directions that the kept constraints allow.
+(define (in-allowed who kept state residual)
+  (define J (jacobian-rows who kept state))
   (define left (list->vector (scalars residual)))
-  (structure
-   'down
+  (down-of
    (for/vector ([d (in-list (rows-null-space who J (list->vector J)))]) (sum-of-products d left))))

@@ -5,6 +5,7 @@
 (require "step-by-step.rkt"
          "../../calculus/derivative.rkt"
          "../../constraint/accelerations.rkt" "../../constraint/constraint.rkt"
+         "../../constraint/linearized.rkt"
          "../../error/complain.rkt"
          "../../force/displacement.rkt" "../../force/generalized-force.rkt" "../../force/particles.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
@@ -108,16 +109,13 @@
   (define found ((constrained-accelerations L constraints) local))
   (define force ((constraint-forces L constraints) local))
   (define a (ref found 0))
-  (define-values (t q v) (values (time local) (coordinate local) (velocity local)))
   (define P ((partial 2) L))
   (define rate (g:+ (((partial 0) P) local)
-                    (g:+ (g:* (((partial 1) P) local) v) (g:* (((partial 2) P) local) a))))
+                    (g:+ (g:* (((partial 1) P) local) (velocity local))
+                         (g:* (((partial 2) P) local) a))))
   (define equations (g:- rate (((partial 1) L) local)))
   (derived
-   (make-step 'constraint (shape-values (gather who constraints)
-                                        (for/list ([c (in-list (constraint-set-parts
-                                                                (gather who constraints)))])
-                                          (value-of who c t q v))))
+   (make-step 'constraint (constraint-values who (gather who constraints) local))
    (make-step 'a a)
    (make-step 'lambda (ref found 1))
    (make-step '(* lambda ((partial 1) constraint)) force (verify-equal equations force))))
