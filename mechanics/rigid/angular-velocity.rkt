@@ -4,11 +4,11 @@
 ;; If M(t) turns the body from where it was to where it is, then DM Mᵀ is antisymmetric, since
 ;; M Mᵀ = 1, and takes a vector v to ω × v.  On axes that turn with the body ω is Mᵀ ω.
 
-(require "rotation.rkt"
+(require "rotation.rkt" "three-vector.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt"
          "../lagrangian/coordinate-transformation.rkt" "../lagrangian/local-tuple.rkt"
          "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
@@ -27,12 +27,12 @@
 (define (M-of-q->omega-body-of-t M-of-q)
   (along-path 'M-of-q->omega-body-of-t M-of-q (lambda (omega M) (g:* (transpose M) omega))))
 
-;; choose : ω in space and M -> what is asked for
+;; choose : ω in space and M -> the result
 (define (along-path who M-of-q choose)
   (unless (and (pointwise? M-of-q) (accepts? M-of-q 1))
     (complain who "expected a function from coordinates to a rotation; given ~a"
               (describe-function M-of-q)))
-  (define (name) (list who (value->datum M-of-q)))
+  (define name (call-datum who M-of-q))
   (unary-function name (given-q)
     (define q (path who given-q))
     (define (M-on-path t) (M-of-q (q t)))
@@ -56,13 +56,12 @@
   (unless (m:antisymmetric? A)
     (complain 'antisymmetric->column-matrix
               "expected an antisymmetric 3 by 3 matrix; given ~a~a" (describe-with-value A)
-              (if (square-3? A)
+              (if (matrix-of? A 3 3)
                   (format "\n  with its transpose it adds up to: ~a"
                           (value->text (simplify (symmetric-part A))))
                   "")))
   (vector-of A))
 
-(define (square-3? A) (and (matrix? A) (= (m:num-rows A) 3) (= (m:num-cols A) 3)))
 (define (symmetric-part A) (g:+ A (transpose A)))
 
 (define (m:antisymmetric? A)
@@ -71,8 +70,8 @@
        (let ([sum (symmetric-part A)])
          (or (g:zero? sum) (proved? (prove-zero sum))))))
 
-;; ω as an up tuple, of such a matrix or of the tuple of its columns
+;; A : an antisymmetric matrix, or the tuple of its columns -> ω, an up tuple
 (define (wcross->w A)
-  (cond [(square-3? A) (column-matrix->up (vector-of A))]
+  (cond [(matrix-of? A 3 3) (column-matrix->up (vector-of A))]
         [(and (tuple? A) (= (s:length A) 3)) (up (ref A 1 2) (ref A 2 0) (ref A 0 1))]
         [else (complain 'wcross->w "expected a 3 by 3 matrix; given ~a" (describe-with-value A))]))

@@ -6,7 +6,7 @@
 (require "Euler-angles.rkt" "rotation.rkt" "three-vector.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/scalar.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/scalar.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
          "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt")
@@ -19,26 +19,24 @@
 ;; Of the angular velocity on principal axes
 
 (define (T-body A B C)
-  (unary-function (lambda () (list* 'T-body (data A B C))) (omega)
+  (printed-function (T-body A B C) (omega)
     (define-values (a b c) (three 'T-body "the angular velocity" omega))
     (g:* 1/2 (g:+ (g:* A (g:square a)) (g:* B (g:square b)) (g:* C (g:square c))))))
 
 (define (L-body A B C)
-  (unary-function (lambda () (list* 'L-body (data A B C))) (omega)
+  (printed-function (L-body A B C) (omega)
     (define-values (a b c) (three 'L-body "the angular velocity" omega))
     (down (g:* A a) (g:* B b) (g:* C c))))
-
-(define (data . moments) (map value->datum moments))
 
 ;; (((L-space M) A B C) omega-body), for a body that M has turned
 (define (L-space M)
   (check-3-by-3 'L-space M)
-  (define (name) (list 'L-space (value->datum M)))
-  (define takes-three 8)                ; as procedure-arity-mask has it
+  (define name (call-datum 'L-space M))
+  (define takes-three 8)                ; a procedure-arity-mask
   (make-function
    (lambda (A B C)
      (define momentum (L-body A B C))
-     (unary-function (lambda () (cons (name) (data A B C))) (omega)
+     (unary-function (lambda () (cons (name) (value->datum (list A B C)))) (omega)
        (g:* (momentum omega) (transpose M))))
    takes-three
    name))
@@ -47,19 +45,19 @@
 ;; Of the state in Euler angles
 
 (define (T-body-Euler A B C)
-  (unary-function (lambda () (list* 'T-body-Euler (data A B C))) (state)
+  (printed-function (T-body-Euler A B C) (state)
     ((T-body A B C) (Euler-state->omega-body state))))
 
 (define (L-body-Euler A B C)
-  (unary-function (lambda () (list* 'L-body-Euler (data A B C))) (state)
+  (printed-function (L-body-Euler A B C) (state)
     ((L-body A B C) (Euler-state->omega-body state))))
 
 (define (L-space-Euler A B C)
-  (unary-function (lambda () (list* 'L-space-Euler (data A B C))) (state)
+  (printed-function (L-space-Euler A B C) (state)
     (define omega (Euler-state->omega-body state))
     (((L-space (Euler->M (coordinate state))) A B C) omega)))
 
-;; Euler's equations divide by each of them.
+;; Euler's equations divide by each moment.
 (define (check-moments who . moments)
   (for ([moment (in-list moments)])
     (define value (comparand moment))
@@ -71,7 +69,7 @@
 (define (rigid-sysder A B C)
   (check-moments 'rigid-sysder A B C)
   (define derivative (Lagrangian->state-derivative (T-body-Euler A B C)))
-  (unary-function (lambda () (list* 'rigid-sysder (data A B C))) (state)
+  (printed-function (rigid-sysder A B C) (state)
     (angles-and-rates 'rigid-sysder state)
     (check-off-pole 'rigid-sysder state)
     (derivative state)))

@@ -8,7 +8,7 @@
          "../compile/definite-integral.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/value-struct.rkt"
+         "../generic/describe.rkt" "../generic/function-check.rkt" "../generic/value-struct.rkt"
          "../value/structure.rkt"
          "../value/matrix/matrix.rkt")
 
@@ -33,12 +33,11 @@
   (define center
     (g:/ (up (moment (lambda (x y z) x)) (moment (lambda (x y z) y)) (moment (lambda (x y z) z)))
          mass))
-  (body mass center (about-center mass center (second-moments moment))))
+  (body mass center (g:- (second-moments moment) (point-inertia 'density->body mass center))))
 
 (define (check-density density)
-  (unless (or (real? density) (and (procedure? density) (accepts? density 3)))
-    (complain 'density->body "a density is a number or a function of x, y and z; given ~a"
-              (describe-function density))))
+  (unless (real? density)
+    (check-takes 'density->body density 3 "a density is a number or a function of x, y and z")))
 
 ;; Σ m (x·x 1 − x xᵀ) from the integrals of products of two coordinates
 (define (second-moments moment)
@@ -49,8 +48,6 @@
   (matrix-by-rows (list (+ yy zz) xy zx)
                   (list xy (+ zz xx) yz)
                   (list zx yz (+ xx yy))))
-
-(define (about-center mass center I) (g:- I (point-inertia 'density->body mass center)))
 
 ;; ---------------------------------------------------------------------------
 ;; Integrals over a region

@@ -59,7 +59,7 @@
 ;; Principal axes
 
 (define (check-tensor who I)
-  (unless (and (matrix? I) (= (m:num-rows I) 3) (= (m:num-cols I) 3))
+  (unless (matrix-of? I 3 3)
     (complain who "expected an inertia tensor, a 3 by 3 matrix; given ~a~a" (describe-with-value I)
               (list-hint I "(matrix-by-rows ...)")))
   (define turned (g:- I (transpose I)))
@@ -125,7 +125,7 @@
 
 (define (diagonal a b c) (matrix-by-rows (list a 0 0) (list 0 b 0) (list 0 0 c)))
 
-;; k M (y² + z²) and so on round
+;; k M (y² + z²), k M (z² + x²), k M (x² + y²)
 (define (from-squares who k M x y z)
   (check-scalars who M x y z)
   (define-values (xx yy zz) (values (g:square x) (g:square y) (g:square z)))
@@ -146,20 +146,16 @@
 ;; A thin one along z
 (define (rod-inertia M l) (from-squares 'rod-inertia 1/12 M 0 0 l))
 
-;; About z, of radius R and height h
-(define (cylinder-inertia M R h)
-  (check-scalars 'cylinder-inertia M R h)
-  (define across (g:* 1/12 M (g:+ (g:* 3 (g:square R)) (g:square h))))
-  (diagonal across across (g:* 1/2 M (g:square R))))
+;; About z, with two lengths R and r: k M (a R² + b r²) across it, l M (c R² + d r²) along it
+(define (about-axis who M R r k a b l c d)
+  (check-scalars who M R r)
+  (define (moment k a b) (g:* k M (g:+ (g:* a (g:square R)) (g:* b (g:square r)))))
+  (define across (moment k a b))
+  (diagonal across across (moment l c d)))
 
-;; About z, of base radius R and height h; its centre of mass is h/4 above the base.
-(define (cone-inertia M R h)
-  (check-scalars 'cone-inertia M R h)
-  (define across (g:* 3/80 M (g:+ (g:* 4 (g:square R)) (g:square h))))
-  (diagonal across across (g:* 3/10 M (g:square R))))
-
-;; About z: a disc of radius r whose centre goes round on a circle of radius R
-(define (torus-inertia M R r)
-  (check-scalars 'torus-inertia M R r)
-  (define across (g:* 1/8 M (g:+ (g:* 4 (g:square R)) (g:* 5 (g:square r)))))
-  (diagonal across across (g:* 1/4 M (g:+ (g:* 4 (g:square R)) (g:* 3 (g:square r))))))
+;; Of radius R and height h
+(define (cylinder-inertia M R h) (about-axis 'cylinder-inertia M R h 1/12 3 1 1/2 1 0))
+;; Of base radius R and height h; its centre of mass is h/4 above the base.
+(define (cone-inertia M R h) (about-axis 'cone-inertia M R h 3/80 4 1 3/10 1 0))
+;; A disc of radius r whose centre goes round on a circle of radius R
+(define (torus-inertia M R r) (about-axis 'torus-inertia M R r 1/8 4 5 1/4 4 3))

@@ -5,10 +5,11 @@
 ;; vector part of q v q*; its matrix is made of products of two parts of q.  Any multiple of q
 ;; serves as well when what it gives is divided by q q*: so q and −q are one rotation.
 
-(require "rotation.rkt" "three-vector.rkt"
+(require (only-in racket/list argmax index-of)
+         "rotation.rkt" "three-vector.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/function.rkt"
+         "../generic/elementary.rkt" "../generic/printed-function.rkt"
          "../value/quaternion.rkt" "../value/structure.rkt"
          "../value/matrix/matrix.rkt")
 
@@ -71,7 +72,7 @@
       [(1) (g:- (g:+ 1 a) b c)]
       [(2) (g:- (g:+ 1 b) a c)]
       [else (g:- (g:+ 1 c) a b)]))
-  (define k (greatest (for/list ([i (in-range 4)]) (comparand (four-times i)))))
+  (define k (place-of-greatest (map comparand (map four-times '(0 1 2 3)))))
   (define part (g:* 1/2 (g:sqrt (four-times k))))
   (apply quaternion
          (for/list ([j (in-range 4)])
@@ -88,25 +89,22 @@
     [((1 3)) (opposite g:+ 0 2)]
     [else (opposite g:+ 1 2)]))
 
-;; The place of the greatest of some numbers; of what has no order, the first
-(define (greatest xs)
-  (if (andmap real? xs)
-      (for/fold ([best 0]) ([x (in-list xs)] [i (in-naturals)])
-        (if (> x (list-ref xs best)) i best))
-      0))
+;; The place of the greatest of the numbers; 0 where some have no order
+(define (place-of-greatest xs)
+  (if (andmap real? xs) (index-of xs (argmax values xs)) 0))
 
 ;; r 1 + x i + y j + z k
 (define (quaternion->4x4 q)
   (check-quaternion 'quaternion->4x4 q)
   (define-values (r x y z) (apply values (structure->list (quaternion->vector q))))
-  (define (minus a) (g:negate a))
+  (define-values (-x -y -z) (values (g:negate x) (g:negate y) (g:negate z)))
   (matrix-by-rows (list r x y z)
-                  (list (minus x) r (minus z) y)
-                  (list (minus y) z r (minus x))
-                  (list (minus z) (minus y) x r)))
+                  (list -x r -z y)
+                  (list -y z r -x)
+                  (list -z -y x r)))
 
 (define (4x4->quaternion M)
-  (unless (and (matrix? M) (= (m:num-rows M) 4) (= (m:num-cols M) 4))
+  (unless (matrix-of? M 4 4)
     (complain '4x4->quaternion "expected a 4 by 4 matrix; given ~a" (describe-with-value M)))
   (make-quaternion (m:nth-row M 0)))
 
@@ -114,6 +112,6 @@
 (define (q:rotate q)
   (check-quaternion 'q:rotate q)
   (check-unit 'q:rotate "the quaternion" (quaternion->vector q))
-  (unary-function (lambda () (list 'q:rotate (value->datum q))) (v)
+  (printed-function (q:rotate q) (v)
     (define-values (x y z) (three 'q:rotate "a vector" v))
     (quaternion->3vector (g:* q (g:* (quaternion 0 x y z) (q:conjugate q))))))

@@ -12,6 +12,7 @@
 (require "body.rkt" "quaternion-rotation.rkt" "rotation.rkt" "three-vector.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/printed-function.rkt"
          "../lagrangian/local-tuple.rkt"
          "../calculus/derivative.rkt"
          "../value/quaternion.rkt" "../value/structure.rkt")
@@ -43,17 +44,15 @@
   (make-quaternion x))
 
 (define (T-quaternion-state A B C)
-  (unary-function (lambda () (named 'T-quaternion-state A B C)) (state)
+  (printed-function (T-quaternion-state A B C) (state)
     ((T-body A B C) (quaternion-state->omega-body state))))
-
-(define (named . parts) (map value->datum parts))
 
 ;; ---------------------------------------------------------------------------
 ;; (up t q omega)
 
 (define (qw-sysder A B C)
   (check-moments 'qw-sysder A B C)
-  (unary-function (lambda () (named 'qw-sysder A B C)) (state)
+  (printed-function (qw-sysder A B C) (state)
     (define-values (q a b c) (parts-of 'qw-sysder state))
     (up 1
         (quaternion->vector (g:* 1/2 (g:* q (quaternion 0 a b c))))
@@ -62,17 +61,17 @@
             (g:* (g:/ (g:- A B) C) (g:* a b))))))
 
 (define (qw-state->L-body A B C)
-  (unary-function (lambda () (named 'qw-state->L-body A B C)) (state)
+  (printed-function (qw-state->L-body A B C) (state)
     (define-values (q a b c) (parts-of 'qw-state->L-body state))
     ((L-body A B C) (up a b c))))
 
 (define (qw-state->L-space A B C)
-  (unary-function (lambda () (named 'qw-state->L-space A B C)) (state)
+  (printed-function (qw-state->L-space A B C) (state)
     (define-values (q a b c) (parts-of 'qw-state->L-space state))
     (((L-space (quaternion->rotation-matrix q)) A B C) (up a b c))))
 
-;; -> the quaternion, and the angular velocity.  A motion that is not followed closely may let
-;; the length drift; another length altogether is a mistake.
+;; -> the quaternion, and the angular velocity.  The length of q may drift where a motion is not
+;; followed closely; a length far from 1 is a mistake.
 (define far-off 1e-3)
 
 (define (parts-of who state)
@@ -88,8 +87,7 @@
 ;; (((Euler-equations A B C) omega) t), what is left of the torque on principal axes; omega
 ;; and torque are functions of the time.
 (define (Euler-equations A B C [torque #f])
-  (define (name)
-    (append (named 'Euler-equations A B C) (if torque (list (value->datum torque)) '())))
+  (define name (apply call-datum 'Euler-equations A B C (if torque (list torque) '())))
   (unary-function name (omega)
     (define w (path 'Euler-equations omega))
     (unary-function (lambda () (list (name) (value->datum omega))) (t)

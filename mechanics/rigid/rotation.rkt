@@ -6,8 +6,8 @@
 ;;
 ;;     M = cos θ 1 + (1 − cos θ) n nᵀ + sin θ [n],       [n] v = n × v.
 ;;
-;; A matrix is a rotation if Mᵀ M = 1 and det M = 1: where that can be seen not to hold, it is
-;; refused, with what it misses by.
+;; A matrix is a rotation if Mᵀ M = 1 and det M = 1: where it is seen not to be one, it is refused
+;; with the difference.
 
 (require "three-vector.rkt"
          "../algebra/expression/expression.rkt"
@@ -84,10 +84,10 @@
 (define tolerance 1e-9)
 
 (define (check-3-by-3 who M)
-  (unless (and (matrix? M) (= (m:num-rows M) 3) (= (m:num-cols M) 3))
+  (unless (matrix-of? M 3 3)
     (complain who "expected a rotation, a 3 by 3 matrix; given ~a" (describe-with-value M))))
 
-;; What Mᵀ M and the determinant miss 1 by, (up matrix number)
+;; (up (Mᵀ M − 1) (det M − 1)), zero if M is a rotation
 (define (shortfall M)
   (up (g:- (g:* (transpose M) M) (identity-matrix 3))
       (g:- (determinant M) 1)))

@@ -10,7 +10,8 @@
 
 (require "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/function.rkt"
+         "../generic/elementary.rkt" "../generic/function-check.rkt"
+         "../generic/printed-function.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/structure.rkt")
 
@@ -19,13 +20,10 @@
 ;; a/R and f are functions of the time.
 (define (L-spin-orbit C n epsilon a/R f)
   (for ([g (in-list (list a/R f))])
-    (unless (and (procedure? g) (accepts? g 1))
-      (complain 'L-spin-orbit "a/R and f are functions of the time; given ~a"
-                (describe-function g))))
-  (define (name) (cons 'L-spin-orbit (map value->datum (list C n epsilon a/R f))))
-  (unary-function name (local)
+    (check-takes 'L-spin-orbit g 1 "a/R and f are functions of the time"))
+  (printed-function (L-spin-orbit C n epsilon a/R f) (local)
     (check-local-length 'L-spin-orbit local 3)
-    (define-values (t theta thetadot) (values (time local) (coordinate local) (velocity local)))
+    (define-values (t theta thetadot) (state-parts local))
     (g:+ (g:* 1/2 C (g:square thetadot))
          (g:* 1/4 (g:square (g:* n epsilon)) C
               (g:* (g:cube (a/R t)) (g:cos (g:* 2 (g:- theta (f t)))))))))
@@ -33,12 +31,11 @@
 ;; The motion of states (up t theta thetadot f) on an orbit of eccentricity e, for evolve
 (define (spin-orbit-sysder n epsilon e)
   (check-eccentricity e)
-  (define (name) (cons 'spin-orbit-sysder (map value->datum (list n epsilon e))))
-  (unary-function name (state)
+  (printed-function (spin-orbit-sysder n epsilon e) (state)
     (unless (and (up? state) (= (s:length state) 4))
       (complain 'spin-orbit-sysder "expected a state (up t theta thetadot f); given ~a"
                 (describe-with-value state)))
-    (define-values (theta thetadot f) (values (ref state 1) (ref state 2) (ref state 3)))
+    (define-values (_t theta thetadot f) (apply values (structure->list state)))
     (define a/R (g:/ (g:+ 1 (g:* e (g:cos f))) (g:- 1 (g:square e))))
     (up 1
         thetadot

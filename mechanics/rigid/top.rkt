@@ -13,21 +13,20 @@
          "Euler-angles.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/function.rkt")
+         "../generic/elementary.rkt" "../generic/printed-function.rkt")
 
 (provide V_eff top-potential nutation-range steady-precession critical-spin)
 
 ;; ((V_eff p A C gMR) theta), of the sleeping top
 (define (V_eff p A C gMR)
-  (unary-function (lambda () (list* 'V_eff (map value->datum (list p A C gMR)))) (theta)
+  (printed-function (V_eff p A C gMR) (theta)
     (g:+ (g:/ (g:square p) (g:* 2 C))
          (g:* (g:/ (g:square p) (g:* 2 A)) (g:square (g:tan (g:/ theta 2))))
          (g:* gMR (g:cos theta)))))
 
 ;; ((top-potential A C gMR p_phi p_psi) theta)
 (define (top-potential A C gMR p_phi p_psi)
-  (unary-function (lambda () (list* 'top-potential (map value->datum (list A C gMR p_phi p_psi))))
-      (theta)
+  (printed-function (top-potential A C gMR p_phi p_psi) (theta)
     (g:+ (g:/ (g:square (g:- p_phi (g:* p_psi (g:cos theta))))
               (g:* 2 A (g:square (g:sin theta))))
          (g:/ (g:square p_psi) (g:* 2 C))
