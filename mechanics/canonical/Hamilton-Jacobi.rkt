@@ -11,12 +11,13 @@
 
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/shape.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt")
+         "../verdict/surveyed-zero.rkt")
 
 (provide Hamilton-Jacobi-residual verify-Hamilton-Jacobi)
 
@@ -24,7 +25,7 @@
 (define (Hamilton-Jacobi-residual H S)
   (define who 'Hamilton-Jacobi-residual)
   (check-both who H S)
-  (make-function (residual who H S) 4 (lambda () (list who (value->datum H) (value->datum S)))))
+  (make-function (residual who H S) 4 (call-datum who H S)))
 
 (define (residual who H S)
   (define (value-at t q)
@@ -42,17 +43,14 @@
   (define who 'verify-Hamilton-Jacobi)
   (check-both who H S)
   (check-symbols who (up t q) "time and coordinates")
-  (define-values (value survey)
-    (survey-derivatives (lambda () ((residual who H S) t q)) (scalars (up t q))))
-  (prove-zero value #:variables (scalars (up t q)) #:surveys (list survey)
-              #:again (lambda (change) (verify-Hamilton-Jacobi (change H) (change S) t q))))
+  (prove-residual-zero (lambda () ((residual who H S) t q)) (scalars (up t q))
+                       #:again (lambda (change)
+                                 (verify-Hamilton-Jacobi (change H) (change S) t q))))
 
 (define (check-both who H S)
   (when (and (procedure? H) (procedure? S) (accepts? H 2) (not (accepts? H 1)) (accepts? S 1))
     (complain who "the Hamiltonian comes first, then the principal function: (~a H S); given ~a, ~a"
               who (value->text H) (value->text S)))
   (check-Hamiltonian who H)
-  (unless (and (procedure? S) (accepts? S 2))
-    (complain who
-              "Hamilton's principal function takes the time and the coordinates, (S t q); given ~a"
-              (describe-function S))))
+  (check-takes who S 2
+               "Hamilton's principal function takes the time and the coordinates, (S t q)"))

@@ -9,17 +9,17 @@
 ;;
 ;; no equations are solved; what is integrated is closed, as M is symplectic at all times.
 
-(require "arbitrary-state.rkt" "canonical.rkt" "closed-form.rkt"
+(require "canonical.rkt" "closed-form.rkt"
          "symplectic-transformation.rkt" "transformation.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/on-demand.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
+         "../generic/printed-function.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
-(require-on-demand ["../calculus/expression-function.rkt" evaluate-generically])
+(require-on-demand ["../calculus/expression-function.rkt" evaluate-at])
 
 (provide C->K)
 
@@ -27,16 +27,16 @@
 (define (C->K C state)
   (define who 'C->K)
   (check-for-any-state who C state)
-  (define names (scalars state))
+  (define variables (cdr (scalars state)))
   (check-clock who C state)
   (when (refuted? (prove-zero ((symplectic-transform? C) state))) (raise-not-canonical who C))
   (define form (map simplify (gradient-of-correction C state)))
-  (unless (closed? form (cdr names)) (raise-not-canonical who C))
-  (define e (integrated who form (cdr names)))
+  (unless (closed? form variables) (raise-not-canonical who C))
+  (define e (integrated who form variables))
   (define K
-    (unary-function (lambda () (list who (value->datum C))) (at)
+    (printed-function (C->K C) (at)
       (check-H-state who at)
-      (evaluate-generically e (map cons names (scalars at)))))
+      (evaluate-at e state at)))
   (check-correction who C K state)
   K)
 
@@ -48,9 +48,9 @@
     (g:- (g:* (momentum rate) (coordinate slope)) (g:* (momentum slope) (coordinate rate)))))
 
 ;; ---------------------------------------------------------------------------
-;; What has none
+;; Transformations without a correction
 
-;; The brackets say nothing of a time that runs differently.
+;; The time must be kept, which the brackets do not show.
 (define (check-clock who C state)
   (define t (time (transformed who C state)))
   (unless (proved? (prove-zero (g:- t (time state))))

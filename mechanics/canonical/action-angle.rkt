@@ -5,20 +5,18 @@
 ;; period T, and turns at ω = 2π/T = dE/dI.  The angle is ω times the time since the motion passed
 ;; a given coordinate, forwards.  A coordinate that is an angle may close by a turn.
 
-(require "closed-orbit.rkt" "momentum-of-action.rkt" "orbit-scale.rkt"
+(require "closed-orbit.rkt" "orbit-scale.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/on-demand.rkt"
-         "../generic/up-down.rkt"
+         "../generic/on-demand.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
+         (only-in "../motion/on-demand.rkt" event evolve-trajectory occurrence-time
+                  trajectory-events trajectory-final-state)
          "../numeric/constants.rkt")
 
-(require-on-demand
- ["../motion/evolve-trajectory.rkt" evolve-trajectory]
- ["../motion/trajectory.rkt" trajectory-events trajectory-final-state]
- ["../motion/event/event.rkt" event occurrence-time])
+(require-on-demand ["../search/find-root.rkt" find-root])
 
 (provide action-of-orbit frequency-of-orbit state->action-angle action-angle->state)
 
@@ -28,15 +26,15 @@
 ;; turn : of a coordinate that is an angle, or #f; longest : the time after which to give up
 (define-plain (action-of-orbit H state #:turn [turn #f] #:tolerance [tolerance 1e-11]
                                #:longest [longest 1e4])
-  (define who 'action-of-orbit)
-  (check-options who turn tolerance longest)
-  (orbit-action (closed-orbit who H state turn tolerance longest)))
+  (orbit-action (checked-orbit 'action-of-orbit H state turn tolerance longest)))
 
 (define-plain (frequency-of-orbit H state #:turn [turn #f] #:tolerance [tolerance 1e-11]
                                   #:longest [longest 1e4])
-  (define who 'frequency-of-orbit)
+  (/ (* 2 pi) (orbit-period (checked-orbit 'frequency-of-orbit H state turn tolerance longest))))
+
+(define (checked-orbit who H state turn tolerance longest)
   (check-options who turn tolerance longest)
-  (/ (* 2 pi) (orbit-period (closed-orbit who H state turn tolerance longest))))
+  (closed-orbit who H state turn tolerance longest))
 
 ;; ---------------------------------------------------------------------------
 ;; Action and angle
@@ -48,7 +46,7 @@
   (define who 'state->action-angle)
   (check-Hamiltonian who H)
   (check-options who turn tolerance longest-orbit center)
-  (unary-function (lambda () (list who (value->datum H))) (state)
+  (printed-function (state->action-angle H) (state)
     (define o (closed-orbit who H state turn tolerance longest-orbit))
     (define wait (time-to-center who H state center turn tolerance (orbit-period o)))
     (define angle (* 2 pi (- 1 (/ wait (orbit-period o)))))
@@ -68,16 +66,19 @@
        (define here (/ c (scale-coordinate scale)))
        (event (lambda (s) (g:- (coordinate s) here)) #:name 'passing #:direction 'rising))
      (define motion
-       (evolve-trajectory (Hamiltonian->state-derivative (Hamiltonian-in-scale H scale))
-                          (in-scale scale start) (* 1.01 period) #:tolerance tolerance
-                          #:events (map passing centers)))
+       (motion-in-scale H scale start (* 1.01 period) tolerance (map passing centers)))
      (define met (trajectory-events motion))
      (if (pair? met)
          (occurrence-time (car met))
          (raise-not-passing who state center turn start
                             (out-of-scale scale (trajectory-final-state motion))))]))
 
-;; The center; of an angle those next to q on both sides, to which it may come
+;; The motion from `start`, in the scale of the orbit
+(define (motion-in-scale H scale start duration tolerance [events '()])
+  (evolve-trajectory (Hamiltonian->state-derivative (Hamiltonian-in-scale H scale))
+                     (in-scale scale start) duration #:tolerance tolerance #:events events))
+
+;; The center; of an angle the centers next to q on both sides
 (define (centers-around q center turn)
   (cond [turn
          (define above (+ center (* turn (ceiling (/ (- q center) turn)))))
@@ -100,7 +101,7 @@
   (define who 'action-angle->state)
   (check-Hamiltonian who H)
   (check-options who turn tolerance longest-orbit center)
-  (unary-function (lambda () (list who (value->datum H))) (state)
+  (printed-function (action-angle->state H) (state)
     (define-values (angle J) (values (coordinate state) (momentum state)))
     (unless (and (real? angle) (real? J) (> J 0))
       (complain who "expected an angle and a positive action, in numbers; given ~a"
@@ -114,10 +115,8 @@
     (define there
       (if (= wait 0)
           start
-          (out-of-scale scale
-                 (trajectory-final-state
-                  (evolve-trajectory (Hamiltonian->state-derivative (Hamiltonian-in-scale H scale))
-                                     (in-scale scale start) wait #:tolerance tolerance)))))
+          (out-of-scale
+           scale (trajectory-final-state (motion-in-scale H scale start wait tolerance)))))
     (up (time state) (coordinate there) (momentum there))))
 
 (define (momentum-at-center who H center orbit-at J)
@@ -131,3 +130,31 @@
                 (string-append "no motion that closes and passes the coordinate ~a "
                                "was found with the action ~a; #:center names another")
                 (value->text center) (value->text J))))
+
+;; ---------------------------------------------------------------------------
+;; The momentum at a coordinate, of the motion that has a given action
+;;
+;; The action grows with the momentum, but not from 0 where the coordinate is no place of rest,
+;; nor without a jump at a separatrix; beyond a separatrix a motion may not close at all, which
+;; counts as an action that is too large.  So the root is checked before it is returned.
+
+(define most-rounds 60)
+(define closeness 1e-6)      ; of the action found, relative to that asked for
+
+;; action-at : p -> the action, +inf.0 where the motion does not close;  -> p, or #f if none has J
+(define (momentum-with-action action-at J)
+  (and (< (action-at 0.0) J)
+       (let-values ([(low high) (bracket action-at J)])
+         (and high
+              (let ([p (find-root (lambda (p) (- (action-at p) J)) low high #:tolerance 1e-13)])
+                (and (<= (abs (- (action-at p) J)) (* closeness J)) p))))))
+
+;; -> momenta with an action below J, and one above it that is finite; or #f and #f
+(define (bracket action-at J)
+  (let widen ([low 0.0] [high (sqrt (* 2.0 J))] [beyond #f] [rounds most-rounds])
+    (define action (action-at high))
+    (cond [(or (= rounds 0) (and beyond (< (- beyond low) (* closeness beyond)))) (values #f #f)]
+          [(= action +inf.0) (widen low (/ (+ low high) 2) high (sub1 rounds))]
+          [(> action J) (values low high)]
+          [else
+           (widen high (if beyond (/ (+ high beyond) 2) (* 2 high)) beyond (sub1 rounds))])))

@@ -14,11 +14,11 @@
 
 (require racket/list
          "transformation.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
@@ -36,7 +36,7 @@
 ;; ((canonical? C H H') state) : the residual, (up 0 (up 0 ...) (down 0 ...)) if it holds
 (define (canonical? C H H-prime) (residual 'canonical? C H H-prime Hamiltonian->state-derivative))
 
-;; The same where the new Hamiltonian is the composition of the old one with C.
+;; The same with the composition of H with C for the new Hamiltonian.
 (define (compositional-canonical? C H)
   (composed-residual 'compositional-canonical? C H 1))
 
@@ -49,7 +49,7 @@
   (check-Hamiltonian who H)
   (define checked (checked-transformation who C))
   (define gradient (D H))
-  (unary-function (lambda () (cons who (map value->datum (list C H)))) (state)
+  (unary-function (call-datum who C H) (state)
     (define-values (image slopes) (image-and-slopes checked state))
     (void ((number-valued who H) image))
     (define DH (gradient image))
@@ -61,7 +61,8 @@
         (g:+ sum (g:* rate slope))))
     (g:- (up clock (s:ref DH 2) (g:negate (s:ref DH 1))) moved)))
 
-;; The derivatives by n coordinates and n momenta, in a list -> the rates of these
+;; The derivatives by n coordinates and n momenta, in a list -> the rates of these coordinates and
+;; momenta
 (define (rates-of-state slopes)
   (define-values (by-q by-p) (split-at slopes (quotient (length slopes) 2)))
   (append by-p (map g:negate by-q)))
@@ -70,29 +71,27 @@
   (define checked (checked-transformation who C))
   (check-Hamiltonian who H)
   (check-Hamiltonian who H-prime)
-  (define-values (old new) (values (flow H) (flow H-prime)))
-  (unary-function (lambda () (cons who (map value->datum (list C H)))) (state)
-    (define-values (image moved) (value-and-derivative-along checked state (new state)))
+  (commutation (call-datum who C H) checked (flow H-prime) (flow H)))
+
+;; state ↦ old(C(state)) − DC new(state), for two fields of directions
+(define (commutation datum C new old)
+  (unary-function datum (state)
+    (define-values (image moved) (value-and-derivative-along C state (new state)))
     (g:- (old image) moved)))
 
 ;; The terms without H (p. 348): K makes up for the time in C.
 (define (canonical-K? C K)
   (define checked (checked-transformation 'canonical-K? C))
   (check-Hamiltonian 'canonical-K? K)
-  (define flow (Hamiltonian->state-derivative K))
-  (unary-function (lambda () (list 'canonical-K? (value->datum C) (value->datum K))) (state)
-    (define-values (image moved) (value-and-derivative-along checked state (flow state)))
-    (g:- (T-func image) moved)))
+  (commutation (call-datum 'canonical-K? C K) checked (Hamiltonian->state-derivative K) T-func))
 
 ;; The terms with the derivatives of H, through J: a test of C although H occurs in it.
 (define (qp-canonical? C H)
   (define checked (checked-transformation 'qp-canonical? C))
   (check-Hamiltonian 'qp-canonical? H)
-  (define-values (slope composed-slope) (values (D H) (D (compose H checked))))
-  (unary-function (lambda () (list 'qp-canonical? (value->datum C) (value->datum H))) (state)
-    (define direction (J-func (composed-slope state)))
-    (define-values (image moved) (value-and-derivative-along checked state direction))
-    (g:- (J-func (slope image)) moved)))
+  (define (direction H) (compose J-func (D H)))
+  (commutation (call-datum 'qp-canonical? C H) checked
+               (direction (compose H checked)) (direction H)))
 
 ;; ---------------------------------------------------------------------------
 ;; No Hamiltonian
@@ -101,19 +100,18 @@
 (define (time-independent-canonical? C)
   (define who 'time-independent-canonical?)
   (define checked (checked-transformation who C))
-  (unary-function (lambda () (list who (value->datum C))) (state)
+  (printed-function (time-independent-canonical? C) (state)
     (define slope ((D checked) state))
     (define v (unknown-gradient state (checked state)))
     (g:- (J-func v) (g:* slope (J-func (g:* v slope))))))
 
-;; Symbols x0, x1, …, or, where C or the state is made of these, some that nobody could have written
+;; Symbols x0, x1, …, or, where C or the state is made of these, fresh symbols
 (define (unknown-gradient state image)
   (define v (compatible-shape state))
-  (define taken? (occurrence (append (scalars state) (scalars image))))
-  (if (ormap taken? (scalars v)) (typical-object v) v))
-
-(define ((occurrence leaves) name)
-  (for/or ([x (in-list leaves)]) (and (expression? x) (occurs? name x))))
+  (define taken?
+    (for*/or ([name (in-list (scalars v))] [x (in-list (scalars (up state image)))])
+      (occurs? name x)))
+  (if taken? (typical-object v) v))
 
 ;; ---------------------------------------------------------------------------
 ;; Linear functions of states
@@ -125,23 +123,22 @@
 
 ;; The direction (0, c, −b) in which the gradient (a, b, c) of a Hamiltonian moves a state
 (define (J-func gradient)
-  (unless (and (tuple? gradient) (not (up? gradient))
-               (= (structure-length (adopt gradient)) 3))
+  (unless (and (down? gradient) (= (s:length gradient) 3))
     (complain 'J-func "expected the derivative of a function of the state, (down a b c); given ~a~a"
               (describe-with-value gradient)
               (if (H-state? gradient) "\n  of H at a state: (J-func ((D H) state))" "")))
   (up 0 (s:ref gradient 2) (g:negate (s:ref gradient 1))))
 
 ;; v ↦ A v
-(define (Phi A) (unary-function (lambda () (list 'Phi (value->datum A))) (v) (g:* A v)))
+(define (Phi A) (printed-function (Phi A) (v) (g:* A v)))
 
 ;; w ↦ w A
-(define (Phi* A) (unary-function (lambda () (list 'Phi* (value->datum A))) (w) (g:* w A)))
+(define (Phi* A) (printed-function (Phi* A) (w) (g:* w A)))
 
 ;; The A by which the linear function F multiplies.
 (define (linear-function->multiplier F argument) ((D F) argument))
 
 ;; (multiplicative-transpose w) : A ↦ the B with B w = w A
 (define (multiplicative-transpose w)
-  (unary-function (lambda () (list 'multiplicative-transpose (value->datum w))) (A)
+  (printed-function (multiplicative-transpose w) (A)
     (linear-function->multiplier (Phi* A) w)))

@@ -16,7 +16,7 @@
 
 (provide closed? integrated derivative-of)
 
-;; form : the coefficients, expressions; variables : symbols.  Was it not shown to be otherwise?
+;; form : the coefficients, expressions; variables : symbols.  Was it not refuted that it is closed?
 (define (closed? form variables)
   (for*/and ([(a i) (in-parallel form (in-naturals))] [(b j) (in-parallel form (in-naturals))]
              #:when (< i j))

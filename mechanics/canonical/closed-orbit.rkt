@@ -6,20 +6,15 @@
 
 (require "orbit-scale.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt"
-         "../generic/on-demand.rkt"
-         "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
+         (only-in "../motion/on-demand.rkt" event evolve-trajectory
+                  trajectory-events trajectory-final-state)
          "../motion/system/check.rkt"
          "../numeric/constants.rkt"
          "../value/shape.rkt" "../value/simplify.rkt")
-
-(require-on-demand
- ["../motion/evolve-trajectory.rkt" evolve-trajectory]
- ["../motion/trajectory.rkt" trajectory-events trajectory-final-state]
- ["../motion/event/event.rkt" event])
 
 (provide (struct-out orbit) closed-orbit at-rest? longest-orbit check-options)
 
@@ -72,12 +67,12 @@
                                     (after-name (exn-message e)))
                         (exn:fail:mechanics:singular-where e) +inf.0 #:show? #f))
 
-;; "evolve-trajectory: the motion …" without who said so, and without states that hold the area
+;; "evolve-trajectory: the motion …" without the name, and without states that hold the area
 (define (after-name message)
   (regexp-replace* #rx"\n  (last state|state derivative)[^\n]*"
                    (regexp-replace #rx"^[^ ]*: " message "") ""))
 
-;; there : the state reached; turn : that which was given; area : over which it went
+;; there : the state reached; turn : the given one, or #f; area : that under the motion
 (define (raise-not-closed who H state there turn longest area)
   (raise-not-convergent who (format "the motion through ~a did not close by the time ~a~a"
                                     (value->text state) longest
@@ -85,7 +80,7 @@
                         (up (time there) (up (coordinate there) (momentum there)) area) +inf.0
                         #:show? #f))
 
-;; Did it go round an angle?  Of a coordinate that H does not hold nobody knows.
+;; Did it go round an angle?  Not known for a coordinate on which H does not depend.
 (define (turns? H state there)
   (and (> (abs (- (coordinate there) (coordinate state))) (* 2 pi))
        (comes-again? H there (* 2 pi))
@@ -114,7 +109,7 @@
   (define size (+ 1 (abs (coordinate start)) (abs (momentum start))))
   (< (+ (abs folded) (abs (- (momentum s) (momentum start)))) (* closeness size)))
 
-;; What is the same for all orbits
+;; The options that all questions about orbits have
 (define (check-options who turn tolerance [longest longest-orbit] [center 0])
   (when turn (check-positive who "turn of the coordinate" turn))
   (check-tolerance who tolerance)
@@ -147,7 +142,7 @@
                            "value is another there~a")
             (value->text H) (value->text turn) hint))
 
-;; Asked where the state is and at a few places beside it, where H has a value.
+;; Has H the same values a turn on, at the state and at a few places beside it?
 (define (comes-again? H state turn)
   (define (energy q)
     (with-handlers ([refusal? (lambda (e) #f)]) (H (up 0.0 q (momentum state)))))
@@ -167,7 +162,7 @@
   (define rate ((Hamiltonian->state-derivative H) state))
   (and (zero? (coordinate rate)) (zero? (momentum rate))))
 
-;; Asked where the motion begins and where it comes to, at a few times
+;; H at the state must be the same at a few times.
 (define (check-time-free who H state)
   (define (energy t) (H (up t (coordinate state) (momentum state))))
   (unless (for/and ([t '(0.7318 2.913)]) (equal? (energy t) (energy 0.0)))

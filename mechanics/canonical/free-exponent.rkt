@@ -25,9 +25,8 @@
 ;; question has to keep under the condition
 ;; -> a text such as "a = 1/2 and (expt c 2) = 2", or #f
 (define (condition-on-exponents entries names find-meaning)
-  (define open
-    (for/list ([e (in-list (map simplify-strictly entries))] #:when (power-of-unknown? e)) e))
-  (define given (if (null? open) #f (with-values entries (find-meaning))))
+  (define open (filter power-of-unknown? (map simplify-strictly entries)))
+  (define given (and (pair? open) (with-values entries (find-meaning))))
   (for*/or ([e (in-list open)] [x (in-list names)] #:when (occurs? x e)
             [f (in-list (factors-of-parameters (expression-derivative e x) names))]
             [p (in-list (symbols-in f))]
@@ -59,15 +58,12 @@
 ;; Is there a symbol in an exponent?
 (define (power-of-unknown? e)
   (and (node? e)
-       (or (and (eq? (node-head e) op:expt)
-                (expression? (cadr (node-args e)))
-                (pair? (symbols-in (cadr (node-args e)))))
+       (or (and (eq? (node-head e) op:expt) (pair? (symbols-in (cadr (node-args e)))))
            (ormap power-of-unknown? (node-args e)))))
 
 (define (factors-of-parameters e names)
   (for/list ([f (in-list (vanishing-factors (simplify-strictly e) (assumptions-in-force)))]
-             #:when (and (expression? f)
-                         (pair? (symbols-in f))
+             #:when (and (pair? (symbols-in f))
                          (not (ormap (lambda (x) (occurs? x f)) names))))
     f))
 

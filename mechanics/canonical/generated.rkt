@@ -6,18 +6,19 @@
 ;; the function of which it is the differential (closed-form.rkt).
 
 (require racket/string
-         "arbitrary-state.rkt" "closed-form.rkt" "mixed-variables.rkt"
+         "closed-form.rkt" "mixed-variables.rkt"
          "generating-function.rkt" "transformation.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/on-demand.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/on-demand.rkt" "../generic/printed-function.rkt"
+         "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+         "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
 
-(require-on-demand ["../calculus/expression-function.rkt" evaluate-generically])
+(require-on-demand ["../calculus/expression-function.rkt" evaluate-at])
 
 (provide generating-function verify-generating-function)
 
@@ -30,10 +31,8 @@
   (define k (type-numbered who number))
   (check-generator who k F)
   (check-for-any-state who C state)
-  (define-values (residual survey)
-    (survey-derivatives (lambda () (relations k F (transformed who C state) state))
-                        (scalars state)))
-  (prove-zero residual #:variables (scalars state) #:surveys (list survey)))
+  (prove-residual-zero (lambda () (relations k F (transformed who C state) state))
+                       (scalars state)))
 
 (define (type-numbered who number)
   (unless (memv number '(1 2 3 4))
@@ -63,18 +62,16 @@
   (define variables (append (scalars x) (scalars y)))
   (define form (map simplify (append (scalars a) (scalars b))))
   (check-closed who C form variables)
-  (define F (function-of (integrated who form variables) (cons (time state) variables)
-                         (lambda () (list who (value->datum C) '#:type number))))
+  (define e (integrated who form variables))
+  (define place (up (time state) x y))
+  (define F
+    (make-function
+     (procedure-rename (lambda (t x y) (evaluate-at e place (up t x y))) who)
+     8 (call-datum who C '#:type number)))
   (check-generated who F C state number)
   F)
 
-;; The F of e, an expression in t, x and y
-(define (function-of e names datum)
-  (define (generating-function t x y)
-    (evaluate-generically e (map cons names (cons t (append (scalars x) (scalars y))))))
-  (make-function generating-function 8 datum))
-
-;; Symbols: of the old variable of their own, of the new one those of the state
+;; Symbols: fresh ones for the old variable, those of the state for the new one
 (define (mixed-variables k C state)
   (define x (part (transformed 'generating-function C state) (type-old k)))
   (define n (shape-length x))
@@ -85,16 +82,14 @@
 ;; An angle that C gives has a jump, which is no fault of F.
 (define (check-generated who F C state number)
   (define v (verify-generating-function F C state #:type number))
-  (unless (or (proved? v) (zero-but-for-jumps? v))
+  (unless (or (proved? v) (eq? (verdict-reason v) 'kinks))
     (raise-no-answer who
                      (string-append "a function was found, but not shown to generate ~a"
                                     "\n  is it canonical? (verify-canonical C state)")
                      (value->text C))))
 
-(define (zero-but-for-jumps? v) (eq? (verdict-reason v) 'kinks))
-
 ;; -> ∂F/∂x and ∂F/∂y at x, y, from C
-;; no-formula : what is done where none is found for the variable that F does not hold
+;; no-formula : called where no formula is found for the variable on which F does not depend
 (define (coefficients who k C state x y no-formula)
   (define t (time state))
   (define (old z) (transformed who C (state-of t (type-new k) y z)))
@@ -103,8 +98,8 @@
                  (format "the new ~a" (named (other (type-new k))))
                  (format "old ~a and new ~a" (named (type-old k)) (named (type-new k)))
                  (lambda (place z)
-                   (part (C (state-of (tuple-part place 0) (type-new k) (tuple-part place 1) z))
-                         (type-old k)))
+                   (define-values (t y) (time-and-variable place))
+                   (part (C (state-of t (type-new k) y z)) (type-old k)))
                  no-formula))
   (define z (solution-at s (up t y) (part state (other (type-new k))) x))
   (values (signed (old-sign k) (part (old z) (other (type-old k))))
@@ -128,8 +123,6 @@
     (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
       (coefficients who k C state x y (lambda () (return #f)))
       #t)))
-
-(define (tuple-part x i) (vector-ref (tuple-elements x) i))
 
 ;; ∂aᵢ/∂uⱼ = ∂aⱼ/∂uᵢ
 (define (check-closed who C form variables)

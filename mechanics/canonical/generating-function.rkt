@@ -15,18 +15,18 @@
 
 (require "mixed-variables.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/function-check.rkt" "../generic/function.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
-         "../lagrangian/local-tuple.rkt")
+         "../lagrangian/local-tuple.rkt"
+         (only-in "../value/structure.rkt" ref))
 
 (provide F1->C F2->C F3->C F4->C
          F1->C-inv F2->C-inv F3->C-inv F4->C-inv
          F1->K F2->K F3->K F4->K
          ;; for the way back
          (struct-out type) type-of check-generator old-sign new-sign signed part other state-of
-         named)
+         time-and-variable named)
 
 ;; ---------------------------------------------------------------------------
 ;; The four types
@@ -69,24 +69,25 @@
 (define (to-old who k F)
   (check-generator who k F)
   (define solve (old-variable who k F))
-  (unary-function (lambda () (list who (value->datum F))) (state)
+  (unary-function (call-datum who F) (state)
     (check-H-state who state)
     (define-values (t y) (values (time state) (part state (type-new k))))
     (define x (solve state))
     (state-of t (type-old k) x
               (signed (old-sign k) (derivative-at (lambda (x) (F t x y)) x)))))
 
-;; new state ↦ the old variable in F
+;; new state ↦ the old variable in F.  The search for it begins with the coordinates or momenta of
+;; the state, as near a transformation that is close to the identity.
 (define (old-variable who k F)
   (define number (number-valued who F))
   (define s
     (make-solver who (format "the old ~a" (named (type-old k))) "the new state"
                  (lambda (place x)
-                   (define-values (t y) (two place))
+                   (define-values (t y) (time-and-variable place))
                    (derivative-at (lambda (y) (number t x y)) y))))
   (lambda (state)
     (define y (part state (type-new k)))
-    (solution-at s (up (time state) y) (vector->structure (type-old k) state)
+    (solution-at s (up (time state) y) (part state (type-old k))
                  (signed (new-sign k) (part state (other (type-new k)))))))
 
 ;; old state ↦ new state
@@ -96,28 +97,24 @@
   (define s
     (make-solver who (format "the new ~a" (named (type-new k))) "the old state"
                  (lambda (place y)
-                   (define-values (t x) (two place))
+                   (define-values (t x) (time-and-variable place))
                    (derivative-at (lambda (x) (number t x y)) x))))
-  (unary-function (lambda () (list who (value->datum F))) (state)
+  (unary-function (call-datum who F) (state)
     (check-H-state who state)
     (define-values (t x) (values (time state) (part state (type-old k))))
     (define y
-      (solution-at s (up t x) (vector->structure (type-new k) state)
+      (solution-at s (up t x) (part state (type-new k))
                    (signed (old-sign k) (part state (other (type-old k))))))
     (state-of t (type-new k) y
               (signed (new-sign k) (derivative-at (lambda (y) (F t x y)) y)))))
 
-;; Where the search for that variable begins: with coordinates and momenta near those of the
-;; state, as in a transformation near the identity.
-(define (vector->structure which state) (part state which))
-
-(define (two place)
-  (values (vector-ref (tuple-elements place) 0) (vector-ref (tuple-elements place) 1)))
+;; place : (up t x), as a solver is given it
+(define (time-and-variable place) (values (ref place 0) (ref place 1)))
 
 (define (named which) (if (eq? which 'q) "coordinates" "momenta"))
 
 ;; ---------------------------------------------------------------------------
-;; What the new Hamiltonian gets: new state ↦ ∂₀F
+;; The correction of the new Hamiltonian: new state ↦ ∂₀F
 
 (define (F1->K F) (rate-of-generator 'F1->K (type-of 1) F))
 (define (F2->K F) (rate-of-generator 'F2->K (type-of 2) F))
@@ -127,24 +124,19 @@
 (define (rate-of-generator who k F)
   (check-generator who k F)
   (define solve (old-variable who k F))
-  (unary-function (lambda () (list who (value->datum F))) (state)
+  (unary-function (call-datum who F) (state)
     (check-H-state who state)
     (define-values (x y) (values (solve state) (part state (type-new k))))
     (derivative-at (lambda (t) (F t x y)) (time state))))
 
 ;; ---------------------------------------------------------------------------
-;; What is no generating function
+;; Bad generating functions
 
 (define (check-generator who k F)
-  (unless (and (procedure? F) (accepts? F 3))
-    (complain who
-              (string-append "a generating function of type ~a takes three arguments, the time, "
-                             "the old ~a and the new ~a; given ~a")
-              (type-number k) (named (type-old k)) (named (type-new k)) (describe-function F))))
+  (check-takes who F 3
+               (format (string-append "a generating function of type ~a takes three arguments, "
+                                      "the time, the old ~a and the new ~a")
+                       (type-number k) (named (type-old k)) (named (type-new k)))))
 
 (define ((number-valued who F) t x y)
-  (define value (F t x y))
-  (unless (scalar? value)
-    (complain who "the value of a generating function is a number, but that of ~a is ~a"
-              (value->text F) (describe-with-value value)))
-  value)
+  (check-scalar-value who "a generating function" F (F t x y)))

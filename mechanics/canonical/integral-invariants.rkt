@@ -9,6 +9,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/on-demand.rkt"
+         "../generic/printed-function.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt")
@@ -27,7 +28,7 @@
 ;; λ ↦ p Dq − H Dt
 (define (loop-integrand loop [H #f])
   (check-loop 'loop-integrand loop)
-  (unary-function (lambda () (list 'loop-integrand (value->datum loop))) (x)
+  (printed-function (loop-integrand loop) (x)
     (define-values (state rate) (value-and-derivative-along loop x 1))
     (unless (H-state? state)
       (complain 'loop-integral "a loop gives states (up t q p), but ~a gives ~a"

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Unknowns from equations f(x) = y: how generating functions are taken at their word.
+;; Unknowns from equations f(x) = y, as generating functions give them.
 ;;
 ;; How to find x is settled once, at symbols, for all arguments of a shape:
 ;;
@@ -7,58 +7,51 @@
 ;;   by formula  where the equations can be solved (solution-formula.rkt)
 ;;   by numbers  elsewhere, by Newton's method; derivatives are those of the inverse function
 ;;
-;; Where the derivatives of f have no inverse the x is not determined, and the determinant says
-;; so.
+;; Where the derivatives of f have no inverse x is not determined; their determinant is 0 then.
 
 (require "solution-formula.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
-         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/by-shape.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/simplify.rkt"
          "../value/structure.rkt" "../value/symbols-like.rkt"
          "../value/matrix/linear-algebra.rkt")
 
 (require-on-demand
- ["../calculus/expression-function.rkt" evaluate-generically]
+ ["../calculus/expression-function.rkt" evaluate-at]
  ["../search/find-root.rkt" find-root]
  ["../search/implicit-root.rkt" plain])
 
 (provide make-solver solution-at)
 
-;; who : complains, of unknowns that are to follow from data, two strings
-;; f : given, x -> value;  no-formula : -> an error of those who can use none but formulas, or #f
-;; known : way or #f
-(struct solver (who unknowns data f no-formula [known #:mutable]) #:authentic)
-(struct way (shape how declared) #:authentic)
-(struct formula (given y x) #:authentic)
+;; who : complains; unknowns, data : strings, the unknowns follow from the data
+;; f : given, x -> value;  no-formula : called by callers who need a formula where there is none, or #f
+;; how : (up given like y) -> 'exactly, 'by-numbers or a formula
+(struct solver (who unknowns data f no-formula how) #:authentic)
+
+;; place : (up given y) of symbols; x : the unknowns in terms of these
+(struct formula (place x) #:authentic)
 
 (define (make-solver who unknowns data f [no-formula #f])
-  (solver who unknowns data f no-formula #f))
+  (define s
+    (solver who unknowns data f no-formula
+            (by-shape (lambda (all) (settle s (ref all 0) (ref all 1) (ref all 2))))))
+  s)
 
 ;; The x of the shape `like` with f(given, x) = y
 (define (solution-at s given like y)
-  (define how (how-to s given like y))
+  (define how ((solver-how s) (up given like y)))
   (define (f x) ((solver-f s) given x))
   (cond [(eq? how 'exactly) (linear-solution s f like y)]
         [(and (eq? how 'by-numbers) (solver-no-formula s)) ((solver-no-formula s))]
         [(eq? how 'by-numbers) (numeric-solution s f like y)]
-        [else (formula-at how given y)]))
+        [else (evaluate-at (formula-x how) (formula-place how) (up given y))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Settling the way
-
-(define (how-to s given like y)
-  (define shape (up given like y))
-  (define known (solver-known s))
-  (cond [(and known (same-shape? shape (way-shape known))
-              (equal? (way-declared known) (assumptions 'declared)))
-         (way-how known)]
-        [else
-         (define how (settle s given like y))
-         (set-solver-known! s (way shape how (assumptions 'declared)))
-         how]))
 
 (define (settle s given like y)
   (define-values (place x target)
@@ -76,32 +69,21 @@
 
 (define (find-formula values place x target)
   (define found (solution-formula values target (scalars x)))
-  (and found
-       (formula place target (scalars->structure x (lambda (k) (list-ref found k))))))
+  (and found (formula (up place target) (list->structure x found))))
 
 (define (free-of? x names)
-  (not (for*/or ([e (in-list (scalars x))] [name (in-list names)])
-         (and (expression? e) (occurs? name e)))))
+  (not (for*/or ([e (in-list (scalars x))] [name (in-list names)]) (occurs? name e))))
 
 ;; ---------------------------------------------------------------------------
 ;; The ways
 
 (define (linear-solution s f like y)
-  (define zero (scalars->structure like (lambda (k) 0)))
+  (define zero (zero-like like))
   (solved s (derivative-at f zero) (g:- y (f zero)) like))
-
-(define (formula-at found given y)
-  (define point
-    (map cons
-         (append (scalars (formula-given found)) (scalars (formula-y found)))
-         (append (scalars given) (scalars y))))
-  (define xs (scalars (formula-x found)))
-  (scalars->structure (formula-x found)
-                      (lambda (k) (evaluate-generically (list-ref xs k) point))))
 
 (define (numeric-solution s f like y)
   (define start (plain like))
-  (for ([x (in-list (append (scalars start) (scalars (plain y)) (scalars (plain (f start)))))])
+  (for ([x (in-list (scalars (up start (plain y) (plain (f start)))))])
     (unless (number? x) (raise-no-formula s x)))
   (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) (raise-none-found s y e))])
     (find-root (lambda (x) (g:- (f x) y)) start)))
@@ -112,8 +94,7 @@
 (define (solved s M y like)
   (with-handlers ([exn:fail:mechanics:singular:matrix?
                    (lambda (e) (raise-not-determined s M e))])
-    (define x (solve-linear-left M y))
-    (scalars->structure like (let ([xs (scalars x)]) (lambda (k) (list-ref xs k))))))
+    (list->structure like (scalars (solve-linear-left M y)))))
 
 ;; slopes : at symbols
 (define (check-determinant s slopes like)

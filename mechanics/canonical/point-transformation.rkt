@@ -9,7 +9,7 @@
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/simplify.rkt" "../value/structure.rkt"
@@ -20,14 +20,14 @@
 ;; (F->CH F) : (t, q', p') ↦ (t, F(t, q'), p' (∂₁F)⁻¹)
 (define (F->CH F)
   (check-transformation 'F->CH F)
-  (unary-function (lambda () (list 'F->CH (value->datum F))) (state)
+  (printed-function (F->CH F) (state)
     (define-values (q p) (old-coordinates-and-momenta 'F->CH F state))
     (up (time state) q p)))
 
 ;; (F->K F) : (t, q', p') ↦ −p ∂₀F(t, q')
 (define (F->K F)
   (check-transformation 'F->K F)
-  (unary-function (lambda () (list 'F->K (value->datum F))) (state)
+  (printed-function (F->K F) (state)
     (define-values (q p) (old-coordinates-and-momenta 'F->K F state))
     (g:negate (g:* p (((partial 0) F) state)))))
 
@@ -41,7 +41,7 @@
               (solve-linear-right (momentum state) slope))))
 
 ;; ---------------------------------------------------------------------------
-;; What is no coordinate transformation
+;; Bad coordinate transformations
 
 (define (check-transformation who F)
   (unless (and (of-functions? F) (accepts? F 1))
@@ -56,11 +56,11 @@
 
 (define (check-shape who F q state)
   (define given (coordinate state))
-  (define (count x) (if (tuple? x) (s:dimension x) 1))
-  (unless (= (count q) (count given))
+  (unless (= (s:dimension q) (s:dimension given))
     (complain who "~a takes ~a new coordinates to ~a old ones\n  new: ~a\n  old: ~a~a"
-              (value->text F) (count given) (count q) (value->text given) (value->text q)
-              (if (and (up? q) (= (structure-length (adopt q)) 3))
+              (value->text F) (s:dimension given) (s:dimension q)
+              (value->text given) (value->text q)
+              (if (and (up? q) (= (s:length q) 3))
                   "\n  the value is to be the coordinates alone, without time and momenta"
                   ""))))
 

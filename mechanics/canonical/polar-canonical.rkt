@@ -11,19 +11,18 @@
 (require "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/printed-function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/structure.rkt")
+         "../value/filled-shape.rkt" "../value/shape.rkt" "../value/structure.rkt")
 
 (provide polar-canonical polar-canonical-inverse
          two-particle-center-of-mass two-particle-center-of-mass-canonical)
 
 ;; (t, θ, I) ↦ (t, x, p), of one coordinate or of each of several
 (define (polar-canonical alpha)
-  (check-parameter 'polar-canonical "alpha" alpha)
-  (check-positive 'polar-canonical alpha)
-  (unary-function (lambda () (list 'polar-canonical (value->datum alpha))) (state)
+  (check-alpha 'polar-canonical alpha)
+  (printed-function (polar-canonical alpha) (state)
     (by-degrees 'polar-canonical state
                 (lambda (theta I)
                   (values (g:* (g:sqrt (g:/ (g:* 2 I) alpha)) (g:sin theta))
@@ -31,9 +30,8 @@
 
 ;; (t, x, p) ↦ (t, θ, I)
 (define (polar-canonical-inverse alpha)
-  (check-parameter 'polar-canonical-inverse "alpha" alpha)
-  (check-positive 'polar-canonical-inverse alpha)
-  (unary-function (lambda () (list 'polar-canonical-inverse (value->datum alpha))) (state)
+  (check-alpha 'polar-canonical-inverse alpha)
+  (printed-function (polar-canonical-inverse alpha) (state)
     (by-degrees 'polar-canonical-inverse state
                 (lambda (x p)
                   (values (g:atan (g:* alpha x) p)
@@ -43,29 +41,25 @@
 ;; f : coordinate and momentum -> coordinate and momentum
 (define (by-degrees who state f)
   (check-H-state who state)
-  (define-values (q p)
-    (let walk ([q (coordinate state)] [p (momentum state)])
-      (cond [(scalar? q) (f q p)]
-            [else
-             (define pairs
-               (for/list ([a (in-vector (tuple-elements q))] [b (in-vector (tuple-elements p))])
-                 (call-with-values (lambda () (walk a b)) cons)))
-             (values (list->structure-like q (map car pairs))
-                     (list->structure-like p (map cdr pairs)))])))
-  (up (time state) q p))
+  (define-values (qs ps)
+    (for/lists (qs ps) ([q (in-list (scalars (coordinate state)))]
+                        [p (in-list (scalars (momentum state)))])
+      (f q p)))
+  (up (time state)
+      (list->structure (coordinate state) qs)
+      (list->structure (momentum state) ps)))
 
 (define (check-parameter who what x)
   (unless (scalar? x)
     (complain who "~a is a number or a symbol; given ~a~a" what (describe-with-value x)
               (if (H-state? x) "\n  was a parameter left out? the state comes after it" ""))))
 
-;; Of another number the roots are imaginary.
-(define (check-positive who alpha)
+;; The roots of a number that is not positive are imaginary.
+(define (check-alpha who alpha)
+  (check-parameter who "alpha" alpha)
   (define a (comparand alpha))
   (when (and (number? a) (not (and (real? a) (< 0 a +inf.0))))
     (complain who "alpha is positive; given ~a" (describe-with-value alpha))))
-
-(define (list->structure-like s xs) (same-orientation (adopt s) (list->vector xs)))
 
 ;; ---------------------------------------------------------------------------
 ;; Two particles
@@ -73,9 +67,8 @@
 ;; state with (up x₁ x₂) ↦ (up X x), the centre of mass and x₂ − x₁
 (define (two-particle-center-of-mass m1 m2)
   (define who 'two-particle-center-of-mass)
-  (check-parameter who "a mass" m1)
-  (check-parameter who "a mass" m2)
-  (unary-function (lambda () (list who (value->datum m1) (value->datum m2))) (state)
+  (for ([m (in-list (list m1 m2))]) (check-parameter who "a mass" m))
+  (printed-function (two-particle-center-of-mass m1 m2) (state)
     (define-values (x1 x2) (two who (coordinate state)))
     (up (g:/ (g:+ (g:* m1 x1) (g:* m2 x2)) (g:+ m1 m2))
         (g:- x2 x1))))
@@ -83,10 +76,9 @@
 ;; The same with the momenta: p₁ + p₂, and (m₁ p₂ − m₂ p₁)/(m₁ + m₂)
 (define (two-particle-center-of-mass-canonical m1 m2)
   (define who 'two-particle-center-of-mass-canonical)
-  (check-parameter who "a mass" m1)
-  (check-parameter who "a mass" m2)
+  (for ([m (in-list (list m1 m2))]) (check-parameter who "a mass" m))
   (define positions (two-particle-center-of-mass m1 m2))
-  (unary-function (lambda () (list who (value->datum m1) (value->datum m2))) (state)
+  (printed-function (two-particle-center-of-mass-canonical m1 m2) (state)
     (check-H-state who state)
     (define-values (p1 p2) (two who (momentum state)))
     (up (time state)
@@ -95,7 +87,7 @@
               (g:/ (g:- (g:* m1 p2) (g:* m2 p1)) (g:+ m1 m2))))))
 
 (define (two who x)
-  (unless (and (tuple? x) (= (structure-length (adopt x)) 2))
+  (unless (and (tuple? x) (= (s:length x) 2))
     (complain who "expected the state of two particles, (up t (up x1 x2) (down p1 p2)); given ~a"
               (describe-with-value x)))
   (values (s:ref x 0) (s:ref x 1)))

@@ -92,8 +92,8 @@
 ;; Does the solution give x again for y = f(x), at one point with positive x and parameters?
 (define ((leads-back? values unknowns target) xs)
   (define ys (scalars target))
-  (define names (remove-duplicates (append unknowns (append-map symbols-of (scalars values))
-                                           (remove* ys (append-map symbols-of xs)))))
+  (define names (remove-duplicates (append unknowns (append-map symbols-in (scalars values))
+                                           (remove* ys (append-map symbols-in xs)))))
   (define point (for/list ([s (in-list names)] [k (in-naturals)]) (cons s (/ (+ 3 k) (+ 5 k)))))
   (define (number-at e p) (constant-value (substitute-expression e p)))
   (define images (for/list ([e (in-list (scalars values))]) (number-at e point)))
@@ -102,5 +102,3 @@
          (for/and ([e (in-list xs)] [u (in-list unknowns)])
            (define x (number-at e back))
            (and x (< (abs (- x (cdr (assq u point)))) 1e-9))))))
-
-(define (symbols-of e) (if (expression? e) (symbols-in e) '()))

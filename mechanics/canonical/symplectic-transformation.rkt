@@ -9,10 +9,12 @@
 ;;
 ;; Such a matrix is antisymmetric: n (2n − 1) brackets decide.
 
-(require "transformation.rkt"
+(require (only-in racket/vector vector-drop)
+         "transformation.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt"
@@ -60,20 +62,18 @@
               (if (and (pair? M) (andmap list? M))
                   "\n  rows make a matrix by matrix-by-rows: (apply matrix-by-rows rows)"
                   "")))
-  (excess (for/list ([i (in-range (m:num-rows M))])
-            (for/list ([j (in-range (m:num-cols M))]) (matrix-ref M i j)))))
+  (excess (matrix-rows M)))
 
-;; rows : of an even number of entries, each -> J less their brackets
+;; rows : vector of vectors of an even number of entries -> J less their brackets
 (define (excess rows)
-  (define n (quotient (length (car rows)) 2))
+  (define n (quotient (vector-length (vector-ref rows 0)) 2))
   (define table (bracket-table rows n))
   (m:generate (* 2 n) (* 2 n) (lambda (i j) (g:- (J-entry n i j) (entry table i j)))))
 
-;; rows -> what entry takes: those above the diagonal, as vectors
+;; rows -> the brackets above the diagonal, for `entry`
 (define (bracket-table rows n)
-  (define vectors (map list->vector rows))
-  (for/vector ([a (in-list vectors)] [i (in-naturals)])
-    (for/vector ([b (in-list vectors)] [j (in-naturals)])
+  (for/vector ([a (in-vector rows)] [i (in-naturals)])
+    (for/vector ([b (in-vector rows)] [j (in-naturals)])
       (if (< i j) (bracket a b n) 0))))
 
 (define (entry table i j)
@@ -93,7 +93,7 @@
 ;; ((D-as-matrix F) state) : a row for each scalar of the value, a column for each of the state
 (define (D-as-matrix F)
   (check-transformation 'D-as-matrix F)
-  (unary-function (lambda () (list 'D-as-matrix (value->datum F))) (state)
+  (printed-function (D-as-matrix F) (state)
     (apply matrix-by-rows (rows-of-derivatives F state))))
 
 ;; -> for each scalar of F(state) the list of its derivatives by the scalars of the state
@@ -101,7 +101,7 @@
   (define-values (_image slopes) (image-and-slopes F state))
   (apply map list (map scalars slopes)))
 
-;; Without the row and the column of the time.
+;; The matrix without the row and the column of the time.
 (define (qp-submatrix M)
   (unless (and (matrix? M) (> (m:num-rows M) 1) (> (m:num-cols M) 1))
     (complain 'qp-submatrix "expected a matrix with a row and a column for the time; given ~a"
@@ -113,14 +113,14 @@
 
 ;; ((symplectic-transform? C) state) : 2n by 2n, without the time
 (define (symplectic-transform? C)
-  (of-rows 'symplectic-transform? C (lambda (rows state) (excess (map cdr (cdr rows))))))
+  (of-rows 'symplectic-transform? C (lambda (rows state) (excess (vector-drop rows 1)))))
 
 ;; ((symplectic? C) state) : the same with a row and a column for the time
 (define (symplectic? C)
   (of-rows 'symplectic? C
            (lambda (rows state)
              (define n (degrees-of-freedom state))
-             (define table (bracket-table (map cdr rows) n))
+             (define table (bracket-table rows n))
              (m:generate (+ n n 1) (+ n n 1)
                          (lambda (i j) (g:- (timed-J-entry n i j) (entry table i j)))))))
 
@@ -130,7 +130,7 @@
   (of-rows 'canonical-transform? C
            (lambda (rows state)
              (define n (degrees-of-freedom state))
-             (define table (bracket-table (map cdr rows) n))
+             (define table (bracket-table rows n))
              (scalars->structure
               state
               (lambda (i)
@@ -138,13 +138,16 @@
                  state
                  (lambda (j) (g:- (entry table i j) (timed-J-entry n i j)))))))))
 
+;; (make rows state) : rows, of the scalars of C(state), of their derivatives by q and p
 (define (of-rows who C make)
   (when (matrix? C)
     (complain who "expected a transformation; a matrix is asked about by (symplectic-matrix? M)"))
   (define checked (checked-transformation who C))
-  (unary-function (lambda () (list who (value->datum C))) (state)
+  (unary-function (call-datum who C) (state)
     (check-H-state who state)
-    (make (rows-of-derivatives checked state) state)))
+    (make (for/vector ([row (in-list (rows-of-derivatives checked state))])
+            (list->vector (cdr row)))
+          state)))
 
 ;; ---------------------------------------------------------------------------
 ;; The two-form

@@ -6,9 +6,8 @@
 ;; is canonical, from H'(t) = H(t − Δt) to H.
 
 (require "transformation.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/function-check.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/compose.rkt")
@@ -17,23 +16,20 @@
 
 ;; ((shift-t Δt) state) : (t + Δt, q, p)
 (define (shift-t delta-t)
-  (unary-function (lambda () (list 'shift-t (value->datum delta-t))) (state)
+  (printed-function (shift-t delta-t) (state)
     (check-H-state 'shift-t state)
     (up (g:+ (time state) delta-t) (coordinate state) (momentum state))))
 
 ;; ((C->Cp C) Δt) : the transformation C(Δt) ∘ S(−Δt)
 (define (C->Cp C)
-  (unless (and (procedure? C) (accepts? C 1))
-    (complain 'C->Cp
-              "expected a function of the time step, with a transformation as value; given ~a"
-              (describe-function C)))
-  (unary-function (lambda () (list 'C->Cp (value->datum C))) (delta-t)
+  (check-takes 'C->Cp C 1 "expected a function of the time step, with a transformation as value")
+  (printed-function (C->Cp C) (delta-t)
     (define step (C delta-t))
     (check-transformation 'C->Cp step)
     (compose step (shift-t (g:negate delta-t)))))
 
 ;; ((H->Hp Δt) H) : the Hamiltonian H ∘ S(−Δt)
 (define (H->Hp delta-t)
-  (unary-function (lambda () (list 'H->Hp (value->datum delta-t))) (H)
+  (printed-function (H->Hp delta-t) (H)
     (check-Hamiltonian 'H->Hp H)
     (compose H (shift-t (g:negate delta-t)))))

@@ -1,15 +1,17 @@
 #lang racket/base
 ;; Transformations of phase space: functions C that take a new state (t, q', p') to the old one
-;; (t, q, p); and what is wrong with those that are none.
+;; (t, q, p); and the errors of functions that are none.
 
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
-         "../value/shape.rkt" "../value/structure.rkt")
+         "../lagrangian/generic-state.rkt"
+         "../value/filled-shape.rkt" "../value/shape.rkt" "../value/structure.rkt")
 
-(provide check-transformation transformed checked-transformation image-and-slopes)
+(provide check-transformation check-for-any-state
+         transformed checked-transformation image-and-slopes)
 
 (define (check-transformation who C)
   (unless (and (of-functions? C) (accepts? C 1))
@@ -22,7 +24,15 @@
                              who (value->text C))]
                     [else ""]))))
 
-;; C at a state, refusing what is not a state of as many coordinates.
+;; C is asked about at any state: the symbols of `state` must be no parameters of it.
+(define (check-for-any-state who C state)
+  (check-transformation who C)
+  (check-H-state who state)
+  (check-symbols who state "state")
+  (void (transformed who C state))
+  (check-parameters who C state "state"))
+
+;; C at a state; the value must be a state of as many coordinates.
 (define (transformed who C state)
   (check-H-state who state)
   (define old (C state))
@@ -37,7 +47,7 @@
 ;; A scalar without the derivatives that it carries
 (define (underlying x) (if (scalar? x) (comparand x) x))
 
-;; C with that check.
+;; C, whose values are checked to be such states.
 (define (checked-transformation who C)
   (check-transformation who C)
   (unary-function (lambda () (value->datum C)) (state) (transformed who C state)))
@@ -47,15 +57,14 @@
             (value->text C) (describe-with-value old) (remedy old state)))
 
 (define (remedy old state)
-  (define (part i) (vector-ref (tuple-elements old) i))
-  (define (parts n) (and (tuple? old) (= (structure-length (adopt old)) n)))
-  (define (like-state? x i) (same-shape? x (vector-ref (tuple-elements state) i)))
+  (define (parts n) (and (tuple? old) (= (s:length old) n)))
+  (define (like-state? i j) (same-shape? (ref old i) (ref state j)))
   (cond [(scalar? old)
          "\n  that is no state, but what a Hamiltonian gives; the transformation comes first"]
         [(pointwise? old) "\n  was a parameter left out?"]
-        [(and (parts 2) (like-state? (part 0) 1) (like-state? (part 1) 2))
+        [(and (parts 2) (like-state? 0 1) (like-state? 1 2))
          "\n  the time is missing: (up t q p)"]
-        [(and (parts 3) (up? old) (like-state? (part 1) 1))
+        [(and (parts 3) (up? old) (like-state? 1 1))
          "\n  the third part is to be the momenta, dual to the coordinates"]
         [else
          "\n  a transformation of the coordinates alone is extended by (F->CH F)"]))
@@ -67,6 +76,6 @@
 (define (image-and-slopes F state)
   (for/fold ([image #f] [slopes '()] #:result (values image (reverse slopes)))
             ([k (in-range (shape-length state))])
-    (define direction (scalars->structure state (lambda (j) (if (= j k) 1 0))))
-    (define-values (value slope) (value-and-derivative-along F state direction))
+    (define-values (value slope)
+      (value-and-derivative-along F state (unit-structure state k)))
     (values (or image value) (cons slope slopes))))

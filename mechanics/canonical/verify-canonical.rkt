@@ -7,7 +7,8 @@
 ;; Hamilton's, with H' = H∘C/λ, and the verdict, a refutation, says so.
 
 (require racket/list
-         "arbitrary-state.rkt" "canonical.rkt" "free-exponent.rkt" "symplectic-transformation.rkt"
+         "canonical.rkt" "free-exponent.rkt" "symplectic-transformation.rkt"
+         "transformation.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/message-words.rkt"
@@ -15,7 +16,7 @@
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
          (only-in "../value/algebra.rkt" make-meaning)
-         "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/filled-shape.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../value/matrix/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
@@ -55,8 +56,8 @@
           (lambda (change) (verify-brackets who (change C) state residual))
           (lambda () (remarks-on-brackets C state))))
 
-;; The brackets do not see how fast the old time goes: where that is not as the new one does, the
-;; difference is judged as well.
+;; The brackets do not depend on the rate of the old time: where it differs from that of the new
+;; time, the difference is judged as well.
 (define ((brackets-and-clock C) state)
   (define residual ((canonical-transform? C) state))
   (define-values (_image rate) (value-and-derivative-along C state (rate-of-clock state)))
@@ -67,8 +68,8 @@
   (check-for-any-state who C state)
   (for ([H (in-list Hs)]) (check-parameters who H state "state")))
 
-;; about : the transformation, and Hamiltonians; find-residual : -> the residual, differentiated
-;; while kinks are noted
+;; about : the transformation, and Hamiltonians; find-residual : -> the residual, called while the
+;; kinks that derivatives pass over are noted
 (define (judged state about find-residual again [remarks (lambda () '())])
   (define-values (residual survey) (survey-derivatives find-residual (scalars state)))
   (define (meaning) (meaning-of about state))
@@ -80,7 +81,7 @@
         (with-remark v text))
       v))
 
-;; Where no condition was found it may be one on an exponent.
+;; Where no condition was found, one on an exponent is sought.
 (define (remark-on-exponents v residual state meaning)
   (define condition
     (and (null? (verdict-alternatives v))
@@ -97,8 +98,7 @@
   (define M ((D-as-matrix (car about)) state))
   (make-meaning
    (filter expression? (append-map (lambda (f) (scalars (f state))) about))
-   (for/list ([i (in-range (m:num-rows M))])
-     (for/list ([j (in-range (m:num-cols M))]) (matrix-ref M i j)))
+   (map vector->list (vector->list (matrix-rows M)))
    '()
    (scalars state)))
 
@@ -111,7 +111,7 @@
                            "H∘C + K with the K of (C->K C state)"))
       '()))
 
-(define (rate-of-clock state) (scalars->structure state (lambda (k) (if (= k 0) 1 0))))
+(define (rate-of-clock state) (unit-structure state 0))
 
 ;; ---------------------------------------------------------------------------
 ;; All brackets multiplied by one number
@@ -138,9 +138,7 @@
   (define excess ((symplectic-transform? C) state))
   (define n (degrees-of-freedom state))
   (define factor (simplify (g:- 1 (matrix-ref excess 0 n))))
-  (define (constant? x)
-    (for/and ([name (in-list (scalars state))]) (or (number? x) (not (occurs? name x)))))
-  (and (constant? factor)
+  (and (not (ormap (lambda (name) (occurs? name factor)) (scalars state)))
        (not (proved? (prove-zero factor)))
        (proved? (prove-zero (g:- (g:* (g:- 1 factor) (symplectic-unit n)) excess)))
        factor))

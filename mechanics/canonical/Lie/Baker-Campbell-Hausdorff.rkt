@@ -26,7 +26,7 @@
 (define (Baker-Campbell-Hausdorff A B)
   (define bracket
     (cond [(and (operator? A) (operator? B)) commutator]
-          [(and (of-a-state? A) (of-a-state? B))
+          [(and (pointwise? A) (accepts? A 1) (pointwise? B) (accepts? B 1))
            (lambda (f g) (settled 'Baker-Campbell-Hausdorff (Poisson-bracket g f)))]
           [else
            (complain 'Baker-Campbell-Hausdorff
@@ -42,17 +42,15 @@
          [else (term bracket A B n (lambda (k) (coefficient terms k)) sums)]))))
   (series-of terms))
 
-(define (of-a-state? f) (and (pointwise? f) (accepts? f 1)))
-
 ;; Zₙ of those before
 (define (term bracket A B n Z sums)
-  (define last (sub1 n))
-  (define half (g:* 1/2 (bracket (g:- A B) (Z last))))
+  (define m (sub1 n))
+  (define half (g:* 1/2 (bracket (g:- A B) (Z m))))
   (define sum
-    (for*/fold ([sum half]) ([p (in-range 1 (add1 (quotient last 2)))]
-                             [nested (in-value (nested-sum bracket (g:+ A B) Z (* 2 p) last sums))]
+    (for*/fold ([sum half]) ([r (in-range 2 n 2)]
+                             [nested (in-value (nested-sum bracket (g:+ A B) Z r m sums))]
                              #:when nested)
-      (g:+ sum (g:* (/ (bernoulli-number (* 2 p)) (factorial (* 2 p))) nested))))
+      (g:+ sum (g:* (/ (bernoulli-number r) (factorial r)) nested))))
   (g:* (/ 1 n) sum))
 
 ;; Σ [Z_{k₁}, [ ⋯ [Z_{kᵣ}, X] ⋯ ]] over k₁ + ⋯ + kᵣ = n, all at least 1; #f if there is none

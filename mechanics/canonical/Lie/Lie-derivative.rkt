@@ -10,17 +10,20 @@
 ;; the derivative as it stands is kept: the next would be that of thousands of terms.  Where
 ;; functions make nothing of symbols, brackets of functions have to do.
 
-(require "../../algebra/expression/expression.rkt" "../../algebra/expression/flat-graph.rkt"
+(require (only-in racket/vector vector-append)
+         "../../algebra/expression/expression.rkt" "../../algebra/expression/flat-graph.rkt"
          "../../calculus/derivative.rkt"
          "../../error/complain.rkt" "../../error/refusal.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
-         "../../generic/on-demand.rkt" "../../generic/up-down.rkt"
+         "../../generic/on-demand.rkt" "../../generic/printed-function.rkt"
+         "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamilton-equations.rkt"
          "../../hamiltonian/Hamiltonian.rkt" "../../hamiltonian/Poisson-bracket.rkt"
-         "../../value/assumptions.rkt" "../../value/operator.rkt" "../../value/shape.rkt"
-         "../../value/simplify.rkt" "../../value/symbols-like.rkt")
+         "../../value/by-shape.rkt" "../../value/operator.rkt" "../../value/shape.rkt"
+         "../../value/simplify.rkt" (only-in "../../value/structure.rkt" s:map/r)
+         "../../value/symbols-like.rkt")
 
-(require-on-demand ["../../calculus/expression-function.rkt" evaluate-generically])
+(require-on-demand ["../../calculus/expression-function.rkt" evaluate-at])
 
 (provide Lie-derivative Lie-derivative-procedure flow-derivative
          ;; for what is made of it
@@ -33,7 +36,7 @@
 (define (Lie-derivative-procedure H)
   (define who 'Lie-derivative-procedure)
   (check-Hamiltonian who H)
-  (unary-function (lambda () (list who (value->datum H))) (F)
+  (printed-function (Lie-derivative-procedure H) (F)
     (check-quantity who F)
     (Poisson-bracket F H)))
 
@@ -42,12 +45,12 @@
 
 (define (derivation-of who H rate)
   (check-Hamiltonian who H)
-  (define d (derivation who H rate (make-weak-hasheq)))
+  (define d (derivation who H rate (make-ephemeron-hasheq)))
   (make-primitive-operator (on-quantity who (lambda (F) (image d F 1)))
-                           (lambda () (list who (value->datum H)))
+                           (call-datum who H)
                            #:iterate (lambda (n) (lambda (F) (image d F n)))))
 
-;; act, for a single function of the state; given the state as well, or in its place, it says so
+;; act, for a single function of the state; the state itself, in its place or beside it, is refused
 (define (on-quantity who act)
   (case-lambda
     [(F)
@@ -61,7 +64,7 @@
   (complain who "it takes a function of the state, and what it gives the state: ~a; given ~a"
             "((operator F) state)" given))
 
-;; rate : of the time, 0 or 1;  chains : F ↦ its powers at symbols
+;; rate : of the time, 0 or 1;  chains : F ↦ (state ↦ its chain)
 (struct derivation (who H rate chains) #:authentic)
 
 ;; The function LⁿF
@@ -82,20 +85,15 @@
 ;; Powers at symbols
 
 ;; place : a state of symbols; direction : in which it moves, or #f where there is no formula;
-;; values : F, LF, L²F, … there, growing;  declared : the assumptions they were simplified under
-(struct chain (place direction [values #:mutable] declared) #:authentic)
+;; values : F, LF, L²F, … there, growing
+(struct chain (place direction [values #:mutable]) #:authentic)
 
-;; -> chain for states of that shape and what is assumed now, or #f
+;; -> the chain of F for states of this shape, or #f where there is no formula
 (define (chain-of d F state)
-  (define known (hash-ref (derivation-chains d) F #f))
-  (define c
-    (if (and known
-             (same-shape? state (chain-place known))
-             (equal? (assumptions 'declared) (chain-declared known)))
-        known
-        (let ([c (new-chain d F state)])
-          (hash-set! (derivation-chains d) F c)
-          c)))
+  (define chain-at
+    (hash-ref! (derivation-chains d) F
+               (lambda () (by-shape (lambda (state) (new-chain d F state))))))
+  (define c (chain-at state))
   (and (chain-direction c) c))
 
 (define (new-chain d F state)
@@ -110,41 +108,31 @@
                        (simplified-unless-swollen velocity)
                        (simplified-unless-swollen force)))
               (simplified-unless-swollen value))))
-  (chain place direction (vector value) (assumptions 'declared)))
+  (chain place direction (vector value)))
 
-;; Is it made of numbers and expressions, so that it can be evaluated elsewhere?
-(define (formula? x)
-  (for/and ([leaf (in-list (scalars x))]) (or (number? leaf) (expression? leaf))))
+;; Is x made of expressions, so that it can be evaluated elsewhere?
+(define (formula? x) (andmap expression? (scalars x)))
 
 ;; LⁿF at a state
 (define (value-in c n state)
-  (define formula (power-in c n))
-  (define point (map cons (scalars (chain-place c)) (scalars state)))
-  (define xs (list->vector (scalars formula)))
-  (scalars->structure formula (lambda (k) (evaluate-generically (vector-ref xs k) point))))
+  (evaluate-at (power-in c n) (chain-place c) state))
 
 (define (power-in c n)
   (define known (chain-values c))
-  (define last (sub1 (vector-length known)))
-  (cond [(<= n last) (vector-ref known n)]
+  (define end (sub1 (vector-length known)))
+  (cond [(<= n end) (vector-ref known n)]
         [else
-         (define next (slope c (vector-ref known last)))
-         (set-chain-values! c (list->vector (append (vector->list known) (list next))))
+         (define next (slope c (vector-ref known end)))
+         (set-chain-values! c (vector-append known (vector next)))
          (power-in c n)]))
 
 (define (slope c value)
-  (define names (scalars (chain-place c)))
-  (define xs (list->vector (scalars value)))
-  (define (at state)
-    (define point (map cons names (scalars state)))
-    (scalars->structure value (lambda (k) (evaluate-generically (vector-ref xs k) point))))
+  (define (at state) (evaluate-at value (chain-place c) state))
   (define-values (_value rate) (value-and-derivative-along at (chain-place c) (chain-direction c)))
   (simplified-unless-swollen rate))
 
-;; The smaller of a scalar and its simplified form, where that is large; of structures each
-(define (simplified-unless-swollen x)
-  (define xs (list->vector (scalars x)))
-  (scalars->structure x (lambda (k) (smaller-form (vector-ref xs k)))))
+;; x with each scalar simplified, unless the simplified form is large and has swollen
+(define (simplified-unless-swollen x) (s:map/r smaller-form x))
 
 (define (smaller-form e)
   (define simple (simplify-strictly e))
@@ -160,8 +148,6 @@
 ;; Powers as brackets of functions
 
 (define (by-brackets d F n)
-  (define bracketed
-    (for/fold ([F F]) ([_ (in-range n)])
-      (define slope (Poisson-bracket F (derivation-H d)))
-      (if (eqv? (derivation-rate d) 0) slope (g:+ ((partial 0) F) slope))))
-  bracketed)
+  (for/fold ([F F]) ([_ (in-range n)])
+    (define slope (Poisson-bracket F (derivation-H d)))
+    (if (eqv? (derivation-rate d) 0) slope (g:+ ((partial 0) F) slope))))

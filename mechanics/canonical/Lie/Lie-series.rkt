@@ -9,7 +9,8 @@
 (require "Lie-derivative.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/elementary.rkt"
-         "../../generic/function.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         "../../generic/printed-function.rkt" "../../generic/scalar.rkt"
+         "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
          "../../lagrangian/local-tuple.rkt"
@@ -31,7 +32,7 @@
               (describe-with-value epsilon)))
   (define whole (g:exp (g:* epsilon (derivative H))))
   (make-primitive-operator (on-quantity who whole)
-                           (lambda () (list who (value->datum H) (value->datum epsilon)))))
+                           (call-datum who H epsilon)))
 
 ;; (Lie-transformation W ε n) : the state ↦ its coordinates and momenta along the series, summed
 ;; up to order n; canonical up to terms of order n + 1.
@@ -40,7 +41,6 @@
     (complain-of-argument 'Lie-transformation "the order of the last term" order))
   (define E (exponential 'Lie-transformation Lie-derivative W epsilon))
   (define-values (q p) (values (E coordinate) (E momentum)))
-  (define (name) (list 'Lie-transformation (value->datum W) (value->datum epsilon) order))
-  (unary-function name (state)
+  (printed-function (Lie-transformation W epsilon order) (state)
     (check-H-state 'Lie-transformation state)
     (up (time state) (series:sum (q state) order) (series:sum (p state) order))))

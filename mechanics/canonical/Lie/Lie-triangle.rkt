@@ -10,9 +10,11 @@
 ;;
 ;;     hₘ ← Σⱼ Lʲ h_{m − jn}/j!.
 ;;
-;; What the terms are, series of waves or polynomials, is the affair of those who call.
+;; The terms may be series of waves or polynomials: the caller gives their bracket, sum and scale.
 
-(provide Lie-triangle exponentiate)
+(require (only-in racket/list list-set))
+
+(provide Lie-triangle carry)
 
 ;; h : the list of h₀, …, h_N;  bracket : F, G ↦ {F, G};  sum : F, G ↦ F + G; scale : number, F
 ;; solve : n, hₙ -> Wₙ, and what is kept
@@ -22,10 +24,17 @@
     (define-values (W kept) (solve n (list-ref h n)))
     (define next (exponentiate h n W bracket sum scale))
     ;; by construction; rounding would leave a rest
-    (values (replaced next n kept) (cons W Ws))))
+    (values (list-set next n kept) (cons W Ws))))
 
-;; The terms of exp(εⁿ L_W) F, for those of F; n may be multiplied by a sign: exp(−εⁿ L_W)
-(define (exponentiate terms n W bracket sum scale #:sign [sign 1])
+;; The terms of ⋯ exp(ε² L_{W₂}) exp(ε L_{W₁}) F, for the terms of F; with the sign −1 the inverse,
+;; exp(−ε L_{W₁}) exp(−ε² L_{W₂}) ⋯ F
+(define (carry terms Ws bracket sum scale #:sign [sign 1])
+  (define numbered (for/list ([W (in-list Ws)] [n (in-naturals 1)]) (cons n W)))
+  (for/fold ([terms terms]) ([nW (in-list (if (= sign 1) numbered (reverse numbered)))])
+    (exponentiate terms (car nW) (cdr nW) bracket sum scale sign)))
+
+;; The terms of exp(± εⁿ L_W) F, for the terms of F
+(define (exponentiate terms n W bracket sum scale [sign 1])
   (define powers                    ; powers[j] : the terms of Lʲ F/j!, shifted by j n
     (let loop ([j 0] [shifted terms] [found (list terms)])
       (define longest (- (length terms) (* (add1 j) n)))
@@ -40,6 +49,3 @@
                                             #:when (>= (- m (* j n)) 0))
       (define part (list-ref p (- m (* j n))))
       (if total (sum total part) part))))
-
-(define (replaced xs n x)
-  (for/list ([y (in-list xs)] [k (in-naturals)]) (if (= k n) x y)))

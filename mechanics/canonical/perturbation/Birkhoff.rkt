@@ -23,7 +23,7 @@
          normal-form-resonances
          (rename-out [frequencies-asked normal-form-frequencies]
                      [divisors-asked normal-form-divisors])
-         ;; for what is made of it
+         ;; for transformations and verdicts
          normal-form-state normal-form-given normal-form-terms normal-form-Ws
          check-normal-form polynomial-function)
 
@@ -62,18 +62,17 @@
 ;; {Σ ω z w/2, W} + f = kept;  -> W, kept, ((a − b . ω·(a − b)) …)
 (define (solve-monomials f frequencies)
   (for/fold ([W (hash)] [kept (hash)] [gone '()]) ([(exponents c) (in-hash f)])
-    (define-values (a b) (exponents-apart exponents))
-    (define k (map - a b))
+    (define k (exponent-differences exponents))
     (define d (apply + (map * k frequencies)))
     (if (vanishing? d frequencies)
         (values W (hash-set kept exponents c) gone)
         (values (hash-set W exponents (/ (* 0+1i c) d)) kept
                 (if (positive? (first-nonzero k)) (cons (cons k d) gone) gone)))))
 
-(define (first-nonzero k) (or (for/first ([x (in-list k)] #:unless (zero? x)) x) 0))
+(define (first-nonzero k) (or (findf (lambda (x) (not (zero? x))) k) 0))
 
 ;; ---------------------------------------------------------------------------
-;; What is given
+;; The arguments
 
 (define (check-arguments who H state degree)
   (check-Hamiltonian-and-state who H state)
@@ -111,7 +110,7 @@
 
 (define (check-time-free who H state)
   (define e (simplify-strictly (H state)))
-  (when (and (expression? e) (occurs? (time state) e))
+  (when (occurs? (time state) e)
     (complain who "~a depends on the time ~a, and has no normal form; its value: ~a"
               (value->text H) (time state) (value->text e))))
 
@@ -143,7 +142,7 @@
             (value->text (simplify (polynomial->expression quadratic (names "q") (names "p"))))))
 
 ;; ---------------------------------------------------------------------------
-;; What is found
+;; The results
 
 ;; The series of functions of the new state, by degree from 2 on
 (define (normal-form-Hamiltonian N)
@@ -156,10 +155,10 @@
 
 (define (polynomial-function N f)
   (define e (polynomial-expression N f))
-  (define names (scalars (normal-form-state N)))
+  (define state (normal-form-state N))
   (unary-function (lambda () (value->datum e)) (at)
-    (check-state-like 'Birkhoff-normal-form (normal-form-state N) at)
-    (evaluate-generically e (map cons names (scalars at)))))
+    (check-state-like 'Birkhoff-normal-form state at)
+    (evaluate-at e state at)))
 
 (define (polynomial-expression N f)
   (define state (normal-form-state N))
@@ -172,7 +171,7 @@
   (remove-duplicates
    (for*/list ([f (in-list (normal-form-terms N))]
                [exponents (in-list (hash-keys f))]
-               [k (in-value (let-values ([(a b) (exponents-apart exponents)]) (map - a b)))]
+               [k (in-value (exponent-differences exponents))]
                #:when (positive? (first-nonzero k)))
      k)))
 
@@ -184,11 +183,7 @@
     (for/list ([f (in-list (normal-form-terms N))] [degree (in-naturals 2)])
       (format "\n  degree ~a: ~a" degree (value->text (polynomial-expression N f)))))
   (define resonances (normal-form-resonances N))
-  (apply string-append
-         (format "normal form to degree ~a, of frequencies ~a"
-                 (add1 (length terms))
-                 (normal-form-frequencies N))
-         (append terms
-                 (if (null? resonances)
-                     '()
-                     (list (format "\n  resonances: ~a" resonances))))))
+  (string-append (format "normal form to degree ~a, of frequencies ~a"
+                         (add1 (length terms)) (normal-form-frequencies N))
+                 (apply string-append terms)
+                 (if (null? resonances) "" (format "\n  resonances: ~a" resonances))))

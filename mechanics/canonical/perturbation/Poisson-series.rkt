@@ -8,33 +8,32 @@
 ;; products, derivatives and brackets.  A term linear in the angles may be with them, by which
 ;; the angles themselves are series.
 
-(require "expression-in-ring.rkt"
+(require (only-in racket/list list-set make-list)
+         "expression-in-ring.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
          "../../algebra/expression/symbols.rkt"
          "../../calculus/expression-function.rkt"
          "../../generic/arithmetic.rkt" "../../generic/elementary.rkt"
          "../../value/simplify.rkt")
 
-(provide (struct-out wave) Poisson-series? constant-series zero-series angle-series one-wave
-         expression->Poisson-series series-sum series-scale series-product series-bracket
-         series-waves wave-numbers series->expression)
+(provide (struct-out wave) constant-series zero-series angle-series one-wave
+         expression->Poisson-series series-sum series-scale series-bracket
+         (rename-out [Poisson-series-waves series-waves]) wave-numbers series->expression)
 
 ;; waves : hash of k ↦ wave;  linear : the coefficients of the angles, numbers
 (struct Poisson-series (waves linear) #:authentic)
 (struct wave (cosine sine) #:authentic)
 
-(define (zeros n) (for/list ([_ (in-range n)]) 0))
+(define (zeros n) (make-list n 0))
 (define (zero-series n) (Poisson-series (hash) (zeros n)))
-(define (constant-series n c) (make (list (cons (zeros n) (wave c 0))) (zeros n)))
+(define (constant-series n c) (one-wave (zeros n) c 0))
 
 ;; c cos k·θ + s sin k·θ
-(define (one-wave n k c s) (make (list (cons k (wave c s))) (zeros n)))
+(define (one-wave k c s) (make (list (cons k (wave c s))) (zeros (length k))))
 
 ;; The angle of index j among n
-(define (angle-series n j)
-  (Poisson-series (hash) (for/list ([i (in-range n)]) (if (= i j) 1 0))))
+(define (angle-series n j) (Poisson-series (hash) (list-set (zeros n) j 1)))
 
-(define (series-waves s) (Poisson-series-waves s))
 (define (wave-numbers s) (hash-keys (Poisson-series-waves s)))
 
 ;; ---------------------------------------------------------------------------
@@ -51,17 +50,19 @@
   (Poisson-series
    (for*/hash ([(k w) (in-hash collected)]
                [simple (in-value (wave (simplify-strictly (wave-cosine w))
-                                       (if (still? k) 0 (simplify-strictly (wave-sine w)))))]
-               #:unless (and (eqv? 0 (wave-cosine simple)) (eqv? 0 (wave-sine simple))))
+                                       (if (andmap zero? k)
+                                           0
+                                           (simplify-strictly (wave-sine w)))))]
+               #:unless (no-wave? simple))
      (values k simple))
    linear))
 
-(define (still? k) (andmap zero? k))
+(define (no-wave? w) (and (eqv? 0 (wave-cosine w)) (eqv? 0 (wave-sine w))))
 
 ;; cos is even, sin is odd
 (define (turned k w)
-  (define first (for/first ([x (in-list k)] #:unless (zero? x)) x))
-  (if (and first (negative? first))
+  (define leading (findf (lambda (x) (not (zero? x))) k))
+  (if (and leading (negative? leading))
       (values (map - k) (wave (wave-cosine w) (g:negate (wave-sine w))))
       (values k w)))
 
@@ -75,10 +76,11 @@
   (make (append (parts a) (parts b)) (map + (Poisson-series-linear a) (Poisson-series-linear b))))
 
 (define (series-scale c s)
-  (make (for/list ([p (in-list (parts s))]) (cons (car p) (times c (cdr p))))
-        (for/list ([x (in-list (Poisson-series-linear s))]) (* c x))))
+  (make (scaled c (parts s)) (for/list ([x (in-list (Poisson-series-linear s))]) (* c x))))
 
-(define (times c w) (wave (g:* c (wave-cosine w)) (g:* c (wave-sine w))))
+(define (scaled c parts)
+  (for/list ([p (in-list parts)])
+    (cons (car p) (wave (g:* c (wave-cosine (cdr p))) (g:* c (wave-sine (cdr p)))))))
 
 ;; Of series without a linear term
 (define (series-product a b)
@@ -104,11 +106,9 @@
   (define all
     (for/fold ([all '()]) ([I (in-list actions)] [j (in-naturals)])
       (append (products (by-angle a j) (by-action b I))
-              (negated (products (by-action a I) (by-angle b j)))
+              (scaled -1 (products (by-action a I) (by-angle b j)))
               all)))
   (make all (zeros (length actions))))
-
-(define (negated ps) (for/list ([p (in-list ps)]) (cons (car p) (times -1 (cdr p)))))
 
 (define (by-angle s j)
   (define slope (list-ref (Poisson-series-linear s) j))
@@ -122,22 +122,20 @@
       (cons (cons (zeros (length (Poisson-series-linear s))) (wave slope 0)) waves)))
 
 (define (by-action s I)
-  (define (slope e) (if (and (expression? e) (occurs? I e)) (expression-derivative e I) 0))
+  (define (slope e) (if (occurs? I e) (expression-derivative e I) 0))
   (for*/list ([p (in-list (parts s))]
               [w (in-value (wave (slope (wave-cosine (cdr p))) (slope (wave-sine (cdr p)))))]
-              #:unless (and (eqv? 0 (wave-cosine w)) (eqv? 0 (wave-sine w))))
+              #:unless (no-wave? w))
     (cons (car p) w)))
 
 ;; ---------------------------------------------------------------------------
 ;; From expressions and back
 
-;; -> the series of e in these angles, symbols; where e is none, what (fail part) gives for the
-;; part of it that is not
+;; -> the series of e in the angles, symbols; (fail part) where a part of e has no series
 (define (expression->Poisson-series e angles fail)
   (define n (length angles))
-  (define (free? e) (not (for/or ([a (in-list angles)]) (and (expression? e) (occurs? a e)))))
   (define (seen e)
-    (cond [(free? e) (constant-series n e)]
+    (cond [(not (ormap (lambda (a) (occurs? a e)) angles)) (constant-series n e)]
           [(and (node? e) (memq (node-head e) (list op:sin op:cos)))
            (walk-wave (eq? (node-head e) op:sin) (car (node-args e)) angles
                       (lambda () (fail e)))]
@@ -155,21 +153,21 @@
      (define still (map (lambda (a) (cons a 0)) angles))
      (define b (simplify-strictly (evaluate-generically argument still)))
      (define-values (c s) (values (g:cos b) (g:sin b)))
-     (make (list (cons k (if sine? (wave s c) (wave c (g:negate s))))) (zeros (length angles)))]
+     (if sine? (one-wave k s c) (one-wave k c (g:negate s)))]
     [else (fail)]))
 
-;; A whole number that is written as a decimal, as it is counted with
+;; x, exact if it is a whole number written as a decimal
 (define (whole-number x) (if (and (real? x) (integer? x)) (inexact->exact x) x))
 
 ;; thetas : values of the angles
 (define (series->expression s thetas)
-  (define linear
-    (for/fold ([sum 0]) ([c (in-list (Poisson-series-linear s))] [theta (in-list thetas)])
+  (define (combination numbers)
+    (for/fold ([sum 0]) ([c (in-list numbers)] [theta (in-list thetas)])
       (g:+ sum (g:* c theta))))
-  (for/fold ([sum linear]) ([k (in-list (sort (wave-numbers s) earlier?))])
+  (for/fold ([sum (combination (Poisson-series-linear s))])
+            ([k (in-list (sort (wave-numbers s) earlier?))])
     (define w (hash-ref (Poisson-series-waves s) k))
-    (define angle
-      (for/fold ([sum 0]) ([i (in-list k)] [theta (in-list thetas)]) (g:+ sum (g:* i theta))))
+    (define angle (combination k))
     (g:+ sum (g:* (wave-cosine w) (g:cos angle)) (g:* (wave-sine w) (g:sin angle)))))
 
 (define (earlier? a b)

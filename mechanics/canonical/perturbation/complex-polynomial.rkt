@@ -12,15 +12,12 @@
          "expression-in-ring.rkt"
          "../../generic/arithmetic.rkt" "../../generic/elementary.rkt")
 
-(provide polynomial-sum polynomial-scale polynomial-product polynomial-bracket majorant-bracket
-         expression->polynomial polynomial->expression polynomial-of exponents-apart)
+(provide polynomial-sum polynomial-scale polynomial-bracket majorant-bracket
+         expression->polynomial polynomial->expression exponent-differences)
 
 (define (add-term p exponents c)
   (define sum (+ c (hash-ref p exponents 0)))
   (if (zero? sum) (hash-remove p exponents) (hash-set p exponents sum)))
-
-(define (polynomial-of terms)
-  (for/fold ([p (hash)]) ([t (in-list terms)]) (add-term p (car t) (cdr t))))
 
 (define (polynomial-sum f g)
   (for/fold ([p f]) ([(e c) (in-hash g)]) (add-term p e c)))
@@ -53,8 +50,13 @@
   (for/list ([e (in-list exponents)] [k (in-naturals)])
     (if (or (= k j) (= k (+ n j))) (sub1 e) e)))
 
-;; -> the exponents of the z, and those of the w
-(define (exponents-apart exponents) (split-at exponents (quotient (length exponents) 2)))
+;; a − b for the exponents a of the z and b of the w
+(define (exponent-differences exponents)
+  (define-values (a b) (split-at exponents (quotient (length exponents) 2)))
+  (map - a b))
+
+;; The exponents of the variable of index k alone; of none for k = −1
+(define (unit-exponents n k) (for/list ([j (in-range (* 2 n))]) (if (= j k) 1 0)))
 
 ;; ---------------------------------------------------------------------------
 ;; From expressions and back
@@ -62,7 +64,7 @@
 ;; e : in the symbols qs and ps; (fail part) for what is no polynomial with numbers
 (define (expression->polynomial e qs ps fail)
   (define n (length qs))
-  (define (unit k) (for/list ([j (in-range (* 2 n))]) (if (= j k) 1 0)))
+  (define (unit k) (unit-exponents n k))
   (define (constant c) (if (zero? c) (hash) (hash (unit -1) c)))
   (define places
     (append
@@ -72,7 +74,7 @@
        (cons p (hash (unit j) 0-1/2i (unit (+ n j)) 0+1/2i)))))
   (define (seen e)
     (cond [(number? e) (constant e)]
-          [(symbol? e) (cond [(assq e places) => cdr] [else #f])]
+          [(assq e places) => cdr]
           [else #f]))
   (expression-in (ring constant polynomial-sum polynomial-product polynomial-scale)
                  e seen fail))
@@ -82,15 +84,13 @@
 (define (polynomial->expression f qs ps)
   (for/fold ([sum 0]) ([(exponents c) (in-hash (in-q-and-p f (length qs)))])
     (g:+ sum
-         (for/fold ([product (real-coefficient c)])
+         (for/fold ([product (real-part c)])
                    ([x (in-list (append qs ps))] [k (in-list exponents)] #:unless (zero? k))
            (g:* product (g:expt x k))))))
 
-(define (real-coefficient c) (real-part c))
-
 ;; hash of the exponents of q₁ … p₁ …
 (define (in-q-and-p f n)
-  (define (unit k) (for/list ([j (in-range (* 2 n))]) (if (= j k) 1 0)))
+  (define (unit k) (unit-exponents n k))
   (define variables                 ; z and w in terms of q and p
     (append (for/list ([j (in-range n)]) (hash (unit j) 1 (unit (+ n j)) 0+1i))
             (for/list ([j (in-range n)]) (hash (unit j) 1 (unit (+ n j)) 0-1i))))

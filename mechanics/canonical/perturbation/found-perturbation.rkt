@@ -1,9 +1,9 @@
 #lang racket/base
-;; What perturbation theory found: the new Hamiltonian, the generators, what was divided by and
-;; what stayed.
+;; The results of perturbation theory: the new Hamiltonian, the generators, the divisors and the
+;; resonances that stayed.
 ;;
-;; All of it is kept as Poisson series in the symbols of a state; functions of any state are made
-;; of them by substitution.
+;; They are kept as Poisson series in the symbols of a state; functions of any state are made of
+;; them by substitution.
 
 (require racket/list
          "../Lie/Lie-derivative.rkt"
@@ -21,7 +21,7 @@
 
 (provide perturbation? perturbation-Hamiltonian perturbation-generators
          perturbation-divisors perturbation-resonances
-         ;; for what makes it, and what is made of it
+         ;; for the theory, motions and verdicts
          (struct-out perturbation) check-perturbation actions-of angles-of term-function
          series->formula for-all-decimals)
 
@@ -39,7 +39,7 @@
     (complain who "expected what perturbation-series gives; given ~a" (describe-with-value P))))
 
 ;; ---------------------------------------------------------------------------
-;; What is found
+;; The results
 
 ;; A Poisson series as an expression, with the decimals put back
 (define (series->formula P s)
@@ -58,20 +58,18 @@
 ;; numbers there
 (define (for-all-decimals P)
   (define-values (state decimals) (values (perturbation-state P) (perturbation-decimals P)))
-  (define names (scalars state))
   (define (general H)
     (define e (with-decimals-named (H state) decimals))
-    (lambda (at) (evaluate-generically e (map cons names (scalars at)))))
+    (lambda (at) (evaluate-at e state at)))
   (struct-copy perturbation P [given (map general (perturbation-given P))] [decimals '()]))
 
 ;; The function of the state that a Poisson series is.
 (define (term-function P s)
   (define state (perturbation-state P))
   (define e (series->formula P s))
-  (define names (scalars state))
   (unary-function (lambda () (value->datum e)) (at)
     (check-state-like 'perturbation-series state at)
-    (evaluate-generically e (map cons names (scalars at)))))
+    (evaluate-at e state at)))
 
 ;; The series of functions H'₀ + ε H'₁ + ⋯ of the new state
 (define (perturbation-Hamiltonian P)
@@ -99,17 +97,15 @@
               [k (in-list (wave-numbers s))]
               #:unless (andmap zero? k))
     (define w (hash-ref (series-waves s) k))
-    (list n k (series->formula P (one-wave (length k) k (wave-cosine w) (wave-sine w))))))
+    (list n k (series->formula P (one-wave k (wave-cosine w) (wave-sine w))))))
 
 ;; ---------------------------------------------------------------------------
 ;; In words
 
 (define (perturbation->text P)
-  (define order (length (perturbation-Ws P)))
   (define lines
-    (for/list ([n (in-range (add1 order))])
-      (format "  order ~a: ~a" n
-              (value->text (series->formula P (list-ref (perturbation-terms P) n))))))
+    (for/list ([s (in-list (perturbation-terms P))] [n (in-naturals)])
+      (format "  order ~a: ~a" n (value->text (series->formula P s)))))
   (define divided
     (for/list ([d (in-list (remove-duplicates (map cdr (perturbation-divisors P))))])
       (format "  divided by: ~a, of the wave ~a" (value->text (cadr d)) (car d))))
@@ -117,7 +113,7 @@
     (for/list ([r (in-list (perturbation-resonances P))])
       (format "  resonance: ~a, kept in order ~a" (cadr r) (car r))))
   (apply string-append
-         (format "perturbation to order ~a~a" order
+         (format "perturbation to order ~a~a" (length (perturbation-Ws P))
                  (if (eqv? 1 (perturbation-parameter P))
                      ""
                      (format " in ~a" (value->text (perturbation-parameter P)))))

@@ -31,10 +31,8 @@
 (define (residual-of-functions N)
   (define (functions fs) (map (lambda (f) (polynomial-function N f)) fs))
   (define transformed
-    (for/fold ([terms (functions (normal-form-given N))])
-              ([W (in-list (normal-form-generators N))] [n (in-naturals 1)])
-      (define L (Lie-derivative W))
-      (exponentiate terms n W (lambda (F W) (L F)) g:+ g:*)))
+    (carry (functions (normal-form-given N)) (map Lie-derivative (normal-form-generators N))
+           (lambda (F L) (L F)) g:+ g:*))
   (define-values (kept state)
     (values (functions (normal-form-terms N)) (normal-form-state N)))
   (define with-oscillators (Lie-derivative (car kept)))
@@ -45,7 +43,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Rounded numbers
 
-;; What is less than that part of its majorant may be rounding.
+;; A coefficient below this part of its majorant may be rounding.
 (define rounded 1e-13)
 
 (define (residual-of-numbers N)
@@ -62,9 +60,8 @@
 ;; -> H transformed, the normal form, and its brackets with the oscillators
 (define (claims N seen n bracket)
   (define transformed
-    (for/fold ([terms (map seen (normal-form-given N))])
-              ([W (in-list (normal-form-Ws N))] [order (in-naturals 1)])
-      (exponentiate terms order (seen W) bracket polynomial-sum polynomial-scale)))
+    (carry (map seen (normal-form-given N)) (map seen (normal-form-Ws N))
+           bracket polynomial-sum polynomial-scale))
   (define kept (map seen (normal-form-terms N)))
   (values transformed kept (for/list ([K (in-list kept)]) (bracket (car kept) K))))
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a perturbation claims, put to the test order by order.
+;; The claims of a perturbation, tested order by order.
 ;;
 ;; What was found by the algebra of waves is tested by Lie derivatives and brackets of functions,
 ;; which know nothing of waves:
@@ -40,8 +40,8 @@
           (listed 'inverse 1 round-trips)))
 
 ;; values : perturbation -> list of values that are to be 0;  -> their verdicts
-;; What holds for all numbers in the place of decimals is proved for them; of what does not, or
-;; rests on what these are, the verdict is that on the decimals themselves.
+;; A claim that holds for all numbers in the place of decimals is proved for them; of one that does
+;; not, or rests on their values, the verdict is that on the decimals themselves.
 (define (judged P values)
   (define decimals (perturbation-decimals P))
   (define as-given (once (lambda () (values P))))
@@ -51,15 +51,11 @@
            (define v (zero-at P x))
            (if (settled? v (map car decimals)) v (zero-at P (list-ref (as-given) n))))]))
 
-;; What is too large with names is so with decimals, after longer.
+;; A value that is too large with names is too large with decimals, too, after a longer time.
 (define (settled? v names)
-  (or (and (proved? v) (not (mentions-any? (verdict-assumptions v) names)))
+  (or (and (proved? v)
+           (not (ormap (lambda (name) (memq name names)) (flatten (verdict-assumptions v)))))
       (eq? (verdict-reason v) 'too-large)))
-
-(define (mentions-any? datum names)
-  (if (pair? datum)
-      (or (mentions-any? (car datum) names) (mentions-any? (cdr datum) names))
-      (and (memq datum names) #t)))
 
 (define (zero-at P value)
   (prove-zero value #:variables (scalars (perturbation-state P))))
@@ -68,9 +64,8 @@
 
 ;; The terms of exp(± …) F of functions, by their Lie derivatives
 (define (carried-functions P terms sign)
-  (for/fold ([terms terms]) ([entry (in-list (numbered (perturbation-generators P) sign))])
-    (define L (Lie-derivative (cdr entry)))
-    (exponentiate terms (car entry) (cdr entry) (lambda (F W) (L F)) g:+ g:* #:sign sign)))
+  (carry terms (map Lie-derivative (perturbation-generators P)) (lambda (F L) (L F)) g:+ g:*
+         #:sign sign))
 
 ;; ---------------------------------------------------------------------------
 ;; The claims, each a list of values that are to be 0
@@ -105,15 +100,15 @@
 ;; miss that by
 (define (round-trips P)
   (define (back terms) (carried-functions P terms -1))
-  (define (told sign) (for/list ([terms (in-list (images P sign))]) (functions P terms)))
-  (define nothings (for/list ([_ (in-list (perturbation-Ws P))]) nothing))
-  (define ends (map back (told 1)))
+  (define (by-formulas sign) (for/list ([terms (in-list (images P sign))]) (functions P terms)))
+  (define nothings (map (lambda (W) nothing) (perturbation-Ws P)))
+  (define ends (map back (by-formulas 1)))
   (define inverse (for/list ([f (in-list (parts-of-state P))]) (back (cons f nothings))))
   (define state (perturbation-state P))
   (define (at m) (lambda (terms) ((list-ref terms m) state)))
   (for/list ([m (in-range 1 (length (perturbation-terms P)))])
     (apply up (append (map (at m) ends)
-                      (map g:- (map (at m) inverse) (map (at m) (told -1)))))))
+                      (map g:- (map (at m) inverse) (map (at m) (by-formulas -1)))))))
 
 ;; Each angle and each action as a function of the state
 (define (parts-of-state P)

@@ -3,12 +3,12 @@
 ;;
 ;; H = H₀(I) + ε H₁(θ, I) + ε² H₂(θ, I) + ⋯ with waves in the angles θ is transformed, order by
 ;; order, to one without angles (../Lie/Lie-triangle.rkt, homological.rkt).  What can not be
-;; removed, or is not to be, stays: resonances.  All that was divided by is kept with the answer,
-;; for where it is small the answer is worth nothing.
+;; removed, or is not to be, stays: resonances.  All divisors are kept with the answer, for where
+;; one is small the answer is worth nothing.
 
 (require "../Lie/Lie-triangle.rkt" "Poisson-series.rkt" "found-perturbation.rkt" "homological.rkt"
          "named-decimals.rkt" "unperturbed.rkt"
-         "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
+         "../../algebra/expression/symbols.rkt"
          "../../calculus/expression-function.rkt"
          "../../error/complain.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
@@ -55,7 +55,7 @@
     (and ratio (equal? k (map (lambda (y) (* ratio y)) r)))))
 
 ;; ---------------------------------------------------------------------------
-;; What is given
+;; The arguments
 
 (define (check-arguments who given state order)
   (for ([H (in-list given)]) (check-Hamiltonian who H))
@@ -68,18 +68,16 @@
     (check-parameters who H state "state"))
   (check-unperturbed who (car given) state))
 
-;; ε is nothing that the Hamiltonians are made of.
+;; ε must not stand in the Hamiltonians.
 (define (check-parameter who parameter given state)
   (unless (scalar? parameter)
     (complain who "the parameter is a number or a symbol; given ~a"
               (describe-with-value parameter)))
-  (when (and (symbol? parameter)
-             (for/or ([e (in-list (cons state (map (lambda (H) (H state)) given)))])
-               (for/or ([x (in-list (scalars e))]) (occurs-in? parameter x))))
+  (when (for*/or ([e (in-list (cons state (map (lambda (H) (H state)) given)))]
+                  [x (in-list (scalars e))])
+          (and (symbol? parameter) (occurs? parameter x)))
     (complain who "the parameter ~a stands in the state or in a Hamiltonian, too; #:parameter ~a"
               parameter "gives it another name")))
-
-(define (occurs-in? name x) (or (eq? name x) (and (expression? x) (occurs? name x))))
 
 (define (check-resonances who resonances n)
   (unless (and (list? resonances)
@@ -108,7 +106,7 @@
           [else (zero-series (length angles))])))
 
 (define (check-time who H e t)
-  (when (and (expression? e) (symbol? t) (occurs? t (simplify-strictly e)))
+  (when (and (symbol? t) (occurs? t (simplify-strictly e)))
     (complain who
               (string-append "~a depends on the time ~a: periodic-extension makes it an angle"
                              "\n  its value: ~a")

@@ -4,9 +4,10 @@
 ;; Near k·ω(I) = 0 the wave k of the perturbation, V cos(k·θ − δ), turns slowly.  Moved along k,
 ;; I = I* + J k, the rest of H₀ + V cos is a pendulum, A J²/2 + V cos ψ with A = k·∂²H₀·k, whose
 ;; separatrix is 2 √(V/A) high on either side: momenta are moved by up to that times k.
-;; Resonances of which the widths overlap make the motion chaotic (Chirikov 1979).
+;; Resonances whose widths overlap make the motion chaotic (Chirikov 1979).
 
-(require "Poisson-series.rkt" "unperturbed.rkt"
+(require (only-in racket/list append-map list-set)
+         "Poisson-series.rkt" "unperturbed.rkt"
          "../../calculus/derivative.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
@@ -14,7 +15,8 @@
          "../../generic/wrong-argument.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
          "../../lagrangian/local-tuple.rkt"
-         "../../value/shape.rkt" "../../value/simplify.rkt")
+         "../../value/filled-shape.rkt" "../../value/shape.rkt" "../../value/simplify.rkt"
+         "../../value/symbols-like.rkt")
 
 (provide resonance-width resonance-center)
 
@@ -30,21 +32,17 @@
   (when (g:zero? A)
     (complain 'resonance-width
               "the frequency of the wave ~a does not change along it: no pendulum bounds it" k))
-  (define (at e) (apply substitute e (interleave names (scalars state))))
+  (define (at e) (apply substitute e (append-map list names (scalars state))))
   (define V (g:sqrt (g:+ (g:square (at (wave-cosine wave))) (g:square (at (wave-sine wave))))))
   (define half (g:* 2 (g:sqrt (g:abs (g:/ V A)))))
-  (scalars->structure (momentum state) (lambda (j) (g:* half (abs (list-ref k j))))))
-
-(define (interleave names values)
-  (apply append (for/list ([n (in-list names)] [v (in-list values)]) (list n v))))
+  (list->structure (momentum state) (for/list ([i (in-list k)]) (g:* half (abs i)))))
 
 ;; k·∂²H₀/∂I²·k
 (define (curvature H0 k state)
-  (define direction (scalars->structure (momentum state) (lambda (j) (list-ref k j))))
-  (((lambda (f) (lambda (x) (derivative-at (lambda (x) (derivative-at f x)) x)))
-    (lambda (x) (H0 (up (time state) (coordinate state)
-                        (g:+ (momentum state) (g:* x direction))))))
-   0))
+  (define direction (list->structure (momentum state) k))
+  (define (energy x)
+    (H0 (up (time state) (coordinate state) (g:+ (momentum state) (g:* x direction)))))
+  (derivative-at (lambda (x) (derivative-at energy x)) 0))
 
 ;; A state of symbols, spelt as in messages: those of the state, or t, q and p with indices
 (define (symbolic-state state)
@@ -70,7 +68,7 @@
   (unless (and (exact-nonnegative-integer? j) (< j (length I)))
     (complain-of-argument who (format "the index of a momentum, below ~a" (length I)) j))
   (define (slope x)
-    (define p (scalars->structure (momentum state) (lambda (i) (if (= i j) x (list-ref I i)))))
+    (define p (list->structure (momentum state) (list-set I j x)))
     (define omegas
       (scalars (derivative-at (lambda (p) (H0 (up (time state) (coordinate state) p))) p)))
     (for/fold ([sum 0]) ([n (in-list k)] [omega (in-list omegas)]) (g:+ sum (g:* n omega))))
@@ -97,7 +95,7 @@
 ;; -> symbols, and the wave of H1 at these
 (define (wave-of who H1 k state)
   (check-H-state who state)
-  (define place (scalars->structure state (lambda (i) (string->uninterned-symbol "x"))))
+  (define place (symbols-like state "x"))
   (define angles (scalars (coordinate place)))
   (check-integers who k (length angles))
   (define (fail part)

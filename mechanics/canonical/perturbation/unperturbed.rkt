@@ -1,7 +1,7 @@
 #lang racket/base
-;; Hamiltonians of the momenta alone: what is perturbed.
+;; The Hamiltonian without the perturbation, a function of the momenta alone.
 
-(require "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
+(require "../../algebra/expression/symbols.rkt"
          "../../error/complain.rkt"
          "../../generic/describe.rkt"
          "../../lagrangian/local-tuple.rkt"
@@ -13,7 +13,7 @@
 (define (check-unperturbed who H0 state)
   (define e (simplify-strictly (H0 state)))
   (for ([angle (in-list (scalars (coordinate state)))]
-        #:when (and (expression? e) (occurs? angle e)))
+        #:when (occurs? angle e))
     (complain who
               (string-append "the Hamiltonian without the perturbation is to depend on the momenta "
                              "alone, but ~a depends on the angle ~a\n  its value: ~a"
