@@ -16,7 +16,7 @@
 (require "../calculus/elliptic.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
+         "../generic/elementary.rkt" "../generic/printed-function.rkt" "../generic/scalar.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          "../numeric/constants.rkt")
@@ -29,17 +29,13 @@
          pendulum-oscillating-action pendulum-circulating-action pendulum-separatrix-action
          gudermannian inverse-gudermannian
          ;; for phases and series
-         modulus swinging? check-swinging check-turning number-of)
-
-;; A function of the state, or of the time, that prints as its call.
-(define-syntax-rule (function-of (x) (name argument ...) body ...)
-  (unary-function (lambda () (list 'name (value->datum argument) ...)) (x) body ...))
+         modulus turning-modulus omega-0 omega-R swinging? check-swinging check-turning number-of)
 
 ;; ---------------------------------------------------------------------------
 ;; Energy and motion
 
 (define (Hpendulum alpha beta)
-  (function-of (state) (Hpendulum alpha beta)
+  (printed-function (Hpendulum alpha beta) (state)
     (check-H-state 'Hpendulum state)
     (g:- (g:/ (g:square (momentum state)) (g:* 2 alpha))
          (g:* beta (g:cos (coordinate state))))))
@@ -61,16 +57,13 @@
     (complain who "on the separatrix, with the energy beta, there is no period; given ~a" E))
   (< e b))
 
-;; r : x as a number, where it is one
-(define (check-positive who what x r)
-  (when (and (number? r) (not (and (real? r) (> r 0))))
-    (complain who "~a is positive; given ~a" what (describe-with-value x)))
-  (unless (scalar? x)
-    (complain who "~a is a number or a symbol; given ~a" what (describe-with-value x))))
-
 (define (check-parameters who alpha beta)
-  (check-positive who "alpha" alpha (comparand alpha))
-  (check-positive who "beta" beta (comparand beta)))
+  (for ([x (in-list (list alpha beta))] [name (in-list '(alpha beta))])
+    (define r (comparand x))
+    (when (and (number? r) (not (and (real? r) (> r 0))))
+      (complain who "~a is positive; given ~a" name (describe-with-value x)))
+    (unless (scalar? x)
+      (complain who "~a is a number or a symbol; given ~a" name (describe-with-value x)))))
 
 (define (check-swinging who alpha beta E)
   (unless (swinging? who alpha beta E)
@@ -82,8 +75,9 @@
     (complain who "with an energy of less than beta the pendulum swings; given ~a, with beta = ~a"
               E beta)))
 
-;; The k of swings, and 1/k of turns
+;; The k of swings, and that of turns, its inverse
 (define (modulus beta E) (g:sqrt (g:/ (g:+ E beta) (g:* 2.0 beta))))
+(define (turning-modulus beta E) (g:/ 1 (modulus beta E)))
 
 (define (omega-0 alpha beta) (g:sqrt (g:/ beta alpha)))
 (define (omega-R alpha beta E) (g:sqrt (g:/ (g:+ E beta) (g:* 2.0 alpha))))
@@ -102,7 +96,7 @@
 
 (define (pendulum-circulating-frequency alpha beta E)
   (check-turning 'pendulum-circulating-frequency alpha beta E)
-  (g:/ (g:* pi (omega-R alpha beta E)) (first-elliptic-integral (g:/ 1 (modulus beta E)))))
+  (g:/ (g:* pi (omega-R alpha beta E)) (first-elliptic-integral (turning-modulus beta E))))
 
 (define (pendulum-oscillating-action alpha beta E)
   (check-swinging 'pendulum-oscillating-action alpha beta E)
@@ -114,10 +108,10 @@
 
 (define (pendulum-circulating-action alpha beta E)
   (check-turning 'pendulum-circulating-action alpha beta E)
-  (define k (g:/ 1 (modulus beta E)))
+  (define k (turning-modulus beta E))
   (g:/ (g:* (/ 4.0 pi) (g:sqrt (g:* alpha beta)) (second-elliptic-integral k)) k))
 
-;; That of the whole region in which it swings
+;; The action of the separatrix, which encloses all states in which the pendulum swings
 (define (pendulum-separatrix-action alpha beta)
   (check-parameters 'pendulum-separatrix-action alpha beta)
   (g:* (/ 8.0 pi) (g:sqrt (g:* alpha beta))))
@@ -128,44 +122,44 @@
 (define (pendulum-oscillating-angle alpha beta E)
   (check-swinging 'pendulum-oscillating-angle alpha beta E)
   (define k (modulus beta E))
-  (function-of (t) (pendulum-oscillating-angle alpha beta E)
+  (printed-function (pendulum-oscillating-angle alpha beta E) (t)
     (Jacobi-elliptic-functions (g:* (omega-0 alpha beta) t) k
                                (lambda (sn cn dn) (g:* 2.0 (g:asin (g:* k sn)))))))
 
 (define (pendulum-oscillating-angular-momentum alpha beta E)
   (check-swinging 'pendulum-oscillating-angular-momentum alpha beta E)
   (define-values (k omega) (values (modulus beta E) (omega-0 alpha beta)))
-  (function-of (t) (pendulum-oscillating-angular-momentum alpha beta E)
+  (printed-function (pendulum-oscillating-angular-momentum alpha beta E) (t)
     (Jacobi-elliptic-functions (g:* omega t) k
                                (lambda (sn cn dn) (g:* 2.0 alpha omega k cn)))))
 
 ;; Between −π and π, of the turn that t is in
 (define (pendulum-circulating-angle alpha beta E)
   (check-turning 'pendulum-circulating-angle alpha beta E)
-  (function-of (t) (pendulum-circulating-angle alpha beta E)
+  (printed-function (pendulum-circulating-angle alpha beta E) (t)
     (in-turn alpha beta E t (lambda (sn cn dn) (g:* 2.0 (g:asin sn))))))
 
 (define (pendulum-circulating-angular-momentum alpha beta E)
   (check-turning 'pendulum-circulating-angular-momentum alpha beta E)
-  (function-of (t) (pendulum-circulating-angular-momentum alpha beta E)
+  (printed-function (pendulum-circulating-angular-momentum alpha beta E) (t)
     (in-turn alpha beta E t
              (lambda (sn cn dn) (g:* 2.0 alpha (omega-R alpha beta E) dn)))))
 
 (define (in-turn alpha beta E t receive)
   (define omega (omega-R alpha beta E))
-  (define k (g:/ 1 (modulus beta E)))
+  (define k (turning-modulus beta E))
   (define period (g:/ (g:* 2.0 (first-elliptic-integral k)) omega))
   (define turns (round (number-of 'pendulum-circulating-angle "the time" (g:/ t period))))
   (Jacobi-elliptic-functions (g:* omega (g:- t (g:* turns period))) k receive))
 
 (define (pendulum-separatrix-angle alpha beta)
   (check-parameters 'pendulum-separatrix-angle alpha beta)
-  (function-of (t) (pendulum-separatrix-angle alpha beta)
+  (printed-function (pendulum-separatrix-angle alpha beta) (t)
     (g:* 2 (gudermannian (g:* (omega-0 alpha beta) t)))))
 
 (define (pendulum-separatrix-angular-momentum alpha beta)
   (check-parameters 'pendulum-separatrix-angular-momentum alpha beta)
-  (function-of (t) (pendulum-separatrix-angular-momentum alpha beta)
+  (printed-function (pendulum-separatrix-angular-momentum alpha beta) (t)
     (g:/ (g:* 2 (g:sqrt (g:* alpha beta))) (g:cosh (g:* (omega-0 alpha beta) t)))))
 
 ;; gd x = ∫ dx/cosh x = 2 atan eˣ − π/2

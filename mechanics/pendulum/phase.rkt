@@ -9,7 +9,7 @@
          "../calculus/elliptic.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/function.rkt" "../generic/on-demand.rkt"
+         "../generic/elementary.rkt" "../generic/on-demand.rkt" "../generic/printed-function.rkt"
          "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
@@ -25,12 +25,15 @@
          pendulum-circulating-state-to-aa-state pendulum-circulating-aa-state-to-state
          pendulum-state-to-global-aa-state pendulum-global-aa-state-to-state
          ;; for motions
-         of-state energy at-rest? in-turn mirrored downwards?)
+         define-of-state energy at-rest? in-turn mirrored downwards?)
 
-(define-syntax-rule (of-state (state) (name argument ...) body ...)
-  (unary-function (lambda () (list 'name (value->datum argument) ...)) (state)
-    (check-H-state 'name state)
-    body ...))
+;; (define-of-state (name argument ...) (state) body ...) : name, of the arguments, is a function
+;; of the state that prints as its call
+(define-syntax-rule (define-of-state (name argument ...) (state) body ...)
+  (define (name argument ...)
+    (printed-function (name argument ...) (state)
+      (check-H-state 'name state)
+      body ...)))
 
 (define (energy alpha beta state) ((Hpendulum alpha beta) state))
 (define in-turn (principal-value :pi))
@@ -39,9 +42,8 @@
 ;; Phases
 
 ;; The time since θ = 0 with p > 0
-(define (pendulum-oscillating-dt alpha beta)
-  (of-state (state) (pendulum-oscillating-dt alpha beta)
-    (time-of-swing 'pendulum-oscillating-dt alpha beta state)))
+(define-of-state (pendulum-oscillating-dt alpha beta) (state)
+  (time-of-swing 'pendulum-oscillating-dt alpha beta state))
 
 (define (time-of-swing who alpha beta state)
   (define E (energy alpha beta state))
@@ -49,12 +51,12 @@
   (when (at-rest? who beta E) (complain who "a pendulum at rest has no phase"))
   (define k (modulus beta E))
   (define s (g:/ (g:sin (g:* 1/2 (in-turn (coordinate state)))) k))
-  (define dt (g:/ (elliptic-integral-F (asin-within s) k) (g:sqrt (g:/ beta alpha))))
-  (if (negative? (number-of who "the momentum" (momentum state)))
+  (define dt (g:/ (elliptic-integral-F (asin-within s) k) (omega-0 alpha beta)))
+  (if (downwards? who state)
       (g:- (g:/ pi (pendulum-oscillating-frequency alpha beta E)) dt)
       dt))
 
-;; Rounding may take the sine of the greatest angle beyond 1.
+;; asin s; ±π/2 where rounding took the sine of the greatest angle beyond 1
 (define (asin-within s)
   (define r (comparand s))
   (if (and (real? r) (>= (abs r) 1)) (if (> r 0) :pi/2 (- :pi/2)) (g:asin s)))
@@ -62,17 +64,16 @@
 (define (at-rest? who beta E)
   (= (number-of who "the energy" E) (- (number-of who "beta" beta))))
 
-(define (pendulum-circulating-dt alpha beta)
-  (of-state (state) (pendulum-circulating-dt alpha beta)
-    (time-of-turn 'pendulum-circulating-dt alpha beta state)))
+(define-of-state (pendulum-circulating-dt alpha beta) (state)
+  (time-of-turn 'pendulum-circulating-dt alpha beta state))
 
 (define (time-of-turn who alpha beta state)
   (define E (energy alpha beta state))
   (check-turning who alpha beta E)
   (when (downwards? who state) (raise-downwards who state))
-  (define k (g:/ 1 (modulus beta E)))
-  (define u (elliptic-integral-F (g:* 1/2 (in-turn (coordinate state))) k))
-  (g:/ u (g:sqrt (g:/ (g:+ E beta) (g:* 2.0 alpha)))))
+  (define u
+    (elliptic-integral-F (g:* 1/2 (in-turn (coordinate state))) (turning-modulus beta E)))
+  (g:/ u (omega-R alpha beta E)))
 
 (define (raise-downwards who state)
   (complain who
@@ -82,13 +83,11 @@
             (value->text state)))
 
 ;; The angle, between −π and π
-(define (pendulum-oscillating-phase alpha beta)
-  (of-state (state) (pendulum-oscillating-phase alpha beta)
-    (phase 'pendulum-oscillating-phase alpha beta state time-of-swing)))
+(define-of-state (pendulum-oscillating-phase alpha beta) (state)
+  (phase 'pendulum-oscillating-phase alpha beta state time-of-swing))
 
-(define (pendulum-circulating-phase alpha beta)
-  (of-state (state) (pendulum-circulating-phase alpha beta)
-    (phase 'pendulum-circulating-phase alpha beta state time-of-turn)))
+(define-of-state (pendulum-circulating-phase alpha beta) (state)
+  (phase 'pendulum-circulating-phase alpha beta state time-of-turn))
 
 (define (phase who alpha beta state time-of)
   (define dt (time-of who alpha beta state))
@@ -98,23 +97,23 @@
 ;; Energies of actions
 
 (define (pendulum-oscillating-action-to-E alpha beta)
-  (unary-function (name-of 'pendulum-oscillating-action-to-E alpha beta) (action)
+  (printed-function (pendulum-oscillating-action-to-E alpha beta) (action)
     (check-action 'pendulum-oscillating-action-to-E action 0
                   (pendulum-separatrix-action alpha beta))
-    ;; E = β (2 k² − 1), and the action grows with k
     (define (E k) (g:* beta (g:- (g:* 2 (g:square k)) 1)))
-    (E (find-root (lambda (k) (g:- (pendulum-oscillating-action alpha beta (E k)) action))
-                  1e-9 (- 1 1e-12)))))
+    (energy-of-action pendulum-oscillating-action alpha beta action E 1e-9)))
 
 (define (pendulum-circulating-action-to-E alpha beta)
-  (unary-function (name-of 'pendulum-circulating-action-to-E alpha beta) (action)
+  (printed-function (pendulum-circulating-action-to-E alpha beta) (action)
     (check-action 'pendulum-circulating-action-to-E action
                   (g:* 1/2 (pendulum-separatrix-action alpha beta)) +inf.0)
     (define (E k) (g:* beta (g:- (g:/ 2 (g:square k)) 1)))
-    (E (find-root (lambda (k) (g:- (pendulum-circulating-action alpha beta (E k)) action))
-                  1e-6 (- 1 1e-12)))))
+    (energy-of-action pendulum-circulating-action alpha beta action E 1e-6)))
 
-(define ((name-of who . arguments)) (cons who (map value->datum arguments)))
+;; The energy E(k) with the action, k being between `least` and 1, on which the action depends
+;; monotonically
+(define (energy-of-action action-at alpha beta action E least)
+  (E (find-root (lambda (k) (g:- (action-at alpha beta (E k)) action)) least (- 1 1e-12))))
 
 (define (check-action who action low high)
   (define J (number-of who "the action" action))
@@ -124,30 +123,26 @@
 ;; ---------------------------------------------------------------------------
 ;; Action-angle states
 
-(define (pendulum-oscillating-state-to-aa-state alpha beta)
-  (of-state (state) (pendulum-oscillating-state-to-aa-state alpha beta)
-    (aa-state 'pendulum-oscillating-state-to-aa-state alpha beta state
-              time-of-swing pendulum-oscillating-action)))
+(define-of-state (pendulum-oscillating-state-to-aa-state alpha beta) (state)
+  (aa-state 'pendulum-oscillating-state-to-aa-state alpha beta state
+            time-of-swing pendulum-oscillating-action))
 
-(define (pendulum-circulating-state-to-aa-state alpha beta)
-  (of-state (state) (pendulum-circulating-state-to-aa-state alpha beta)
-    (aa-state 'pendulum-circulating-state-to-aa-state alpha beta state
-              time-of-turn pendulum-circulating-action)))
+(define-of-state (pendulum-circulating-state-to-aa-state alpha beta) (state)
+  (aa-state 'pendulum-circulating-state-to-aa-state alpha beta state
+            time-of-turn pendulum-circulating-action))
 
 (define (aa-state who alpha beta state time-of action)
   (up (time state)
       (phase who alpha beta state time-of)
       (action alpha beta (energy alpha beta state))))
 
-(define (pendulum-oscillating-aa-state-to-state alpha beta)
-  (of-state (state) (pendulum-oscillating-aa-state-to-state alpha beta)
-    (state-of-aa alpha beta state pendulum-oscillating-action-to-E pendulum-oscillating-frequency
-                 pendulum-oscillating-angle pendulum-oscillating-angular-momentum)))
+(define-of-state (pendulum-oscillating-aa-state-to-state alpha beta) (state)
+  (state-of-aa alpha beta state pendulum-oscillating-action-to-E pendulum-oscillating-frequency
+               pendulum-oscillating-angle pendulum-oscillating-angular-momentum))
 
-(define (pendulum-circulating-aa-state-to-state alpha beta)
-  (of-state (state) (pendulum-circulating-aa-state-to-state alpha beta)
-    (state-of-aa alpha beta state pendulum-circulating-action-to-E pendulum-circulating-frequency
-                 pendulum-circulating-angle pendulum-circulating-angular-momentum)))
+(define-of-state (pendulum-circulating-aa-state-to-state alpha beta) (state)
+  (state-of-aa alpha beta state pendulum-circulating-action-to-E pendulum-circulating-frequency
+               pendulum-circulating-angle pendulum-circulating-angular-momentum))
 
 (define (state-of-aa alpha beta state action-to-E frequency angle angular-momentum)
   (define E ((action-to-E alpha beta) (momentum state)))
@@ -164,33 +159,31 @@
 
 (define (downwards? who state) (negative? (number-of who "the momentum" (momentum state))))
 
-(define (pendulum-state-to-global-aa-state alpha beta)
+(define-of-state (pendulum-state-to-global-aa-state alpha beta) (state)
   (define who 'pendulum-state-to-global-aa-state)
-  (of-state (state) (pendulum-state-to-global-aa-state alpha beta)
-    (cond
-      [(swinging? who alpha beta (energy alpha beta state))
-       ((pendulum-oscillating-state-to-aa-state alpha beta) state)]
-      [else
-       (define down? (downwards? who state))
-       (define aa ((pendulum-circulating-state-to-aa-state alpha beta)
-                   (if down? (mirrored state) state)))
-       (define half (g:* 1/2 (coordinate aa)))
-       (up (time aa)
-           (if down? (in-turn (g:+ pi half)) half)
-           (g:* 2 (momentum aa)))])))
+  (cond
+    [(swinging? who alpha beta (energy alpha beta state))
+     ((pendulum-oscillating-state-to-aa-state alpha beta) state)]
+    [else
+     (define down? (downwards? who state))
+     (define aa ((pendulum-circulating-state-to-aa-state alpha beta)
+                 (if down? (mirrored state) state)))
+     (define half (g:* 1/2 (coordinate aa)))
+     (up (time aa)
+         (if down? (in-turn (g:+ pi half)) half)
+         (g:* 2 (momentum aa)))]))
 
-(define (pendulum-global-aa-state-to-state alpha beta)
+(define-of-state (pendulum-global-aa-state-to-state alpha beta) (state)
   (define who 'pendulum-global-aa-state-to-state)
-  (of-state (state) (pendulum-global-aa-state-to-state alpha beta)
-    (define-values (angle J) (values (in-turn (coordinate state)) (momentum state)))
-    (define separatrix (pendulum-separatrix-action alpha beta))
-    (cond
-      [(< (number-of who "the action" J) (number-of who "alpha" separatrix))
-       ((pendulum-oscillating-aa-state-to-state alpha beta) state)]
-      [else
-       (define down? (> (abs (number-of who "the angle" angle)) :pi/2))
-       (define turned ((pendulum-circulating-aa-state-to-state alpha beta)
-                       (up (time state)
-                           (g:* 2 (if down? (g:- angle pi) angle))
-                           (g:* 1/2 J))))
-       (if down? (mirrored turned) turned)])))
+  (define-values (angle J) (values (in-turn (coordinate state)) (momentum state)))
+  (define separatrix (pendulum-separatrix-action alpha beta))
+  (cond
+    [(< (number-of who "the action" J) (number-of who "alpha" separatrix))
+     ((pendulum-oscillating-aa-state-to-state alpha beta) state)]
+    [else
+     (define down? (> (abs (number-of who "the angle" angle)) :pi/2))
+     (define turned ((pendulum-circulating-aa-state-to-state alpha beta)
+                     (up (time state)
+                         (g:* 2 (if down? (g:- angle pi) angle))
+                         (g:* 1/2 J))))
+     (if down? (mirrored turned) turned)]))
