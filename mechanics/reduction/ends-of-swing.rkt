@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Where a coordinate turns back: the zero of R nearest to where it is, ahead.
 ;;
-;; It is looked for outwards in growing steps until R is below 0, then by halves.  What lies
-;; within a step is not passed over where its derivatives tell of it:
+;; It is looked for outwards in growing steps until R is below 0, then by halves.  Within a step
+;; derivatives tell of two things that must not be passed over:
 ;;
 ;;   a barrier    R falls at the beginning of the step and rises at its end: there is a least
 ;;                value between, which may be below 0

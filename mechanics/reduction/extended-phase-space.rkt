@@ -13,7 +13,7 @@
 
 (require "../canonical/transformation.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/printed-function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
@@ -25,7 +25,7 @@
 ;; ((extended-Hamiltonian H) (up s (up t q) (down p_t p))) = p_t + H(t, q, p)
 (define (extended-Hamiltonian H)
   (check-Hamiltonian 'extended-Hamiltonian H)
-  (unary-function (lambda () (list 'extended-Hamiltonian (value->datum H))) (state)
+  (printed-function (extended-Hamiltonian H) (state)
     (define inner (reduced 'extended-Hamiltonian state))
     (g:+ (s:ref (momentum state) 0) (H inner))))
 
@@ -34,7 +34,7 @@
   (define who 'extended-transformation)
   (check-transformation who C)
   (check-Hamiltonian who K)
-  (unary-function (lambda () (list who (value->datum C) (value->datum K))) (state)
+  (printed-function (extended-transformation C K) (state)
     (define inner (reduced who state))
     (define old (transformed who C inner))
     (up (time state)
@@ -47,8 +47,7 @@
   (when (or (not (scalar? omega)) (eqv? omega 0))
     (complain 'periodic-extension "the frequency is a number other than 0, or a symbol; given ~a"
               (describe-with-value omega)))
-  (unary-function (lambda () (list 'periodic-extension (value->datum H) (value->datum omega)))
-      (state)
+  (printed-function (periodic-extension H omega) (state)
     (define inner (reduced 'periodic-extension state))
     (g:+ (g:* omega (s:ref (momentum state) 0))
          (H (up (g:/ (time inner) omega) (coordinate inner) (momentum inner))))))
@@ -66,7 +65,7 @@
 (define (reduced who state)
   (check-H-state who state)
   (define q (coordinate state))
-  (unless (and (tuple? q) (= (structure-length (adopt q)) 2))
+  (unless (and (tuple? q) (= (s:length q) 2))
     (complain who
               (string-append "expected a state of the extended phase space, "
                              "(up s (up t q) (down p_t p)); given ~a")

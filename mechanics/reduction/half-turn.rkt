@@ -3,9 +3,9 @@
 ;; both ends.
 ;;
 ;; The mean of its values at evenly spaced v converges with all powers of the spacing, and none at
-;; an end is asked for.  But of an orbit that is nearly a line, as of a comet, f changes within a
-;; small part of the turn, next to an end, which even spacing does not find: there both
-;; quarters are integrated by panels that are halved where it changes.
+;; an end is asked for.  But for an orbit that is nearly a line, as that of a comet, f changes within
+;; a small part of the turn, next to an end, which even spacing does not find: there both quarters
+;; are integrated by panels that are halved where f changes.
 ;;
 ;; f is two functions, of the distance from either end: near it that has all its digits.
 
@@ -29,12 +29,12 @@
       (+ sum (from-low v) (from-high v))))
   (let double ([n fewest] [before +inf.0])
     (define value (average n))
-    (define error (abs (- value before)))
-    (cond [(<= error (* closeness (abs value))) value]
+    (define change (abs (- value before)))
+    (cond [(<= change (* closeness (abs value))) value]
           [(and (= n many) (average-by-panels from-low from-high))]
           [(< n most) (double (* 2 n) value)]
-          [(<= error (* noise (abs value))) value]
-          [else (fail value error)])))
+          [(<= change (* noise (abs value))) value]
+          [else (fail value change)])))
 
 ;; #f where panels do not help, as against rounding
 (define (average-by-panels from-low from-high)

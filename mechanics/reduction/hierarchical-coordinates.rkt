@@ -39,7 +39,7 @@
   (check-links who (length masses) links)
   (for/fold ([made '()] [masses masses] #:result (values (reverse made) masses))
             ([jk (in-list links)])
-    (define-values (j k) (values (first jk) (second jk)))
+    (define-values (j k) (apply values jk))
     (define-values (mj mk) (values (list-ref masses j) (list-ref masses k)))
     (values (cons (link j k mj mk) made)
             (put masses j (g:/ (g:* mj mk) (g:+ mj mk)) k (g:+ mj mk)))))
@@ -57,9 +57,9 @@
           (put ps j (g:/ (g:- (g:* mj pk) (g:* mk pj)) M) k (g:+ pj pk))))
 
 (define (part l xs ps)
-  (define-values (j k) (values (link-j l) (link-k l)))
-  (define M (g:+ (link-mj l) (link-mk l)))
-  (define-values (share-j share-k) (values (g:/ (link-mj l) M) (g:/ (link-mk l) M)))
+  (define-values (j k mj mk) (values (link-j l) (link-k l) (link-mj l) (link-mk l)))
+  (define M (g:+ mj mk))
+  (define-values (share-j share-k) (values (g:/ mj M) (g:/ mk M)))
   (define-values (x X p P)
     (values (list-ref xs j) (list-ref xs k) (list-ref ps j) (list-ref ps k)))
   (values (put xs j (g:- X (g:* share-k x)) k (g:+ X (g:* share-j x)))
@@ -94,11 +94,11 @@
 ;; The index of the coordinate that is the centre of mass of n bodies, or #f if none is
 (define (center-of-mass-of-links n links)
   (check-links 'center-of-mass-of-links n links)
-  (define members                 ; whose centre of mass it is; #f of a way
+  (define members         ; the bodies whose centre of mass a coordinate is; #f for a way
     (for/fold ([members (build-list n list)]) ([jk (in-list links)])
-      (define-values (of-j of-k) (values (list-ref members (first jk))
-                                         (list-ref members (second jk))))
-      (put members (first jk) #f (second jk) (and of-j of-k (append of-j of-k)))))
+      (define-values (j k) (apply values jk))
+      (define-values (of-j of-k) (values (list-ref members j) (list-ref members k)))
+      (put members j #f k (and of-j of-k (append of-j of-k)))))
   (index-where members (lambda (m) (and m (= (length m) n)))))
 
 ;; ---------------------------------------------------------------------------
@@ -109,10 +109,9 @@
           (lambda (ms M xs ps)
             (define-values (X P) (values (car xs) (car ps)))
             (define x0 (g:- X (g:/ (sum-of-products (cdr ms) (cdr xs)) M)))
-            (define p (for/list ([m (in-list (cdr ms))] [p (in-list (cdr ps))])
-                        (g:+ p (g:* (g:/ m M) P))))
+            (define others (shared-momenta g:+ ms M P ps))
             (values (cons x0 (map (lambda (x) (g:+ x x0)) (cdr xs)))
-                    (cons (for/fold ([p0 P]) ([p (in-list p)]) (g:- p0 p)) p)))))
+                    (cons (for/fold ([p0 P]) ([p (in-list others)]) (g:- p0 p)) others)))))
 
 (define (heliocentric-canonical-inverse masses)
   (of-Sun 'heliocentric-canonical-inverse masses
@@ -120,8 +119,12 @@
             (define P (for/fold ([P (car ps)]) ([p (in-list (cdr ps))]) (g:+ P p)))
             (values (cons (g:/ (sum-of-products ms xs) M)
                           (map (lambda (x) (g:- x (car xs))) (cdr xs)))
-                    (cons P (for/list ([m (in-list (cdr ms))] [p (in-list (cdr ps))])
-                              (g:- p (g:* (g:/ m M) P))))))))
+                    (cons P (shared-momenta g:- ms M P ps))))))
+
+;; p ± m/M P for all bodies but the first
+(define (shared-momenta combine ms M P ps)
+  (for/list ([m (in-list (cdr ms))] [p (in-list (cdr ps))])
+    (combine p (g:* (g:/ m M) P))))
 
 (define (of-Sun who masses f)
   (define ms (mass-list who masses))
@@ -133,14 +136,14 @@
     (g:+ sum (g:* m x))))
 
 ;; ---------------------------------------------------------------------------
-;; What is given
+;; The arguments
 
 ;; f : coordinates and momenta of n bodies, lists -> the same
 (define (of-bodies who n datum f)
   (unary-function (lambda () datum) (state)
     (check-H-state who state)
     (define-values (q p) (values (coordinate state) (momentum state)))
-    (unless (and (tuple? q) (= (structure-length (adopt q)) n))
+    (unless (and (tuple? q) (= (s:length q) n))
       (complain who
                 (string-append "expected the state of ~a bodies, as there are ~a masses: "
                                "(up t (up x0 x1 ...) (down p0 p1 ...)); given ~a")
@@ -149,7 +152,7 @@
     (up (time state) (list->up xs) (list->down ps))))
 
 (define (mass-list who masses)
-  (define ms (if (tuple? masses) (structure->list (adopt masses)) masses))
+  (define ms (if (tuple? masses) (structure->list masses) masses))
   (unless (and (list? ms) (andmap scalar? ms) (>= (length ms) 2))
     (complain who "expected the masses of the bodies, a list of at least two; given ~a"
               (describe-with-value masses)))

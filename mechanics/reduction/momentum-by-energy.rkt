@@ -11,12 +11,10 @@
 
 ;; f : at symbols, p a symbol of its own -> 0, 1 or 2; #f if it is of another degree or none
 (define (degree-in f p)
-  (define slope (derivative-at f p))
-  (define bend (derivative-at (lambda (p) (derivative-at f p)) p))
-  (define third
-    (derivative-at (lambda (p) (derivative-at (lambda (p) (derivative-at f p)) p)) p))
-  (define (none? x) (eqv? 0 (simplify-strictly x)))
-  (cond [(not (none? third)) #f]
+  (define (slope p) (derivative-at f p))
+  (define (bend p) (derivative-at slope p))
+  (define (none? derivative) (eqv? 0 (simplify-strictly (derivative p))))
+  (cond [(not (none? (lambda (p) (derivative-at bend p)))) #f]
         [(not (none? bend)) 2]
         [(not (none? slope)) 1]
         [else 0]))

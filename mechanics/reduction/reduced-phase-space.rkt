@@ -9,14 +9,16 @@
 ;; What is left is the shape of the orbit.  Of two such momenta the greater one is taken, that of
 ;; motion forwards where the kinetic energy is a square; or, asked for, the lesser.
 
-(require "momentum-by-energy.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+(require (only-in racket/list split-at)
+         "momentum-by-energy.rkt"
+         "../algebra/expression/symbols.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/simplify.rkt" "../value/structure.rkt"
+         "../value/by-shape.rkt" "../value/filled-shape.rkt" "../value/simplify.rkt"
+         "../value/structure.rkt"
          "../value/symbols-like.rkt")
 
 (provide reduced-Hamiltonian state->reduced-state)
@@ -26,7 +28,8 @@
   (define who 'reduced-Hamiltonian)
   (check-Hamiltonian who H)
   (check-index who k)
-  (define degree-at (settled-by-shape (lambda (state) (degree-of who H k state))))
+  (define degree-at
+    (by-shape (lambda (state) (degree-of who H k state)) #:lasting? (lambda (degree) #t)))
   (unary-function (lambda () (list who (value->datum H) k (value->datum E))) (state)
     (check-H-state who state)
     (check-place who k state)
@@ -40,38 +43,29 @@
   (unary-function (lambda () (list who k)) (state)
     (check-H-state who state)
     (define q (coordinate state))
-    (unless (and (tuple? q) (> (structure-length (adopt q)) (max k 1)))
+    (unless (and (tuple? q) (> (s:length q) (max k 1)))
       (complain who "there is no coordinate of index ~a beside others; given ~a" k
                 (describe-with-value state)))
     (up (s:ref q k) (without q k list->up) (without (momentum state) k list->down))))
 
-;; One of a single other coordinate is the number itself.
+;; The tuple x without component k; a single other component is no tuple.
 (define (without x k make)
-  (define rest (for/list ([e (in-list (structure->list x))] [i (in-naturals)]
-                          #:unless (= i k))
-                 e))
-  (if (null? (cdr rest)) (car rest) (make rest)))
+  (define-values (before after) (split-at (structure->list x) k))
+  (single-or make (append before (cdr after))))
 
 ;; p_k ↦ H, in the reduced state
-(define ((energy-by-momentum H k state) p)
-  (H (up 0
+(define ((energy-by-momentum H k state [t 0]) p)
+  (H (up t
          (with-inserted (coordinate state) k (time state) list->up)
          (with-inserted (momentum state) k p list->down))))
 
 (define (with-inserted rest k x make)
-  (define others (if (tuple? rest) (structure->list rest) (list rest)))
-  (make (let insert ([k k] [others others])
-          (if (= k 0) (cons x others) (cons (car others) (insert (sub1 k) (cdr others)))))))
+  (define-values (before after)
+    (split-at (if (tuple? rest) (structure->list rest) (list rest)) k))
+  (make (append before (cons x after))))
 
 ;; ---------------------------------------------------------------------------
-;; Of what degree is H in the momentum?  Asked once for states of a shape, at symbols.
-
-(define (settled-by-shape find)
-  (define known #f)             ; a state and what was found
-  (lambda (state)
-    (unless (and known (same-shape? (car known) state))
-      (set! known (cons state (find state))))
-    (cdr known)))
+;; The degree of H in the momentum, found once for states of a shape, at symbols
 
 (define (degree-of who H k state)
   (define place (symbols-like state "x"))
@@ -87,25 +81,23 @@
                     (value->text H))]))
 
 (define (check-time-free who H k place)
-  (define-values (t p) (values (string->uninterned-symbol "t") (string->uninterned-symbol "p")))
-  (define e
-    (simplify (H (up t (with-inserted (coordinate place) k (time place) list->up)
-                     (with-inserted (momentum place) k p list->down)))))
-  (when (and (expression? e) (occurs? t e))
+  (define t (string->uninterned-symbol "t"))
+  (define H-of-momentum (energy-by-momentum H k place t))
+  (when (occurs? t (simplify (H-of-momentum (string->uninterned-symbol "p"))))
     (complain who
               (string-append "~a depends on the time; extended-Hamiltonian makes the time "
                              "a coordinate first")
               (value->text H))))
 
 ;; ---------------------------------------------------------------------------
-;; What is given
+;; The arguments
 
 (define (check-index who k)
   (unless (exact-nonnegative-integer? k)
     (complain-of-argument who "the index of a coordinate" k)))
 
 (define (check-place who k state)
-  (define n (if (tuple? (coordinate state)) (structure-length (adopt (coordinate state))) 1))
+  (define n (s:length (coordinate state)))
   (when (> k n)
     (complain who
               (string-append "the reduced state (up x q p) has ~a ~a beside the one of index ~a, "

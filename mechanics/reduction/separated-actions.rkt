@@ -12,7 +12,8 @@
 ;; A coordinate that does not occur in H is an angle of 2π: its action is its momentum.
 ;; The frequencies are ∂E/∂Jᵢ, the row of the energy in the inverse of ∂J/∂α.
 
-(require "ends-of-swing.rkt" "half-turn.rkt" "momentum-by-energy.rkt" "separation.rkt" "separated-equation.rkt"
+(require (only-in racket/math sqr)
+         "ends-of-swing.rkt" "half-turn.rkt" "momentum-by-energy.rkt" "separation.rkt" "separated-equation.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
          (only-in "../canonical/closed-form.rkt" derivative-of)
@@ -21,7 +22,8 @@
          "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/filled-shape.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         (only-in "../value/structure.rkt" s:map/r)
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt")
 
 (provide separation-actions separation-frequencies)
@@ -31,17 +33,13 @@
 
 ;; Of the motion through a state of numbers, of the shape of the coordinates
 (define (separation-actions s state)
-  (define who 'separation-actions)
-  (define point (constants-at who s state))
-  (define actions (map action (swings who s point state)))
-  (like-coordinates s actions))
+  (like-coordinates s (map action (swings 'separation-actions s state))))
 
 (define (separation-frequencies s state)
-  (define who 'separation-frequencies)
-  (define point (constants-at who s state))
+  (define all (swings 'separation-frequencies s state))
   (define constants (separation-constants s))
   (define slopes
-    (for/list ([w (in-list (swings who s point state))])
+    (for/list ([w (in-list all)])
       (check-swinging w)
       (for/list ([c (in-list constants)]) (action-slope w c))))
   (define by-energy
@@ -49,8 +47,7 @@
                        (apply up 1.0 (map (lambda (_) 0.0) (cdr constants)))))
   (like-coordinates s (scalars by-energy)))
 
-(define (like-coordinates s values)
-  (scalars->structure (coordinate (separation-state s)) (lambda (k) (list-ref values k))))
+(define (like-coordinates s xs) (list->structure (coordinate (separation-state s)) xs))
 
 ;; -> ((constant . number) …)
 (define (constants-at who s state)
@@ -66,15 +63,14 @@
                 (value->text (separation-H s)) (car (symbols-in v))))
     (cons c (exact->inexact v))))
 
-;; Near an end what makes the energy is far greater than it.
+;; f without rounding: near an end the terms of the energy are far greater than their sum.
 (define (without-rounding f state)
-  (define xs (list->vector (scalars state)))
   (define (exactly x) (if (rational? x) (inexact->exact x) x))
   (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) (f state))])
-    (f (scalars->structure state (lambda (k) (exactly (vector-ref xs k)))))))
+    (f (s:map/r exactly state))))
 
-;; Of one energy all would be that of it, whatever the state; and what is linear in its momentum
-;; never turns.
+;; The energy must be a symbol: with a number all actions would be those of that energy, whatever
+;; the state.  A coordinate whose equation is linear in its momentum never turns back.
 (define (check-swings who s)
   (unless (symbol? (separation-energy s))
     (complain who (string-append "the separation is that of one energy, ~a; actions belong to one "
@@ -94,7 +90,8 @@
 ;; and the point are #f.
 (struct swing (who piece radicand start low high point) #:authentic)
 
-(define (swings who s point state)
+(define (swings who s state)
+  (define point (constants-at who s state))
   (for/list ([x (in-list (pieces-by-coordinate s))]
              [start (in-list (scalars (coordinate state)))])
     (if (piece-cyclic? x)
@@ -157,14 +154,14 @@
   (define R (number-function (swing-radicand w) (swing-piece w) (swing-point w)))
   (define-values (low high) (values (swing-low w) (swing-high w)))
   (define width (- high low))
-  (define (at q slope) (* (f (R q) q) slope))
+  (define ((from end step) v)
+    (define q (step end (* width (sqr (sin (* 0.5 v))))))
+    (* (f (R q) q) (* 0.5 width (sin v))))
   (average-over-half-turn
-   (lambda (v) (at (+ low (* width (square (sin (* 0.5 v))))) (* 0.5 width (sin v))))
-   (lambda (v) (at (- high (* width (square (sin (* 0.5 v))))) (* 0.5 width (sin v))))
-   (lambda (value error)
+   (from low +)
+   (from high -)
+   (lambda (value change)
      (raise-not-convergent
       (swing-who w)
       (format "the integral over the swing of ~a did not converge" (piece-q (swing-piece w)))
-      value error))))
-
-(define (square x) (* x x))
+      value change))))

@@ -24,7 +24,7 @@
 ;; in them that is equal to `constant`, or #f of the last one; cyclic? : is it p itself?
 (struct piece (q p equation constant integral cyclic?) #:authentic)
 
-;; What fell apart, and what is left: an equation in several (q . p)
+;; The pieces found, and the rest: an equation in several (q . p)
 (struct unsplit (pieces equation open) #:authentic)
 
 ;; G : an expression; qs, ps : symbols; (name q) : a symbol for a constant -> pieces or unsplit
@@ -64,17 +64,15 @@
 (define (parted-after G candidates f [open candidates])
   (define terms (terms-of (expanded (g:* f G))))
   (for/or ([o (in-list candidates)])
-    (define others (append* (for/list ([x (in-list open)] #:unless (eq? x o))
-                              (list (car x) (cdr x)))))
-    (define-values (own rest)
-      (partition (lambda (t) (or (holds? t (car o)) (holds? t (cdr o)))) terms))
+    (define (of? pair t) (or (holds? t (car pair)) (holds? t (cdr pair))))
+    (define-values (own rest) (partition (lambda (t) (of? o t)) terms))
     (and (ormap (lambda (t) (holds? t (cdr o))) own)
-         (not (for*/or ([t (in-list own)] [x (in-list others)]) (holds? t x)))
+         (not (for*/or ([t (in-list own)] [x (in-list (remq o open))]) (of? x t)))
          (list o (sum own) (sum rest)))))
 
 (define (terms-of e) (if (and (node? e) (eq? (node-head e) op:+)) (node-args e) (list e)))
 (define (sum terms) (simplify-strictly (for/fold ([s 0]) ([t (in-list terms)]) (g:+ s t))))
-(define (holds? e x) (and (expression? e) (symbol? x) (occurs? x e)))
+(define (holds? e x) (and (symbol? x) (occurs? x e)))
 
 (define (expanded e)
   (define-values (x _assumed) (expand-expression (simplify-strictly e) (assumptions-in-force)))

@@ -7,15 +7,16 @@
 ;; as functions of the state, are conserved.
 
 (require racket/string
-         "momentum-by-energy.rkt" "separation-input.rkt" "separated-equation.rkt"
+         "momentum-by-energy.rkt" "separated-equation.rkt"
          "../calculus/expression-function.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/on-demand.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../hamiltonian/H-state.rkt"
-         "../lagrangian/local-tuple.rkt"
-         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../generic/function.rkt" "../generic/on-demand.rkt" "../generic/printed-function.rkt"
+         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
+         "../value/assumptions.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/simplify.rkt"
          "../verdict/prove-zero.rkt")
 
 (require-on-demand ["../calculus/antiderivative.rkt" antiderivative]
@@ -48,7 +49,50 @@
               (describe-with-value s))))
 
 ;; ---------------------------------------------------------------------------
-;; What was found
+;; The arguments: a Hamiltonian without explicit time, in which all momenta are, and an energy that
+;; is constant
+
+;; -> H at the state of symbols, an expression
+(define (checked-value who H state energy)
+  (check-Hamiltonian-and-state who H state)
+  (check-symbols who state "state")
+  (define e (simplify-strictly ((number-valued who H) state)))
+  (check-parameters who H state "state")
+  (check-motion who H state e)
+  (check-energy who H state e energy)
+  e)
+
+(define (check-motion who H state e)
+  (when (holds? e (time state))
+    (complain who
+              (string-append "~a depends on the time ~a; extended-Hamiltonian makes the time a "
+                             "coordinate\n  its value: ~a")
+              (value->text H) (time state) (value->text e)))
+  (for ([p (in-list (scalars (momentum state)))] #:unless (holds? e p))
+    (complain who
+              "~a does not depend on the momentum ~a: its coordinate rests, and separates nothing"
+              (value->text H) p)))
+
+(define (check-energy who H state e energy)
+  (unless (scalar? energy)
+    (complain who "the energy is a symbol or a number; given ~a" (describe-with-value energy)))
+  (when (or (holds? e energy) (memq energy (scalars state)))
+    (complain who
+              (string-append "the symbol ~a, for the energy, stands in ~a or in the state, too; "
+                             "#:energy names another")
+              energy (value->text H)))
+  (for ([x (in-list (scalars state))] #:when (holds? energy x))
+    (complain who "the energy is constant, and does not depend on the state; given ~a"
+              (value->text energy))))
+
+;; q -> alpha_q, primed where that is taken
+(define ((constant-name e energy) q)
+  (let retry ([name (format "alpha_~a" q)])
+    (define symbol (string->symbol name))
+    (if (or (holds? e symbol) (eq? symbol energy)) (retry (string-append name "prime")) symbol)))
+
+;; ---------------------------------------------------------------------------
+;; The results
 
 (define (pieces-by-coordinate s)
   (for/list ([q (in-list (scalars (coordinate (separation-state s))))])
@@ -65,8 +109,7 @@
 ;; ∂S/∂q, of the shape of the momenta: that of each coordinate with + of its root
 (define (separation-momenta s)
   (check-separation 'separation-momenta s)
-  (define ps (momenta-by-coordinate s))
-  (scalars->structure (momentum (separation-state s)) (lambda (k) (list-ref ps k))))
+  (list->structure (momentum (separation-state s)) (momenta-by-coordinate s)))
 
 ;; The energy, and the others in the order found
 (define (separation-constants s)
@@ -102,7 +145,7 @@
               ([W (in-list terms)] [x (in-list (scalars q))])
       (g:+ S (W x))))
   (make-function (procedure-rename principal-function who) 4
-                 (lambda () (list who (value->datum (separation-H s))))))
+                 (call-datum who (separation-H s))))
 
 ;; ∫ p dq as a function, by a formula or by numbers from where it begins
 (define (primitive who p q start)
