@@ -1,11 +1,12 @@
 #lang racket/base
 ;; Questions asked with their arguments in another order.
 ;;
-;; A Lagrangian, a quantity and a path are all functions, and the answer to what was not meant
-;; may well be a verdict.  What can be told by its kind, or by failing, is refused; where the
-;; names or a second verdict suggest it, that is remarked.
+;; A Lagrangian, a quantity and a path are all functions, and the answer to a question with
+;; exchanged arguments may well be a verdict.  An order that is wrong by the kinds of the arguments,
+;; or fails, is refused; where names or a second verdict suggest an exchange, there is a remark.
 
-(require "../calculus/derivative.rkt"
+(require (only-in racket/list last)
+         "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../hamiltonian/known-Hamiltonians.rkt"
@@ -21,21 +22,18 @@
 ;; names : what the arguments are called, such as (L q) or (L Q local); a function comes
 ;; first, and a local tuple last.
 (define (check-order-of-arguments who names arguments)
-  (define others (cdr arguments))
   (define function-later?
-    (and (not (plain-function? (car arguments))) (ormap plain-function? others)))
+    (and (not (plain-function? (car arguments))) (ormap plain-function? (cdr arguments))))
   (define tuple-earlier?
     (and (memq 'local names)
-         (not (tuple? (last-of arguments)))
-         (ormap tuple? (reverse (cdr (reverse arguments))))))
+         (not (tuple? (last arguments)))
+         (ormap tuple? arguments)))
   (when (or function-later? tuple-earlier?)
     (complain who "the arguments come in another order: ~a" (value->text (cons who names)))))
 
 (define (plain-function? x) (and (procedure? x) (not (tuple? x))))
 
-(define (last-of xs) (car (reverse xs)))
-
-;; Is another of the arguments known to be a Hamiltonian, and the first is not?
+;; Refuses a first argument that is not known to be a Hamiltonian where another one is.
 (define (check-Hamiltonian-first who H . others)
   (when (and (not (declared-Hamiltonian? H)) (ormap declared-Hamiltonian? others))
     (complain who "the Hamiltonian comes first; these look exchanged")))
@@ -43,8 +41,7 @@
 ;; ---------------------------------------------------------------------------
 ;; By failing
 
-;; The values of the thunk; where it says that L is without inertia, and Q has it, Q is the
-;; Lagrangian.
+;; The values of the thunk.  If it fails, L has no inertia and Q has, then Q is the Lagrangian.
 (define (call-with-quantity-last who L Q state thunk)
   (with-handlers ([exn:fail:mechanics:singular?
                    (lambda (e)
@@ -58,14 +55,14 @@
 (define (inert? f state)
   (with-handlers ([raised? (lambda (e) #f)])
     (define by-velocities (partial 2))
-    (define second ((by-velocities (by-velocities (scalar-valued 'Lagrangian f))) state))
-    (for/or ([x (in-list (scalars second))]) (not (g:zero? x)))))
+    (define M ((by-velocities (by-velocities (scalar-valued 'Lagrangian f))) state))
+    (not (andmap g:zero? (scalars M)))))
 
 ;; ---------------------------------------------------------------------------
 ;; By name
 
-;; An energy for a Lagrangian conserves the Lagrangian, which is its energy: so nothing but the
-;; names tells.
+;; An energy taken for a Lagrangian conserves the Lagrangian, which is its energy: so only the names
+;; show the exchange.
 (define (remarks-on-order L Q state)
   (if (and (inert? Q state) (called-Lagrangian? Q) (not (called-Lagrangian? L)) (named? L))
       (list (format "~a was taken for the Lagrangian, which comes first, and ~a for the quantity"

@@ -19,14 +19,16 @@
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt"
+         "../generic/arithmetic.rkt" "../generic/function-check.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/scalar.rkt"
          (only-in "../hamiltonian/known-Hamiltonians.rkt" declared-Hamiltonian?)
          (only-in "../hamiltonian/Hamiltonian.rkt" check-quantity)
+         (only-in "../hamiltonian/classify-system.rkt" told-by-state?)
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/state-derivative.rkt" "../lagrangian/total-derivative.rkt"
-         "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
+         "../value/assumptions.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/structure.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide rate-of-change verify-conserved)
@@ -36,9 +38,9 @@
 (define (verify-conserved L Q local #:force [force #f])
   (check-order-of-arguments 'verify-conserved '(L Q local) (list L Q local))
   (check-Hamiltonian-first 'verify-conserved L Q)
-  (cond [(asked-of-Hamiltonian? 'verify-conserved L local)
-         (conserved-by-Hamiltonian 'verify-conserved L Q local force)]
-        [else (conserved-by-Lagrangian L Q local force)]))
+  (if (told-by-state? 'verify-conserved L local)
+      (conserved-by-Hamiltonian 'verify-conserved L Q local force)
+      (conserved-by-Lagrangian L Q local force)))
 
 (define (conserved-by-Lagrangian L Q local force)
   (check-arguments 'verify-conserved L Q)
@@ -55,9 +57,10 @@
                         #:again (lambda (change)
                                   (verify-conserved (change L) (change Q) local
                                                     #:force (and force (change force))))))
+  ;; a mass matrix without an inverse is refused: the state may be that of no motion
   (when (refuted? v)
     (call-with-quantity-last 'verify-conserved L Q state
-                             (lambda () (check-accelerations L force state))))
+                             (lambda () ((Lagrangian->acceleration L #:force force) state))))
   v)
 
 ;; With one coordinate nothing tells a Hamiltonian from a Lagrangian.
@@ -67,10 +70,6 @@
                            "for H it is a Hamiltonian"))
       '()))
 
-;; Refuses an M without an inverse, by which a state may be that of no motion.
-(define (check-accelerations L force state)
-  (void ((Lagrangian->acceleration L #:force force) state)))
-
 ;; (t, q, v) ↦ Q̇, of the shape of Q's value; of a Hamiltonian (t, q, p) ↦ Q̇
 (define (rate-of-change L Q #:force [force #f])
   (check-Hamiltonian-first 'rate-of-change L Q)
@@ -78,11 +77,8 @@
       (check-quantity 'rate-of-change Q)
       (check-arguments 'rate-of-change L Q))
   (define at (rate 'rate-of-change L Q force))
-  (define (name)
-    `(rate-of-change ,(value->datum L) ,(value->datum Q)
-                     ,@(force->datum force)))
-  (unary-function name (local)
-    (cond [(asked-of-Hamiltonian? 'rate-of-change L local)
+  (unary-function (apply call-datum 'rate-of-change L Q (force->datum force)) (local)
+    (cond [(told-by-state? 'rate-of-change L local)
            ((rate-by-Hamiltonian 'rate-of-change L Q force) local)]
           [else
            (check-local-tuple 'rate-of-change local)
@@ -92,7 +88,7 @@
 
 (define (check-arguments who L Q)
   (check-Lagrangian who L)
-  (unless (and (procedure? Q) (accepts? Q 1))
+  (unless (takes-arguments? Q 1)
     (complain who "a quantity is a function of the local tuple (up t q v); given ~a~a"
               (describe-function Q)
               (if (and (procedure? L) (scalar? Q))
@@ -130,17 +126,15 @@
              (car rates)
              (or (findf vanishing? rates) (car rates)))]))
 
-;; f = ∂₁L + force − ∂₀∂₂L − ∂₁∂₂L v: what Lagrange's equations are without
-;; accelerations, turned round.
+;; f = ∂₁L + force − ∂₀∂₂L − ∂₁∂₂L v, the negative of Lagrange's equations without accelerations.
 (define (applied-force who L force state)
-  (define at-no-acceleration
-    (up (time state) (coordinate state) (velocity state) (g:* 0 (velocity state))))
-  (define inside (g:negate ((Euler-Lagrange-operator L) at-no-acceleration)))
+  (define-values (t q v) (state-parts state))
+  (define inside (g:negate ((Euler-Lagrange-operator L) (up t q v (g:* 0 v)))))
   (if force
       (g:+ inside (force-like who inside ((external-force who force #f) state)))
       inside))
 
-;; Those w with slope = w M that are near at hand.
+;; The simple multipliers w with slope = w M.
 (define (multipliers-of L slope state)
   (define M (((partial 2) ((partial 2) L)) state))
   (for/list ([w (in-list (simple-multipliers (velocity state)))]
@@ -149,10 +143,8 @@
 
 ;; Zero, the velocities, and the unit vectors.
 (define (simple-multipliers v)
-  (define n (shape-length v))
   (list* (g:* 0 v) v
-         (for/list ([k (in-range n)])
-           (scalars->structure v (lambda (i) (if (= i k) 1 0))))))
+         (for/list ([k (in-range (shape-length v))]) (unit-structure v k))))
 
 (define (vanishing? x)
   (define A (assumptions-in-force))

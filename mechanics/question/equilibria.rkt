@@ -18,6 +18,7 @@
          "../numeric/constants.rkt"
          "../search/find-root.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         (only-in "../value/structure.rkt" s:map/r) "../value/symbols-like.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-equilibrium equilibria find-equilibrium
@@ -38,28 +39,24 @@
   (define w (if exactly (judge exactly) v))
   (if (proved? w) w v))
 
-;; Kinks are looked for where the coordinates are any numbers; of an L that takes no symbols
-;; numbers have told.
+;; Kinks are looked for at coordinates that are any numbers; for an L that fails at symbols the
+;; given numbers suffice.
 (define (surveys-at-rest L force t q)
-  (define names (for/list ([_ (in-list (scalars q))]) (string->uninterned-symbol "q")))
-  (define anywhere (scalars->structure q (lambda (k) (list-ref names k))))
+  (define anywhere (symbols-like q "q"))
   (define-values (_ survey)
     (with-handlers ([raised? (lambda (e) (values #f #f))])
       (survey-derivatives
        (lambda () (residual-at-rest 'verify-equilibrium L force t anywhere))
-       names
-       #:put (lambda () (map cons names (scalars q)))
-       #:solve-for (remove-duplicates (append-map symbols-of (scalars q))))))
+       (scalars anywhere)
+       #:put (lambda () (map cons (scalars anywhere) (scalars q)))
+       #:solve-for (remove-duplicates (append-map symbols-in (scalars q))))))
   (if survey (list survey) '()))
 
-(define (symbols-of e) (if (expression? e) (symbols-in e) '()))
-
-;; q with exact multiples of π/2 in place of flonums that are these, rounded or made of the
+;; q with exact multiples of π/2 in place of flonums that are rounded multiples, or made of the
 ;; flonum pi; #f if there are none.
 (define (with-exact-angles q)
-  (define exact (map exact-angle (scalars q)))
-  (and (ormap values exact)
-       (scalars->structure q (lambda (k) (or (list-ref exact k) (list-ref (scalars q) k))))))
+  (define exact (s:map/r (lambda (x) (or (exact-angle x) x)) q))
+  (and (not (equal? exact q)) exact))
 
 (define (exact-angle x)
   (define turns (and (flonum? x) (rational? x) (round (/ x (/ pi 2)))))
@@ -84,14 +81,10 @@
   (note-other-period residual q)
   (note-other-turns L (time local) q residual)
   (for/list ([s (in-list solutions)])
-    (define names (scalars q))
-    (define (value k)
-      (define entry (assq (list-ref names k) (car s)))
-      (if entry (cdr entry) (list-ref names k)))
-    (equilibrium (scalars->structure q value) (cdr s))))
+    (define (value-of name) (cond [(assq name (car s)) => cdr] [else name]))
+    (equilibrium (s:map/r value-of q) (cdr s))))
 
-;; Of cos(k x) those within a turn of k x are found; how many these are in a turn of x, nobody
-;; knows.
+;; For cos(k x) the equilibria within one turn of k x are found; a turn of x may have others.
 (define (note-other-period residual q)
   (define u (angle-of-other-period (scalars residual) (scalars q) (assumptions-in-force)))
   (when u
@@ -99,8 +92,8 @@
                                       "there may be others, of other turns")
                        (value->text u)))))
 
-;; The force of cos x − x/2 is the same a turn on; the system is not, so that x is no angle and
-;; what is found there are others.
+;; The force of cos x − x/2 is the same a turn on, and the system is not: x is no angle, and there
+;; are other equilibria a turn on.
 (define (note-other-turns L t q residual)
   (define (at-rest q) (L (up t q (g:* 0 q))))
   (define (change x)
@@ -136,8 +129,7 @@
 ;; Complaints
 
 ;; What multiplies a coordinate vanishes with it, as k x does at 0.
-(define (beside start)
-  (scalars->structure start (lambda (k) (g:+ 1/3 (list-ref (scalars start) k)))))
+(define (beside start) (s:map/r (lambda (x) (g:+ 1/3 x)) start))
 
 ;; Newton's method is one of numbers.
 (define (check-no-symbols residual)

@@ -14,7 +14,8 @@
 ;; general.  Where both equations restrict states, as y = 0 and y = 1 do, no motion is at
 ;; such a state, rows with 1 in place of 0 span the same, and nothing follows.
 
-(require "gauge.rkt" "argument-order.rkt"
+(require (only-in racket/list append-map)
+         "gauge.rkt" "argument-order.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
@@ -25,9 +26,10 @@
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
-         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
-         "../value/structure.rkt"
+         "../value/assumptions.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
+         "../value/matrix/row-products.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-equivalent-Lagrangians compare-Lagrangians
@@ -96,12 +98,11 @@
 (define (survey-of-difference F local)
   (define state ((clip-state 3) local))
   (define rest (simplify-strictly (F state)))
-  (define (G at) (evaluate-generically rest (map cons (scalars state) (scalars at))))
-  (define-values (_ survey) (surveyed G local))
+  (define-values (_ survey) (surveyed (lambda (at) (evaluate-at rest state at)) local))
   survey)
 
 (define (judged xs local surveys)
-  (prove-zero (if (null? (cdr xs)) (car xs) (list->down xs))
+  (prove-zero (single-or list->down xs)
               #:variables (scalars local) #:surveys surveys))
 
 ;; The quotient of two components if it is no function of the state; else #f.
@@ -124,10 +125,10 @@
   (define q (coordinate local))
   (define (residual-at a)
     ((Euler-Lagrange-operator L) (up (time local) q (velocity local) a)))
-  (define slopes (scalars ((D residual-at) (g:* 0 q))))
+  (define columns (scalars ((D residual-at) (g:* 0 q))))
   (define n (shape-length q))
   (for/list ([i (in-range n)])
-    (for/list ([j (in-range n)]) (simplify (list-ref slopes (+ (* n j) i))))))
+    (for/list ([j (in-range n)]) (simplify (list-ref columns (+ (* n j) i))))))
 
 ;; The parts of the residual without accelerations.
 (define (without-accelerations E local)
@@ -154,9 +155,7 @@
   (equivalence (and (proved? v) 'combination) (and (proved? v) factor) #f v))
 
 (define (matrix-times-list C b)
-  (for/list ([i (in-range (length b))])
-    (for/fold ([sum 0]) ([x (in-list b)] [j (in-naturals)])
-      (g:+ sum (g:* (matrix-ref C i j) x)))))
+  (rows-times-list (map vector->list (vector->list (matrix-rows C))) b))
 
 ;; ---------------------------------------------------------------------------
 ;; Rows that span the same space
@@ -182,15 +181,10 @@
 (define (by-row-spaces A1 A2 local surveys)
   (define-values (m1 m2) (values (apply matrix-by-rows A1) (apply matrix-by-rows A2)))
   (define v
-    (if (<= (rank m1) (rank m2))
-        (judged (images A2 (null-space m1)) local surveys)
-        (judged (images A1 (null-space m2)) local surveys)))
+    (let-values ([(m other) (if (<= (rank m1) (rank m2)) (values m1 A2) (values m2 A1))])
+      (judged (append-map (lambda (y) (rows-times-list other (scalars y))) (null-space m))
+              local surveys)))
   (equivalence (and (proved? v) 'combination) #f #f v))
-
-(define (images rows vectors)
-  (for*/list ([vector (in-list vectors)] [row (in-list rows)])
-    (for/fold ([sum 0]) ([a (in-list row)] [x (in-list (scalars vector))])
-      (g:+ sum (g:* a x)))))
 
 ;; ---------------------------------------------------------------------------
 ;; In words

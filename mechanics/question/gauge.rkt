@@ -23,13 +23,14 @@
          "../calculus/antiderivative.rkt" "../calculus/derivative.rkt"
          "../calculus/expression-function.rkt" "../calculus/integral.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
+         "../generic/function.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/function-of-momenta.rkt"
          "../lagrangian/total-derivative.rkt"
          "../numeric/finite-number.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
 
 (provide verify-total-time-derivative gauge-function)
 
@@ -54,15 +55,11 @@
         `(gauge-function ,(value->datum F))))
   (unary-function name (given)
     (define at (like given short))
-    (if formula
-        (evaluate-generically formula (map cons (scalars short) (scalars at)))
-        (line-integral F slopes start at))))
+    (if formula (evaluate-at formula short at) (line-integral F slopes start at))))
 
 (define (check-question who F local)
   (check-order-of-arguments who '(F local) (list F local))
-  (unless (and (procedure? F) (accepts? F 1))
-    (complain who "expected a function of the local tuple (up t q v); given ~a"
-              (describe-function F)))
+  (check-takes who F 1 "expected a function of the local tuple (up t q v)")
   (when (of-momenta? F) (raise-of-momenta who F))
   (check-generic-state who local)
   (check-parameters who F local))
@@ -72,12 +69,10 @@
 
 (define (exactness who F local)
   (define n (order-of local))
-  (define (F-scalar clipped) ((scalar-valued who F) clipped))
+  (define F-scalar (scalar-valued who F))
   (define longer (lengthened local (+ (* 2 n) 2)))
-  (define-values (residual survey)
-    (survey-derivatives (lambda () ((Euler-Lagrange-operator F-scalar #:order n) longer))
-                        (scalars longer)))
-  (prove-zero residual #:variables (scalars longer) #:surveys (list survey)))
+  (prove-residual-zero (lambda () ((Euler-Lagrange-operator F-scalar #:order n) longer))
+                       (scalars longer)))
 
 (define (check-exact F v)
   (unless (proved? v)
@@ -111,11 +106,10 @@
 
 (define ((less f g) local) (g:- (f local) (g local)))
 
-;; Local tuples made that long by zeros.
+;; Local tuples extended to that length by zeros.
 (define ((padding length) local)
   (define zero (g:* 0 (coordinate local)))
-  (list->up (append (structure->list local)
-                    (for/list ([_ (in-range (- length (s:length local)))]) zero))))
+  (list->up (append (structure->list local) (make-list (- length (s:length local)) zero))))
 
 (define (gradient-at slopes local)
   (append-map (lambda (slope) (scalars (slope local))) slopes))
@@ -134,7 +128,7 @@
                        [slope (in-list (gradient-at slopes short))])
       (define rest (and f (antiderivative (less-derivative slope f x) x A)))
       (and rest (simplify-expression (e:+ f rest) A))))
-  (define (value at) (evaluate-generically f (map cons (scalars short) (scalars at))))
+  (define (value at) (evaluate-at f short at))
   (and f (proved? (verify-equal ((Dt value) local) (F local))) f))
 
 ;; f at numbers, from `start` along a straight line.

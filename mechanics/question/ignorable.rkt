@@ -13,7 +13,7 @@
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+         "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
 
 (provide verify-ignorable ignorable-coordinates conserved-momenta)
 
@@ -35,27 +35,25 @@
   (for/list ([entry (in-list (ignorable s))])
     (up (leaf-symbol entry) (simplify (component-at momenta (leaf-chain entry))))))
 
-;; Those of the coordinates that are.
+;; The coordinates that are proved to be ignorable
 (define (ignorable s)
-  (for/list ([entry (in-list (leaves (coordinate (subject-state s))))]
-             #:when (proved? (independence s (leaf-chain entry))))
-    entry))
+  (filter (lambda (entry) (proved? (independence s (leaf-chain entry))))
+          (leaves (coordinate (subject-state s)))))
 
 ;; A verdict on the derivative by that coordinate alone.
 (define (independence s chain)
   (define by-coordinate (apply partial 1 chain))
   (define-values (f state) (values (subject-function s) (subject-state s)))
-  (define-values (slope survey)
-    (survey-derivatives (lambda () ((by-coordinate (number-of s)) state)) (scalars state)))
-  (prove-zero slope #:variables (scalars state) #:surveys (list survey)
-              #:meaning (lambda () (if (subject-Hamiltonian? s)
-                                       (meaning-of-Hamiltonian f state)
-                                       (meaning-of-Lagrangian f state)))
-              #:again (lambda (change)
-                        (independence (struct-copy subject s [function (change f)]) chain))))
+  (prove-residual-zero (lambda () ((by-coordinate (number-of s)) state)) (scalars state)
+                       #:meaning (lambda () (if (subject-Hamiltonian? s)
+                                                (meaning-of-Hamiltonian f state)
+                                                (meaning-of-Lagrangian f state)))
+                       #:again (lambda (change)
+                                 (independence (struct-copy subject s [function (change f)])
+                                               chain))))
 
 ;; ---------------------------------------------------------------------------
-;; What is asked about
+;; The subject of a question
 
 ;; state : (t, q, v) of symbols, or (t, q, p) for a Hamiltonian
 (struct subject (who function state Hamiltonian?) #:authentic)

@@ -1,20 +1,20 @@
 #lang racket/base
-;; Conditions imposed: what a verdict says would have to hold is made to hold in a value or a
-;; function.
+;; Conditions imposed: the condition that a verdict names is made to hold in a value or a function.
 ;;
-;; What is known of a symbol replaces it wherever it stands (imposed-equations.rkt).  In a
-;; function it is replaced in the value; of derivatives of the function in their parts.  Only the
-;; tape of a gradient knows values from before: a function is given symbols in place of those,
-;; and what it makes of them is evaluated on the tape.
+;; A symbol is replaced by its value wherever it stands (imposed-equations.rkt): in a function in
+;; its value, in derivatives of the function in their parts.  Only the tape of a gradient holds
+;; earlier values: a function is given symbols in their place, and its value at the symbols is
+;; evaluated on the tape.
 
-(require "imposed-equations.rkt"
+(require (only-in racket/list append-map)
+         "imposed-equations.rkt"
          "../algebra/expression/expression.rkt"
          "../calculus/expression-function.rkt" "../calculus/perturbed-value.rkt"
          "../calculus/recorded-number.rkt"
          "../constraint/constraint.rkt"
          "../error/complain.rkt" "../error/note.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../value/algebra.rkt" "../value/shape.rkt"
+         "../value/algebra.rkt" "../value/shape.rkt" (only-in "../value/structure.rkt" s:map/r)
          "../verdict/verdict.rkt")
 
 (provide impose
@@ -45,10 +45,9 @@
 ;; note! : called with what is replaced somewhere
 (define (put replacements equations x [note! void])
   (define (at-leaf leaf)
-    (cond [(number? leaf) leaf]
-          [(symbolic? leaf) (replaced-noting leaf replacements note!)]
+    (cond [(symbolic? leaf) (replaced-noting leaf replacements note!)]
           [(perturbed? leaf) ((parts-map (parts-of leaf)) within leaf)]
-          [(other-number? leaf) leaf]
+          [(or (number? leaf) (other-number? leaf)) leaf]
           [(constraint? leaf)
            (define make (if (holonomic? leaf) holonomic nonholonomic))
            (make (within (constraint-function leaf)))]
@@ -67,7 +66,7 @@
 ;; within : value -> value with the condition imposed
 (define (function-under f within equations)
   (make-function (lambda args
-                   (if (ormap recorded? (apply append (map scalars args)))
+                   (if (ormap recorded? (append-map scalars args))
                        (value-on-tape f args within)
                        (within (apply f args))))
                  (arity-mask f)
@@ -80,8 +79,6 @@
     (set! point (cons (cons s x) point))
     s)
   (define symbols
-    (for/list ([a (in-list args)])
-      (define xs (map symbol-for (scalars a)))
-      (scalars->structure a (lambda (k) (list-ref xs k)))))
+    (map (lambda (a) (s:map/r symbol-for a)) args))
   (map-leaves (lambda (leaf) (if (symbolic? leaf) (evaluate-generically leaf point) leaf))
               (within (apply f symbols))))

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Conditions that are imposed: equations that hold together, each solved for one of its symbols.
 ;;
-;; If a symbol may be either root of a square it is the one that is not negative, and if both
-;; sides of an equation have a factor in common it is divided by that, as if it were not 0: both
-;; are choices, which are told.
+;; If a symbol may be either root of a square, the root that is not negative is taken; an equation
+;; is divided by a common factor of its sides, as if that were not 0.  Both are choices, of which
+;; the reader is told.
 
 (require (only-in racket/list append-map count remove-duplicates)
          (only-in racket/string string-join)
@@ -94,8 +94,8 @@
 
 ;; Does the equation hold after the replacements?
 (define (kept? q replacements)
-  (define-values (left right) (values (cadr q) (caddr q)))
-  (eqv? 0 (simplify-expression (e:- (replaced left replacements) (replaced right replacements)))))
+  (eqv? 0 (simplify-expression (e:- (replaced (cadr q) replacements)
+                                    (replaced (caddr q) replacements)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Choices

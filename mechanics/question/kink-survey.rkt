@@ -1,12 +1,13 @@
 #lang racket/base
-;; What a proposed path, and the Lagrangian it is put into, have in the way of kinks.
+;; The kinks of a proposed path, and of the Lagrangian along it.
 ;;
-;; A path must have a value at all times, and nothing in it may have a kink.  A Lagrangian is
-;; looked at where the coordinates are any numbers, and what is found then put on the path:
-;; the root of x² + y² has no kink where a path passes the origin, for there a potential
-;; 1/r has no value; the root of x² has.
+;; A path must have a value at all times, and nothing in it may have a kink.  The kinks of a
+;; Lagrangian are found at coordinates that are any numbers, and then put on the path: the root of
+;; x² + y² has no kink where a path passes the origin, for there a potential 1/r has no value; the
+;; root of x² has.
 
-(require "../calculus/derivative.rkt"
+(require (only-in racket/list make-list)
+         "../calculus/derivative.rkt"
          "../error/refusal.rkt"
          "../generic/on-demand.rkt" "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
@@ -26,30 +27,31 @@
   (define t (string->uninterned-symbol "t"))
   (define position (coordinate ((Gamma q 2) t)))
   (define length (+ (* 2 n) 2))
-  (define-values (shape local)
-    (values (apply up t (for/list ([_ (in-range 1 length)]) position))
-            (lambda () ((Gamma q length) t))))
-  (list (survey-of-values position)
-        (survey-at t (lambda () (derivative-at (path 'verify-solution q) t)) #:have-values? #t)
-        (or (survey-anywhere t shape local
-                             (lambda (state) (differentiate L n force constraints state)))
-            (survey-at t (lambda () (along t))))))
-
-(define (survey-at t thunk #:have-values? [values? #f])
-  (define-values (_ survey) (survey-derivatives thunk (list t) #:have-values? values?))
-  survey)
+  (surveys-along t position (path 'verify-solution q)
+                 (apply up t (make-list (sub1 length) position))
+                 (lambda () ((Gamma q length) t))
+                 (lambda (state) (differentiate L n force constraints state))
+                 along))
 
 ;; states : time -> (up t q p); slope : state -> its derivative; along : the residual
 (define (surveys-of-states slope states along)
   (define t (string->uninterned-symbol "t"))
   (define state (states t))
-  (list (survey-of-values state)
-        (survey-at t (lambda () (derivative-at states t)) #:have-values? #t)
-        (or (survey-anywhere t state (lambda () state) slope)
-            (survey-at t (lambda () (along t))))))
+  (surveys-along t state states state (lambda () state) slope along))
 
-;; With symbols in place of all numbers of the state, which has this shape and which (local)
-;; gives; #f if that is too much for f.
+;; value : of the motion f at t; shape, local, derivatives : as survey-anywhere takes them;
+;; along : the residual, a function of time
+(define (surveys-along t value f shape local derivatives along)
+  (define (survey-at thunk values?)
+    (define-values (_ survey) (survey-derivatives thunk (list t) #:have-values? values?))
+    survey)
+  (list (survey-of-values value)
+        (survey-at (lambda () (derivative-at f t)) #t)
+        (or (survey-anywhere t shape local derivatives)
+            (survey-at (lambda () (along t)) #f))))
+
+;; A survey of f with symbols in place of all numbers of a state of this shape, where the numbers of
+;; (local) are put in the end; #f if f fails at symbols.
 (define (survey-anywhere t shape local f)
   (define state (unknowns-like shape))
   (define-values (_ survey)
@@ -64,5 +66,4 @@
   ((Euler-Lagrange-operator L #:order n) state)
   (when force (force ((clip-state (+ n 2)) state)))
   (when constraints
-    (jacobian-rows 'verify-solution (gather 'verify-solution constraints)
-                   (time state) (coordinate state) (velocity state))))
+    (jacobian-rows 'verify-solution (gather 'verify-solution constraints) state)))

@@ -31,10 +31,8 @@
        (define (part rows) (submatrix rows block block))
        (for/list ([mode (in-list (block-modes who (part M) (part K) (part G)))])
          (cons (car mode) (spread (cdr mode) block n))))))
-  (define sizes (for/list ([mode (in-list found)]) (constant-value (car mode))))
-  (if (andmap real? sizes)
-      (map cdr (sort (map cons sizes found) < #:key car))
-      found))
+  (define (size mode) (constant-value (car mode)))
+  (if (andmap real? (map size found)) (sort found < #:key size #:cache-keys? #t) found))
 
 ;; The number that an expression without symbols is, or #f.
 (define (constant-value e)
@@ -48,7 +46,7 @@
 ;; Zeros where the block has no coordinate.
 (define (spread shape block n)
   (for/list ([i (in-range n)])
-    (or (for/first ([j (in-list block)] [x (in-list shape)] #:when (= i j)) x) 0)))
+    (cond [(index-of block i) => (lambda (j) (list-ref shape j))] [else 0])))
 
 ;; Lists of the indices that are joined by entries other than zero.
 (define (components n matrices)
@@ -69,10 +67,8 @@
           [else (loop (+ i 1) (cons (reached (list i) (list i)) blocks))])))
 
 (define (block-modes who M K G)
-  (define all (map entries (list M K G)))
-  (cond [(and (andmap (lambda (xs) (andmap real? xs)) all)
-              (or (> (vector-length M) 2)
-                  (ormap (lambda (xs) (ormap flonum? xs)) all)))
+  (define all (append-map entries (list M K G)))
+  (cond [(and (andmap real? all) (or (> (vector-length M) 2) (ormap flonum? all)))
          (numeric-modes who M K G)]
         [(> (vector-length M) 2) (scaled-modes who M K G)]
         [(g:zero? (simplify (det M))) (raise-not-positive who M)]

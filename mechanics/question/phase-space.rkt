@@ -1,20 +1,21 @@
 #lang racket/base
-;; What is asked of a Hamiltonian: do paths of coordinates and momenta solve Hamilton's
-;; equations, and is a quantity conserved, which brackets decide: Q̇ = {Q, H} + ∂₀Q, and + ∂₂Q F
-;; with a force F outside H.
+;; Questions about a Hamiltonian: do paths of coordinates and momenta solve Hamilton's equations,
+;; and is a quantity conserved?  Brackets decide: Q̇ = {Q, H} + ∂₀Q, and + ∂₂Q F with a force F
+;; outside H.
 
 (require "argument-order.rkt" "remarks.rkt" "kink-survey.rkt" "question-meaning.rkt"
          "../generic/define-plain.rkt"
          "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
-         "../hamiltonian/Poisson-bracket.rkt" "../hamiltonian/classify-system.rkt"
+         "../hamiltonian/Poisson-bracket.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/shape.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt"
+         "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
 
 (provide verify-Hamiltonian-solution
          ;; for verify-conserved and rate-of-change
-         asked-of-Hamiltonian? conserved-by-Hamiltonian rate-by-Hamiltonian)
+         conserved-by-Hamiltonian rate-by-Hamiltonian)
 
 ;; ---------------------------------------------------------------------------
 ;; Solutions
@@ -50,9 +51,6 @@
 ;; ---------------------------------------------------------------------------
 ;; Conserved quantities
 
-;; Is it a Hamiltonian that is asked about, at a state of momenta?
-(define (asked-of-Hamiltonian? who f state) (told-by-state? who f state))
-
 ;; The verdict on the rate of Q at a state (up t q p) of symbols.
 (define (conserved-by-Hamiltonian who H Q state F)
   (check-Hamiltonian who H)
@@ -60,15 +58,13 @@
   (check-H-state who state)
   (check-symbols who state "state")
   (for ([f (in-list (list H Q F))] #:when (procedure? f)) (check-parameters who f state "state"))
-  (define-values (change survey)
-    (survey-derivatives (lambda () ((rate-by-Hamiltonian who H Q F) state)) (scalars state)))
-  (prove-zero change #:variables (scalars state)
-              #:surveys (list (survey-of-values (Q state)) survey)
-              #:remarks (lambda () (remarks-on-quantity Q state))
-              #:meaning (lambda () (meaning-of-quantity-in-phase-space H Q state))
-              #:again (lambda (change)
-                        (conserved-by-Hamiltonian who (change H) (change Q) state
-                                                  (and F (change F))))))
+  (prove-residual-zero (lambda () ((rate-by-Hamiltonian who H Q F) state)) (scalars state)
+                       #:beside (list (survey-of-values (Q state)))
+                       #:remarks (lambda () (remarks-on-quantity Q state))
+                       #:meaning (lambda () (meaning-of-quantity-in-phase-space H Q state))
+                       #:again (lambda (change)
+                                 (conserved-by-Hamiltonian who (change H) (change Q) state
+                                                           (and F (change F))))))
 
 ;; state ↦ Q̇
 (define (rate-by-Hamiltonian who H Q F)

@@ -1,9 +1,10 @@
 #lang racket/base
-;; What a question about a Lagrangian is about, so that no condition is told by which it
-;; would be about nothing: the Lagrangian, its mass matrix, the path or the quantity
-;; (algebra/zero/nondegeneracy.rkt).
+;; The meaning of a question about a Lagrangian: the Lagrangian, its mass matrix, the path or the
+;; quantity (algebra/zero/nondegeneracy.rkt).  No condition is named under which the question would be
+;; about nothing.
 
-(require "../algebra/expression/expression.rkt"
+(require (only-in racket/list split-at)
+         "../algebra/expression/expression.rkt"
          "../calculus/derivative.rkt"
          "../error/refusal.rkt"
          (only-in "../hamiltonian/H-state.rkt" state->qp)
@@ -53,7 +54,7 @@
                 moving
                 variables))
 
-;; What L makes of symbols may be beyond it; then nothing is known.
+;; The expressions in the value of the thunk, which may fail at symbols; then none.
 (define (expressions-in value)
   (filter expression? (scalars (with-handlers ([raised? (lambda (e) 0)]) (value)))))
 
@@ -66,8 +67,6 @@
     (if (= (length M) (* width width)) (rows-of M width) '())))
 
 (define (rows-of xs width)
-  (define rows (make-vector width '()))
-  (for ([x (in-list (reverse xs))] [k (in-range (- (length xs) 1) -1 -1)])
-    (define i (quotient k width))
-    (vector-set! rows i (cons x (vector-ref rows i))))
-  (vector->list rows))
+  (if (null? xs)
+      '()
+      (let-values ([(row others) (split-at xs width)]) (cons row (rows-of others width)))))

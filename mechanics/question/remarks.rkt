@@ -50,8 +50,7 @@
       '()
       (list "the quantity is a constant, whatever the motion")))
 
-;; Does f's value have one of the symbols of the state in it?  What f makes of such symbols
-;; may be beyond it; then nothing is said.
+;; Does the value of f contain a symbol of the state?  If f fails at symbols, it counts as yes.
 (define (depends? f state)
   (define value (with-handlers ([raised? (lambda (e) #f)]) (f state)))
   (define es (expressions-in value))

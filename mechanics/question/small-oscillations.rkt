@@ -18,7 +18,7 @@
          "../generic/up-down.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/filled-shape.rkt" "../value/simplify.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
@@ -70,7 +70,7 @@
   (define modes (modes-of 'normal-modes M K G))
   (note-growth (map car modes))
   (for/list ([mode (in-list modes)])
-    (up (car mode) (like-coordinates (cdr mode) q))))
+    (up (car mode) (list->structure q (cdr mode)))))
 
 ;; The frequencies only.
 (define (small-oscillation-frequencies L q)
@@ -104,7 +104,7 @@
   (check-autonomous who L-scalar given)
   (values M K G))
 
-;; Rounded coordinates, as pi is one, leave a force of some roundings.
+;; Rounded coordinates, such as pi, leave a force of the size of rounding.
 (define (check-equilibrium who L q)
   (define force (simplify (((partial 1) L) (at-rest q))))
   (define v (prove-zero force))
@@ -116,7 +116,7 @@
                              "\n  ∂₁L: ~a")
               (value->text q) (value->text force))))
 
-;; ∂₂L, too: what ∂₁∂₂L gains in time is a force.
+;; L must not change in time; nor ∂₂L, for the growth of ∂₁∂₂L in time is a force.
 (define (check-autonomous who L q)
   (define t (string->uninterned-symbol "t"))
   (define P ((partial 2) L))
@@ -127,7 +127,3 @@
   (when (refuted? (prove-zero ((D derivatives) t) #:variables (list t)))
     (complain who "the Lagrangian changes in time at these coordinates; ~a"
               "small oscillations are those of a system that does not")))
-
-;; Components in order, in the shape of q.
-(define (like-coordinates components q)
-  (scalars->structure q (lambda (k) (list-ref components k))))

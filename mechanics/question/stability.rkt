@@ -57,12 +57,11 @@
             (entries (gyroscopic-matrix L q))))
   (check-inertia M)
   (define at-rest (judged 'stable (leading-minors K)))
-  (cond [(eq? (stability-kind at-rest) 'stable)
-         (if (and (pair? (stability-conditions at-rest)) (turning? G))
-             (turning-stability L q M K G)
-             at-rest)]
-        [(turning? G) (turning-stability L q M K G)]
-        [else at-rest]))
+  (if (and (turning? G)
+           (not (and (eq? (stability-kind at-rest) 'stable)
+                     (null? (stability-conditions at-rest)))))
+      (turning-stability L q M K G)
+      at-rest))
 
 (define (check-equilibrium L q)
   (define v (verify-equilibrium L q))
@@ -73,8 +72,7 @@
 
 ;; M > 0, unless its parameters leave that open.
 (define (check-inertia M)
-  (define signs (map known-sign (leading-minors M)))
-  (when (or (memv -1 signs) (memv 0 signs))
+  (when (ormap (lambda (minor) (memv (known-sign minor) '(-1 0))) (leading-minors M))
     (raise-not-positive 'equilibrium-stability (matrix-rows M))))
 
 ;; A square matrix, of one entry for a scalar.
@@ -87,9 +85,7 @@
 
 (define (leading-minors K)
   (for/list ([n (in-range 1 (add1 (m:num-rows K)))])
-    (simplify
-     (determinant
-      (m:generate n n (lambda (i j) (matrix-ref K i j)))))))
+    (simplify (determinant (m:submatrix K 0 n 0 n)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Where velocities act

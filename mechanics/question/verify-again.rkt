@@ -3,7 +3,7 @@
 
 (require (only-in racket/list append-map count remove-duplicates)
          "imposed-equations.rkt" "impose.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/symbols.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/wrong-argument.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt"
@@ -50,15 +50,11 @@
 
 (define (residual-symbols v)
   (remove-duplicates
-   (append-map (lambda (e) (if (expression? e) (symbols-in e) '()))
-               (scalars (verdict-residual v)))))
+   (append-map symbols-in (scalars (verdict-residual v)))))
 
-;; Relations that still speak of something.
+;; The relations that do not hold as they stand, between numbers.
 (define (known-relations relations)
-  (for/list ([r (in-list relations)]
-             #:unless (and (number? (cadr r)) (number? (caddr r)) (eval-relation r)))
-    r))
-
-(define (eval-relation r)
-  (define compare (case (car r) [(>) >] [(>=) >=] [(<) <] [else <=]))
-  (compare (cadr r) (caddr r)))
+  (define (holds? r)
+    (define compare (case (car r) [(>) >] [(>=) >=] [(<) <] [else <=]))
+    (and (number? (cadr r)) (number? (caddr r)) (compare (cadr r) (caddr r))))
+  (filter (lambda (r) (not (holds? r))) relations))
