@@ -9,69 +9,66 @@
 ;; J and I of whole order are even or odd, of other orders they are real for x ≥ 0 alone, as Y
 ;; and K are for x > 0.  The derivatives are of the orders next to it (9.1.27, 9.6.26).
 
-(require (only-in racket/math nan? infinite?)
-         "../error/complain.rkt"
+(require "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/kind.rkt"
-         "../numeric/special/Bessel-modified.rkt" "../numeric/special/Bessel-waves.rkt" "../numeric/constants.rkt")
+         "../numeric/special/Bessel-modified.rkt" "../numeric/special/Bessel-waves.rkt" "../numeric/constants.rkt"
+         "../numeric/finite-number.rkt")
 
 (provide Bessel-J Bessel-Y Bessel-I Bessel-K spherical-Bessel-j spherical-Bessel-y)
 
 ;; ---------------------------------------------------------------------------
 ;; Of numbers, and of what is being differentiated
 
-;; numeric : who order flonum -> flonum; slope : order x -> value
-(define-syntax-rule (define-Bessel name numeric slope)
-  (define (name order x)
-    (check-order 'name order)
+;; numeric : who order flonum -> flonum; slope : the derivative by x, of order n
+(define-syntax-rule (define-Bessel name numeric (n x) slope)
+  (define (name n x)
+    (check-order 'name n)
     (define (value x)
       (cond [(has-kind? x) (dispatch-unary op x)]
             [else
              (check-argument 'name x)
-             (check-size 'name order x (numeric 'name order (real->double-flonum x)))]))
-    (define op
-      (generic-op 'name #f value (list (lambda (x value) (slope order x))) #f '((0.3 0.9))))
+             (check-size 'name n x (numeric 'name n (real->double-flonum x)))]))
+    (define op (generic-op 'name #f value (list (lambda (x value) slope)) #f '((0.3 0.9))))
     (value x)))
 
-(define-syntax-rule (half-difference f n x) (g:* 1/2 (g:- (f (- n 1) x) (f (+ n 1) x))))
-(define-syntax-rule (half-sum f n x) (g:* 1/2 (g:+ (f (- n 1) x) (f (+ n 1) x))))
+(define (half combine f n x) (g:* 1/2 (combine (f (- n 1) x) (f (+ n 1) x))))
 
-(define-Bessel Bessel-J J (lambda (n x) (half-difference Bessel-J n x)))
-(define-Bessel Bessel-Y Y (lambda (n x) (half-difference Bessel-Y n x)))
-(define-Bessel Bessel-I I (lambda (n x) (half-sum Bessel-I n x)))
-(define-Bessel Bessel-K K (lambda (n x) (g:- 0 (half-sum Bessel-K n x))))
+(define-Bessel Bessel-J J (n x) (half g:- Bessel-J n x))
+(define-Bessel Bessel-Y Y (n x) (half g:- Bessel-Y n x))
+(define-Bessel Bessel-I I (n x) (half g:+ Bessel-I n x))
+(define-Bessel Bessel-K K (n x) (g:- 0 (half g:+ Bessel-K n x)))
 
-;; n/x f(n) − f(n + 1); at x = 0 that of (f(n − 1) n − f(n + 1) (n + 1))/(2n + 1), in which
-;; nothing is divided by x
-(define-syntax-rule (spherical-slope f n x)
+(define-Bessel spherical-Bessel-j spherical-j (n x) (spherical-slope spherical-Bessel-j n x))
+(define-Bessel spherical-Bessel-y spherical-y (n x) (spherical-slope spherical-Bessel-y n x))
+
+;; n/x f(n) − f(n + 1) as (f(n − 1) n − f(n + 1) (n + 1))/(2n + 1), in which nothing is divided by x
+(define (spherical-slope f n x)
   (g:/ (g:- (if (eqv? n 0) 0 (g:* n (f (- n 1) x))) (g:* (+ n 1) (f (+ n 1) x)))
        (+ (* 2 n) 1)))
-
-(define-Bessel spherical-Bessel-j spherical-j
-  (lambda (n x) (spherical-slope spherical-Bessel-j n x)))
-(define-Bessel spherical-Bessel-y spherical-y
-  (lambda (n x) (spherical-slope spherical-Bessel-y n x)))
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers
 
+;; both, combine : as `reflected` has them
 (define (J who order x)
+  (even-or-odd who order x Bessel-J+Y (lambda (c s J Y) (- (times c J) (times s Y)))))
+
+(define (I who order x)
+  (even-or-odd who order x modified (lambda (c s I K) (+ I (times s (* (/ 2.0 pi) K))))))
+
+(define (even-or-odd who order x both combine)
   (cond [(and (= x 0.0) (or (>= order 0) (integer? order))) (if (= order 0) 1.0 0.0)]
-        [(< x 0.0) (check-whole who order x) (* (parity order) (J who order (- x)))]
+        [(< x 0.0)
+         (check-whole who order x)
+         (* (parity order) (even-or-odd who order (- x) both combine))]
         [else
          (check-positive who x)
-         (reflected order x Bessel-J+Y (lambda (c s J Y) (- (times c J) (times s Y))))]))
+         (reflected order x both combine)]))
 
 (define (Y who order x)
   (check-positive who x)
   (reflected order x Bessel-J+Y (lambda (c s J Y) (+ (times s J) (times c Y)))))
-
-(define (I who order x)
-  (cond [(and (= x 0.0) (or (>= order 0) (integer? order))) (if (= order 0) 1.0 0.0)]
-        [(< x 0.0) (check-whole who order x) (* (parity order) (I who order (- x)))]
-        [else
-         (check-positive who x)
-         (reflected order x modified (lambda (c s I K) (+ I (times s (* (/ 2.0 pi) K)))))]))
 
 (define (K who order x)
   (check-positive who x)
@@ -97,16 +94,16 @@
 
 (define (spherical-j who n x)
   (check-natural who n)
-  (cond [(= x 0.0) (if (eqv? n 0) 1.0 0.0)]
-        [else
-         (define-values (J Y) (Bessel-J+Y (+ n 0.5) (abs x)))
-         (* (if (< x 0.0) (parity n) 1.0) (sqrt (/ pi (* 2.0 (abs x)))) J)]))
+  (if (= x 0.0) (if (eqv? n 0) 1.0 0.0) (spherical n x (lambda (J Y) J))))
 
 (define (spherical-y who n x)
   (check-natural who n)
   (when (= x 0.0) (check-positive who x))
-  (define-values (J Y) (Bessel-J+Y (+ n 0.5) (abs x)))
-  (* (if (< x 0.0) (- (parity n)) 1.0) (sqrt (/ pi (* 2.0 (abs x)))) Y))
+  (* (if (< x 0.0) -1.0 1.0) (spherical n x (lambda (J Y) Y))))
+
+(define (spherical n x choose)
+  (define f (call-with-values (lambda () (Bessel-J+Y (+ n 0.5) (abs x))) choose))
+  (* (if (< x 0.0) (parity n) 1.0) (sqrt (/ pi (* 2.0 (abs x)))) f))
 
 (define (parity n) (if (even? (inexact->exact n)) 1.0 -1.0))
 
@@ -132,8 +129,7 @@
               100000 (describe-with-value order))))
 
 (define (check-argument who x)
-  (unless (and (real? x) (not (nan? (real->double-flonum x)))
-               (not (infinite? (real->double-flonum x))))
+  (unless (and (real? x) (finite? (real->double-flonum x)))
     (complain who "expected a finite real number; given ~a" (describe-with-value x))))
 
 (define (check-natural who n)
@@ -152,6 +148,6 @@
               order x)))
 
 (define (check-size who order x y)
-  (when (or (nan? y) (infinite? y))
+  (unless (finite? y)
     (complain who "the value at ~a, of order ~a, is too great for a floating-point number" x order))
   y)

@@ -2,17 +2,17 @@
 ;; Functions of numbers that mathematical physics has names for.
 ;;
 ;; They are functions of numbers and not of expressions.  Derivatives are taken of those that
-;; have them in functions of this page: Γ' = Γ ψ, erf' x = 2 e^(−x²)/√π, W' = e^(−W)/(1 + W),
-;; Jₙ' = (Jₙ₋₁ − Jₙ₊₁)/2 (Abramowitz and Stegun, 6.3, 7.1, 9.1).
+;; have them in functions of this page: Γ' = Γ ψ, erf' x = 2 e^(−x²)/√π, W' = e^(−W)/(1 + W)
+;; (Abramowitz and Stegun, 6.3, 7.1).
 
 (require (prefix-in math: (only-in math/special-functions
                                    gamma log-gamma psi beta erf erfc zeta lambert))
          (only-in racket/math nan?)
-         "series/coefficients.rkt"
+         "Bessel-functions.rkt" "series/coefficients.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/elementary.rkt" "../generic/kind.rkt"
-         "../numeric/special/Bessel.rkt" "../numeric/constants.rkt")
+         "../numeric/constants.rkt")
 
 (provide gamma (rename-out [factorial-of factorial])
          log-gamma beta erf erfc zeta Lambert-W
@@ -29,14 +29,6 @@
   (define op (generic-op name #f value (list slope) #f '((0.3 0.9))))
   value)
 
-(define (gamma x)
-  (if (has-kind? x) (smooth-gamma x) (gamma-of-number x)))
-
-(define (gamma-of-number x)
-  (check-real 'gamma x)
-  (check-not-pole 'gamma x)
-  (math:gamma x))
-
 (define (check-not-pole who x)
   (when (and (rational? x) (integer? x) (<= x 0))
     (complain who "there is a pole at 0, -1, -2, ...; given the number ~a" x)))
@@ -47,9 +39,9 @@
           (lambda (x) (math:psi (- m 1) (real->double-flonum x)))
           (lambda (x value) ((polygamma (+ m 1)) x))))
 
-(define smooth-gamma
+(define gamma
   (lifted 'gamma
-          (lambda (x) (gamma-of-number x))
+          (lambda (x) (check-not-pole 'gamma x) (math:gamma x))
           (lambda (x value) (g:* value ((polygamma 1) x)))))
 
 (define log-gamma
@@ -105,21 +97,11 @@
 (define (bessj n x)
   (unless (exact-integer? n)
     (complain 'bessj "expected a whole order; given ~a" (describe-with-value n)))
-  (if (has-kind? x) (dispatch-unary (Bessel-operation n) x) (Bessel-of-number n x)))
-
-(define (Bessel-operation n)
-  (generic-op 'bessj #f (lambda (x) (bessj n x))
-              (list (lambda (x value) (g:* 1/2 (g:- (bessj (- n 1) x) (bessj (+ n 1) x)))))
-              #f '((0.3 0.9))))
-
-;; J of order n at x; of −n or at −x it is (−1)ⁿ times that.
-(define (Bessel-of-number n x)
-  (check-real 'bessj x)
-  (unless (< (abs x) most)
-    (complain 'bessj "expected a number below ~a in size; given ~a" most x))
-  (define value (Bessel-J (abs n) (abs (real->double-flonum x))))
-  (define turns (+ (if (negative? n) 1 0) (if (negative? x) 1 0)))
-  (if (and (odd? n) (odd? turns)) (- value) value))
+  (unless (has-kind? x)
+    (check-real 'bessj x)
+    (unless (< (abs x) most)
+      (complain 'bessj "expected a number below ~a in size; given ~a" most x)))
+  (Bessel-J n x))
 
 (define most 1e6)
 

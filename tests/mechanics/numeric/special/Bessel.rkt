@@ -2,7 +2,7 @@
 ;; Bessel functions: values of tables, the recurrence, and what is tiny.
 
 (require rackunit
-         mechanics/numeric/special/Bessel)
+         mechanics/value/Bessel-functions)
 
 (define (check-ratio value expected)
   (check-= (/ value expected) 1 1e-13))
