@@ -28,8 +28,8 @@
 (define patience 3000)
 (define interval 250)
 
-;; (body note!), where (note! (lambda () text)) is called now and then: see
-;; note-progress.  note! is #f where nothing is to be said.
+;; Calls (body note!); body calls (note! (lambda () text)) now and then, as note-progress does.
+;; note! is #f where no progress is reported.
 (define (call-with-progress wanted? body)
   (define r (and wanted? (current-reporter)))
   (if r (report-while r body) (body #f)))
@@ -62,8 +62,8 @@
   (write-string (string-append "\r" text "\e[K") port)
   (flush-output port))
 
-;; What a search calls with each point reached and the value there: it says how many
-;; there have been, and calls `observe`.
+;; -> a procedure that a search calls with each point reached and the value there: it reports the
+;; count of points, and calls `observe`
 (define (counting-search note! who observe)
   (define steps 0)
   (lambda (x value)
@@ -71,7 +71,7 @@
     (note-progress note! (format "~a: ~a steps, value ~a" who steps value))
     (observe x value)))
 
-;; f, to be searched: the same at each evaluation.
+;; f with such a report at each evaluation.
 (define (counted-values note! who f)
   (define note (counting-search note! who void))
   (lambda (x)

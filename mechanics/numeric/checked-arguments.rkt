@@ -8,8 +8,7 @@
 
 (provide sample check-finite check-interval check-tolerance)
 
-;; One value of the function as a finite flonum, or a message that says where it
-;; gave something else.
+;; The value of the function at x, a finite flonum; else an error that names x.
 ;; sample : symbol (flonum -> real) flonum -> flonum
 (define (sample who f x)
   (define y (f x))
@@ -23,7 +22,7 @@
     (raise-singular who "the function is not finite" x "at" x "given" y))
   z)
 
-;; role : what x is, as in "limit of integration".
+;; role : a noun for x, as "limit of integration"
 (define (check-finite who x role)
   (unless (finite? x)
     (complain-of-datum who (string-append "a finite real number as " role) x)))

@@ -27,6 +27,5 @@
 ;; From 1 to the next flonum; rounding is at most half of it.
 (define epsilon (expt 2.0 -52))
 
-;; What rounding leaves of a step of an integration, relative to the state: less is not asked
-;; of any.
+;; Rounding error of a step of an integration, relative to the state; no method is asked for less.
 (define rounding 4e-16)

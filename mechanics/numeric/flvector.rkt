@@ -9,12 +9,21 @@
 
 (provide flvector-finite?
          flvector->list flvector-copy! flvector-swap!
-         along difference dot norm greatest distance)
+         unit-flvector flvector-scaled along difference dot norm greatest distance)
 
 (define (flvector-finite? v)
   (for/and ([x (in-flvector v)]) (fl< (flabs x) +inf.0)))
 
 (define (flvector->list v) (for/list ([x (in-flvector v)]) x))
+
+;; 1.0 in place i of n
+(define (unit-flvector i n)
+  (define v (make-flvector n))
+  (flvector-set! v i 1.0)
+  v)
+
+(define (flvector-scaled a v)
+  (for/flvector #:length (flvector-length v) ([x (in-flvector v)]) (fl* a x)))
 
 ;; As many components as both have.
 (define (flvector-copy! to from)

@@ -34,15 +34,13 @@
 ;; g with the mean 0 and g(θ) − g(θ + a) = f(θ) but for the mean of f, and for terms of f that
 ;; are no greater than `rounding`: where k a is nearly a whole turn noise would come out as a term
 (define (periodic-unshifted f a [rounding 0.0])
-  (define zero (make-flvector (flvector-length f)))
   (define (factor k size)
     (if (or (fl= k 0.0) (fl<= size rounding))
         (values 0.0 0.0)
         ;; 1/(1 − exp(ika))
         (let ([half (fl* 0.5 (fl* k a))])
           (values 0.5 (fl/ (fl* 0.5 (flcos half)) (flsin half))))))
-  (define-values (g nothing) (filtered f zero factor))
-  g)
+  (alone filtered f factor))
 
 ;; Terms k of f and of g multiplied by what (factor k size) gives, the real and the imaginary part,
 ;; and terms −k by its conjugate; size : of term k of f + ig.  The term n/2, of which only the sum
@@ -67,11 +65,6 @@
   (inverse-fourier-transform! re im)
   (values re im))
 
-(define (terms f)
-  (define-values (re im) (values (flvector-copy f) (make-flvector (flvector-length f))))
-  (fourier-transform! re im)
-  (values re im))
-
 ;; The same without the terms of the upper third, where products of two functions are wrong.
 (define (both-smoothed f g)
   (define third (fl/ (->fl (flvector-length f)) 3.0))
@@ -90,7 +83,8 @@
 ;; -> (angle -> value)
 (define (periodic-value-at f)
   (define n (flvector-length f))
-  (define-values (re im) (terms f))
+  (define-values (re im) (values (flvector-copy f) (make-flvector n)))
+  (fourier-transform! re im)
   (lambda (theta)
     (for/fold ([sum (fl/ (flvector-ref re 0) (->fl n))]) ([k (in-range 1 (quotient n 2))])
       (define a (fl* (->fl k) theta))

@@ -8,7 +8,7 @@
 ;; error, where what the formula and what rounding do wrong balance.
 
 (require racket/flonum
-         "implicit-root.rkt" "root-conditioning.rkt"
+         "implicit-root.rkt" "steady.rkt"
          "../calculus/derivative.rkt" "../calculus/number-argument.rkt" "../calculus/perturbed-value.rkt"
          "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/function.rkt"

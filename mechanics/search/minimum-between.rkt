@@ -8,7 +8,7 @@
 ;; narrower one than their distance may still hide.
 
 (require racket/list
-         "unbounded-descent.rkt"
+         "bottomless.rkt"
          "../error/failure.rkt" "../error/note.rkt"
          "../numeric/constants.rkt" "../numeric/checked-arguments.rkt")
 

@@ -32,13 +32,13 @@
     "\n  Fedora: dnf install mpfr; Arch: pacman -S mpfr"
     "\n  macOS, Windows: Racket's package math-lib brings it: raco pkg install math-lib")))
 
-;; The value of (f), computed with so many bits.
+;; The value of (f), computed with this number of bits.
 (define (call-with-bits bits f)
   (if (eqv? bits (bf-precision))
       (f)
       (parameterize ([bf-precision bits]) (f))))
 
-;; Exactly; infinities and what is not a number have no exact value.
+;; A fraction; of infinities and not-a-number, which have no exact value, the flonum.
 (define (exact-value x)
   (if (bfrational? x) (bigfloat->rational x) (bigfloat->flonum x)))
 
@@ -58,6 +58,6 @@
   (hasheq 'add bf+ '+ bf+ 'subtract bf- '- bf- 'multiply bf* '* bf* 'divide bf/ '/ bf/
           'expt bfexpt 'atan bfatan2))
 
-;; The operation of that name on so many bigfloats, or #f.
+;; The operation of this name on one or two bigfloats, or #f.
 (define (operation-on-bigfloats name arguments)
   (hash-ref (if (eqv? arguments 1) of-one of-two) name #f))

@@ -24,8 +24,8 @@
          ;; for tests of order
          step-by-rows)
 
-;; Extrapolation multiplies rounding errors by up to 2.3 for each row: so many bits
-;; beside those that the tolerance asks for.
+;; Bits beyond those that the tolerance asks for: extrapolation multiplies rounding errors by up
+;; to 2.3 for each row.
 (define (guard-bits digits) (+ 24 (inexact->exact (ceiling (* 1.2 (most-rows digits))))))
 
 (define (best-rows digits) (max 4 (inexact->exact (round (* 0.5 digits)))))
@@ -52,7 +52,7 @@
                 start y0 slope (best-rows digits) (first-length y0 slope) 0))
   (lambda (end visit) (advance! i end visit)))
 
-;; most, factors : rows of the scheme, and what they are made with
+;; most, factors : greatest number of rows of the scheme, and the factors of their differences
 ;; t, y, slope   : where the motion is
 ;; aim, length   : of the next step, the rows aimed at and a flonum; count : of steps
 (struct integrator (f start tolerance clock stuck longest limit shortest most factors
@@ -67,7 +67,7 @@
         (loop (step! i end visit))
         (values t (integrator-y i)))))
 
-;; Up to `end` or by one step towards it.
+;; Takes one step towards `end`.
 (define (step! i end visit)
   (define-fields integrator i t y length longest count limit stuck)
   (when (>= count limit) (stuck t y 'too-many-steps))
@@ -99,7 +99,7 @@
   (set-integrator-y! i y)
   (set-integrator-slope! i (f y)))
 
-;; Towards a pole steps get shorter without end, for rounding is far away.
+;; Towards a pole steps would get shorter without end, for rounding is far away.
 (define (too-short? i h)
   (define-fields integrator i t start shortest)
   (define scale (flmax (flabs (bigfloat->flonum t)) (flabs (bigfloat->flonum (bf- t start)))))

@@ -54,8 +54,7 @@
       (put! m (unsafe-fx+ row j) (at m (unsafe-fx+ other j)))
       (put! m (unsafe-fx+ other j) x))))
 
-;; Subtracts from the rows below the k-th what clears their column k, and notes there
-;; how much that was.
+;; Clears column k below row k by multiples of this row, and keeps their factors in its place.
 (define (clear-below! m n k row)
   (define inverse (unsafe-fl/ 1.0 (at m (unsafe-fx+ row k))))
   (define end (unsafe-fx* n n))
@@ -67,7 +66,7 @@
           (subtract-row! m below row (unsafe-fx+ k 1) n factor)))
       (loop (unsafe-fx+ below n)))))
 
-;; From one row `factor` times another, in the columns given.
+;; Subtracts from a row `factor` times another, in the columns given.
 (define-syntax-rule (subtract-row! m row other from n factor)
   (let ([difference (unsafe-fx- other row)])
     (each (p (unsafe-fx+ row from) (unsafe-fx+ row n))
@@ -99,7 +98,7 @@
           (loop (unsafe-fx+ j 1)
                 (unsafe-fl- rest (unsafe-fl* (at m (unsafe-fx+ row j)) (at b j))))))))
 
-;; Both in one: b becomes the solution of m x = b, or nothing in it is a number.
+;; Factors and solves: b becomes the solution of m x = b; of a singular m, all not-a-number.
 (define (solve-dense! m n exchanges b)
   (if (factor! m n exchanges)
       (solve-factored! m n exchanges b)

@@ -15,7 +15,8 @@
          "../constants.rkt")
 
 (provide floating-determinant floating-solutions floating-kernel
-         clear-below!)
+         ;; for systems that are nearly singular
+         eliminate-fully! null-vector)
 
 ;; Matrices are vectors of rows, of which the copies made here are changed.
 (define-row-operations (greatest-below clear-below! substitute-back!)
@@ -98,9 +99,9 @@
 ;; component of greatest magnitude is 1.
 (define (floating-kernel matrix)
   (define rows (scale-rows (inexact-rows matrix)))
-  (define n (vector-length (vector-ref rows 0)))
-  (define columns (build-vector n values))
-  (define rank (eliminate-fully! rows columns))
+  (define n (row-length rows))
+  (define small (* 8 (max n (vector-length rows)) epsilon))
+  (define-values (rank columns) (eliminate-fully! rows n small))
   (values rank
           (for/list ([place (in-range rank n)])
             (null-vector rows columns rank place))))
@@ -110,13 +111,13 @@
     (define size (for/fold ([m 0.0]) ([x (in-vector row)]) (max m (magnitude x))))
     (if (zero? size) row (for/vector ([x (in-vector row)]) (/ x size)))))
 
-;; Pivot k comes to be in row k and column columns[k]; -> the number of pivots.
-(define (eliminate-fully! rows columns)
-  (define most (max (vector-length rows) (vector-length columns)))
-  (define least (* 8 most epsilon))
+;; Pivot k comes to be in row k and column columns[k]; entries up to `small` count as 0.
+;; -> the number of pivots, at most `most`, and the columns
+(define (eliminate-fully! rows most small)
+  (define columns (build-vector (row-length rows) values))
   (let loop ([k 0])
     (define-values (i l size) (greatest-left rows columns k))
-    (cond [(<= size least) k]
+    (cond [(or (= k most) (<= size small)) (values k columns)]
           [else
            (exchange! rows k i)
            (exchange! columns k l)

@@ -98,7 +98,7 @@
           [else (Francis-step! h n first last (and (= 9 (remainder steps 10))))
                 (loop last (+ steps 1) found)])))
 
-;; The row above which the subdiagonal is nothing beside its neighbours.
+;; The row above which the subdiagonal is negligible beside its neighbours.
 (define (block-start h n last)
   (let loop ([i last])
     (cond [(<= i 0) 0]
@@ -124,8 +124,8 @@
          (list (make-rectangular re (fl- 0.0 im)) (make-rectangular re im))]
         [else (two-real half square a b c d)]))
 
-;; a + b c/z and d - b c/z, with the z that loses no digits.  The first one is d + z, which
-;; does lose them where it is nothing beside d.
+;; a + b c/z and d - b c/z, with the z that loses no digits.  The first is d + z, which would lose
+;; digits where z is small beside d.
 (define (two-real half square a b c d)
   (define root (flsqrt square))
   (define z (if (fl< half 0.0) (fl- half root) (fl+ half root)))

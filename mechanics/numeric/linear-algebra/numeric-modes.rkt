@@ -22,10 +22,9 @@
   (and L
        (let*-values ([(C) (congruent L K n)]
                      [(squares vectors) (symmetric-eigenvalues C n)])
-         (for/list ([k (in-range n)])
-           (define y (for/list ([i (in-range n)]) (flvector-ref vectors (+ (* k n) i))))
-           (cons (sqrt (clean (flvector-ref squares k) C))
-                 (first-one (back-substitute L y n)))))))
+         (for/list ([square (in-flvector squares)] [v (in-list vectors)])
+           (cons (sqrt (clean square C))
+                 (first-one (back-substitute L (flvector->list v) n)))))))
 
 ;; Zero frequencies are found but for rounding.
 (define (clean square C)
@@ -44,7 +43,7 @@
                [else #f]))
        L))
 
-;; L⁻¹ K L⁻ᵀ: L⁻¹ takes the columns of K, then those of what that gives, turned.
+;; L⁻¹ K L⁻ᵀ: L⁻¹ acts on the columns of K, then on those of the transposed result.
 (define (congruent L K n)
   (define (solved rows) (rows-transpose (for/vector ([c (in-vector (rows-transpose rows))])
                                           (forward L c n))))
@@ -69,7 +68,7 @@
                         (entry L i i))))
   (vector->list x))
 
-;; A multiple with first component 1; what is but rounding beside it is 0.
+;; The multiple with first component 1; components that are but rounding beside it become 0.
 (define (first-one components)
   (define greatest (apply max (map magnitude components)))
   (define head (findf (lambda (x) (> (magnitude x) (* 1e-12 greatest))) components))
@@ -92,15 +91,15 @@
                 (for/list ([omega (in-list omegas)] [before (in-list (repetitions omegas))])
                   (define A (at-frequency M K G omega n))
                   (define small (* 1e-12 (frequency-scale M K G omega)))
-                  (cons omega (first-one (null-vector A n small before)))))))))
+                  (cons omega (first-one (null-vector-of A n small before)))))))))
 
-;; Of each, how many before it are the same but for rounding.
+;; For each omega, how many before it are equal but for rounding.
 (define (repetitions omegas)
   (for/list ([w (in-list omegas)] [k (in-naturals)])
     (for/sum ([u (in-list omegas)] [_ (in-range k)])
       (if (<= (magnitude (- w u)) (* 1e-9 (magnitude w))) 1 0))))
 
-;; The size of what is added up in K − ω²M + iωG.
+;; The size of the greatest term in K − ω²M + iωG.
 (define (frequency-scale M K G omega)
   (define w (magnitude omega))
   (define (size A) (for*/fold ([s 0.0]) ([row (in-vector A)] [x (in-vector row)]) (max s (abs x))))
@@ -131,40 +130,9 @@
     (for/vector #:length n ([j (in-range n)])
       (+ (entry K i j) (* -1 omega omega (entry M i j)) (* +i omega (entry G i j))))))
 
-;; Elimination with the greatest of all remaining entries as pivot leaves the least
-;; for the end, where it counts as zero; so do those that are `small`.  Of several null
-;; vectors the one that has `before` others before it.
-(define (null-vector A n small before)
-  (define order (build-vector n values))
-  (define rank (eliminate! A order n small))
-  (define unknowns (solve-above A n rank (+ rank (modulo before (- n rank)))))
-  (define x (make-vector n 0.0))
-  (for ([place (in-vector order)] [v (in-vector unknowns)]) (vector-set! x place v))
-  (vector->list x))
-
-;; -> how many pivots there are, less than n; A becomes triangular as far as they go
-(define (eliminate! A order n small)
-  (let loop ([k 0])
-    (define-values (p q) (greatest-left A k n))
-    (cond [(or (= k (- n 1)) (<= (magnitude (entry A p q)) small)) k]
-          [else
-           (exchange! A k p)
-           (exchange! order k q)
-           (for ([row (in-vector A)]) (exchange! row k q))
-           (clear-below! A k k (+ k 1))
-           (loop (+ k 1))])))
-
-;; The unknowns, the one at `free` being 1 and the others without pivot 0.
-(define (solve-above A n rank free)
-  (define unknowns (make-vector n 0.0))
-  (vector-set! unknowns free 1.0)
-  (for ([k (in-range (- rank 1) -1 -1)])
-    (vector-set! unknowns k
-                 (/ (for/fold ([s 0.0]) ([j (in-range (+ k 1) n)])
-                      (- s (* (entry A k j) (vector-ref unknowns j))))
-                    (entry A k k))))
-  unknowns)
-
-(define (greatest-left A k n)
-  (for*/fold ([p k] [q k]) ([i (in-range k n)] [j (in-range k n)])
-    (if (> (magnitude (entry A i j)) (magnitude (entry A p q))) (values i j) (values p q))))
+;; Elimination with the greatest of all remaining entries as pivot leaves the least for the end,
+;; where it counts as zero, as all do that are `small`.
+;; -> the null vector number `before` from 0, a list
+(define (null-vector-of A n small before)
+  (define-values (rank columns) (eliminate-fully! A (- n 1) small))
+  (vector->list (null-vector A columns rank (+ rank (modulo before (- n rank))))))

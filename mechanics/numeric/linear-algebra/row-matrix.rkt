@@ -1,14 +1,16 @@
 #lang racket/base
 ;; Matrices as vectors of rows, which are vectors of entries of any kind.
 
+(require racket/flonum)
+
 (provide entry all-entries? exact-numbers? row-length
-         rows-map rows-transpose beside submatrix unit-rows
+         rows-map rows-combine rows-transpose beside submatrix unit-rows rows->flvector
          exchange!)
 
 (define (entry rows i j) (vector-ref (vector-ref rows i) j))
 
-(define (all-entries? good? rows)
-  (for*/and ([row (in-vector rows)] [x (in-vector row)]) (good? x)))
+(define (all-entries? good? . matrices)
+  (for*/and ([rows (in-list matrices)] [row (in-vector rows)] [x (in-vector row)]) (good? x)))
 
 ;; Exact ones only?
 (define (exact-numbers? rows)
@@ -17,10 +19,14 @@
 (define (row-length rows)
   (if (eqv? 0 (vector-length rows)) 0 (vector-length (vector-ref rows 0))))
 
-;; New rows, of what f makes of each entry.
+;; New rows of the values of f at each entry, or at each pair of entries of two matrices.
 (define (rows-map f rows)
   (for/vector #:length (vector-length rows) ([row (in-vector rows)])
     (for/vector #:length (vector-length row) ([x (in-vector row)]) (f x))))
+
+(define (rows-combine f a b)
+  (for/vector #:length (vector-length a) ([r (in-vector a)] [s (in-vector b)])
+    (for/vector #:length (vector-length r) ([x (in-vector r)] [y (in-vector s)]) (f x y))))
 
 (define (rows-transpose rows)
   (define n (row-length rows))
@@ -40,6 +46,12 @@
 
 (define (unit-rows n [one 1] [zero 0])
   (build-vector n (lambda (i) (build-vector n (lambda (j) (if (= i j) one zero))))))
+
+;; The entries, real numbers, row by row.
+(define (rows->flvector rows)
+  (for*/flvector #:length (* (vector-length rows) (row-length rows))
+                 ([row (in-vector rows)] [x (in-vector row)])
+    (real->double-flonum x)))
 
 ;; Two entries of a vector, which may be rows, change places.
 (define (exchange! v i j)

@@ -8,7 +8,7 @@
 
 (require racket/flonum
          racket/list
-         "row-matrix.rkt"
+         "rotation.rkt" "row-matrix.rkt"
          "../constants.rkt" "../flvector.rkt")
 
 (provide singular-values columns-of)
@@ -24,16 +24,8 @@
 (define (singular-values columns)
   (define n (length columns))
   (define turned (for/vector ([c (in-list columns)]) (flvector-copy c)))
-  (define turns
-    (for/vector ([j (in-range n)])
-      (define v (make-flvector n))
-      (flvector-set! v j 1.0)
-      v))
-  (let sweep ([rest 60])
-    (when (and (for*/fold ([any? #f]) ([p (in-range n)] [q (in-range (add1 p) n)])
-                 (or (turn! turned turns p q) any?))
-               (> rest 0))
-      (sweep (sub1 rest))))
+  (define turns (build-vector n (lambda (j) (unit-flvector j n))))
+  (turn-all-pairs! n (lambda (p q) (turn! turned turns p q)))
   (define order
     (sort (for/list ([u (in-vector turned)] [v (in-vector turns)]) (list (norm u) u v))
           > #:key first))
@@ -46,42 +38,31 @@
   (define u (vector-ref columns p))
   (define w (vector-ref columns q))
   (define-values (a b c) (values (dot u u) (dot w w) (dot u w)))
-  (and (fl> (flabs c) (fl* (fl* 4.0 epsilon) (fl* (flsqrt a) (flsqrt b))))
-       (let* ([zeta (fl/ (fl- b a) (fl* 2.0 c))]
-              [size (fl/ 1.0 (fl+ (flabs zeta) (flsqrt (fl+ 1.0 (fl* zeta zeta)))))]
-              [tangent (if (fl< zeta 0.0) (fl- 0.0 size) size)]
-              [cosine (fl/ 1.0 (flsqrt (fl+ 1.0 (fl* tangent tangent))))])
-         (mix! u w cosine (fl* cosine tangent))
-         (mix! (vector-ref turns p) (vector-ref turns q) cosine (fl* cosine tangent))
-         #t)))
-
-(define (mix! u w c s)
-  (for ([i (in-range (flvector-length u))])
-    (define-values (x y) (values (flvector-ref u i) (flvector-ref w i)))
-    (flvector-set! u i (fl- (fl* c x) (fl* s y)))
-    (flvector-set! w i (fl+ (fl* s x) (fl* c y)))))
+  (define turned? (fl> (flabs c) (fl* (fl* 4.0 epsilon) (fl* (flsqrt a) (flsqrt b)))))
+  (when turned?
+    (define-values (tangent cosine sine) (rotation (fl/ (fl- b a) (fl* 2.0 c))))
+    (for ([i (in-range (flvector-length u))]) (mix! u i w i cosine sine))
+    (for ([j (in-range (vector-length turns))])
+      (mix! (vector-ref turns p) j (vector-ref turns q) j cosine sine)))
+  turned?)
 
 ;; ---------------------------------------------------------------------------
-;; Columns of unit length, of those that fall in length
+;; Columns of unit length, from columns in order of falling length
 
 (define (directions lengths columns)
   (define rounding (fl* (fl* 100.0 epsilon) (first lengths)))
   (for/fold ([found '()] #:result (reverse found))
             ([length (in-list lengths)] [u (in-list columns)])
-    (define own (and (fl> length 0.0) (times (fl/ 1.0 length) u)))
+    (define own (and (fl> length 0.0) (flvector-scaled (fl/ 1.0 length) u)))
     (cons (if (fl> length rounding) own (beside found own (flvector-length u)))
           found)))
 
-;; own, if it is at right angles to those found but for roundings, or else one that is
+;; A unit vector at right angles to those found: the part of `own` that is, if most of it is
 (define (beside found own n)
   (define (free u)
     (for/fold ([u u]) ([v (in-list (append found found))]) (along u (- (dot u v)) v)))
-  (define candidates (cons own (for/list ([i (in-range n)]) (unit i n))))
+  (define candidates (cons own (for/list ([i (in-range n)]) (unit-flvector i n))))
   (define freed (for/list ([u (in-list candidates)] #:when u) (free u)))
   (define best
     (or (and own (fl> (norm (first freed)) 0.9) (first freed)) (argmax norm freed)))
-  (times (fl/ 1.0 (norm best)) best))
-
-(define (unit i n) (for/flvector #:length n ([j (in-range n)]) (if (= i j) 1.0 0.0)))
-
-(define (times a u) (for/flvector #:length (flvector-length u) ([x (in-flvector u)]) (fl* a x)))
+  (flvector-scaled (fl/ 1.0 (norm best)) best))

@@ -15,14 +15,14 @@
 
 (provide most-unknowns solve-small! least-part)
 
-;; What must be left of an entry of the diagonal, as a part of it.
+;; The least part of an entry of the diagonal that elimination must leave.
 (define least-part 1e-13)
 
 (begin-for-syntax
   (define (name letter . indices) (string->symbol (format "~a~a" letter indices)))
   (define (less-product x a b) `(unsafe-fl- ,x (unsafe-fl* ,a ,b)))
 
-  ;; A name is bound again to what its entry has become.
+  ;; The name of an entry is bound again to its new value.
   (define (loads n)
     (for/list ([i (in-range n)])
       `([,(name 'b i) (unsafe-flvector-ref b ,i)]
@@ -46,7 +46,7 @@
           (less-product rest (name 'm k j) (name 'b j))))
       `([,(name 'b k) (unsafe-fl* ,rest ,(name 'inverse k))])))
 
-  ;; The lower bounds are numbers or, when elimination is done, parts of what there was.
+  ;; The lower bounds are 0 or, when elimination is done, parts of the first entries.
   (define (diagonal-above n bound)
     `(and ,@(for/list ([k (in-range n)]) `(unsafe-fl< ,(bound k) ,(name 'm k k) +inf.0))))
 
@@ -64,7 +64,7 @@
                            `(unsafe-flvector-set! b ,k ,(name 'b k)))
                        #t))))))))
 
-;; The number of unknowns up to which there are procedures, and those, by that number.
+;; Defines the greatest number of unknowns, and a vector of procedures by number of unknowns.
 (define-syntax (define-solvers stx)
   (syntax-case stx ()
     [(here most by-size largest)

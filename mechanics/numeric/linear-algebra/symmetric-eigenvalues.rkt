@@ -10,69 +10,43 @@
 
 (require racket/flonum
          racket/list
-         "../constants.rkt")
+         "rotation.rkt"
+         "../constants.rkt" "../flvector.rkt")
 
 (provide symmetric-eigenvalues)
 
 ;; a : flvector of the n² entries of a symmetric matrix, row by row; it is not changed.
-;; -> the eigenvalues from the least to the greatest in an flvector, and in an flvector
-;;    of n² entries the eigenvectors of unit length, one in each row, in the same order
+;; -> the eigenvalues from the least to the greatest, an flvector, and the eigenvectors of unit
+;;    length in the same order, a list of flvectors
 (define (symmetric-eigenvalues a n)
   (define m (flvector-copy a))
-  (define vectors (unit n))
-  (let sweep ([rest 60])
-    (when (and (for*/fold ([turned? #f]) ([p (in-range n)] [q (in-range (+ p 1) n)])
-                 (or (turn! m vectors n p q) turned?))
-               (> rest 0))
-      (sweep (- rest 1))))
-  (in-order m vectors n))
+  (define vectors (build-vector n (lambda (i) (unit-flvector i n))))
+  (turn-all-pairs! n (lambda (p q) (turn! m vectors n p q)))
+  (define (value i) (flvector-ref m (* i (+ n 1))))
+  (define order (sort (range n) < #:key value))
+  (values (for/flvector #:length n ([i (in-list order)]) (value i))
+          (for/list ([i (in-list order)]) (vector-ref vectors i))))
 
-(define (unit n)
-  (define m (make-flvector (* n n)))
-  (for ([i (in-range n)]) (flvector-set! m (* i (+ n 1)) 1.0))
-  m)
-
-;; Makes the entry of row p and column q vanish, unless it is nothing beside the
-;; diagonal: beside the geometric mean, so that small eigenvalues count as much.
+;; Makes the entry of row p and column q vanish, unless it is negligible beside the geometric mean
+;; of the diagonal's entries, by which small eigenvalues count as much as great ones.
+;; -> was it turned?
 (define (turn! m vectors n p q)
   (define off (flvector-ref m (+ (* p n) q)))
   (define app (flvector-ref m (* p (+ n 1))))
   (define aqq (flvector-ref m (* q (+ n 1))))
-  (and (not (fl= off 0.0))
-       (fl> (flabs off) (fl* (fl* 0.5 epsilon) (fl* (flsqrt (flabs app)) (flsqrt (flabs aqq)))))
-       (let*-values ([(tangent) (small-tangent (fl/ (fl- aqq app) (fl* 2.0 off)))]
-                     [(c) (fl/ 1.0 (flsqrt (fl+ 1.0 (fl* tangent tangent))))]
-                     [(s) (fl* tangent c)])
-         (mix-columns! m n p q c s)
-         (mix-rows! m n p q c s)
-         (mix-rows! vectors n p q c s)
-         (flvector-set! m (* p (+ n 1)) (fl- app (fl* tangent off)))
-         (flvector-set! m (* q (+ n 1)) (fl+ aqq (fl* tangent off)))
-         (flvector-set! m (+ (* p n) q) 0.0)
-         (flvector-set! m (+ (* q n) p) 0.0)
-         #t)))
-
-;; The smaller root of t² + 2 t x - 1, the tangent of the angle to turn by: twice the
-;; angle has the cotangent x.
-(define (small-tangent x)
-  (define t (fl/ 1.0 (fl+ (flabs x) (flsqrt (fl+ 1.0 (fl* x x))))))
-  (if (fl< x 0.0) (fl- 0.0 t) t))
-
-(define (mix-rows! m n p q c s)
-  (for ([k (in-range n)]) (mix! m (+ (* p n) k) (+ (* q n) k) c s)))
-
-(define (mix-columns! m n p q c s)
-  (for ([k (in-range n)]) (mix! m (+ (* k n) p) (+ (* k n) q) c s)))
-
-(define (mix! m i j c s)
-  (define x (flvector-ref m i))
-  (define y (flvector-ref m j))
-  (flvector-set! m i (fl- (fl* c x) (fl* s y)))
-  (flvector-set! m j (fl+ (fl* s x) (fl* c y))))
-
-(define (in-order m vectors n)
-  (define (value i) (flvector-ref m (* i (+ n 1))))
-  (define order (sort (range n) < #:key value))
-  (values (for/flvector #:length n ([i (in-list order)]) (value i))
-          (for*/flvector #:length (* n n) ([i (in-list order)] [k (in-range n)])
-            (flvector-ref vectors (+ (* i n) k)))))
+  (define turned?
+    (and (not (fl= off 0.0))
+         (fl> (flabs off)
+              (fl* (fl* 0.5 epsilon) (fl* (flsqrt (flabs app)) (flsqrt (flabs aqq)))))))
+  (when turned?
+    (define-values (tangent c s) (rotation (fl/ (fl- aqq app) (fl* 2.0 off))))
+    (for ([k (in-range n)])
+      (mix! m (+ (* k n) p) m (+ (* k n) q) c s))
+    (for ([k (in-range n)])
+      (mix! m (+ (* p n) k) m (+ (* q n) k) c s)
+      (mix! (vector-ref vectors p) k (vector-ref vectors q) k c s))
+    (flvector-set! m (* p (+ n 1)) (fl- app (fl* tangent off)))
+    (flvector-set! m (* q (+ n 1)) (fl+ aqq (fl* tangent off)))
+    (flvector-set! m (+ (* p n) q) 0.0)
+    (flvector-set! m (+ (* q n) p) 0.0))
+  turned?)

@@ -22,12 +22,12 @@
 (define-syntax-rule (put! m i x) (unsafe-flvector-set! m i x))
 
 ;; m : n² entries, which are changed; exchanges : room, as solve-dense! needs it
-;; b, the right-hand side, becomes the solution, or nothing in it is a number.
+;; b, the right-hand side, becomes the solution; of a singular m, all not-a-number.
 (define (solve-symmetric! m n exchanges b)
   (unless (if (unsafe-fx<= n most-unknowns) (solve-small! m n b) (solve-by-rows! m n b))
     (solve-dense! m n exchanges b)))
 
-;; -> whether m is positive definite; if not, it is as it was
+;; -> is m positive definite?  If not, m is unchanged.
 (define (solve-by-rows! m n b)
   (define diagonal (make-flvector n))
   (define rows (cholesky! m n diagonal))
@@ -93,7 +93,7 @@
             (column (unsafe-fx+ j 1)))))
       (up (unsafe-fx- i 1) (unsafe-fx- start n)))))
 
-;; As it was: the diagonal before row `rows` was saved, what is beyond was not touched.
+;; Undoes cholesky!: the diagonal before row `rows` was saved, the rest of it was not touched.
 (define (restore! m n diagonal rows)
   (for ([i (in-range n)])
     (when (< i rows) (put! m (+ (* i n) i) (at diagonal i)))

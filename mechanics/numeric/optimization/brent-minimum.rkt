@@ -19,7 +19,7 @@
 ;; tell; on equal values the best point stays where it is.
 
 (require "point.rkt"
-         "../constants.rkt" "../checked-arguments.rkt"
+         "../constants.rkt" "../record-fields.rkt" "../checked-arguments.rkt"
          "../../error/failure.rkt")
 
 (provide minimize)     ; (minimize f low high) -> (list argument value steps)
@@ -51,19 +51,18 @@
   (* (real->double-flonum tolerance) (max (abs x) (* 1e-2 width))))
 
 (define (descend s nearest at limit who)
-  (define best (search-best s))
+  (define-fields search s low high best count)
   (define near (nearest (point-x best)))
-  (cond [(closed? s near)
-         (list (point-x best) (point-y best) (search-count s))]
-        [(>= (search-count s) limit)
-         (raise-not-convergent who "no minimum found" (point-x best)
-                               (- (search-high s) (search-low s))
-                               "steps" (search-count s))]
+  (cond [(closed? s near) (list (point-x best) (point-y best) count)]
+        [(>= count limit)
+         (raise-not-convergent who "no minimum found" (point-x best) (- high low)
+                               "steps" count)]
         [else (descend (advance s near at) nearest at limit who)]))
 
 (define (closed? s near)
-  (define x (point-x (search-best s)))
-  (<= (max (- x (search-low s)) (- (search-high s) x)) (* 2.0 near)))
+  (define-fields search s low high best)
+  (define x (point-x best))
+  (<= (max (- x low) (- high x)) (* 2.0 near)))
 
 ;; ---------------------------------------------------------------------------
 ;; One step
@@ -78,23 +77,22 @@
 
 ;; From the best point to the farther end of the bracket.
 (define (golden-reach s)
-  (define x (point-x (search-best s)))
-  (define up (- (search-high s) x))
-  (define down (- (search-low s) x))
+  (define-fields search s low high best)
+  (define up (- high (point-x best)))
+  (define down (- low (point-x best)))
   (if (>= up (- down)) up down))
 
 ;; From the best point to the vertex of the parabola, or #f if that is not to be
 ;; trusted.  Steps too near to an end of the bracket are turned inwards.
 (define (parabolic-step s near)
-  (define x (point-x (search-best s)))
-  (define step
-    (and (> (abs (search-before s)) near)
-         (vertex-offset (search-best s) (search-second s) (search-third s))))
+  (define-fields search s low high best second third before)
+  (define x (point-x best))
+  (define step (and (> (abs before) near) (vertex-offset best second third)))
   (and step
-       (< (abs step) (* 0.5 (abs (search-before s))))
-       (< (search-low s) (+ x step) (search-high s))
-       (if (or (< (- (+ x step) (search-low s)) (* 2.0 near))
-               (< (- (search-high s) (+ x step)) (* 2.0 near)))
+       (< (abs step) (* 0.5 (abs before)))
+       (< low (+ x step) high)
+       (if (or (< (- (+ x step) low) (* 2.0 near))
+               (< (- high (+ x step)) (* 2.0 near)))
            (if (> (golden-reach s) 0.0) near (- near))
            step)))
 
@@ -115,9 +113,7 @@
 
 ;; The trial replaces one of the three points and one end of the bracket.
 (define (update s trial step before)
-  (define best (search-best s))
-  (define second (search-second s))
-  (define third (search-third s))
+  (define-fields search s low high best second third count)
   (define-values (inner outer)        ; the bracket is cut at outer, keeps inner
     (if (< (point-y trial) (point-y best))
         (values trial best)
@@ -131,6 +127,6 @@
                (<= (point-y trial) (point-y third)))
            (values second trial)]
           [else (values second third)]))
-  (search (if above? (search-low s) (point-x outer))
-          (if above? (point-x outer) (search-high s))
-          inner b2 b3 step before (+ 1 (search-count s))))
+  (search (if above? low (point-x outer))
+          (if above? (point-x outer) high)
+          inner b2 b3 step before (+ 1 count)))

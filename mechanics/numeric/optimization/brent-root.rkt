@@ -20,7 +20,7 @@
          "../checked-arguments.rkt"
          "../../error/failure.rkt")
 
-;; (method f low high) -> root, how far off it may be, evaluations
+;; (method f low high) -> root, bound of its error, evaluations
 (provide bracketed-root bisected-root)
 
 ;; The root is right to `tolerance` times its own size or, near zero, times a
@@ -32,25 +32,25 @@
                         #:observe [observe void]
                         #:name [who 'find-root]
                         #:give-up [give-up (giving-up who)])
-  (check-interval who low high)
-  (check-tolerance who tolerance)
-  (define at (observed who f observe))
-  (define-values (a b) (ends low high at who))
-  (define-values (root half count)
-    (narrow a b a (resolution tolerance (- (point-x b) (point-x a))) at limit give-up))
+  (define-values (at a b nearest) (begin-search who f low high tolerance observe))
+  (define-values (root half count) (narrow a b a nearest at limit give-up))
   (check-not-pole who root a b)
   (values (point-x root) (if (= (point-y root) 0.0) 0.0 (abs half)) count))
 
-(define (ends low high at who)
+;; -> (x -> point), the points at both ends, and how near two trials near x may be
+(define (begin-search who f low high tolerance observe)
+  (check-interval who low high)
+  (check-tolerance who tolerance)
+  (define at (observed who f observe))
   (define a (at (real->double-flonum low)))
   (define b (at (real->double-flonum high)))
   (when (same-side? a b) (raise-no-change who a b))
-  (values a b))
+  (values at a b (resolution tolerance (- (point-x b) (point-x a)))))
 
 (define (same-side? p q)
   (or (< 0.0 (min (point-y p) (point-y q))) (> 0.0 (max (point-y p) (point-y q)))))
 
-;; How near two trials may be: never nearer than rounding.
+;; Never nearer than rounding.
 (define ((resolution tolerance width) x)
   (max (* 0.5 (real->double-flonum tolerance) (max (abs x) (* 1e-2 (abs width))))
        (* 4.5e-16 (abs x))
@@ -110,11 +110,7 @@
                        #:tolerance [tolerance 1e-15]
                        #:observe [observe void]
                        #:name [who 'bisect])
-  (check-interval who low high)
-  (check-tolerance who tolerance)
-  (define at (observed who f observe))
-  (define-values (a b) (ends low high at who))
-  (define nearest (resolution tolerance (- (point-x b) (point-x a))))
+  (define-values (at a b nearest) (begin-search who f low high tolerance observe))
   (let loop ([a a] [b b] [count 2])
     (define x (* 0.5 (+ (point-x a) (point-x b))))
     (define half (* 0.5 (abs (- (point-x b) (point-x a)))))

@@ -15,16 +15,14 @@
          downward-step metric vanishing? all-vanishing?
          curvature-along difference-curvatures)
 
-;; values : flvector, the least first; vectors : a list of flvectors; noise : how great an
-;; eigenvalue may be and be nothing
+;; values : flvector, the least first; vectors : a list of flvectors; noise : an eigenvalue up to
+;; this size counts as 0
 (struct curvatures* (values vectors noise) #:authentic)
 
 ;; second : n² entries row by row; noise : of an entry beside the greatest
 (define (curvatures second n [noise 1e-14])
   (define-values (values vectors) (symmetric-eigenvalues (symmetric second n) n))
-  (curvatures* values
-               (for/list ([k (in-range n)]) (flvector-copy vectors (* k n) (* (+ k 1) n)))
-               (* noise n (greatest values))))
+  (curvatures* values vectors (* noise n (greatest values))))
 
 (define (symmetric m n)
   (for*/flvector #:length (* n n) ([i (in-range n)] [j (in-range n)])
@@ -33,14 +31,14 @@
 (define (least-curvature c) (flvector-ref (curvatures*-values c) 0))
 (define (direction c [k 0]) (list-ref (curvatures*-vectors c) k))
 
-;; Is the k-th eigenvalue nothing?
+;; Does the k-th eigenvalue count as 0?
 (define (vanishing? c k)
   (<= (abs (flvector-ref (curvatures*-values c) k)) (curvatures*-noise c)))
 
 (define (all-vanishing? c)
   (for/and ([k (in-range (flvector-length (curvatures*-values c)))]) (vanishing? c k)))
 
-;; Sizes of eigenvalues, none of them nothing.
+;; Sizes of the eigenvalues, those that count as 0 replaced by the noise.
 (define (sizes c)
   (define floor (max (curvatures*-noise c) 1e-300))
   (for/flvector ([l (in-flvector (curvatures*-values c))]) (flmax (flabs l) floor)))

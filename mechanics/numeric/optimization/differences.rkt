@@ -29,15 +29,15 @@
 ;; value, error : flvectors; badness : the error beside the size of the values, or +inf.0
 (struct entry (value error badness) #:authentic)
 
-;; What the steps so far have found.  row : the last one of the table, empty where f was
-;; not finite; best : the entry of least error, or #f; scale : slopes that the values
-;; would make over the first step; turn : by how much the slopes on both sides differ;
-;; bends : how many times in a row they came no closer to each other; count : of steps
+;; Results of the steps so far.  row : the last row of the table, empty where f was not finite;
+;; best : the entry of least error, or #f; scale : slopes that the values would make over the
+;; first step; turn : the difference of the slopes on both sides; bends : how many times in a row
+;; this difference did not fall; count : of steps
 (struct search (row best scale turn bends count) #:authentic)
 
 ;; given  : flonum -> flvector, of one length
 ;; known  : its value at x, which counts as one evaluation, or #f
-;; shape  : what an flvector is to the user
+;; shape  : the user's form of an flvector
 ;; -> derivative, error, evaluations
 (define (difference-derivative given x
                                #:step [step (* 0.1 (max 1.0 (abs x)))]
@@ -92,7 +92,7 @@
                         (shape (entry-error best))
                         "at" x "evaluations" evaluations))
 
-;; After a step h more.
+;; The search after one more step, h.
 (define (refined s after middle before h)
   (define sizes (map-flvectors (lambda (a b) (max (abs a) (abs b))) after before))
   (define rounding (map-flvector (lambda (s) (/ (* epsilon s) h)) sizes))
@@ -128,7 +128,7 @@
 (define (raise-kinked who x)
   (raise-singular who "the slopes of the function on both sides differ" x "at" x))
 
-;; By how much the slopes on both sides differ.
+;; The difference of the slopes on both sides.
 (define (turn-of after middle before h)
   (map-flvectors (lambda (sum m) (/ (- sum (* 2.0 m)) h)) (map-flvectors + after before) middle))
 
@@ -137,7 +137,7 @@
   (for/or ([t (in-flvector turn)] [b (in-flvector before)] [r (in-flvector rounding)])
     (and (> (abs t) (* 0.75 (abs b))) (> (abs t) (* 1e3 r)))))
 
-;; The last row is worse by far than the best entry.
+;; Is the last row far worse than the best entry?
 (define (worsening? row best)
   (and (> (length row) 2)
        (> (entry-badness (least-bad row)) (max 1e-13 (* 8.0 (entry-badness best))))))

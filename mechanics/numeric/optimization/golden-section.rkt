@@ -11,15 +11,14 @@
          "../constants.rkt" "../checked-arguments.rkt"
          "../../error/failure.rkt")
 
-;; (golden-section f low high) -> (list argument value steps)
 (provide golden-section width-at-most)
 
+(define most-steps 200)
+
 ;; done? : low, best and high point, the values there and the count of steps -> boolean
-(define (golden-section f low high
-                        #:done? [done? (width-at-most 1e-8)]
-                        #:limit [limit 200]
-                        #:observe [observe void]
-                        #:name [who 'golden-section-min])
+;; -> (list argument value steps)
+(define (golden-section f low high done? [observe void])
+  (define who 'golden-section-min)
   (check-interval who low high)
   (define at (observed who f observe))
   (define (between p q part) (at (+ (point-x p) (* part (- (point-x q) (point-x p))))))
@@ -31,7 +30,7 @@
     (cond
       [(done? (point-x a) (point-x best) (point-x b) (point-y a) (point-y best) (point-y b) count)
        (list (point-x best) (point-y best) count)]
-      [(>= count limit)
+      [(>= count most-steps)
        (raise-not-convergent who "no minimum found" (point-x best) (- (point-x b) (point-x a))
                              "steps" count)]
       [(eq? best left) (loop a (between a right golden-part) left right (+ count 1))]

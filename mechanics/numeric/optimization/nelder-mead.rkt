@@ -19,7 +19,7 @@
 ;; f        : flvector -> flonum
 ;; step     : how far the first points are from each other, or #f for a tenth of the
 ;;            size of the start
-;; argument : what a point is to the user
+;; argument : the user's form of a point
 ;; -> point, value, evaluations
 (define (nelder-mead f start
                      #:step [step #f]
@@ -103,7 +103,7 @@
 
 (define (between centre worst t) (along centre t (difference centre worst)))
 
-;; How far the points are from the best one.
+;; The greatest distance of a point from the best one.
 (define (size simplex)
   (define best (vertex-x (first simplex)))
   (for/fold ([m 0.0]) ([v (in-list (rest simplex))]) (max m (distance (vertex-x v) best))))

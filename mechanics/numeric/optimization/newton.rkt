@@ -25,8 +25,8 @@
 ;; value    : x -> f(x), flvectors of one length
 ;; jacobian : x -> vector of rows, the derivatives of each component of f
 ;; observe  : called with each point reached and the value there
-;; argument : what a point is to the user
-;; -> the point and the last step, which is about how far off it was before
+;; argument : the user's form of a point
+;; -> the point and the length of the last step, about the error before it
 (define (newton value jacobian start
                 #:tolerance [tolerance 1e-12]
                 #:limit [limit 100]

@@ -28,9 +28,9 @@
 
 ;; value-and-gradient : x -> value, gradient; flvectors and a flonum
 ;; observe            : called with each point reached and the value there
-;; argument           : what a point is to the user
-;; stuck              : called with such a point, to return one or to raise
-;; metric             : what H is at first, a vector of rows, or #f where nothing is known
+;; argument           : the user's form of a point
+;; stuck              : called with the point where no step leads down; may escape
+;; metric             : the first H, a vector of rows, or #f for the unit matrix
 ;; -> point, value, gradient, evaluations
 (define (quasi-newton value-and-gradient start
                       #:tolerance [tolerance 1e-8]
@@ -63,7 +63,7 @@
          [(<= (min gain (* -0.5 slope)) (* 1e-14 (+ scale (flabs f)))) (found)]
          [else (stuck x) (not-found "the gradient does not vanish, yet nothing near is lower")])])))
 
-;; The function, and how often it was called.
+;; -> the function, and a procedure that returns the number of its calls
 (define (counted value-and-gradient)
   (define count 0)
   (define (at x)
@@ -71,7 +71,7 @@
     (value-and-gradient x))
   (values at (lambda () count)))
 
-;; What values near f may differ by.
+;; The rounding by which values near f may differ.
 (define (noise f scale) (+ (* 1e-6 (flabs f)) (* 1e-14 scale)))
 
 (define (raise-no-minimum who what argument error f g evaluations)

@@ -12,8 +12,8 @@
 
 (provide (struct-out question) over-interval call-or-fail both)
 
-;; What stays the same for all parts of an integral.  (search?) tells whether to look
-;; between the nodes of panels.
+;; Constants of all parts of an integral.  (search?) tells whether to look between the nodes of
+;; panels.
 (struct question (tolerance who search?) #:authentic)
 
 ;; Two integrals and their bounds added.
@@ -33,8 +33,8 @@
 (define most-divisions 6)          ; of an interval, of its parts, of theirs ...
 
 ;; By halving panels; where they get narrow at an end, towards both ends; and if that
-;; fails, or they get narrow inside, in two parts.  What helps nowhere fails as halving does.
-;; place : what the user knows a point as
+;; fails, or they get narrow inside, in two parts.  If none of this helps, fails as halving does.
+;; place : point -> the user's variable there
 (define (over-interval q f a b [place values] [divisions most-divisions])
   (define tolerance (question-tolerance q))
   (define who (question-who q))
@@ -82,10 +82,8 @@
 
 (define (to-end f from end tolerance)
   (let/ec return
-    (call-or-fail (lambda () (integral-in-logarithm f from end tolerance)) return)
-    (call-or-fail (lambda () (integral-towards f from end tolerance)) return)
-    (call-or-fail (lambda () (shortening-waves f from end tolerance)) return)
-    (call-or-fail (lambda () (barely-to-end f from end tolerance)) return)
+    (for ([method (list integral-in-logarithm integral-towards shortening-waves barely-to-end)])
+      (call-or-fail (lambda () (method f from end tolerance)) return))
     (values #f #f)))
 
 ;; With x = end + (from − end)/(1 + s), s from 0 to infinity

@@ -19,17 +19,12 @@
 
 (provide
  quadrature            ; (quadrature f low high) -> flonum
- quadrature/error)     ; the same -> (values flonum error-bound)
+ quadrature/error      ; the same -> (values flonum error-bound)
+ part-integral)
 
 ;; ---------------------------------------------------------------------------
 ;; The whole interval
 
-;; A tolerance below twice the rounding error is taken as that.  `limit` bounds
-;; the number of panels.  (edge) is called when a narrow panel at an end of the
-;; interval is to be halved, unless between the nodes something was found; (stuck value
-;; bound x) when no halving helps, at an x where a panel cannot be halved any more, or #f if
-;; there are too many; (place x) is what the user knows x as; (search?) tells whether to look
-;; between the nodes.
 (define (quadrature f low high
                     #:tolerance [tolerance 1e-10]
                     #:limit [limit most-panels]
@@ -39,6 +34,17 @@
                       #:tolerance tolerance #:limit limit #:name who))
   value)
 
+;; A part of an integral, a hundred times as precise, or #f.
+(define (part-integral f low high tolerance limit)
+  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+    (quadrature f low high #:tolerance (max 1e-13 (* 1e-2 tolerance)) #:limit limit)))
+
+;; A tolerance below twice the rounding error is taken as that.  `limit` bounds
+;; the number of panels.  (edge) is called when a narrow panel at an end of the
+;; interval is to be halved, unless between the nodes something was found; (stuck value
+;; bound x) when no halving helps, at an x where a panel cannot be halved any more, or #f if
+;; there are too many; (place x) is the user's variable for x; (search?) tells whether to look
+;; between the nodes.
 (define (quadrature/error f low high
                           #:tolerance [tolerance 1e-10]
                           #:limit [limit most-panels]
@@ -66,7 +72,7 @@
 
 (define most-panels 10000)
 
-;; What does not change while panels are halved; whole : the first of them
+;; Constants of the halving; whole : the first panel
 (struct task (f whole tolerance limit raise-stuck raise-rounded edge search?) #:authentic)
 
 ;; count : how many panels; probes : #f as long as none were taken
@@ -86,7 +92,7 @@
          (define-values (next added) (halve poor? panels (task-f t)))
          (refine t next (+ count added) probes)]))
 
-;; Would end with this value; but are there panels that other points contradict?
+;; Ends with this value, unless other points contradict some panels.
 (define (search t panels count taken value bound size)
   (cond
     [((task-search? t))

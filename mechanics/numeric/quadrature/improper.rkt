@@ -9,7 +9,7 @@
 (provide improper-quadrature)     ; (improper-quadrature f low high) -> flonum, error bound
 
 ;; The tolerance is relative to ∫ |f|, over each half of an infinite range.
-;; (search?) tells whether to look for what lies between the nodes of the method.
+;; (search?) tells whether to look for peaks between the nodes of the method.
 (define (improper-quadrature f low high
                              #:tolerance [tolerance 1e-10]
                              #:search? [search? always]
@@ -45,7 +45,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; A failure, said to be divergence if f is seen to have no integral near the place.
+;; Raises the failure e again, as one of divergence if f is seen to have no integral near its place.
 (define (raise-truly who f a b e)
   (define c (at-end (exn:fail:mechanics:not-convergent:integral-where e) a b))
   (define (diverges-to? side)

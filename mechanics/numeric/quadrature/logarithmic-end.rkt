@@ -41,8 +41,8 @@
 (define (deepest end)
   (if (fl= end 0.0) 690.0 (fl- 34.0 (fllog (flabs end)))))
 
-;; A value may be 0 for being too small a number, or as 1/(x log x) for x log x being too
-;; great a one: the last that is not 0.
+;; The last u at which g is not 0.  A value may be 0 because it is too small for a flonum, or as
+;; 1/(x log x) because x log x is too great for one.
 (define (last-seen g low high)
   (define (seen? u)
     (define y (g u))
@@ -64,7 +64,7 @@
   (and (<= changes 15)
        (for/sum ([y (in-list ys)]) (* step (abs y)))))
 
-;; ∫ g from u on, if it falls as it does there, and how much that may be off; or #f twice.
+;; ∫ g from u on, if g falls on as it does there, and a bound of its error; or #f twice.
 (define (what-is-left g u end)
   (define-values (r before) (values (rate g (- u 2.0) u) (rate g (- u 4.0) (- u 2.0))))
   (cond

@@ -24,7 +24,7 @@
 ;; between zeros do not fall
 (define (oscillating-quadrature f unit tolerance [endless void])
   (define z (next-zero f 0.0 (/ unit 16.0) 1000))
-  (define first-part (and z (part f 0.0 z tolerance)))
+  (define first-part (and z (part-integral f 0.0 z tolerance most-panels)))
   (if first-part
       (sum-of-parts f z z first-part tolerance endless)
       (values #f #f)))
@@ -44,7 +44,7 @@
        (values #f #f)]
       [else
        (define next (next-zero f (car zeros) (/ gap 8.0) 200))
-       (define p (and next (part f (car zeros) next tolerance)))
+       (define p (and next (part-integral f (car zeros) next tolerance most-panels)))
        (cond
          [p
           (define longer (extend-diagonal diagonal (+ sum p)))
@@ -52,10 +52,6 @@
           (loop (cons next zeros) (- next (car zeros)) (+ sum p) (cons p parts) longer
                 (if close? (+ agreed 1) 0))]
          [else (values #f #f)])])))
-
-(define (part f from to tolerance)
-  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
-    (quadrature f from to #:tolerance (max 1e-13 (* 1e-2 tolerance)) #:limit most-panels)))
 
 ;; A zero after s, in steps; or #f.
 (define (next-zero f s step most-steps)
@@ -93,8 +89,8 @@
   (for/and ([p (in-list parts)] [before (in-list (cdr parts))] [_ (in-range 6)])
     (and (< (* p before) 0.0) (< (abs p) (abs before)))))
 
-;; What a wave 10⁴ times as far away is shorter by, if lengths go as a power; 1 if they do not
-;; fall.
+;; The length of a wave 10⁴ times as far away beside that of the last, if lengths go as a power of
+;; the distance; 1 if they do not fall.
 (define (shortening zeros)
   (define half (list-tail zeros (quotient (length zeros) 2)))
   (define (gap zeros) (- (car zeros) (cadr zeros)))

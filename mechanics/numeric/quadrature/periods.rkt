@@ -9,8 +9,7 @@
 
 (require "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
          "../finite-number.rkt"
-         "../optimization/golden-section.rkt"
-         "../../error/failure.rkt")
+         "../optimization/golden-section.rkt")
 
 (provide periodic-quadrature)
 
@@ -24,9 +23,7 @@
     (define (fail) (return #f #f))
     (define-values (start period) (find-period f unit fail))
     (unless (decaying? f start period) (fail))
-    (define (part a b)
-      (with-handlers ([exn:fail:mechanics? (lambda (e) (fail))])
-        (quadrature f a b #:tolerance (max 1e-13 (* 1e-2 tolerance)) #:limit 10000)))
+    (define (part a b) (or (part-integral f a b tolerance 10000) (fail)))
     (let loop ([k 0] [x start] [sum (part 0.0 start)] [diagonal '()] [limits '()])
       (define longer (extend-diagonal diagonal sum))
       (define found (cons (estimated-limit longer) limits))
@@ -70,7 +67,7 @@
           [else (loop next y* y** (+ steps 1) found)])))
 
 (define (minimum-between f a b)
-  (car (golden-section f a b #:done? (width-at-most 1e-9) #:observe void)))
+  (car (golden-section f a b (width-at-most 1e-9))))
 
 ;; The mean over a period falls as a power above the first, at least, to very far away.
 (define (decaying? f start period)

@@ -71,14 +71,14 @@
   (define x (fl* 0.6180339887498949 (->fl k)))
   (fl- x (flfloor x)))
 
-;; Points that come nearer to it; to 0, one that is almost there
+;; Points that come nearer and nearer to the end; for an end 0, one that is almost there
 (define (closing-in end width seen?)
   (define (at k) (fl+ end (fl* width (flexpt 0.5 (->fl k)))))
   (cons (at 990) (for/list ([k (if seen? (in-range 10 55 4) (in-range 12 900 12))]) (at k))))
 
 ;; ---------------------------------------------------------------------------
 
-;; What is wrong enough: values by `most`, areas by `matters`.
+;; A panel is suspect if a value is wrong by `most` and the area by `matters`.
 (struct threshold (most matters) #:authentic)
 
 (define (threshold-of tolerance size width)

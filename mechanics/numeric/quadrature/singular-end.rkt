@@ -10,8 +10,7 @@
 ;; of gauss-kronrod.rkt makes of it.
 
 (require racket/list
-         "epsilon-algorithm.rkt" "gauss-kronrod.rkt" "logarithmic-end.rkt"
-         "../../error/failure.rkt")
+         "epsilon-algorithm.rkt" "gauss-kronrod.rkt" "logarithmic-end.rkt")
 
 (provide integral-towards)
 
@@ -43,7 +42,7 @@
        (values (limit p) (* tolerance (progress-size p)))]
       [(or (= k most-terms) (not (resolved? y end))) (none)]
       [else
-       (define part (integral f x y (max 1e-13 (* 1e-2 tolerance))))
+       (define part (part-integral f x y tolerance most-panels))
        (if part (loop (+ k 1) (advance p part (* 0.1 tolerance))) (none))])))
 
 (define (resolved? x end) (> (abs (- end x)) (* 1e-10 (abs end))))
@@ -98,13 +97,6 @@
 (define (plausible? rest rough tolerated)
   (or (and (<= (abs rest) tolerated) (<= (abs rough) tolerated))
       (<= 0.5 (/ rest rough) 50.0)))
-
-;; ---------------------------------------------------------------------------
-
-;; To a tolerance, or #f.
-(define (integral f x y tolerance)
-  (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) #f)])
-    (quadrature f x y #:tolerance tolerance #:limit most-panels)))
 
 ;; Any error is tolerated: the rule is used once.
 (define (rough-integral f x y) (quadrature f x y #:tolerance 10.0))

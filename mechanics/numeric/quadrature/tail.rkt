@@ -29,14 +29,14 @@
   (define z (and (real? y) (fl* d (real->double-flonum y))))
   (and z (finite? z) z))
 
-;; How far u can go: flonums end, or rounding hides the distance from an end that is not 0.
+;; The greatest u: beyond it flonums end, or rounding hides the distance from an end that is not 0.
 (define (last-logarithm end)
   (if (fl= end 0.0) 690.0 (fl- 22.0 (fllog (flabs end)))))
 
 ;; ---------------------------------------------------------------------------
 
-;; The integral of g from `from` to infinity, and a bound of its error; #f twice if there is
-;; none, or not to the tolerance, relative to what there is already.
+;; The integral of g from `from` to infinity, and a bound of its error; #f twice if there is none,
+;; or not to the tolerance relative to the whole integral, of which `size` is known.
 (define (tail-integral g from to size tolerance)
   (define (good? value bound)
     (and value (<= bound (* tolerance (+ size (abs value))))))
@@ -69,15 +69,14 @@
     (estimate parts)))
 
 (define (part g u v)
-  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
-    (quadrature (lambda (u) (or (g u) +inf.0)) u v #:tolerance 1e-13 #:limit 100)))
+  (part-integral (lambda (u) (or (g u) +inf.0)) u v 0.0 100))
 
 (define (falling? parts)
   (for/and ([p (in-list parts)] [q (in-list (cdr parts))])
     (or (= p q 0.0)
         (<= 0.0 (/ q p) greatest-ratio))))
 
-;; From the diagonals of the sums: their last limits, and how much these differ.
+;; The last limit of the diagonals of the sums, and a bound of its error from those before it.
 (define (estimate parts)
   (define-values (sum diagonal limits)
     (for/fold ([sum 0.0] [diagonal '()] [limits '()]) ([p (in-list parts)])

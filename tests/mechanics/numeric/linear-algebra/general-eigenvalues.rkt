@@ -103,11 +103,12 @@
   (define-values (found vectors) (symmetric-eigenvalues a n))
   (check-equal? (sort (for/list ([x (in-flvector found)]) x) <)
                 (for/list ([x (in-flvector found)]) x))
-  (define (entry v i k) (flvector-ref v (+ (* i n) k)))
+  (define (entry m i k) (flvector-ref m (+ (* i n) k)))
+  (define (component i k) (flvector-ref (list-ref vectors i) k))
   (for* ([i n] [j n])
-    (check-= (for/sum ([k n]) (* (entry vectors i k) (entry vectors j k))) (if (= i j) 1 0) 1e-13)
-    (check-= (for/sum ([k n]) (* (entry a j k) (entry vectors i k)))
-             (* (flvector-ref found i) (entry vectors i j)) 1e-13)))
+    (check-= (for/sum ([k n]) (* (component i k) (component j k))) (if (= i j) 1 0) 1e-13)
+    (check-= (for/sum ([k n]) (* (entry a j k) (component i k)))
+             (* (flvector-ref found i) (component i j)) 1e-13)))
 
 (test-case "symmetric matrices: vectors of unit length at right angles, each turned into a multiple"
   (random-seed seed)
