@@ -16,9 +16,7 @@
          "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
-(provide reduce-by-substitution reduction?
-         (rename-out [verdict-on-integrability reduction-integrability]
-                     [verdict-on-agreement reduction-agreement]))
+(provide reduce-by-substitution reduction?)
 
 ;; A Lagrangian, and two verdicts: are the constraints integrable, and is the true motion one
 ;; of this Lagrangian?
@@ -26,8 +24,8 @@
   #:text report
   #:property prop:procedure 0)
 
-(define-parts reduction? "what reduce-by-substitution gives"
-  [verdict-on-integrability reduction-integrability] [verdict-on-agreement reduction-agreement])
+(provide-parts reduction? "what reduce-by-substitution gives"
+  reduction-integrability reduction-agreement)
 
 (define (report r)
   (define agreement (reduction-agreement r))

@@ -21,18 +21,16 @@
          "../numeric/flvector.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list))
 
-(provide Lyapunov-exponents maximal-Lyapunov-exponent Lyapunov?
-         (rename-out [values-of Lyapunov-values] [history-of Lyapunov-history]
-                     [change-of Lyapunov-change]))
+(provide Lyapunov-exponents maximal-Lyapunov-exponent Lyapunov?)
 
 ;; values : by falling size; history : of (cons time values)
 (value-struct growth (values history)
-  #:text (lambda (g) (growth->text g)))
+  #:text growth->text)
 
 (define (Lyapunov? x) (growth? x))
 
-(define-parts growth? "what Lyapunov-exponents or maximal-Lyapunov-exponent gives"
-  [values-of Lyapunov-values] [history-of Lyapunov-history] [change-of Lyapunov-change])
+(provide-parts growth? "what Lyapunov-exponents or maximal-Lyapunov-exponent gives"
+  Lyapunov-values Lyapunov-history Lyapunov-change)
 
 (define (Lyapunov-values g) (growth-values g))
 (define (Lyapunov-history g) (growth-history g))

@@ -24,7 +24,7 @@
 (define kind:newtonian
   (make-kind #:rank rank:function
              #:describe (lambda (e) "a function of paths")
-             #:datum (lambda (e) (newtonian->datum e))
+             #:datum newtonian->datum
              #:arity (lambda (e) 2)))
 
 (value-struct newtonian (masses positions force)

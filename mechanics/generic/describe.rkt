@@ -6,7 +6,7 @@
          "../algebra/expression/write.rkt")
 
 (provide value->datum value->text write-value describe describe-with-value
-         map-leaves procedure-datum prop:printed-datum)
+         map-leaves leaves procedure-datum prop:printed-datum)
 
 ;; Of structs that are no kind of value: value -> the S-expression it prints as.
 (define-values (prop:printed-datum prints-as-datum? printed-datum-of)
@@ -70,3 +70,9 @@
          (for/vector #:length (vector-length x) ([e (in-vector x)])
            (map-leaves f e))]
         [else (f x)]))
+
+;; Those leaves, in order.
+(define (leaves x)
+  (define found '())
+  (map-leaves (lambda (leaf) (set! found (cons leaf found)) leaf) x)
+  (reverse found))

@@ -17,7 +17,7 @@
   (make-kind #:rank rank:function
              #:describe (lambda (f) "a function")
              #:datum (lambda (f) ((function-make-datum f)))
-             #:arity (lambda (f) (function-mask f))))
+             #:arity function-mask))
 
 ;; mask : what `procedure-arity-mask` would say of the mathematics, which the
 ;; wrapped procedure's own rest argument does not tell.

@@ -7,7 +7,8 @@
 ;; meet, the one of higher rank decides: a number times a tuple is the tuple's
 ;; affair, a tuple plus a function the function's.
 
-(require (only-in "../algebra/expression/write.rkt" write-datum))
+(require (for-syntax racket/base)
+         (only-in "../algebra/expression/write.rkt" write-datum))
 
 (provide
  (struct-out kind) make-kind prop:kind has-kind? kind-of (struct-out carrier)
@@ -37,14 +38,31 @@
               component parts notation order)
   #:authentic)
 
-(define (make-kind #:rank rank #:describe describe #:datum datum
-                   #:map [map #f] #:unary [unary #f] #:binary [binary #f]
-                   #:comparand [comparand #f] #:zero? [zero? (lambda (x) #f)]
-                   #:same? [same? #f] #:arity [arity #f] #:closed? [closed? #f]
-                   #:component [component #f] #:parts [parts #f] #:notation [notation #f]
-                   #:order [order (lambda (x) 1)])
+(define (make #:rank rank #:describe describe #:datum datum
+              #:map [map #f] #:unary [unary #f] #:binary [binary #f]
+              #:comparand [comparand #f] #:zero? [zero? (lambda (x) #f)]
+              #:same? [same? #f] #:arity [arity #f] #:closed? [closed? #f]
+              #:component [component #f] #:parts [parts #f] #:notation [notation #f]
+              #:order [order (lambda (x) 1)])
   (kind rank describe datum map unary binary comparand zero? same? arity closed? component parts
         notation order))
+
+;; (make-kind #:rank rank #:describe describe ...): the procedures may be defined after the kind.
+(define-syntax (make-kind stx)
+  (define arguments
+    #hasheq([#:describe . (x)] [#:datum . (x)] [#:map . (f x)]
+            [#:unary . (op x)] [#:binary . (op a b)] [#:comparand . (x)] [#:zero? . (x)]
+            [#:same? . (same? a b)] [#:arity . (x)] [#:component . (x i)]
+            [#:notation . (x see)] [#:order . (x)]))
+  (define (later option f)
+    (define xs (and (identifier? f) (hash-ref arguments (syntax-e option) #f)))
+    (if xs #`(lambda #,xs (#,f . #,xs)) f))
+  (syntax-case stx ()
+    [(_ option-or-value ...)
+     #`(make #,@(let loop ([parts (syntax->list #'(option-or-value ...))])
+                  (if (null? parts)
+                      '()
+                      (list* (car parts) (later (car parts) (cadr parts)) (loop (cddr parts))))))]))
 
 (define-values (prop:kind has-kind? kind-of-type) (make-struct-type-property 'kind))
 

@@ -13,7 +13,8 @@
 ;;     #:equal-by part        two are equal if (part value) is
 ;;     #:equality same? hash  (same? a b recur) tells, and (hash value recur)
 ;;
-;; What it prints as is the same under `print`, `write` and `display`.
+;; What it prints as is the same under `print`, `write` and `display`.  The procedures may be
+;; defined after the struct.
 
 (require (for-syntax racket/base)
          "describe.rkt" "kind.rkt" "notation.rkt")
@@ -43,7 +44,8 @@
     [(#:text f . more)
      #`(#,@(printing #'write-string #'f) #,@(typesetting #'text-notation #'f #'more)
         #,@(options #'more))]
-    [(#:notation f . more) #`(#:property prop:notation f #,@(options #'more))]
+    [(#:notation f . more)
+     #`(#:property prop:notation (lambda (v see) (f v see)) #,@(options #'more))]
     [(#:equal-by part . more)
      #`(#,@(equality #'(lambda (a b recur) (recur (part a) (part b)))
                      #'(lambda (v recur) (recur (part v))))

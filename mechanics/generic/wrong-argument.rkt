@@ -5,18 +5,22 @@
 (require "describe.rkt"
          "../error/complain.rkt")
 
-(provide complain-of-argument define-parts)
+(provide complain-of-argument check-argument provide-parts)
 
 ;; expected : what is wanted, such as "a positive step"; hint : further lines, or ""
 (define (complain-of-argument who expected x [hint ""])
   (complain who "expected ~a\n  given: ~a~a" expected (describe-with-value x) hint))
 
-;; (define-parts thing? "a thing" [asked thing-part] ...) : `asked` is the accessor for readers,
-;; who may give it anything; to be provided as `thing-part`.
-(define-syntax-rule (define-parts thing? what [asked accessor] ...)
+(define (check-argument who good? x expected)
+  (unless (good? x) (complain-of-argument who expected x)))
+
+;; (provide-parts thing? "a thing" thing-part ...): provides these procedures of a thing, which
+;; readers may give anything; each complains of that in its own name.
+(define-syntax-rule (provide-parts thing? what part ...)
+  (begin (provide-part thing? what part) ...))
+
+(define-syntax-rule (provide-part thing? what part)
   (begin
     (define asked
-      (procedure-rename
-       (lambda (x) (if (thing? x) (accessor x) (complain-of-argument 'accessor what x)))
-       'accessor))
-    ...))
+      (procedure-rename (lambda (x) (check-argument 'part thing? x what) (part x)) 'part))
+    (provide (rename-out [asked part]))))

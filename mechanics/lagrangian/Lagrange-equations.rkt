@@ -28,7 +28,7 @@
 (define kind:equations
   (make-kind #:rank rank:function
              #:describe (lambda (e) "a function of paths")
-             #:datum (lambda (e) (equations->datum e))
+             #:datum equations->datum
              #:arity (lambda (e) 2)))
 
 ;; A function of paths that keeps its Lagrangian, force and order, for derivations.

@@ -16,7 +16,6 @@
 
 (provide trajectory? trajectory-start trajectory-end trajectory-final-state
          trajectory-states trajectory-so-far
-         (rename-out [events-of trajectory-events] [method-of trajectory-method])
          ;; for those who make them
          trajectory (struct-out step) (struct-out reading) state-within method-shown)
 
@@ -88,8 +87,7 @@
 (define (check-trajectory who tr)
   (unless (trajectory? tr) (complain-of-argument who a-trajectory tr)))
 
-(define-parts trajectory? a-trajectory
-  [events-of trajectory-events] [method-of trajectory-method])
+(provide-parts trajectory? a-trajectory trajectory-events trajectory-method)
 
 (define (step-times tr)
   (cons (first-time tr)

@@ -8,18 +8,15 @@
          "../value/shape.rkt")
 
 (provide equilibrium equilibrium?
-         (rename-out [coordinates-at-rest equilibrium-coordinates]
-                     [conditions-of-rest equilibrium-conditions])
          check-coordinates)
 
 ;; conditions : for the coordinates to be real, such as (<= e 1)
 (value-struct equilibrium (coordinates conditions)
   #:datum (lambda (e) `(equilibrium ,(equilibrium-coordinates e) ,@(equilibrium-conditions e)))
-  #:notation (lambda (e see) (equilibrium-notation e see)))
+  #:notation equilibrium-notation)
 
-(define-parts equilibrium? "an equilibrium, one of those that (equilibria L local) gives"
-  [coordinates-at-rest equilibrium-coordinates]
-  [conditions-of-rest equilibrium-conditions])
+(provide-parts equilibrium? "an equilibrium, one of those that (equilibria L local) gives"
+  equilibrium-coordinates equilibrium-conditions)
 
 (define (equilibrium-notation e see)
   (apply statement

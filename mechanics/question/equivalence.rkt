@@ -33,24 +33,19 @@
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-equivalent-Lagrangians compare-Lagrangians
-         equivalence?
-         (rename-out [kind-of-equivalence equivalence-kind]
-                     [factor-between equivalence-factor]
-                     [gauge-between equivalence-gauge]
-                     [verdict-on-equivalence equivalence-verdict]))
+         equivalence?)
 
 ;; kind : 'total-derivative, 'proportional, 'combination, or #f if not equivalent
 ;; factor : C with E₂ = C E₁, a scalar or a matrix; #f if not known
 ;; gauge : f at the local tuple with L₂ = C L₁ + D_t f; #f if not known
 (value-struct equivalence (kind factor gauge verdict)
   #:text equivalence->text
-  #:notation (lambda (e see) (equivalence-notation e see))
+  #:notation equivalence-notation
   #:property prop:no-truth-value
   "what two Lagrangians share is neither true nor false; ask (proved? (equivalence-verdict e))")
 
-(define-parts equivalence? "what (compare-Lagrangians L1 L2 local) gives"
-  [kind-of-equivalence equivalence-kind] [factor-between equivalence-factor]
-  [gauge-between equivalence-gauge] [verdict-on-equivalence equivalence-verdict])
+(provide-parts equivalence? "what (compare-Lagrangians L1 L2 local) gives"
+  equivalence-kind equivalence-factor equivalence-gauge equivalence-verdict)
 
 ;; local : a local tuple of symbols (up t q v), or of Hamiltonians a state (up t q p)
 (define (verify-equivalent-Lagrangians L1 L2 local)

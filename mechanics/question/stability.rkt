@@ -30,20 +30,18 @@
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../verdict/verdict.rkt")
 
-(provide equilibrium-stability stability?
-         (rename-out [kind-of-stability stability-kind]
-                     [conditions-of-stability stability-conditions]))
+(provide equilibrium-stability stability?)
 
 ;; kind : 'stable 'linearly-stable 'unstable 'undecided
 ;; conditions : inequalities (> e 0) for it to be stable, unstable if e < 0 in one
 (value-struct stability (kind conditions)
   #:text stability->text
-  #:notation (lambda (s see) (stability-notation s see))
+  #:notation stability-notation
   #:property prop:no-truth-value
   "how stable it is, is neither true nor false; ask (eq? (stability-kind s) 'stable)")
 
-(define-parts stability? "what (equilibrium-stability L q) gives"
-  [kind-of-stability stability-kind] [conditions-of-stability stability-conditions])
+(provide-parts stability? "what (equilibrium-stability L q) gives"
+  stability-kind stability-conditions)
 
 ;; q : coordinates of an equilibrium of an L that does not change in time
 (define (equilibrium-stability given q)

@@ -30,7 +30,7 @@
 
 ;; pieces : in the order in which they were found; the last has the energy for its constant
 (value-struct separation (H state energy pieces)
-  #:text (lambda (s) (separation->text s)))
+  #:text separation->text)
 
 ;; state : of symbols; energy : a symbol, or a value for it
 (define-plain (separate-Hamilton-Jacobi H state #:energy [energy 'E])

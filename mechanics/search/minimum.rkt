@@ -4,9 +4,6 @@
 (require "../generic/describe.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt")
 
 (provide minimum minimum?
-         (rename-out [argument-of minimum-argument] [value-of minimum-value]
-                     [kind-of minimum-kind] [gradient-of minimum-gradient]
-                     [curvature-of minimum-curvature] [evaluations-of minimum-evaluations])
          minimum->triple minimum-proper?)
 
 ;; kind : 'minimum     the gradient vanishes, and all curvatures are positive
@@ -17,15 +14,11 @@
 ;;        'saddle      a curvature is negative, yet nothing lower was found
 ;; gradient : its size, or #f; curvature : the least eigenvalue of the second derivatives, or #f
 (value-struct minimum (argument value kind gradient curvature evaluations)
-  #:text (lambda (m) (minimum->text m)))
+  #:text minimum->text)
 
-(define-parts minimum? "a minimum, such as find-minimum gives"
-  [argument-of minimum-argument]
-  [value-of minimum-value]
-  [kind-of minimum-kind]
-  [gradient-of minimum-gradient]
-  [curvature-of minimum-curvature]
-  [evaluations-of minimum-evaluations])
+(provide-parts minimum? "a minimum, such as find-minimum gives"
+  minimum-argument minimum-value minimum-kind minimum-gradient minimum-curvature
+  minimum-evaluations)
 
 (define (minimum-proper? m) (eq? (minimum-kind m) 'minimum))
 

@@ -10,15 +10,7 @@
          "../value/matrix/matrix.rkt"
          "../value/series/series.rkt")
 
-(provide make-verdict verdict?
-         (rename-out [status-of verdict-status] [residual-of verdict-residual]
-                     [remarks-of verdict-remarks])
-         proved? refuted? undecided?
-         verdict-witness verdict-value
-         verdict-assumptions verdict-conditions verdict-alternatives verdict-factored
-         verdict-kinks
-         verdict-readings verdict-reason
-         verdict-lines kinks->text
+(provide make-verdict verdict? kinks->text
          ;; for those who ask again
          verdict-question verdict-given with-remark)
 
@@ -60,20 +52,17 @@
 ;; ---------------------------------------------------------------------------
 ;; Asking
 
-(define a-verdict "a verdict, such as verify-solution or prove-zero gives")
+(provide-parts verdict? "a verdict, such as verify-solution or prove-zero gives"
+  verdict-status verdict-residual verdict-remarks
+  proved? refuted? undecided?
+  verdict-witness verdict-value
+  verdict-assumptions verdict-conditions verdict-alternatives verdict-factored
+  verdict-kinks verdict-readings verdict-reason
+  verdict-lines)
 
-(define-parts verdict? a-verdict
-  [status-of verdict-status] [residual-of verdict-residual] [remarks-of verdict-remarks])
-
-;; A procedure of a verdict: what else it is given is complained of in its own name.
-(define-syntax-rule (define-of-verdict (name v) body ...)
-  (define (name v)
-    (unless (verdict? v) (complain-of-argument 'name a-verdict v))
-    body ...))
-
-(define-of-verdict (proved? v) (eq? (verdict-status v) 'proved))
-(define-of-verdict (refuted? v) (eq? (verdict-status v) 'refuted))
-(define-of-verdict (undecided? v) (eq? (verdict-status v) 'undecided))
+(define (proved? v) (eq? (verdict-status v) 'proved))
+(define (refuted? v) (eq? (verdict-status v) 'refuted))
+(define (undecided? v) (eq? (verdict-status v) 'undecided))
 
 ;; ---------------------------------------------------------------------------
 ;; Evidence
@@ -83,15 +72,15 @@
 
 ;; Substitutions ((expression . number) ...) at which the residual is not zero,
 ;; and its value there; #f unless refuted.
-(define-of-verdict (verdict-witness v)
+(define (verdict-witness v)
   (define z (first-refuted v))
   (and z (zero-test-witness z)))
-(define-of-verdict (verdict-value v)
+(define (verdict-value v)
   (define z (first-refuted v))
   (and z (zero-test-value z)))
 
-;; What the verdict rests on, declared or not.
-(define-of-verdict (verdict-assumptions v)
+;; The assumptions on which the verdict rests, declared or not.
+(define (verdict-assumptions v)
   (remove-duplicates
    (append (append-map zero-test-assumptions (verdict-tests v)) (verdict-grounds v))))
 
@@ -101,33 +90,33 @@
   ways)
 
 ;; The lists of equations that make all of the residual zero.
-(define-of-verdict (verdict-alternatives v)
+(define (verdict-alternatives v)
   (define-values (ways all) ((verdict-told v)))
   all)
 
 ;; The equations of the first way to make each scalar of the residual zero.
-(define-of-verdict (verdict-conditions v)
+(define (verdict-conditions v)
   (remove-duplicates
    (append* (for/list ([ways (in-list (verdict-ways v))] #:when (pair? ways)) (car ways)))))
 
 ;; ((factor . core) ...) of the scalars that are not zero.
-(define-of-verdict (verdict-factored v)
+(define (verdict-factored v)
   (for/list ([z (in-list (verdict-tests v))] #:when (zero-test-core z))
     (cons (zero-test-factor z) (zero-test-core z))))
 
 ;; (sort expression equation ...) for each place that keeps it from being proved, sort being
 ;; kink, jump or no-value.  Simplified, the expression would have lost its kink.
-(define-of-verdict (verdict-kinks v)
+(define (verdict-kinks v)
   (for/list ([k (in-list (verdict-kinks-found v))])
     (list* (kink-sort k) (request-form (kink-expression k) '()) (kink-equations k))))
 
 ;; ((decimal expression) ...): how decimals were read for the proofs that rest on it.
-(define-of-verdict (verdict-readings v)
+(define (verdict-readings v)
   (for/list ([r (in-list (readings (verdict-tests v)))])
     (list (reading-decimal r) (reading-expression r))))
 
-;; Why it is undecided, the first of these that is so; or #f.
-(define-of-verdict (verdict-reason v)
+;; The first reason that applies why the verdict is undecided; or #f.
+(define (verdict-reason v)
   (define open
     (filter (lambda (z) (eq? (zero-test-status z) 'undecided)) (verdict-tests v)))
   (define (some? test) (ormap test open))
@@ -146,7 +135,7 @@
 ;; In words
 
 ;; The lines of its report (report.rkt).
-(define-of-verdict (verdict-lines v)
+(define (verdict-lines v)
   (append
    (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v))
                    (verdict-given v) (verdict-assumptions v) (verdict-kinks-found v)
@@ -157,7 +146,7 @@
                                                (sub1 compared-terms)))))
        '())))
 
-;; Those of its kinks alone, each after a line break.
+;; The lines of the kinks alone, each after a line break.
 (define (kinks->text v)
   (define lines (kink-lines (verdict-kinks-found v)))
   (if (null? lines) "" (string-append "\n" (report->text lines))))

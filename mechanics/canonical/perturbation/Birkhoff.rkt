@@ -21,8 +21,6 @@
 
 (provide Birkhoff-normal-form normal-form? normal-form-Hamiltonian normal-form-generators
          normal-form-resonances
-         (rename-out [frequencies-asked normal-form-frequencies]
-                     [divisors-asked normal-form-divisors])
          ;; for transformations and verdicts
          normal-form-state normal-form-given normal-form-terms normal-form-Ws
          check-normal-form polynomial-function)
@@ -30,14 +28,14 @@
 ;; given, terms : the polynomials of degree 2, 3, … of H and of its normal form; Ws : of degree
 ;; 3, …; divisors : ((degree k . ω·k) …)
 (value-struct normal-form (state frequencies given terms Ws divisors)
-  #:text (lambda (N) (normal-form->text N)))
+  #:text normal-form->text)
 
 (define (check-normal-form who N)
   (unless (normal-form? N)
     (complain who "expected what Birkhoff-normal-form gives; given ~a" (describe-with-value N))))
 
-(define-parts normal-form? "what Birkhoff-normal-form gives"
-  [frequencies-asked normal-form-frequencies] [divisors-asked normal-form-divisors])
+(provide-parts normal-form? "what Birkhoff-normal-form gives"
+  normal-form-frequencies normal-form-divisors)
 
 ;; ---------------------------------------------------------------------------
 

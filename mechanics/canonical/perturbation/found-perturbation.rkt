@@ -29,7 +29,7 @@
 ;; the Wₙ; removals : for each order the list of what was removed; decimals : the symbols that
 ;; stand for decimals in terms, Ws and removals, and these (named-decimals.rkt)
 (value-struct perturbation (state given parameter terms Ws removals decimals)
-  #:text (lambda (P) (perturbation->text P)))
+  #:text perturbation->text)
 
 (define (angles-of P) (scalars (coordinate (perturbation-state P))))
 (define (actions-of P) (scalars (momentum (perturbation-state P))))

@@ -33,7 +33,7 @@
 ;; x, y : (angle -> value): the curve is (θ + x(θ), y(θ)); modes : terms of its Fourier series
 ;; error : the greatest |T(k(θ)) − k(θ + ω)| where it was computed
 (value-struct circle (rotation x y modes error)
-  #:text (lambda (c) (circle->text c))
+  #:text circle->text
   #:property prop:procedure (lambda (c theta) (point-at c theta)))
 
 (define (invariant-circle? x) (circle? x))

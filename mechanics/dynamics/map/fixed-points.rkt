@@ -18,10 +18,6 @@
          "../../numeric/optimization/newton.rkt")
 
 (provide find-fixed-point fixed-point?
-         (rename-out [coordinates-of fixed-point-coordinates] [period-of fixed-point-period]
-                     [multipliers-at fixed-point-multipliers] [kind-at fixed-point-kind]
-                     [rotation-angle-at fixed-point-rotation-angle]
-                     [determinant-at fixed-point-determinant] [error-of fixed-point-error])
          ;; for those who look for many, or go on from one
          fixed-point-near fixed-point-map fixed-point-angles fixed-point-matrix)
 
@@ -29,13 +25,11 @@
 ;; error : how far off the point may be; matrix : a vector of rows; angles : list of booleans
 (value-struct fixed-point
               (coordinates period multipliers kind determinant error matrix angles map)
-  #:text (lambda (p) (fixed-point->text p)))
+  #:text fixed-point->text)
 
-(define-parts fixed-point? "a fixed point, as find-fixed-point finds one"
-  [coordinates-of fixed-point-coordinates] [period-of fixed-point-period]
-  [multipliers-at fixed-point-multipliers] [kind-at fixed-point-kind]
-  [rotation-angle-at fixed-point-rotation-angle]
-  [determinant-at fixed-point-determinant] [error-of fixed-point-error])
+(provide-parts fixed-point? "a fixed point, as find-fixed-point finds one"
+  fixed-point-coordinates fixed-point-period fixed-point-multipliers fixed-point-kind
+  fixed-point-rotation-angle fixed-point-determinant fixed-point-error)
 
 (define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 1e-13])
   (unless (exact-positive-integer? period)

@@ -21,19 +21,16 @@
          "../../numeric/constants.rkt" "../../numeric/flvector.rkt"
          "../../numeric/whole-turns.rkt")
 
-(provide rotation-number rotation?
-         (rename-out [value-of rotation-value] [error-of rotation-error]
-                     [steps-needed-by rotation-steps-needed] [regular? rotation-regular?]))
+(provide rotation-number rotation?)
 
 ;; value : turns for each step; error : how much the means over parts of the orbit differ; steps :
 ;; of the orbit; steps-needed : with how many the halves agree, or #f if that was not seen;
 ;; of-abscissa? : was the first coordinate taken for an angle?
 (value-struct rotation (value error steps steps-needed of-abscissa?)
-  #:text (lambda (r) (rotation->text r)))
+  #:text rotation->text)
 
-(define-parts rotation? "what (rotation-number map start) gives"
-  [value-of rotation-value] [error-of rotation-error]
-  [steps-needed-by rotation-steps-needed] [regular? rotation-regular?])
+(provide-parts rotation? "what (rotation-number map start) gives"
+  rotation-value rotation-error rotation-steps-needed rotation-regular?)
 
 (define (rotation-regular? r) (and (rotation-steps-needed r) #t))
 

@@ -16,8 +16,6 @@
 (provide event event? event-f event-name event-direction event-terminal?
          event-value check-event-value raise-undefined
          occurrence occurrence?
-         (rename-out [event-of-it occurrence-event] [time-of-it occurrence-time]
-                     [state-of-it occurrence-state] [grazing-at-it? occurrence-grazing?])
          check-events
          (struct-out crossing) (struct-out undefined))
 
@@ -54,9 +52,8 @@
                (statement (list 0 "event" (see (event-name (occurrence-event o))) "at"
                                 (see (occurrence-state o))))))
 
-(define-parts occurrence? "an occurrence, one of those that (trajectory-events tr) gives"
-  [event-of-it occurrence-event] [time-of-it occurrence-time]
-  [state-of-it occurrence-state] [grazing-at-it? occurrence-grazing?])
+(provide-parts occurrence? "an occurrence, one of those that (trajectory-events tr) gives"
+  occurrence-event occurrence-time occurrence-state occurrence-grazing?)
 
 ;; An event whose function has no real value.
 (struct undefined (event) #:authentic)

@@ -17,9 +17,7 @@
          "../../value/shape.rkt")
 
 (provide evolve-ensemble
-         ensemble-failure?
-         (rename-out [index-of ensemble-failure-index] [message-of ensemble-failure-message]
-                     [state-of ensemble-failure-state]))
+         ensemble-failure?)
 
 (define who 'evolve-ensemble)
 
@@ -29,9 +27,8 @@
   #:datum (lambda (f) (list 'ensemble-failure (ensemble-failure-index f)
                             (ensemble-failure-message f))))
 
-(define-parts ensemble-failure? "a failure, as evolve-ensemble gives it for a start"
-  [index-of ensemble-failure-index] [message-of ensemble-failure-message]
-  [state-of ensemble-failure-state])
+(provide-parts ensemble-failure? "a failure, as evolve-ensemble gives it for a start"
+  ensemble-failure-index ensemble-failure-message ensemble-failure-state)
 
 ;; maker : a state derivative, or what makes one of the parameters
 ;; starts : sequence of states; #:parameters : sequence of lists of them, one for each start

@@ -25,7 +25,7 @@
 ;; sample : a state of which a diagram can be made, or #f
 ;; axes   : names of the coordinates, or '()
 (value-struct drawing (datum bounds width counts shapes trail marks sample axes)
-  #:datum (lambda (d) (drawing-datum d))
+  #:datum drawing-datum
   #:constructor-name new-drawing
   #:property prop:procedure (lambda (d state) (draw-state d state)))
 

@@ -18,8 +18,8 @@
 
 ;; lines : steps
 (value-struct derivation (lines)
-  #:text (lambda (d) (derivation->text d))
-  #:notation (lambda (d see) (derivation-notation d see)))
+  #:text derivation->text
+  #:notation derivation-notation)
 
 (define (derivation->text d)
   (string-join
