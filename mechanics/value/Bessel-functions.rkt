@@ -75,7 +75,7 @@
   (define-values (I K) (modified (abs (real->double-flonum order)) x))
   K)
 
-;; What is beyond flonums is not computed.
+;; Far beyond the range of flonums nothing is computed.
 (define (modified order x)
   (if (> x (+ 1500.0 (* 10.0 order)))
       (values +inf.0 0.0)
@@ -89,7 +89,7 @@
   (define-values (c s) (if (< order 0) (direction n) (values 1.0 0.0)))
   (combine c s one other))
 
-;; 0 · ∞ is 0 here: what is not asked for may be too great.
+;; 0 · ∞ is 0 here: the function that is not asked for may overflow.
 (define (times a b) (if (= a 0.0) 0.0 (* a b)))
 
 (define (spherical-j who n x)

@@ -7,7 +7,8 @@
 
 (provide complaint raise-contradiction raise-not-declared)
 
-;; -> what to call with a reason and a part of the relation (algebra/assumption/relation.rkt)
+;; -> a procedure that complains, of a reason and a part of the relation
+;; (algebra/assumption/relation.rkt)
 (define ((complaint who relation) reason part)
   (complain who "~a~a" (explain reason part)
             (if (eq? relation part) "" (format "\n  in: ~a" (value->text relation)))))
@@ -28,7 +29,7 @@
     [(number) (format "only real numbers are greater or less than others; given ~a" part)]
     [else (format "expected an expression in the relation; given ~a" (describe-with-value part))]))
 
-;; What may have been meant by a relation of an unknown name.
+;; Advice on a relation of an unknown name, a line; or "".
 (define (instead d)
   (define name (car d))
   (define (write-as meant) (format "\n  write: ~a" (datum->text meant)))
@@ -43,7 +44,7 @@
   (string-append "> >= < <= between expressions, "
                  "and positive, negative, nonpositive, nonnegative before some"))
 
-;; data : relations that were being declared; because : those that cannot all hold
+;; data : relations to be declared; because : relations that cannot all hold
 (define (raise-contradiction who data because)
   (define others (filter (lambda (d) (not (member d data))) because))
   (define own (filter (lambda (d) (member d data)) because))

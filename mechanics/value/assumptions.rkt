@@ -23,12 +23,11 @@
 
 (define current-declared (make-parameter no-assumptions))
 
-;; What was taken for granted, newest first: lists of datums, or procedures that find them.  To
-;; find what a result needs costs as much as the result, so it waits until somebody asks.
+;; Assumptions that results rest on, newest first: lists of datums, or procedures that find them.
+;; To find them costs as much as the result, so it waits until somebody asks.
 (define current-used (make-parameter '()))
 
-;; May simplification take for granted that what comes out of a root is not
-;; negative?
+;; May simplification assume that factors drawn out of a root are not negative?
 (define automatic-assumptions (make-parameter #t (lambda (on?) (and on? #t))))
 
 (define (assumptions-in-force)
@@ -36,18 +35,14 @@
 
 ;; A for the scalars of x, which take open signs at one point.
 (define (common-assumptions A x)
-  (define found '())
-  (map-leaves (lambda (leaf)
-                (when (node? leaf) (set! found (cons leaf found)))
-                leaf)
-              x)
-  (if (or (null? found) (null? (cdr found))) A (at-common-reference A (reverse found))))
+  (define found (filter node? (leaves x)))
+  (if (or (null? found) (null? (cdr found))) A (at-common-reference A found)))
 
-;; So many wait at most; and of datums more than these are not remembered.
+;; At most so many procedures wait, and at most so many datums are remembered.
 (define waiting-limit 100)
 (define used-limit 1000)
 
-;; notes : grounds, and what was left unexpanded; or what finds them
+;; notes : grounds, and expressions left unexpanded; or a procedure that finds them
 (define (note-used! notes)
   (unless (null? notes)
     (define A (current-declared))
@@ -89,7 +84,7 @@
   (for*/list ([r (in-list relations)] [d (in-list (split-relation r (complaint who r)))])
     d))
 
-;; (forget-assumptions) all, and what was used; (forget-assumptions '(> m 0) ...) these.
+;; (forget-assumptions) forgets all, declared or used; (forget-assumptions '(> m 0) ...) these.
 (define (forget-assumptions . relations)
   (cond [(null? relations)
          (current-declared no-assumptions)
@@ -100,7 +95,7 @@
          (unless (null? unknown) (raise-not-declared (car unknown) (assumptions 'declared)))
          (current-declared (without-relations (current-declared) data))]))
 
-;; What was declared, then what was used without being declared; or one of both.
+;; The relations declared, then those used without being declared; or one of both lists.
 (define (assumptions [which #f])
   (define declared (declared-relations (current-declared)))
   (define used (undeclared (settle-used!)))

@@ -26,8 +26,8 @@
   (make-kind #:rank rank:number
              #:describe (lambda (x) (format "a number of ~a bits" (bigfloat-precision x)))
              #:datum values
-             #:unary (lambda (op x) (operate-1 op x))
-             #:binary (lambda (op a b) (operate-2 op a b))
+             #:unary operate-1
+             #:binary operate-2
              #:comparand (lambda (x) (exact-value (unwrap x)))))
 
 (value-struct big (value)
@@ -83,8 +83,7 @@
   (exact-value (unwrap x)))
 
 (define (check who x)
-  (unless (big? x)
-    (complain-of-argument who "a number of higher precision, such as (bigfloat 2 100)" x)))
+  (check-argument who big? x "a number of higher precision, such as (bigfloat 2 100)"))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
@@ -114,10 +113,10 @@
           [else (max (bits a) (bits b))]))
   (wrap (call-with-bits most (lambda () (f (raw-bigfloat a) (raw-bigfloat b))))))
 
-;; A number of either sort as one of math/bigfloat, a bigfloat as it is.
+;; A number of Racket's or ours as one of math/bigfloat.
 (define (raw-bigfloat x) (if (big? x) (unwrap x) (real->bigfloat x)))
 
-;; What exact 0 and 1 do, as with Racket's own numbers; or #f.
+;; The result where an argument is exact 0 or 1, as with Racket's own numbers; or #f.
 (define (trivially name a b)
   (case name
     [(+) (cond [(eqv? a 0) b] [(eqv? b 0) a] [else #f])]

@@ -22,12 +22,12 @@
   (make-kind #:rank rank:operator
              #:describe (lambda (o) "an operator")
              #:datum (lambda (o) ((operator-make-datum o)))
-             #:unary (lambda (op o) (function-of-operator op o))
-             #:binary (lambda (op a b) (combine-operators op a b))))
+             #:unary function-of-operator
+             #:binary combine-operators))
 
-;; procedure : function -> function.  make-datum : -> what the operator prints as.
+;; procedure : function -> function.  make-datum : -> the datum that the operator prints as.
 ;; iterate : n -> the procedure of the power n > 1, where there is a better way than
-;; to repeat; or #f.  power : what it is a multiple of a power of, or #f.
+;; to repeat; or #f.  power : the power of which it is a multiple, or #f.
 (value-struct operator (procedure make-datum iterate power)
   #:kind kind:operator
   #:property prop:procedure
@@ -39,11 +39,10 @@
 ;; prints as the application that made it.  The subtype and arity of scmutils are taken,
 ;; and not needed.
 (define (make-operator procedure [name (procedure-datum procedure)] [subtype #f] [arity #f])
-  (unless (procedure? procedure)
-    (complain-of-argument 'make-operator "a function of functions" procedure))
+  (check-argument 'make-operator procedure? procedure "a function of functions")
   (naming-images procedure (lambda () (value->datum name))))
 
-;; One whose procedure gives its images their names itself.
+;; An operator whose procedure names its images itself.
 (define (make-primitive-operator procedure make-datum #:iterate [iterate #f])
   (operator procedure make-datum iterate #f))
 

@@ -31,8 +31,8 @@
   (unary-function (lambda () (list 'principal-value given)) (x)
     (principal x)))
 
-;; The angle of which x is a variation.  An angle that varies is none the less differentiable
-;; where it is brought back by a turn.
+;; The angle without the ε of x.  An angle that varies is differentiable also where it is brought
+;; back by a turn.
 (define (undisturbed x) (if (carrier? x) (undisturbed (comparand x)) x))
 
 (define (raise-not-an-angle what x)

@@ -27,11 +27,10 @@
              #:describe (lambda (q) "a quaternion")
              #:datum (lambda (q) (cons 'quaternion (map value->datum (parts q))))
              #:notation (lambda (q see) (quaternion-notation (parts q) see))
-             #:map (lambda (f q) (apply hamilton (for/list ([x (in-list (parts q))])
-                                                   (map-leaves f x))))
-             #:component (lambda (q i) (quaternion-ref q i))
-             #:unary (lambda (op q) (unary op q))
-             #:binary (lambda (op a b) (combine op a b))
+             #:map (lambda (f q) (scale (lambda (x) (map-leaves f x)) q))
+             #:component quaternion-ref
+             #:unary unary
+             #:binary combine
              #:same? (lambda (same? a b) (andmap same? (parts a) (parts b)))
              #:zero? (lambda (q) (andmap g:zero? (parts q)))))
 

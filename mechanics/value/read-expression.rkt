@@ -81,7 +81,7 @@
         [(procedure? d) (reject d "\n  a function is no expression, but its value at 't is one")]
         [else (reject d)]))
 
-;; ... or ...12, as what is too long, or does not end, is printed
+;; Is it ... or ...12, which stands for parts left out in printing?
 (define (left-out? s) (regexp-match? #rx"^[.][.][.]" (symbol->string s)))
 
 (define (pointwise-kind? x) (memv (kind-rank (kind-of x)) (list rank:function rank:operator)))
@@ -121,8 +121,8 @@
         [(hash-ref arithmetic head #f) => (lambda (f) (apply f operands))]
         [else (reject d)]))
 
-;; What prints as a difference is read as one, though the constructors write x - 2 as a sum.
-;; -> an expression, or #f of what is not printed so
+;; A difference is read as one, though the constructors write x - 2 as a sum.
+;; -> the expression that prints as given, or #f where none does
 (define (as-it-stands head operands)
   (define op (hash-ref written-out head #f))
   (define n (length operands))

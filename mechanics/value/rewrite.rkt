@@ -46,8 +46,8 @@
 ;; The coefficient of in^n, simplified.
 (define (coefficient x in n)
   (check-unknown 'coefficient in)
-  (unless (exact-integer? n)
-    (complain-of-argument 'coefficient "an integer, the power whose coefficient is wanted" n))
+  (check-argument 'coefficient exact-integer? n
+                  "an integer, the power whose coefficient is wanted")
   (map-scalars 'coefficient
                (lambda (e A)
                  (define-values (c assumptions) (expression-coefficient e in n A))

@@ -32,8 +32,8 @@
 (define (vector->structure shape v)
   (scalars->structure shape (lambda (k) (vector-ref v k))))
 
-;; A structure of that shape, of symbols that stand in no expression; those in place of symbols
-;; are spelt like them, for they may be shown in a message.
+;; A structure of the shape of x, of symbols that stand in no expression; in place of a symbol is
+;; one spelt like it, as it may be shown in a message.
 (define (unknowns-like x)
   (define names (list->vector (scalars x)))
   (scalars->structure x
@@ -42,7 +42,7 @@
                         (string->uninterned-symbol
                          (if (symbol? name) (symbol->string name) "x")))))
 
-;; (complain scalar) where one is not a real number; multiples of π are.
+;; Calls (complain scalar) for a scalar that is not a real number; multiples of π are real numbers.
 (define (structure->flvector x complain)
   (define xs (scalars x))
   (define v (make-flvector (length xs)))

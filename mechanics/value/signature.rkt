@@ -170,7 +170,7 @@
        (for/and ([e (in-vector (tuple-elements x))]) (shape-fits? (several-shape shape) e))
        (positive? (vector-length (tuple-elements x)))))
 
-;; Have the components whose count is open the same one?
+;; Do the components whose count is open have equal counts?
 (define (same-counts? shape t)
   (define counts
     (for/list ([s (in-vector (structure-elements shape))]
@@ -179,11 +179,11 @@
       (count-of s e)))
   (or (null? counts) (andmap (lambda (n) (eqv? n (car counts))) (cdr counts))))
 
-;; 0 where one alone stands without a tuple.
+;; The number of components; 0 for a single value without a tuple.
 (define (count-of s e)
   (if (shape-fits? (several-shape s) e) 0 (vector-length (tuple-elements e))))
 
-;; A scalar, or a tuple of such at any depth.
+;; Is x a scalar, or a tuple of scalars at any depth?
 (define (scalars? x)
   (if (tuple? x)
       (for/and ([e (in-vector (tuple-elements x))]) (scalars? e))

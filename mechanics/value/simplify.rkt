@@ -27,12 +27,12 @@
 ;; Under the declared assumptions alone.
 (define (simplify-strictly x) (parameterize ([automatic-assumptions #f]) (simplify x)))
 
-;; The simplified value, and what that assumed without being declared.
+;; -> the simplified value, and the undeclared assumptions made for it
 (define (simplify/assumptions x)
   (define-values (simple assumptions) (simplify/found x))
   (values simple (assumptions)))
 
-;; -> the simplified value, and what finds what that assumed
+;; -> the simplified value, and a procedure that finds the assumptions made for it
 (define (simplify/found x)
   (define A (common-assumptions (assumptions-in-force) x))
   (map-expressions (lambda (e) (simplified e A)) x))
@@ -42,8 +42,8 @@
   (note-used! grounds)
   (values simple grounds))
 
-;; The value as a result is shown, and what getting there assumed: simplified,
-;; but for scalars in a form that was asked for.
+;; -> the value as a result is shown, simplified but for scalars in a form that was asked for,
+;; and the assumptions made for it
 (define (as-shown x)
   (define A (common-assumptions (assumptions-in-force) x))
   (define-values (shown assumptions)
@@ -54,8 +54,8 @@
                      x))
   (values shown (assumptions)))
 
-;; rewrite : expression -> expression and what it rests on, or what finds that
-;; -> the value, and what finds what all of it rests on
+;; rewrite : expression -> expression, and its assumptions or a procedure that finds them
+;; -> the value, and a procedure that finds all assumptions
 (define (map-expressions rewrite x)
   (define assumptions '())
   (define value

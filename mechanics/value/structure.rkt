@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What one does with structures: take them apart, rebuild them, multiply them.
 
-(require "complex.rkt" "series/series-access.rkt" "series/series.rkt"
+(require "complex.rkt" "shape.rkt" "series/series-access.rkt" "series/series.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"
@@ -19,7 +19,7 @@
  compatible-shape compatible-zero dual-zero zero-like
  ;; products
  dot-product inner-product outer-product cross-product euclidean-norm unequal-contraction
- structure-of)
+ structure-of index-range)
 
 ;; ---------------------------------------------------------------------------
 ;; Access
@@ -50,10 +50,12 @@
     (raise-arguments-error 'ref "an index is an integer" "index" i))
   (define k (if (negative? i) (+ n i) i))
   (unless (< -1 k n)
-    (complain 'ref "index ~a is outside ~a~a\n  in: ~a" i (describe given)
-              (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n)))
+    (complain 'ref "index ~a is outside ~a~a\n  in: ~a" i (describe given) (index-range n)
               (value->text given)))
   (if (structure? s) (structure-ref s k) (vector-ref s k)))
+
+;; Of n components, in words
+(define (index-range n) (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n))))
 
 (define (ref-of-function f i)
   (make-function (lambda args (ref (apply f args) i))
@@ -81,10 +83,7 @@
         [else 1]))
 
 ;; The number of scalars in x.
-(define (s:dimension x)
-  (if (tuple? x)
-      (for/sum ([e (in-vector (tuple-elements x))]) (s:dimension e))
-      1))
+(define (s:dimension x) (shape-length x))
 (define (dimension x) (s:dimension x))
 
 (define (structure->vector s)
@@ -103,8 +102,7 @@
 (define (s:generate n orientation f)
   (unless (memq orientation '(up down))
     (complain-of-argument 's:generate "'up or 'down" orientation))
-  (unless (exact-nonnegative-integer? n)
-    (complain-of-argument 's:generate "a number of components, at least 0" n))
+  (check-argument 's:generate exact-nonnegative-integer? n "a number of components, at least 0")
   (structure orientation (build-vector n f)))
 
 ;; f applied to each component; with several structures, to corresponding ones.
@@ -154,7 +152,7 @@
 (define (compatible-zero s) (s:map/r (lambda (x) 0) (flip s)))
 (define dual-zero compatible-zero)
 
-;; What is zero in the way that s is: a tuple, a matrix, a function, an operator.
+;; The zero of the kind and shape of s: a tuple, a matrix, a function, an operator.
 (define (zero-like s)
   (s:map/r (lambda (x) (map-leaves zero-like-leaf x)) s))
 
@@ -166,12 +164,7 @@
 (define generic:zero-like (operation-by-values 'zero-like zero-like))
 
 (define (compatible-shape s)
-  (define n -1)
-  (let name ([s (flip s)])
-    (if (tuple? s)
-        (structure-map name (adopt s))
-        (begin (set! n (add1 n))
-               (string->symbol (format "x~a" n))))))
+  (scalars->structure (flip s) (lambda (n) (string->symbol (format "x~a" n)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Products
@@ -200,7 +193,7 @@
                  (bitwise-and (arity-mask a) (arity-mask b))
                  (lambda () (list name (value->datum a) (value->datum b)))))
 
-;; That of the conjugate of a with b.
+;; The dot product of the conjugate of a with b.
 (define (inner-product a b) (dot-product (conjugate a) b))
 
 ;; The tuple like b of tuples like a: each scalar of a times each of b, none contracted.

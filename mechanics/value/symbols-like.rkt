@@ -9,5 +9,5 @@
 (define (symbols-like x name)
   (scalars->structure x (lambda (k) (string->uninterned-symbol (format "~a~a" name k)))))
 
-;; What scmutils has for that
+;; As scmutils has it
 (define (typical-object s) (symbols-like s "x"))

@@ -3,33 +3,28 @@
 ;; vectors they are in Scheme (SICM p. 96).
 
 (require "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/up-down.rkt")
+         "../generic/describe.rkt" "../generic/naming.rkt" "../generic/up-down.rkt")
 
 (provide tuple-vector-ref tuple-vector-length tuple-vector->list tuple-vector-map)
 
-(define tuple-vector-ref
-  (let ([vector-ref (lambda (v i) (if (structure? v) (structure-ref v i) (vector-ref v i)))])
-    vector-ref))
+(define-named tuple-vector-ref vector-ref
+  (lambda (v i) (if (structure? v) (structure-ref v i) (vector-ref v i))))
 
-(define tuple-vector-length
-  (let ([vector-length (lambda (v) (if (structure? v) (structure-length v) (vector-length v)))])
-    vector-length))
+(define-named tuple-vector-length vector-length
+  (lambda (v) (if (structure? v) (structure-length v) (vector-length v))))
 
-(define tuple-vector->list
-  (let ([vector->list
-         (lambda (v) (vector->list (if (structure? v) (structure-elements v) v)))])
-    vector->list))
+(define-named tuple-vector->list vector->list
+  (lambda (v) (vector->list (if (structure? v) (structure-elements v) v))))
 
 ;; f of corresponding components; the result is what the first one is.
-(define (vector-map f first . more)
-  (define all
-    (for/list ([v (in-list (cons first more))])
-      (unless (tuple? v)
-        (complain 'vector-map "expected tuples or vectors; given ~a" (describe-with-value v)))
-      (tuple-elements v)))
-  (unless (for/and ([v (in-list all)]) (= (vector-length v) (vector-length (car all))))
-    (complain 'vector-map "the tuples differ in length: ~a" (map vector-length all)))
-  (define values-of (list->vector (apply map f (map vector->list all))))
-  (if (structure? first) (same-orientation first values-of) values-of))
-
-(define tuple-vector-map vector-map)
+(define-named tuple-vector-map vector-map
+  (lambda (f first . more)
+    (define all
+      (for/list ([v (in-list (cons first more))])
+        (unless (tuple? v)
+          (complain 'vector-map "expected tuples or vectors; given ~a" (describe-with-value v)))
+        (tuple-elements v)))
+    (unless (for/and ([v (in-list all)]) (= (vector-length v) (vector-length (car all))))
+      (complain 'vector-map "the tuples differ in length: ~a" (map vector-length all)))
+    (define values-of (list->vector (apply map f (map vector->list all))))
+    (if (structure? first) (same-orientation first values-of) values-of)))

@@ -52,7 +52,7 @@
 (define (raise-same who x)
   (complain who "two points are the same\n  point: ~a" (value->text x)))
 
-;; What x, which may be in the course of being differentiated, is as a real number.
+;; The real number that x is, or that is being differentiated in x.
 (define (location who x)
   (define c (comparand x))
   (cond [(real? c) c]

@@ -21,7 +21,8 @@
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/function.rkt"
-         "../../generic/wrong-argument.rkt")
+         "../../generic/wrong-argument.rkt"
+         "../../numeric/record-fields.rkt")
 
 (provide cubic-spline Hermite-spline monotone-spline linear-interpolation)
 
@@ -95,7 +96,7 @@
        (raise-outside who x low high))
      (at (piece-of xs place) x))))
 
-;; An integrator may round beyond the end.
+;; Is x inside, but for the rounding of an integrator at an end?
 (define (within? low x high)
   (or (<= low x high)
       (let ([rounding (* 1e-12 (- high low))])
@@ -151,32 +152,32 @@
          (solve-tridiagonal `(,(natural-row d 0 'first) ,@rows
                               ,(natural-row d (- (vector-length d) 1) 'last)))]
         [(pair? ends)
-         (solve-tridiagonal `(,(row 0 1 0 (car ends)) ,@rows ,(row 0 1 0 (cadr ends))))]
+         (solve-tridiagonal `(,(equation 0 1 0 (car ends)) ,@rows ,(equation 0 1 0 (cadr ends))))]
         [(< (vector-length d) 3) (few-slopes h d)]
         [else
          (define n (vector-length d))
          (solve-tridiagonal
           `(,(not-a-knot-row h d 0 1) ,@rows
-            ,(opposite-row (not-a-knot-row h d (- n 1) (- n 2)))))]))
+            ,(opposite (not-a-knot-row h d (- n 1) (- n 2)))))]))
 
 ;; At the point between pieces i - 1 and i.
 (define (inner-row h d i)
   (define h0 (vector-ref h (- i 1)))
   (define h1 (vector-ref h i))
-  (row h1 (g:* 2 (g:+ h0 h1)) h0
+  (equation h1 (g:* 2 (g:+ h0 h1)) h0
        (g:* 3 (g:+ (g:* h1 (vector-ref d (- i 1))) (g:* h0 (vector-ref d i))))))
 
 ;; The second derivative vanishes.
 (define (natural-row d i end)
   (define right (g:* 3 (vector-ref d i)))
-  (if (eq? end 'first) (row 0 2 1 right) (row 1 2 0 right)))
+  (if (eq? end 'first) (equation 0 2 1 right) (equation 1 2 0 right)))
 
 ;; The pieces i, at an end, and j are one cubic.
 (define (not-a-knot-row h d i j)
   (define a (vector-ref h i))
   (define b (vector-ref h j))
   (define c (g:+ a b))
-  (row 0 b c
+  (equation 0 b c
        (g:/ (g:+ (g:* (g:* (g:+ a (g:* 2 c)) b) (vector-ref d i))
                  (g:* (g:square a) (vector-ref d j)))
             c)))
@@ -196,13 +197,12 @@
 ;; equation of the point at which the ends meet gives s.
 (define (periodic-slopes h d rows)
   (define n (vector-length d))
-  (define (with-ends rows s) (solve-tridiagonal `(,(row 0 1 0 s) ,@rows ,(row 0 1 0 s))))
+  (define (with-ends rows s) (solve-tridiagonal `(,(equation 0 1 0 s) ,@rows ,(equation 0 1 0 s))))
   (define p (with-ends rows 0))
   (define q (with-ends (map homogeneous rows) 1))
-  (define-values (a b c right)
-    (row-parts (inner-row (vector (vector-ref h (- n 1)) (vector-ref h 0))
-                          (vector (vector-ref d (- n 1)) (vector-ref d 0))
-                          1)))
+  (define (last-and-first v) (vector (vector-ref v (- n 1)) (vector-ref v 0)))
+  (define closing-row (inner-row (last-and-first h) (last-and-first d) 1))
+  (define-fields equation closing-row a b c right)
   (define (closing v) (g:+ (g:* a (vector-ref v (- n 1))) (g:* c (vector-ref v 1))))
   (define s
     (if (= n 1)

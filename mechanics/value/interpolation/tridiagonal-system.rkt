@@ -5,19 +5,15 @@
 
 (require "../../generic/arithmetic.rkt")
 
-(provide row row-parts homogeneous opposite-row solve-tridiagonal)
+(provide (struct-out equation) homogeneous opposite solve-tridiagonal)
 
 (struct equation (a b c right) #:authentic)
-
-(define (row a b c right) (equation a b c right))
-(define (row-parts e)
-  (values (equation-a e) (equation-b e) (equation-c e) (equation-right e)))
 
 (define (homogeneous e)
   (equation (equation-a e) (equation-b e) (equation-c e) 0))
 
 ;; The neighbours exchanged, for the other end.
-(define (opposite-row e)
+(define (opposite e)
   (equation (equation-c e) (equation-b e) (equation-a e) (equation-right e)))
 
 ;; A list of rows -> the vector of unknowns.

@@ -34,20 +34,13 @@
 ;; The vectors that the matrix less the eigenvalue maps to 0.
 (define (vectors-of-null-spaces rows)
   (define m (matrix rows))
-  (for/list ([value (in-list (distinct (map simplify (eigenvalues m))))])
+  (for/list ([value (in-list (remove-duplicates (map simplify (eigenvalues m))))])
     (cons value (map simplify (null-space (simplify (g:- m value)))))))
 
-(define (distinct values) (remove-duplicates values))
-
 (define (vectors-of-symmetric rows)
-  (define n (vector-length rows))
-  (define-values (found vectors)
-    (symmetric-eigenvalues
-     (for*/flvector #:length (* n n) ([row (in-vector rows)] [x (in-vector row)])
-       (real->double-flonum x))
-     n))
-  (for/list ([value (in-flvector found)] [i (in-naturals)])
-    (list value (apply up (for/list ([j (in-range n)]) (flvector-ref vectors (+ (* i n) j)))))))
+  (define-values (found vectors) (symmetric-eigenvalues (rows->flvector rows) (vector-length rows)))
+  (for/list ([value (in-flvector found)] [v (in-list vectors)])
+    (list value (apply up (flvector->list v)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Singular values
@@ -62,13 +55,10 @@
   (unless (all-entries? rational? rows)
     (complain 'svd "expected a matrix of finite real numbers; given ~a" (describe-with-value A)))
   (define wide? (> (row-length rows) (vector-length rows)))
-  (define-values (us values vs)
+  (define-values (us sizes vs)
     (singular-values (columns-of (if wide? (rows-transpose rows) rows))))
-  (define-values (u v)
-    (apply values-in-order wide? (map matrix-of-columns (list us vs))))
-  (list u values v))
-
-(define (values-in-order swapped? u v) (if swapped? (values v u) (values u v)))
+  (define-values (u v) (values (matrix-of-columns us) (matrix-of-columns vs)))
+  (if wide? (list v sizes u) (list u sizes v)))
 
 (define (matrix-of-columns columns) (apply matrix-by-columns (map flvector->list columns)))
 

@@ -30,10 +30,8 @@
 ;; Is x zero, even if it takes simplification to see?  Of a dual number it is the
 ;; number being varied that counts.
 (define (zero-value? x)
-  (define look (and (has-kind? x) (kind-comparand (kind-of x))))
-  (cond [look (zero-value? (look x))]
-        [(expression? x) (vanishes? x (assumptions-in-force))]
-        [else (g:zero? x)]))
+  (define value (comparand x))
+  (if (expression? value) (vanishes? value (assumptions-in-force)) (g:zero? value)))
 
 ;; ---------------------------------------------------------------------------
 ;; The choice
@@ -65,7 +63,7 @@
 ;; The rows of x with A · x = right; 'singular if A has no inverse.
 (define (ring-solutions A right)
   (cond [(few-minors? A) (solutions-by-minors A right)]
-        [(and (all-entries? expression? A) (all-entries? expression? right)
+        [(and (all-entries? expression? A right)
               (eliminated-solutions A right few-terms (assumptions-in-force)))]
         [else (solutions-by-powers A right)]))
 
@@ -101,6 +99,4 @@
 (define (over-determinant columns d)
   (if (zero-value? d)
       'singular
-      (rows-transpose
-       (for/vector #:length (vector-length columns) ([column (in-vector columns)])
-         (for/vector #:length (vector-length column) ([x (in-vector column)]) (g:/ x d))))))
+      (rows-transpose (rows-map (lambda (x) (g:/ x d)) columns))))

@@ -67,9 +67,7 @@
 ;; part.
 (define (numeric-eigenvalues m block)
   (define n (vector-length block))
-  (define v
-    (for*/flvector #:length (* n n) ([row (in-vector block)] [x (in-vector row)])
-      (real->double-flonum x)))
+  (define v (rows->flvector block))
   (check-finite m v)
   (cond [(= n 2) (two-numeric-eigenvalues v)]
         [(symmetric? v n)

@@ -21,9 +21,7 @@
         [(all-entries? numeric? rows) (by-squaring (rows-map g:exact->inexact rows))]
         [else (raise-no-formula rows)]))
 
-(define (add-rows a b)
-  (for/vector ([r (in-vector a)] [s (in-vector b)])
-    (for/vector ([x (in-vector r)] [y (in-vector s)]) (g:+ x y))))
+(define (add-rows a b) (rows-combine g:+ a b))
 
 (define (scale-rows c rows) (rows-map (lambda (x) (g:* c x)) rows))
 

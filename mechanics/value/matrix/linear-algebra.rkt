@@ -6,7 +6,7 @@
 ;; matrix when A is seen as acting on tuples x (SICM p. 516 and 5.2.2).
 
 (require "matrix.rkt"
-         "../structure.rkt"
+         "../shape.rkt" "../structure.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/dispatch.rkt"
          "../../generic/function.rkt" "../../generic/kind.rkt" "../../generic/on-demand.rkt"
@@ -44,7 +44,7 @@
   (for/fold ([sum 0]) ([row (in-vector rows)] [i (in-naturals)])
     (g:+ sum (vector-ref row i))))
 
-;; A scalar is a matrix of one entry; a function is taken by its values.
+;; x is a scalar, a matrix of one entry, or a function, composed with op.
 (define (of-scalar-or-function op x)
   (cond [(scalar? x) x]
         [(pointwise? x) (compose-unary op x)]
@@ -61,7 +61,7 @@
   (check-tuple-of-tuples who s)
   (define rows (square-parts s))
   (if rows
-      (for/vector ([row (in-list rows)]) (scalars row))
+      (for/vector ([row (in-list rows)]) (scalar-vector row))
       (raise-arguments-error
        who "expected as many components in each component as there are components"
        "structure" s)))
@@ -85,8 +85,7 @@
            (and more (append parts more)))]
         [else #f]))
 
-;; The scalars of a tuple, at any depth, as a vector.
-(define (scalars s) (list->vector (reverse (s:fold cons '() s))))
+(define (scalar-vector s) (list->vector (scalars s)))
 
 (define (check-tuple-of-tuples who s)
   (define elements (structure-elements (structure-of who s)))
@@ -194,7 +193,7 @@
   (check-tuple-of-tuples who A)
   (define columns (parts-of-shape A b))
   (unless (and columns (tuple? b)) (raise-mismatch who A (s:ref A 0) b))
-  (solve-columns who (map scalars columns) (scalars b) A (part-places A b)))
+  (solve-columns who (map scalar-vector columns) (scalar-vector b) A (part-places A b)))
 
 ;; What multiplies A, nested as parts like this one are in it.
 (define (part-places A like)
@@ -211,8 +210,8 @@
   (define parts (parts-at-scalars A b))
   (unless (and parts (tuple? b) (for/and ([p (in-list parts)]) (same-shape? p (car parts))))
     (raise-mismatch who A A b))
-  (define rows (list->vector (map scalars parts)))
-  (solve-columns who (vector->list (rows-transpose rows)) (scalars b) A (flip (car parts))))
+  (define rows (list->vector (map scalar-vector parts)))
+  (solve-columns who (vector->list (rows-transpose rows)) (scalar-vector b) A (flip (car parts))))
 
 ;; The parts of A that lie where b has its scalars, in order; #f if A is not
 ;; nested as b is.
@@ -239,13 +238,8 @@
                             "determined")
                            "unknowns" n "equations" (vector-length b)
                            "structure" A))
-  (define (shape v) (fill like v))
+  (define (shape v) (vector->structure like v))
   (shape (rows-solve who A (rows-transpose (list->vector columns)) b shape)))
-
-;; A structure shaped like `like` with these scalars, in order.
-(define (fill like v)
-  (define k -1)
-  (s:map/r (lambda (_) (set! k (add1 k)) (vector-ref v k)) like))
 
 (define (raise-mismatch who A like b)
   (complain who "the right-hand side must be ~a, to match ~a; given ~a"
@@ -270,8 +264,8 @@
         [(and (tuple? A) (nested-parts who (adopt A)))
          => (lambda (parts)
               (define like (part-places (adopt A) (car parts)))
-              (values (rows-transpose (list->vector (map scalars parts)))
-                      (lambda (v) (fill like v))))]
+              (values (rows-transpose (list->vector (map scalar-vector parts)))
+                      (lambda (v) (vector->structure like v))))]
         [(scalar? A) (values (vector (vector A)) (lambda (v) (vector-ref v 0)))]
         [else (complain who "expected a matrix or a tuple of tuples; given ~a"
                         (describe-with-value A))]))
@@ -297,19 +291,14 @@
 
 ;; The structure whose bilinear form on ls and rs has this matrix.
 (define (m->s ls m rs)
-  (define j -1)
-  (s:map/r (lambda (_)
-             (set! j (add1 j))
-             (define column j)
-             (define i -1)
-             (s:map/r (lambda (_) (set! i (add1 i)) (matrix-ref m i column)) (flip ls)))
-           (flip rs)))
+  (scalars->structure
+   (flip rs)
+   (lambda (j) (scalars->structure (flip ls) (lambda (i) (matrix-ref m i j))))))
 
 ;; The structures like s with one scalar 1 and all others 0, in order.
 (define (units s)
   (for/list ([k (in-range (s:dimension s))])
-    (define n -1)
-    (s:map/r (lambda (_) (set! n (add1 n)) (if (= n k) 1 0)) s)))
+    (scalars->structure s (lambda (n) (if (= n k) 1 0)))))
 
 ;; The structure undoing rs ↦ (* ms rs).
 (define (s:inverse ls ms rs)

@@ -12,7 +12,7 @@
          "../../generic/dispatch.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
          "../../generic/notation.rkt" "../../generic/on-demand.rkt" "../../generic/up-down.rkt"
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
-         (only-in "../../numeric/linear-algebra/row-matrix.rkt" rows-transpose))
+         "../../numeric/linear-algebra/row-matrix.rkt")
 
 (provide
  ;; construction
@@ -21,7 +21,7 @@
  ;; access
  matrix-ref m:num-rows m:num-cols m:dimension m:nth-row m:nth-col m:submatrix
  ;; for the linear algebra above
- matrix matrix-rows square-rows m:invert matrix-of-functions?)
+ matrix matrix-rows same-size? square-rows m:invert matrix-of-functions?)
 
 (require-on-demand
  ["exponential.rkt" rows-exponential]
@@ -42,18 +42,15 @@
                          [(exact->inexact inexact->exact)
                           (matrix-map (generic-op-procedure op) m)]
                          [else (raise-inapplicable op m)]))
-             #:component (lambda (m i) (m:nth-row m i))
-             #:arity (lambda (m) (common-arity m))
-             #:binary (lambda (op a b) (combine op a b))
+             #:component m:nth-row
+             #:arity common-arity
+             #:binary combine
              #:same? (lambda (same? a b)
-                       (and (= (m:num-rows a) (m:num-rows b))
-                            (= (m:num-cols a) (m:num-cols b))
+                       (and (same-size? a b)
                             (for*/and ([(row other) (in-parallel (matrix-rows a) (matrix-rows b))]
                                        [(x y) (in-parallel row other)])
                               (same? x y))))
-             #:zero? (lambda (m)
-                       (for*/and ([row (in-vector (matrix-rows m))] [x (in-vector row)])
-                         (g:zero? x)))))
+             #:zero? (lambda (m) (all-entries? g:zero? (matrix-rows m)))))
 
 ;; f of each row, a list
 (define (rows-of m f)
@@ -63,14 +60,16 @@
   (for*/fold ([mask -1]) ([row (in-vector (matrix-rows m))] [x (in-vector row)])
     (bitwise-and mask (arity-mask x))))
 
-;; rows : a vector of vectors of one length, changed by nobody.
+;; rows : a vector of vectors of one length, never changed
 (value-struct matrix (rows)
   #:kind kind:matrix
   #:equal-by matrix-rows
   #:property prop:procedure (lambda (m . arguments) (matrix-map (entry-at m arguments) m)))
 
-(define (matrix-of-functions? m)
-  (for*/and ([row (in-vector (matrix-rows m))] [x (in-vector row)]) (procedure? x)))
+(define (matrix-of-functions? m) (all-entries? procedure? (matrix-rows m)))
+
+(define (same-size? m n)
+  (and (= (m:num-rows m) (m:num-rows n)) (= (m:num-cols m) (m:num-cols n))))
 
 ;; entry -> its value at the arguments
 (define ((entry-at m arguments) f)
@@ -117,13 +116,11 @@
             (for/vector #:length columns ([j (in-range columns)]) (f i j)))))
 
 (define (identity-matrix n)
-  (unless (exact-positive-integer? n)
-    (complain-of-argument 'identity-matrix "a number of rows, at least 1" n))
-  (m:generate n n (lambda (i j) (if (= i j) 1 0))))
+  (check-argument 'identity-matrix exact-positive-integer? n "a number of rows, at least 1")
+  (matrix (unit-rows n)))
 
 (define (up->column-matrix s)
-  (matrix (for/vector ([x (in-vector (structure-elements (structure-of 'up->column-matrix s)))])
-            (vector x))))
+  (matrix (rows-transpose (vector (structure-elements (structure-of 'up->column-matrix s))))))
 (define (down->row-matrix s)
   (matrix (vector (structure-elements (structure-of 'down->row-matrix s)))))
 (define (column-matrix->up m)
@@ -152,7 +149,7 @@
   (unless (and (index-below? i (m:num-rows m)) (index-below? j (m:num-cols m)))
     (raise-arguments-error 'matrix-ref "there is no such entry"
                            "row" i "column" j "matrix" m))
-  (entry m i j))
+  (entry (matrix-rows m) i j))
 
 (define (index-below? i n) (and (exact-nonnegative-integer? i) (< i n)))
 
@@ -160,7 +157,6 @@
   (unless (matrix? m)
     (complain who "expected a matrix; given ~a" (describe-with-value m))))
 
-(define (entry m i j) (vector-ref (vector-ref (matrix-rows m) i) j))
 (define (column m j)
   (for/vector #:length (m:num-rows m) ([row (in-vector (matrix-rows m))]) (vector-ref row j)))
 
@@ -191,9 +187,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
 
-(define (matrix-map f m)
-  (matrix (for/vector #:length (m:num-rows m) ([row (in-vector (matrix-rows m))])
-            (for/vector #:length (vector-length row) ([x (in-vector row)]) (f x)))))
+(define (matrix-map f m) (matrix (rows-map f (matrix-rows m))))
 
 (define (combine op a b)
   (case (generic-op-name op)
@@ -226,10 +220,8 @@
           [else (raise-inapplicable op a b)]))
   (define m (as-matrix a b))
   (define n (as-matrix b a))
-  (unless (and (= (m:num-rows m) (m:num-rows n)) (= (m:num-cols m) (m:num-cols n)))
-    (raise-inapplicable op a b))
-  (m:generate (m:num-rows m) (m:num-cols m)
-              (lambda (i j) (add (entry m i j) (entry n i j)))))
+  (unless (same-size? m n) (raise-inapplicable op a b))
+  (matrix (rows-combine add (matrix-rows m) (matrix-rows n))))
 
 (define (multiply op a b)
   (cond [(tuple? b) (matrix-times-tuple op a b)]

@@ -10,11 +10,11 @@
 ;; That space is spanned by the right singular vectors of which the singular values vanish.  With
 ;; λ complex, z = x + i y is taken to 0 if (x, y) is by a real matrix of twice the size.
 
-(require racket/flonum
-         racket/list
+(require racket/list
          "linear-algebra.rkt" "matrix.rkt"
          "../structure.rkt"
          "../../generic/arithmetic.rkt"
+         "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt" "../../numeric/linear-algebra/singular-values.rkt")
 
 (provide numeric-eigenvectors)
@@ -96,13 +96,9 @@
 
 ;; -> lists of numbers
 (define (real-null-vectors rows tolerance)
-  (define columns
-    (for/list ([column (in-vector (rows-transpose rows))])
-      (for/flvector #:length (vector-length column) ([x (in-vector column)])
-        (real->double-flonum x))))
-  (define-values (us sizes vs) (singular-values columns))
+  (define-values (us sizes vs) (singular-values (columns-of rows)))
   (for/list ([size (in-list sizes)] [v (in-list vs)] #:when (<= size tolerance))
-    (for/list ([x (in-flvector v)]) x)))
+    (flvector->list v)))
 
 ;; Re A, −Im A over Im A, Re A
 (define (doubled A)

@@ -17,14 +17,13 @@
 (define (open-system? A right)
   (and (being-traced?)
        (> (vector-length A) longest-formula)
-       (all-entries? expression? A)
-       (all-entries? expression? right)))
+       (all-entries? expression? A right)))
 
 ;; The rows of x with A x = right.
 (define (open-solutions A right)
   (define systems
     (for/list ([b (in-vector (rows-transpose right))])
-      (define rows (beside A (for/vector ([x (in-vector b)]) (vector x))))
+      (define rows (beside A (rows-transpose (vector b))))
       (make-node op:solution (append-map vector->list (vector->list rows)))))
   (for/vector #:length (vector-length A) ([k (in-naturals)] [_ (in-vector A)])
     (for/vector #:length (length systems) ([s (in-list systems)])

@@ -28,10 +28,9 @@
 ;; expressions that are traced?
 (define (perturbed-system? A right)
   (and (many-rows? A)
-       (not (and (all-entries? plain? A) (all-entries? plain? right)))
+       (not (all-entries? plain? A right))
        (let ([good? (if (being-traced?) expression? plain-number?)])
-         (define (good-beneath? x) (good? (beneath x)))
-         (and (all-entries? good-beneath? A) (all-entries? good-beneath? right)))))
+         (all-entries? (lambda (x) (good? (beneath x))) A right))))
 
 (define (many-rows? A) (> (vector-length A) longest-formula))
 
@@ -64,10 +63,6 @@
   (for*/fold ([outermost #f]) ([rows (list A right)] [row (in-vector rows)] [x (in-vector row)]
                                #:when (carrier? x))
     (if (and outermost (> (carrier-tag outermost) (carrier-tag x))) outermost x)))
-
-(define (rows-combine f a b)
-  (for/vector #:length (vector-length a) ([r (in-vector a)] [s (in-vector b)])
-    (for/vector #:length (vector-length r) ([x (in-vector r)] [y (in-vector s)]) (f x y))))
 
 ;; ---------------------------------------------------------------------------
 ;; Determinants

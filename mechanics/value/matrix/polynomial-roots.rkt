@@ -19,7 +19,7 @@
 
 (provide polynomial-roots)
 
-;; The roots of a polynomial in the symbol x, each as often as it is one.
+;; The roots of a polynomial in the symbol x, each as often as its multiplicity.
 (define (polynomial-roots p x)
   (unless (scalar? p)
     (complain 'polynomial-roots "expected a polynomial; given ~a" (describe-with-value p)))
@@ -59,8 +59,8 @@
                #:when (zero? (value-at x coefficients)))
     x))
 
-;; Horner's scheme: its value is the polynomial's, what comes on the way the quotient's
-;; coefficients.
+;; Horner's scheme -> the value of the polynomial at x, then the coefficients of its quotient by
+;; the linear factor of x.
 (define (horner x coefficients)
   (for/fold ([found '(1)]) ([c (in-list (reverse coefficients))])
     (cons (+ c (* x (car found))) found)))

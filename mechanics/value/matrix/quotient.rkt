@@ -52,10 +52,10 @@
               (same-shape? column (s:ref A 0))
               (for/and ([x (in-vector (tuple-elements column))]) (not (tuple? x)))))))
 
-;; What A x is like, for x that it acts on.
+;; A value of the shape of A x.
 (define (image A) (s:ref A 0))
 
-;; Is b a tuple of such, and one that multiplies component by component?
+;; Is b a tuple of values of this shape, which A multiplies component by component?
 (define (divisible? b A)
   (and (for/and ([x (in-vector (structure-elements b))]) (same-shape? x (image A)))
        (same-shape? (g:* A b) b)))

@@ -51,13 +51,10 @@
 ;; ---------------------------------------------------------------------------
 ;; Systems
 
-;; The vector x with rows · x = b.  For the failure: who asked, what the matrix was
-;; given as, and what is made of the components of an unknown.
+;; The vector x with rows · x = b.  For the message of a failure: who asked, the matrix as it was
+;; given, and the shape that a procedure gives to the components of an unknown.
 (define (rows-solve who given rows b [shape up-of])
-  (define right (for/vector #:length (vector-length b) ([x (in-vector b)]) (vector x)))
-  (for/vector #:length (vector-length rows)
-              ([row (in-vector (solve (failure who given rows right shape) rows right))])
-    (vector-ref row 0)))
+  (vector-ref (rows-solve-each who given rows (vector b) shape) 0))
 
 ;; The solutions for several right-hand sides, a vector of vectors.
 (define (rows-solve-each who given rows bs [shape up-of])
@@ -70,8 +67,8 @@
 (define ((failure who given rows right shape))
   (raise-singular-matrix who given rows right shape))
 
-;; The rows of x with rows · x = right, block after block: what a block needs of
-;; others is known then.
+;; The rows of x with rows · x = right, block after block: each needs only unknowns of blocks
+;; before it.
 (define (solve fail rows right)
   (define form (block-triangular-form (entry-columns rows)))
   (when (deficiency? form) (fail))
@@ -107,9 +104,7 @@
 
 ;; Numbers, not all of them Racket's?
 (define (other-numbers? A right)
-  (and (not (and (all-entries? number? A) (all-entries? number? right)))
-       (all-entries? plain-number? A)
-       (all-entries? plain-number? right)))
+  (and (not (all-entries? number? A right)) (all-entries? plain-number? A right)))
 
 (define (solve-one a right)
   (if (zero-value? a)

@@ -18,7 +18,7 @@
       (eliminated-kernel rows (assumptions-in-force))))
 
 ;; right : rows of right-hand sides, or #f if the inverse was wanted
-;; shape : vector of components -> unknown, as it is called for
+;; shape : vector of components -> unknown, in the shape asked for
 (define (raise-singular-matrix who given rows right shape)
   (define (kernel-of rows) (and (all-entries? expression? rows) (matrix-kernel rows)))
   (define kernel (kernel-of rows))

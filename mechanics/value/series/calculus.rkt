@@ -33,8 +33,7 @@
   (when (or (< (series-length s) 2) (eqv? (series-term s 1) 0))
     (raise-arguments-error 'series:reversion "the coefficient of x must not be 0" "series" s))
   (define φ (g:/ 1 slopes))
-  (define powers
-    (make-coefficients (lambda (n) (if (eqv? n 1) φ (g:* (coefficient powers (sub1 n)) φ)))))
+  (define powers (powers-of φ))
   (power-series-of
    (make-coefficients
     (lambda (k)

@@ -20,7 +20,7 @@
 (define (make-coefficients compute [length +inf.0])
   (coefficients compute length (make-vector (if (< length 8) (max length 0) 8) unknown)))
 
-;; Those of a list, and no more.
+;; The coefficients in a list; all others are 0.
 (define (coefficients-from xs)
   (define known (list->vector xs))
   (coefficients (lambda (k) (vector-ref known k)) (vector-length known) known))
@@ -40,7 +40,7 @@
   (remember! c k x)
   x)
 
-;; What another thread stores meanwhile may be lost, to be computed again.
+;; A coefficient that another thread stores meanwhile may be lost, to be computed again.
 (define (remember! c k x)
   (when (>= k (vector-length (coefficients-known c)))
     (define old (coefficients-known c))
@@ -52,5 +52,5 @@
 ;; The coefficients as a function of the index.
 (define (reader c) (lambda (k) (coefficient c k)))
 
-;; k!, what parts a Taylor coefficient from a derivative.
+;; k!, the ratio of a derivative to a Taylor coefficient.
 (define (factorial k) (for/product ([j (in-range 1 (add1 k))]) j))

@@ -18,8 +18,8 @@
 (define (series . terms) (series-of (coefficients-from terms)))
 (define (power-series . terms) (power-series-of (coefficients-from terms)))
 
-;; The series whose term of order k is (f k).  Of what the terms are functions their arity
-;; tells; scmutils is told here.
+;; The series whose term of order k is (f k).  The arity is for scmutils; here the terms tell
+;; their own.
 (define (series:generate f [arity #f])
   (unless (and (procedure? f) (procedure-arity-includes? f 1))
     (complain-of-argument 'series:generate "a function of the order of a term" f))
@@ -58,7 +58,7 @@
 
 ;; (f term) for the first n terms; for all of them, where they end.
 (define (series:for-each f s [n #f])
-  (unless (procedure? f) (complain-of-argument 'series:for-each "a function of a term" f))
+  (check-argument 'series:for-each procedure? f "a function of a term")
   (for-each-term 'series:for-each "(series:for-each f s n)" f s n))
 
 ;; usage : how to say of how many terms

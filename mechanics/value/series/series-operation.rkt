@@ -27,7 +27,7 @@
         [else (by-rule op (list a) wrap unwrap)]))
 
 ;; The first two coefficients are the value and the slope there, by the rule for
-;; the derivative: so what that has to say where there is none is said.
+;; the derivative, which complains where there is none.
 (define (by-step op a solved)
   (define a0 (coefficient a 0))
   (define start ((generic-op-procedure op) a0))
@@ -98,7 +98,8 @@
   (define gs
     (for/list ([partial (in-list (generic-op-partials op))])
       (on-demand (lambda ()
-                   ;; of numbers it tells where there is none; sequences would go on with infinity
+                   ;; of numbers the rule complains where there is no derivative; sequences
+                   ;; would go on with infinity
                    (when (andmap number? numbers) (apply partial numbers))
                    (unwrap (apply partial values))))))
   r)

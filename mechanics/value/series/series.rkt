@@ -18,7 +18,7 @@
 
 (provide series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series
-         coefficients-of collapse compared-terms)
+         coefficients-of collapse compared-terms powers-of)
 
 (require-on-demand ["series-notation.rkt" series-notation])
 
@@ -28,15 +28,15 @@
 (define kind:series
   (make-kind #:rank rank:series
              #:describe (lambda (s) (if (power-series? s) "a power series" "a series"))
-             #:datum (lambda (s) (series-datum s))
-             #:notation (lambda (s see) (notation-of-series s see))
+             #:datum series-datum
+             #:notation notation-of-series
              #:map (lambda (f s) (map-series (lambda (x) (map-leaves f x)) s))
-             #:unary (lambda (op s) (series-unary op s))
-             #:binary (lambda (op a b) (series-binary op a b))
+             #:unary series-unary
+             #:binary series-binary
              #:zero? (lambda (s)
                        (and (finite-series? s)
                             (andmap g:zero? (all-terms s))))
-             #:same? (lambda (same? a b) (same-series? same? a b))
+             #:same? same-series?
              #:arity (lambda (s) (if (power-series? s) 2 -1))))
 
 ;; terms-at : of a power series, x -> the coefficients of the series of its terms at
@@ -56,7 +56,7 @@
   (series coefficients (lambda (x) (terms-at coefficients x))))
 (define (power-series? x) (and (series? x) (series-terms-at x) #t))
 
-;; One that knows a better way to its terms than to multiply by powers.
+;; A power series that finds its terms at x otherwise than by powers of x.
 (define (power-series-with-terms coefficients terms-at) (series coefficients terms-at))
 
 ;; A series of the same sort with other terms.
@@ -120,8 +120,7 @@
     (make-coefficients (lambda (k) (check-commutes op (series-term s k))) (series-length s)))
   (like-series s (operate-1 op commuting (lambda (c) (like-series s c)) coefficients-of)))
 
-;; Elementary functions take it that terms commute: exp (A + B) is not exp A exp B
-;; where A and B do not.
+;; Elementary functions assume that terms commute: else exp (A + B) is not exp A exp B.
 (define (check-commutes op x)
   (when (and (has-kind? x) (memv (kind-rank (kind-of x)) (list rank:matrix rank:operator)))
     (complain (generic-op-name op) "the terms of the series must commute with each other; one is ~a"
@@ -191,7 +190,7 @@
              "  (power-series a ...) makes a function of coefficients")
             (value->text s)))
 
-;; The series of series s as one: term m of the series at order n has order n + m.
+;; A series of series as one series: term m of the series at order n has order n + m.
 (define (collapse s)
   (define (term n) (series-term s n))
   (define finite? (finite-series? s))
@@ -239,13 +238,18 @@
                                   "only if that begins with 0; given ~a")
                    (value->text t))]))
 
-;; Coefficient k is Σ_{n≤k} aₙ (tⁿ)_k, the powers of t being remembered.
+;; Coefficient k is Σ_{n≤k} aₙ (tⁿ)_k.
 (define (composition s t)
-  (define powers
-    (make-coefficients (lambda (n) (if (eqv? n 1) t (g:* (coefficient powers (sub1 n)) t)))))
+  (define powers (powers-of t))
   (make-coefficients
    (lambda (k)
      (if (eqv? k 0)
          (series-term s 0)
          (for/fold ([sum 0]) ([n (in-range 1 (add1 k))])
            (g:+ sum (g:* (series-term s n) (series-term (coefficient powers n) k))))))))
+
+;; t, t², t³, …, remembered; from index 1 on
+(define (powers-of t)
+  (define powers
+    (make-coefficients (lambda (n) (if (eqv? n 1) t (g:* (coefficient powers (sub1 n)) t)))))
+  powers)
