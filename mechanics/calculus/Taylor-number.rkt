@@ -23,10 +23,10 @@
   (make-kind #:rank rank:dual
              #:describe describe-perturbed
              #:datum (lambda (x) (value->datum (jet-coefficient x 0)))
-             #:unary (lambda (op x) (jet-unary op x))
-             #:binary (lambda (op a b) (jet-binary op a b))
+             #:unary jet-unary
+             #:binary jet-binary
              #:comparand (lambda (x) (jet-coefficient x 0))
-             #:order (lambda (x) (jet-order x))
+             #:order jet-order
              #:same? (lambda (same? a b)
                        (and (eqv? (perturbed-tag a) (perturbed-tag b))
                             (for/and ([k (in-range (add1 (jet-order a)))])
@@ -52,8 +52,7 @@
   (let loop ([n (vector-length known)])
     (if (and (> n 1) (eqv? (vector-ref known (sub1 n)) 0)) (loop (sub1 n)) n)))
 
-;; A number that varies though its derivatives vanish, as x⁴ at 0, still bears its
-;; ε (dual.rkt says why).
+;; A number whose derivatives vanish though it varies, as x⁴ at 0, keeps its ε (dual.rkt says why).
 (define (varying tag order known)
   (define length (used-length known))
   (cond [(> length 1) (jet tag order (vector-start known length))]
@@ -69,7 +68,7 @@
 
 (define (jet-with-tag? x tag) (and (jet? x) (eqv? (perturbed-tag x) tag)))
 
-;; What is left of a value when the ε of this tag, not less than any in it, is 0.
+;; The value at ε = 0, for the ε of this tag, not less than any in x.
 (define (jet-value x tag)
   (if (jet-with-tag? x tag) (jet-coefficient x 0) x))
 
@@ -174,7 +173,7 @@
 (define ((in-all v) k) (vector-ref v k))
 
 ;; ---------------------------------------------------------------------------
-;; Operations that have but a derivative rule are done as on power series
+;; Operations without a recurrence, by their derivative rules as on power series
 
 (define (unary-by-rule op a n)
   (check-slope op car (list (vector-ref a 0)))

@@ -51,7 +51,7 @@
 (define (scaled k u)
   (struct-copy term u [c (e:* k (term-c u))]))
 
-;; Such a term in a list; a wave that does not move with x is a coefficient.
+;; The term in a list; a wave that does not depend on x joins the coefficient.
 (define (wave c n p w a b)
   (define (of op) (e:apply op b))
   (cond [(eq? w 'one) (list (term c n p 'one 0 0))]
@@ -203,9 +203,9 @@
   (define integral (and (not (occurs? x in-y)) (integral-of-waves in-y y A)))
   (and integral (simplify-expression (substitute-expression integral (list (cons y u))) A)))
 
-;; The arguments, other than x, of functions and powers in e that depend on x, and
-;; those functions themselves, what literal functions are derivatives of, and
-;; denominators; the innermost first.
+;; Candidates for a substitution, the innermost first: arguments, other than x, of functions and
+;; powers in e that depend on x, these functions themselves, functions of which literal functions
+;; are derivatives, and denominators.
 (define (arguments-within e x)
   (define found '())
   (define (note! u)
@@ -228,7 +228,7 @@
 (define (tuple-of-arguments? u)
   (and (node? u) (memq (node-head u) (list op:up op:down)) #t))
 
-;; What a derivative of a literal function, applied, may be the derivative of.
+;; The applied literal functions of which n may be a derivative.
 (define (lowered n)
   (define head (node-head n))
   (for/list ([entry (in-list (if (literal-head? head) (literal-head-index head) '()))])

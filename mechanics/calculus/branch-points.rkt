@@ -29,7 +29,7 @@
   (for/list ([t (in-list (append (list edge) inside (list (- 1.0 edge))))])
     (sample-choices f (exact->inexact (at t)))))
 
-;; Up to where f fails, as |u|' does at 0
+;; The choices at x, up to the place where f fails, as |u|' does at 0
 (define (sample-choices f x)
   (define made '())
   (define (note! value choice-made between)

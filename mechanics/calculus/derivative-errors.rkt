@@ -6,7 +6,8 @@
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/elementary.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/multiplied-function.rkt" "../generic/up-down.rkt"
-         "../generic/value-struct.rkt")
+         "../generic/value-struct.rkt"
+         (only-in "../value/structure.rkt" index-range))
 
 (provide raise-needs-function raise-takes-only-function raise-arity-of-differentiated
          raise-no-such-component raise-not-differentiable-at check-path)
@@ -52,7 +53,7 @@
          (did-you-mean f who (list (apply up args)))]
         [else ""]))
 
-;; As far as one can tell without trying.
+;; May f take the tuple, as far as is known without a trial?
 (define (may-take? f tuple)
   (cond [(literal-function? f) (literal-function-takes? f (list tuple))]
         [else (not (memq f scalar-functions))]))
@@ -63,7 +64,7 @@
   (format ".\n  Did you mean ~a?"
           (datum->text (cons (list who (value->datum f)) (map typed-datum args)))))
 
-;; What one types to get x: symbols are quoted, where x is not too large to show.
+;; The datum that is typed to get x, with symbols quoted.
 (define (typed-datum x)
   (let quote-symbols ([d (value->datum x)])
     (cond [(symbol? d) (quoted d)]
@@ -82,9 +83,6 @@
             (if (and (not (tuple? s)) (null? (cdr path)))
                 "\n  the derivative of a function of one number is (D f)"
                 "")))
-
-(define (index-range n)
-  (if (zero? n) "" (format " (indices 0 to ~a)" (sub1 n))))
 
 (define (raise-not-differentiable-at x who)
   (complain who "cannot differentiate by ~a; expected a number or a tuple~a~a"

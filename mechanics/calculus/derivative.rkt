@@ -76,9 +76,8 @@
                      (lambda (y) (derivative-of-order (sub1 n) f y)))
                  x))
 
-;; A Taylor number asks at once for all orders of all parts of f, of which some may
-;; not exist that nested derivatives do not need; and these can tell which it is.
-;; (with-handlers takes three times as long.)
+;; A Taylor number asks at once for all orders of all parts of f.  Some may not exist that nested
+;; derivatives do not need; and these find out which.  (with-handlers takes three times as long.)
 (define (unless-singular try otherwise)
   (define result
     (let/ec escape
@@ -151,8 +150,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Operators
 
-;; Two derivatives along one path are one of higher order: what makes a derivative
-;; remembers of which function it is one, along which path, of which order.
+;; Two derivatives along one path are one of higher order.  So a derivative remembers its function,
+;; path and order.
 (struct derivative function (base path order) #:authentic)
 
 ;; The procedure of the operator `name` that takes the derivative of order n along

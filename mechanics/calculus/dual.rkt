@@ -17,9 +17,9 @@
   (make-kind #:rank rank:dual
              #:describe describe-perturbed
              #:datum (lambda (d) (value->datum (dual-primal d)))
-             #:unary (lambda (op d) (dual-unary op d))
-             #:binary (lambda (op a b) (dual-binary op a b))
-             #:comparand (lambda (d) (dual-primal d))
+             #:unary dual-unary
+             #:binary dual-binary
+             #:comparand dual-primal
              #:same? (lambda (same? a b)
                        (and (eqv? (dual-tag a) (dual-tag b))
                             (same? (dual-primal a) (dual-primal b))
@@ -77,10 +77,9 @@
 
 (define (carries? x tag) (and (dual? x) (eqv? (dual-tag x) tag)))
 
-;; A quantity that varies though its first derivative vanishes, as x² at 0, still
-;; bears its ε: the square root of that has no derivative, where that of a
-;; constant 0 has the derivative 0.  Expressions are taken at a generic point,
-;; where only what is constant has no derivative.
+;; A quantity that varies though its first derivative vanishes, as x² at 0, keeps its ε: its
+;; square root has no derivative, while the square root of a constant 0 has the derivative 0.
+;; Expressions are taken at a generic point, where only a constant has a vanishing derivative.
 (define (varying tag value tangent)
   (if (and (eqv? tangent 0) (symbolic? value)) value (dual tag value tangent)))
 

@@ -60,7 +60,7 @@
 (define (third-elliptic-integral n k)
   (check-modulus 'third-elliptic-integral k)
   (define who 'third-elliptic-integral)
-  (unless (< (number who (innermost n)) 1)
+  (unless (< (number-beneath who n) 1)
     (complain who (string-append "expected a characteristic below 1, from where on the integral "
                                  "does not converge; given ~a")
               (describe-with-value n)))
@@ -92,8 +92,8 @@
 
 (define (elliptic-integral-Pi n phi k)
   (define who 'elliptic-integral-Pi)
-  (check-incomplete who (number who (innermost phi)) (number who (innermost k)) <)
-  (check-characteristic who (number who (innermost n)) (number who (innermost phi)))
+  (check-incomplete who (number-beneath who phi) (number-beneath who k) <)
+  (check-characteristic who (number-beneath who n) (number-beneath who phi))
   (pi-integral who n phi k))
 
 ;; ∫ dθ/((1 − n sin² θ) √(1 − k² sin² θ))
@@ -111,7 +111,7 @@
 (define (incomplete who value given-phi given-k integrand)
   (define k (in-flonums given-k))
   (define phi (in-flonums given-phi))
-  (check-incomplete who (number who (innermost phi)) (number who (innermost k))
+  (check-incomplete who (number-beneath who phi) (number-beneath who k)
                     (if (eq? value carlson:E) <= <))
   (if (or (perturbed? phi) (perturbed? k))
       (integrate who (lambda (s) (integrand s k)) 0 phi 1e-13)
@@ -169,5 +169,5 @@
               n phi)))
 
 (define (check-modulus who k)
-  (unless (< -1 (number who (innermost k)) 1)
+  (unless (< -1 (number-beneath who k) 1)
     (complain who "expected a modulus between -1 and 1; given ~a" (describe-with-value k))))

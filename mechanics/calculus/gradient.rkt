@@ -44,8 +44,8 @@
 
 (define (orientation-of x) (if (structure? x) (structure-orientation x) 'up))
 
-;; Most tuples of many components are of flonums alone; these are recorded, and
-;; their derivatives shaped, in one go.
+;; Is x a tuple of flonums alone, as most long tuples are?  These are recorded, and their
+;; derivatives shaped, in one go.
 (define (flat? x)
   (and (structure? x) (for/and ([e (in-vector (structure-elements x))]) (flonum? e))))
 
@@ -57,12 +57,12 @@
           [(tuple? x) (structure (orientation-of x) (vector-map walk (tuple-elements x)))]
           [else (map-leaves (lambda (leaf) (record-input t (next!) leaf)) x)])))
 
-;; The same of flonums alone, numbered from `first`.
+;; A tuple of flonums alone, recorded as the variables from `first` on.
 (define (record-flat t x first)
   (computed-structure (structure-orientation x) (structure-length x)
                       (flonum-inputs t first (structure-elements x))))
 
-;; Numbers from 0: the next one, and the first of so many.
+;; -> two procedures that number from 0: the next number, and the first of a count of numbers
 (define (numbering)
   (define i 0)
   (define (skip! count) (begin0 i (set! i (+ i count))))
@@ -85,6 +85,14 @@
                                      (lambda (i) (entry (+ first j (* i columns)))))))]
           [else (entry (next!))])))
 
+;; The operator `name` whose images have the values (derivative-at f x).
+(define (derivative-operator name derivative-at numbers?)
+  (make-primitive-operator
+   (case-lambda
+     [(f) (derivative-function name f derivative-at #:values-are-numbers? numbers?)]
+     [fs (raise-takes-only-function name fs)])
+   (lambda () name)))
+
 ;; ---------------------------------------------------------------------------
 ;; gradient
 
@@ -100,12 +108,7 @@
       (structure (flip-orientation (structure-orientation x)) ds)
       (shape-as-derivative x (lambda (i) (vector-ref ds i)))))
 
-(define gradient
-  (make-primitive-operator
-   (case-lambda
-     [(f) (derivative-function 'gradient f gradient-at #:values-are-numbers? #t)]
-     [fs (raise-takes-only-function 'gradient fs)])
-   (lambda () 'gradient)))
+(define gradient (derivative-operator 'gradient gradient-at #t))
 
 ;; The value of f at x and its derivatives by the scalars of x, in a vector.
 (define (value-and-derivatives-at who f x)
@@ -130,9 +133,8 @@
 
 ;; The scalars of y in order, or #f if it contains functions or the like.
 (define (scalars-of y)
-  (define found '())
-  (map-leaves (lambda (leaf) (set! found (cons leaf found))) y)
-  (and (andmap scalar? found) (reverse found)))
+  (define found (leaves y))
+  (and (andmap scalar? found) found))
 
 ;; For each scalar of x, a value shaped like y.
 (define (assemble x y columns)
@@ -146,12 +148,7 @@
                    (vector-ref column i))
                  y))))
 
-(define jacobian
-  (make-primitive-operator
-   (case-lambda
-     [(f) (derivative-function 'jacobian f jacobian-at)]
-     [fs (raise-takes-only-function 'jacobian fs)])
-   (lambda () 'jacobian)))
+(define jacobian (derivative-operator 'jacobian jacobian-at #f))
 
 ;; ---------------------------------------------------------------------------
 ;; Products

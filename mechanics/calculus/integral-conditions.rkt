@@ -42,17 +42,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Parts of an expression
 
-(define (parts e part-of)
-  (define found '())
-  (let walk ([e e])
-    (when (node? e)
-      (define part (part-of e))
-      (when part (set! found (cons part found)))
-      (for-each walk (node-args e))))
-  (remove-duplicates found))
-
 (define (denominators e)
-  (parts e (lambda (n)
+  (parts-of-expression e (lambda (n)
              (define args (node-args n))
              (cond [(eq? (node-head n) op:/) (cadr args)]
                    [(and (eq? (node-head n) op:expt) (real? (cadr args)) (negative? (cadr args)))
@@ -60,11 +51,11 @@
                    [else #f]))))
 
 (define (arguments e op)
-  (parts e (lambda (n) (and (eq? (node-head n) op) (car (node-args n))))))
+  (parts-of-expression e (lambda (n) (and (eq? (node-head n) op) (car (node-args n))))))
 
 ;; (base . exponent) of powers with an exponent that is no number
 (define (symbolic-powers e x)
-  (parts e (lambda (n)
+  (parts-of-expression e (lambda (n)
              (define args (node-args n))
              (and (eq? (node-head n) op:expt)
                   (occurs? x (car args))

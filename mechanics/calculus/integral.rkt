@@ -18,7 +18,7 @@
 
 (provide integrate integral-by-components)
 
-;; What one integral is asked, and what it has cost so far.
+;; One integral: the question, the bound of its error and its cost so far.
 ;; compile : f x -> f as a function from flonum to flonum, or #f; x is an example
 ;; bound   : the sum of the bounds of errors;  count : how often f was evaluated
 ;; search? : -> whether to look for narrow peaks
@@ -43,7 +43,7 @@
     (parameterize ([current-integral iterated?]) (integral-not-heard t f low high)))
   (report value (task-bound t) (task-count t)))
 
-;; Who listens to branches is told of those at the ends, and of nothing else.
+;; A listener to branches is told of those at the ends alone.
 (define (integral-not-heard t f low high)
   (tell-choices-at-ends f (innermost low) (innermost high))
   (parameterize ([current-branches #f]) (integral t f low high)))
@@ -57,8 +57,8 @@
 
 (define (base limit) ((parts-value (parts-of limit)) limit))
 
-;; What the ε of a limit b + δ adds: Σ f⁽ᵐ⁾(b) δᵐ⁺¹/(m+1)!, where δ to the power of
-;; the order is the last that does not vanish.
+;; The part of the integral due to the ε of a limit b + δ: Σ f⁽ᵐ⁾(b) δᵐ⁺¹/(m+1)!, where δ to the
+;; power of the order is the last that does not vanish.
 ;; aside : what is added to b for f to take the branch of the piece that ends there
 (define (edge f limit aside)
   (define b (base limit))
@@ -91,7 +91,7 @@
             (whole-piece void)
             (sum-of-pieces t f (append (list low) places (list high)))))))
 
-;; A short piece is done less precisely, as that is enough; for where it begins is rounded.
+;; A short piece needs less relative precision, and allows no more: its ends are rounded.
 (define (sum-of-pieces t f ends)
   (define whole (abs (- (innermost (last ends)) (innermost (first ends)))))
   (for/fold ([sum 0]) ([from (in-list ends)] [to (in-list (cdr ends))])
@@ -137,8 +137,8 @@
   (set-task-count! t (+ 1 (task-count t)))
   (f x))
 
-;; To compile a function takes as long as some hundred evaluations of it by the
-;; generic arithmetic, and most integrals need fewer.  So it is done after so many.
+;; The number of evaluations after which a function is compiled: that takes as long as some
+;; hundred evaluations by the generic arithmetic, and most integrals need fewer.
 (define patience 500)
 
 ;; The compiled function serves where it gives a number; elsewhere `sample` says what

@@ -45,7 +45,7 @@
 (define (literal-function? x) (unknown? x))
 (define (signature->text f) (datum->text (signature-datum (unknown-signature f))))
 
-;; With its signature, where that is not the one of any function of time.
+;; The function with its signature, unless that is the default one of a function of time.
 (define (unknown-notation f)
   (define s (unknown-signature f))
   (define shown (tree:datum (head->datum (unknown-head f))))
@@ -68,8 +68,7 @@
 
 ;; (literal-function 'f), or with a signature such as (-> (UP Real Real) Real).
 (define (literal-function name [signature-datum #f])
-  (unless (symbol? name)
-    (complain-of-argument 'literal-function "a quoted name, such as 'f" name))
+  (check-argument 'literal-function symbol? name "a quoted name, such as 'f")
   (if signature-datum
       (let ([s (parse-signature signature-datum)])
         (literal-of-range name s (signature-range s)))
@@ -114,20 +113,19 @@
 (define (literal-down name n) (literal-tuple 'literal-down down name n))
 
 (define (literal-tuple who make name n)
-  (unless (symbol? name) (complain-of-argument who "a quoted name, such as 'x" name))
-  (unless (exact-nonnegative-integer? n)
-    (complain-of-argument who "a number of components" n))
+  (check-argument who symbol? name "a quoted name, such as 'x")
+  (check-argument who exact-nonnegative-integer? n "a number of components")
   (name-components name (apply make (for/list ([_ (in-range n)]) 'Real))
                    (lambda (component shape) component)))
 
 (define (literal-number name)
-  (unless (symbol? name) (complain-of-argument 'literal-number "a quoted name, such as 'm" name))
+  (check-argument 'literal-number symbol? name "a quoted name, such as 'm")
   name)
 
 ;; ---------------------------------------------------------------------------
 ;; Application
 
-;; The common case, a function of one real variable.
+;; f at x, for the common case of a function of one real variable
 (define (apply-to-scalar f x)
   (cond [(expression? x) (e:application (unknown-head f) (list x))]
         [(or (perturbed? x) (other-number? x)) (apply-head (unknown-head f) (list x))]

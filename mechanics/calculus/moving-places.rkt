@@ -63,8 +63,8 @@
                                  "the integrand takes another branch is not clear")
                   x "at" x))
 
-;; What is to be added to an end of a piece so that f takes the branch of the piece there: more
-;; than rounding, and as much as it takes.
+;; The displacement of an end of a piece at which f takes the branch of the piece: more than
+;; rounding, and as little beyond that as serves.
 (define (aside f end other)
   (define direction (if (< end other) 1.0 -1.0))
   (define far (if (rational? other) (* 0.5 (abs (- other end))) 1.0))
@@ -78,7 +78,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; While somebody listens to the branches of an integral over f: those at its ends.
+;; Tells a listener to branches, if there is one, those that f takes at the ends.
 (define (tell-choices-at-ends f low high)
   (when (current-branches)
     (for ([end (list low high)] #:when (rational? end))

@@ -1,12 +1,13 @@
 #lang racket/base
 ;; Where only numbers will do: what the numerical algorithms are given.
 
-(require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
+(require "perturbed-value.rkt"
+         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/multiplied-function.rkt")
 
-(provide number check-function-of-one-variable)
+(provide number number-beneath check-function-of-one-variable)
 
 ;; x, known to be a real number; one of higher precision as one of Racket's, exact; one that
 ;; π is in as a flonum.
@@ -19,6 +20,9 @@
                    (if (symbolic? x)
                        (string-append symbols-hint ": (substitute expression 'm 3 ...)")
                        (string-append (multiplied-hint x) (list-hint x))))]))
+
+;; The same of an x that may be in the course of being differentiated
+(define (number-beneath who x) (number who (innermost x)))
 
 (define (check-function-of-one-variable who f)
   (unless (and (procedure? f) (accepts? f 1))

@@ -34,7 +34,7 @@
         [(< (carrier-tag a) (carrier-tag b)) b]
         [else a]))
 
-;; What stands in the place of x when no derivative is taken.
+;; x without any ε: its value when no derivative is taken.
 (define (innermost x)
   (if (carrier? x) (innermost ((parts-value (parts-of x)) x)) x))
 

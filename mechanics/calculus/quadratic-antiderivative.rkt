@@ -26,17 +26,14 @@
 (define (root e) (e:apply op:sqrt e))
 
 (define (radicands-and-denominators e x)
-  (define found '())
-  (let walk ([e e])
-    (when (node? e)
-      (define args (node-args e))
-      (define part
-        (cond [(eq? (node-head e) op:/) (cadr args)]
-              [(memq (node-head e) (list op:sqrt op:expt)) (car args)]
-              [else #f]))
-      (when (and part (occurs? x part) (not (member part found))) (set! found (cons part found)))
-      (for-each walk args)))
-  found)
+  (define (part n)
+    (define args (node-args n))
+    (cond [(eq? (node-head n) op:/) (cadr args)]
+          [(memq (node-head n) (list op:sqrt op:expt)) (car args)]
+          [else #f]))
+  (parts-of-expression e (lambda (n)
+                           (define u (part n))
+                           (and u (occurs? x u) u))))
 
 ;; ---------------------------------------------------------------------------
 ;; Polynomials
@@ -63,9 +60,7 @@
         [else #f]))
 
 ;; The number β and α of a line, or #f
-(define (read-line e x A)
-  (define simplified (simple e A))
-  (coefficients simplified x 1 A))
+(define (read-line e x A) (coefficients (simple e A) x 1 A))
 
 ;; s with s² = e, where there is one without a root; else √e if e is known to be positive; or #f
 (define (root-of e A)
@@ -95,11 +90,20 @@
   (values k (e:- b (e:* k (quadratic-c1 q)))))
 
 (define (over-quadratic e q x A)
-  (define line (read-line (e:* e (quadratic-all q)) x A))
-  (define J (and line (reciprocal-integral q A)))
+  (define Q (quadratic-all q))
+  (over Q (e:apply op:log Q) reciprocal-integral e q x A))
+
+(define (over-root e q x A)
+  (define r (root (quadratic-all q)))
+  (over r (e:* 2 r) reciprocal-root-integral e q x A))
+
+;; slope-integral : ∫ Q'/divisor; find-integral : q A -> ∫ 1/divisor, or #f
+(define (over divisor slope-integral find-integral e q x A)
+  (define line (read-line (e:* e divisor) x A))
+  (define J (and line (find-integral q A)))
   (cond [J
          (define-values (k rest) (split line q))
-         (checked (e:+ (e:* k (e:apply op:log (quadratic-all q))) (e:* rest J)) e x A)]
+         (checked (e:+ (e:* k slope-integral) (e:* rest J)) e x A)]
         [else #f]))
 
 (define (reciprocal-integral q A)
@@ -110,14 +114,6 @@
   (cond [(or (eqv? s 0) (eqv? r 0)) #f]
         [s (e:* (e:/ 2 s) (e:apply op:atan (e:/ slope s)))]
         [r (e:/ (e:apply op:log (e:/ (e:- slope r) (e:+ slope r))) r)]
-        [else #f]))
-
-(define (over-root e q x A)
-  (define line (read-line (e:* e (root (quadratic-all q))) x A))
-  (define J (and line (reciprocal-root-integral q A)))
-  (cond [J
-         (define-values (k rest) (split line q))
-         (checked (e:+ (e:* (e:* 2 k) (root (quadratic-all q))) (e:* rest J)) e x A)]
         [else #f]))
 
 (define (reciprocal-root-integral q A)

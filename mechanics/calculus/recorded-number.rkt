@@ -26,10 +26,10 @@
   (make-kind #:rank rank:dual
              #:describe describe-perturbed
              #:datum (lambda (r) (value->datum (recorded-value r)))
-             #:unary (lambda (op r) (record-unary op r))
-             #:binary (lambda (op a b) (record-binary op a b))
-             #:comparand (lambda (r) (recorded-value r))
-             #:same? (lambda (same? a b) (same-recorded? same? a b))
+             #:unary record-unary
+             #:binary record-binary
+             #:comparand recorded-value
+             #:same? same-recorded?
              #:parts (parts (lambda (r) (recorded-value r))
                             (lambda (f r) (map-parts f r))
                             (lambda (tag f r) (map-parts f r)))))
@@ -45,8 +45,8 @@
 (define-syntax-rule (recorded-factor r) (carrier-second r))
 (define-syntax-rule (recorded-value r) (carrier-third r))
 
-;; As with dual numbers, a quantity whose first derivative vanishes still varies;
-;; but expressions are taken at a generic point.
+;; As with dual numbers, a quantity whose first derivative vanishes still varies, unless it is an
+;; expression, which is taken at a generic point.
 (define (record tape index factor value)
   (if (and (eq? factor 0) (symbolic? value))
       value
@@ -200,8 +200,7 @@
 
 (define (derivatives-of r) (sweep (recorded-tape r) (recorded-index r) (recorded-factor r)))
 
-;; The same with its parts changed by a linear map, its derivatives by the
-;; variables among them: what is said of a number holds for each of them.
+;; r with its parts changed by a linear map: its value, and its derivatives by all variables.
 (define (map-parts f r)
   (define tape (recorded-tape r))
   (define index (recorded-index r))

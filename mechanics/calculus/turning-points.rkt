@@ -40,7 +40,7 @@
   (define x (innermost (choice-value (list-ref (choice-sample-made sample) k))))
   (if (real? x) (exact->inexact x) +nan.0))
 
-;; 1 or -1 of a choice by sign; #f of one by rounding
+;; 1 or −1 for a choice by sign; #f for one by rounding
 (define (sign-at sample k)
   (define c (list-ref (choice-sample-made sample) k))
   (and (eqv? 0 ((choice-between c) (choice-made c) (choice-made c)))
@@ -66,6 +66,6 @@
         most))
   (define x
     (car (golden-section height (choice-sample-x p) (choice-sample-x r)
-                         #:done? (width-at-most 1e-12) #:observe void)))
+                         (width-at-most 1e-12))))
   (define there (sample-choices f x))
   (and (not (alike? (choice-sample-made q) (choice-sample-made there))) there))

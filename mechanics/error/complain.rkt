@@ -26,7 +26,7 @@
   (raise (exn:fail:contract:divide-by-zero (format "~a: ~a" who what)
                                            (current-continuation-marks))))
 
-;; A mistake that was told already, with more at the end; it still came from where it came from.
+;; The exception e with more text at the end of its message, and its own continuation marks.
 (define (with-more-said e more)
   (if (equal? more "")
       e

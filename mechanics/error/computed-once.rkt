@@ -13,5 +13,5 @@
     (unless known (set! known (call-with-values f list)))
     (apply values known)))
 
-;; x : what gives values when it is called, as `once` does; or a value itself
+;; x : a procedure of no arguments, called for its values, or a value itself
 (define (at-last x) (if (procedure? x) (x) x))

@@ -31,7 +31,7 @@
 ;; where : the point near which an integrand is too much for the method.
 (struct exn:fail:mechanics:not-convergent:integral exn:fail:mechanics:not-convergent (where))
 
-;; Does an exception say that something has no value there?
+;; Does the exception say that a function has no value at a point?
 (define (no-value? e)
   (or (exn:fail:mechanics:singular? e) (exn:fail:contract:divide-by-zero? e)))
 
@@ -54,7 +54,7 @@
           where
           null-vectors)))
 
-;; shown : what the message shows in place of the value; show? : does it show how good it is?
+;; shown : shown in place of the value; show? : are value and error estimate shown?
 (define (raise-not-convergent who what value error-estimate
                               #:shown [shown value] #:show? [show? #t] . fields)
   (define all (if show? (append fields (approximation shown error-estimate)) fields))
@@ -64,7 +64,7 @@
           value
           error-estimate)))
 
-;; The first only where the integral is seen to have no value.
+;; raise-divergent-integral is for integrals that are seen to have no value.
 (define (raise-divergent-integral who value bound where)
   (raise-no-integral who "the integral does not converge" value bound where))
 

@@ -26,12 +26,12 @@
 
 (define (not-a-tuple instead) (format "a list is not a tuple; use ~a" instead))
 
-;; Where a function is wanted, and its name was given with a quote.
+;; For a quoted name given where a function is wanted; else "".
 (define (quoted-name-hint x)
   (if (symbol? x)
       (format "\n  with its quote it is only a name; the function itself is ~a" x)
       ""))
 
-;; Where only a number will do, and an expression was given.
+;; For an expression given where only a number will do.
 (define values-first "give its symbols values first")
 (define symbols-hint (string-append "\n  " values-first))

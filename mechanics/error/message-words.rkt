@@ -9,8 +9,8 @@
 (define (message who text parts)
   (format "~a: ~a" who (apply format text (map in-brief parts))))
 
-;; A value that is shown to be recognised need not be shown whole: of a line of a part,
-;; as many characters as fill some lines of a screen.
+;; The most characters of a line of a part that are shown: a value is shown to be recognised, not
+;; to be read whole.
 (define longest-line 400)
 
 (define (in-brief part)

@@ -14,14 +14,14 @@
   (write-string (string-append "; " (regexp-replace* #rx"\n" text "\n; ") "\n") port)
   (flush-output port))
 
-;; #f, or a table of what was said: key -> #t
+;; #f, or a table of the notes said: key -> #t
 (define current-said (make-parameter #f))
 
-;; Again is no harm.
+;; Idempotent.
 (define (start-session-of-notes!)
   (unless (current-said) (current-said (make-hash))))
 
-;; key : what stands for the note, or the text itself
+;; key : identifies the note; by default the text itself
 (define (note-once text [key text])
   (define said (current-said))
   (when (and said (not (hash-ref said key #f)))

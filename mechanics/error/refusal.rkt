@@ -10,10 +10,11 @@
 
 (provide refusal? raised?)
 
-;; It has no value there, or not for such an argument: so complain Racket's own procedures
-;; and those of this library.  What a program says by `error` or `raise` is no refusal.
+;; Does the procedure have no value there, or none for such an argument?  Racket's own procedures
+;; and those of this library say it by these exceptions; an `error` or `raise` of a program is no
+;; refusal.
 (define (refusal? e)
   (or (exn:fail:contract? e) (exn:fail:mechanics? e)))
 
-;; Anything but a break.
+;; Is it anything but a break?
 (define (raised? x) (not (exn:break? x)))

@@ -33,7 +33,7 @@
   (apply string-append
          (add-between (map symbol->string names) ", " #:before-last " or ")))
 
-;; What is said of a name that is none of a few: which was meant, and which there are.
+;; The end of a message about a name that is not among the known: the likely one, and all of them.
 (define (among name known)
   (define near (nearest-names (symbol->string name) known))
   (format "~a\n  there are: ~a"

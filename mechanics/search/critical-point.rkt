@@ -27,7 +27,7 @@
   (define c (outlook-curvatures o))
   (and (eq? (outlook-kind o) 'flat) c (all-vanishing? c)))
 
-;; y : the value at x; values-only? : is the function not to be differentiated?
+;; y : the value at x; values-only? : may the function not be differentiated?
 (define (look t x y [values-only? #f])
   (define g (and (not values-only?) (finite-or-false (target-gradient t x))))
   (define second (and g (finite-or-false (target-second-derivatives t x))))
@@ -72,7 +72,7 @@
   (define rounding (* 1.5e-8 (greatest x)))
   (or (vanishing? c 0) (ormap less? (list step rounding (- rounding)))))
 
-;; Of a point where some curvature is nothing.  judged : kind lower -> outlook
+;; The outlook at a point where some curvature vanishes.  judged : kind lower -> outlook
 (define (judged-by-values t x y c judged)
   (define lower
     (for*/or ([k (in-range (flvector-length x))]
@@ -81,7 +81,7 @@
       ((lower-along t x y (direction c k)) reach)))
   (judged (if (level? t x y (direction c)) 'flat 'degenerate) lower))
 
-;; Are the values at both sides all the same?
+;; Are all values on both sides equal?
 (define (level? t x y v)
   (for*/and ([reach '(1e-3 1e-2 1e-1)] [sign '(1.0 -1.0)])
     (define there (value-beside t (along x (* sign reach (size x)) v)))
@@ -117,7 +117,7 @@
 
 (define (size x) (+ 1.0 (greatest x)))
 
-;; Of a value, from rounding
+;; The rounding error of a value
 (define (noise y) (* 1e-15 (abs y)))
 
 ;; The user did not ask for the value there: an error may be due to the point.

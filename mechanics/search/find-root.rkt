@@ -8,10 +8,13 @@
 ;; error, where what the formula and what rounding do wrong balance.
 
 (require racket/flonum
-         "implicit-root.rkt" "steady.rkt"
-         "../calculus/derivative.rkt" "../calculus/number-argument.rkt" "../calculus/perturbed-value.rkt"
+         racket/list
+         "implicit-root.rkt"
+         "../calculus/derivative.rkt" "../calculus/number-argument.rkt"
          "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/function.rkt"
+         "../numeric/finite-number.rkt" "../numeric/flvector.rkt"
+         "../numeric/linear-algebra/row-matrix.rkt" "../numeric/linear-algebra/singular-values.rkt"
          "../numeric/optimization/brent-root.rkt" "../numeric/optimization/newton.rkt"
          "../value/shape.rkt")
 
@@ -60,8 +63,8 @@
 ;; ---------------------------------------------------------------------------
 
 (define (root-between who method f low high tolerance observe report)
-  (define (end x) (number who (innermost x)))
-  (define (value x) (number who (innermost (f x))))
+  (define (end x) (number-beneath who x))
+  (define (value x) (number-beneath who (f x)))
   (define-values (x error count)
     (method value (end low) (end high) #:tolerance tolerance #:observe observe #:name who))
   (define (values-at v) (flvector (value (flvector-ref v 0))))
@@ -90,7 +93,7 @@
 (define (varying who f x jacobian v value)
   (define (slopes)
     (define J (jacobian v))
-    (unless (steady? jacobian J v (value v)) (raise-no-derivative who x))
+    (unless (well-conditioned? jacobian J v (value v)) (raise-no-derivative who x))
     J)
   (varying-root who f x slopes))
 
@@ -136,3 +139,33 @@
   (define y (flvector-copy x))
   (flvector-set! y j (fl+ h (flvector-ref x j)))
   y)
+
+;; ---------------------------------------------------------------------------
+;; Has the matrix of derivatives at a root an inverse, as far as the root is known?
+;;
+;; At a double root, where x² = 0, Newton's method stops at some x = 10⁻¹², or rounding stops it
+;; at 10⁻⁸ of where it should be: the slope 2x there is not zero, and its inverse says nothing.
+;; So derivatives are looked at, too, where the root may as well be: in the direction v in which
+;; they are least, as far as Newton's next steps reach, and rounding.  A slope along v that
+;; loses half of itself on the way is no slope.
+
+;; jacobian : flvector -> vector of rows, which are J at the root x; y : the values there
+(define (well-conditioned? jacobian J x y)
+  (and (all-entries? finite? J)
+       (let-values ([(u least v) (least-singular J)])
+         (define step (/ (- (dot y u)) least))
+         (define rounding (* 1.5e-8 (greatest x)))
+         (define (holds? s)
+           (or (= s 0.0) (> (dot u (image (jacobian (along x s v)) v)) (* 0.5 least))))
+         (and (> least 0.0)
+              (andmap holds? (list step (* 2.0 step) (* 3.0 step) rounding (- rounding)))))))
+
+;; J v = least u
+(define (least-singular J)
+  (define-values (us sizes vs) (singular-values (columns-of J)))
+  (values (last us) (last sizes) (last vs)))
+
+(define (image rows v)
+  (for/flvector #:length (vector-length rows) ([row (in-vector rows)])
+    (for/fold ([sum 0.0]) ([a (in-vector row)] [x (in-flvector v)])
+      (fl+ sum (fl* (real->double-flonum a) x)))))

@@ -20,8 +20,7 @@
 
 ;; y with numbers in place of perturbed values
 (define (plain y)
-  (define xs (list->vector (map innermost (scalars y))))
-  (scalars->structure y (lambda (k) (vector-ref xs k))))
+  (vector->structure y (list->vector (map innermost (scalars y)))))
 
 ;; x : a root of (compose plain f); (jacobian) -> its derivatives there, a vector of rows
 (define (varying-root who f x jacobian #:what [what no-inverse])
@@ -36,7 +35,7 @@
   (define xs
     (for/vector ([x (in-list (scalars x))] [row (in-vector inverse)])
       (for/fold ([x x]) ([a (in-vector row)] [y (in-list ys)]) (g:- x (g:* a y)))))
-  (scalars->structure x (lambda (k) (vector-ref xs k))))
+  (vector->structure x xs))
 
 (define no-inverse
   "the root has no derivative: those of the function have no inverse there")

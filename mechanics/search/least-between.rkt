@@ -23,8 +23,8 @@
     (lambda (all) (for/list ([one (in-list all)]) (described who f low high one judge?)))))
 
 (define (with-search search who f low high method progress? receive)
-  (define (value x) (number who (innermost (f x))))
-  (define (end x) (number who (innermost x)))
+  (define (value x) (number-beneath who (f x)))
+  (define (end x) (number-beneath who x))
   (define-values (a b) (values (end low) (end high)))
   (receive
    (call-with-progress

@@ -9,7 +9,7 @@
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/wrong-argument.rkt"
-         "../error/progress.rkt" "../numeric/checked-arguments.rkt"
+         "../numeric/finite-number.rkt" "../error/progress.rkt" "../numeric/checked-arguments.rkt"
          (prefix-in numeric: "../numeric/optimization/brent-minimum.rkt")
          "../numeric/optimization/golden-section.rkt"
          (prefix-in numeric: "../numeric/optimization/nelder-mead.rkt"))
@@ -55,9 +55,7 @@
   (define who 'golden-section-min)
   (if (procedure? done?) (check-predicate who done?) (check-tolerance who done?))
   (define (method f low high)
-    (golden-section f low high
-                    #:done? (if (procedure? done?) done? (width-at-most done?))
-                    #:observe observe))
+    (golden-section f low high (if (procedure? done?) done? (width-at-most done?)) observe))
   (triples-between who f low high method progress?))
 
 (define (triples-between who f low high method progress? [all? #f])
@@ -109,16 +107,15 @@
   (define-values (m x) (call-with-progress progress? search))
   (varying-minimum t m x))
 
-;; (argument value evaluations); at the limit, of the best argument so far
+;; (list argument value evaluations), at the limit those of the best argument
 (define-plain (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000]
                            #:observe [observe void]
                            #:progress [progress? (report-progress)])
   (define who 'nelder-mead)
   (check-function-of-one-variable who f)
-  (when step (check-step who step))
+  (when step (check-argument who positive-finite? step "a positive step"))
   (check-tolerance who tolerance)
-  (unless (exact-positive-integer? limit)
-    (complain-of-argument who "a number of evaluations, a positive integer" limit))
+  (check-argument who exact-positive-integer? limit "a number of evaluations, a positive integer")
   (define t (make-target who f start))
   (define (argument x) (target-argument t x))
   (define (search note!)
@@ -135,12 +132,8 @@
   (unless (memq m '(quasi-newton nelder-mead #f))
     (complain-of-argument who "'quasi-newton or 'nelder-mead" m)))
 
-(define (check-step who step)
-  (unless (and (real? step) (< 0 step +inf.0))
-    (complain-of-argument who "a positive step" step)))
-
 ;; ---------------------------------------------------------------------------
-;; What a list or an argument alone would not say
+;; Notes on the kind of a minimum, which the results of these procedures do not show
 
 (define (note-kind who m)
   (define at (value->text (minimum-argument m)))

@@ -8,13 +8,12 @@
 ;; narrower one than their distance may still hide.
 
 (require racket/list
-         "bottomless.rkt"
          "../error/failure.rkt" "../error/note.rkt"
-         "../numeric/constants.rkt" "../numeric/checked-arguments.rkt")
+         "../numeric/constants.rkt" "../numeric/checked-arguments.rkt" "../numeric/optimization/point.rkt")
 
 (provide minimum-between minima-between (struct-out found))
 
-;; kind : 'inside, 'flat, 'pole, where there is none, 'low or 'high, the end where it is
+;; kind : 'inside, 'flat, 'pole, where there is no minimum, 'low or 'high, the end where it is
 ;; steps : of the method
 ;; evaluations : of the function, but for samples where all minima are looked for
 (struct found (x y kind steps evaluations) #:authentic)
@@ -36,7 +35,7 @@
 (define (pole? m) (eq? 'pole (found-kind m)))
 
 ;; ---------------------------------------------------------------------------
-;; The values there were
+;; The values met
 
 ;; least, greatest : of the values, or #f
 (struct survey (who f [least #:mutable] [greatest #:mutable] [count #:mutable]) #:authentic)
@@ -53,8 +52,7 @@
 
 (define (survey-level? s) (eqv? (survey-least s) (survey-greatest s)))
 
-;; The value at a place that Brent's method would not have asked about, +inf.0 where there is
-;; none
+;; The value at a place that Brent's method would not have asked about; +inf.0 where f has none
 (define (value-there s x)
   (define y (with-handlers ([no-value? (lambda (e) +nan.0)]) ((survey-function s) x)))
   (if (rational? y) (real->double-flonum y) +inf.0))
@@ -62,13 +60,13 @@
 ;; ---------------------------------------------------------------------------
 ;; Which kind it is
 
-;; Nothing is known of x where all values are the same.
+;; Where all values are equal, x is as good as any other.
 (define (judged s low high x y steps)
   (if (survey-level? s)
       (found x y 'flat steps (survey-count s))
       (at-end-or-inside s low high x y steps)))
 
-;; Is it the end that x is next to, or a pole?
+;; Is the minimum at an end that x is next to, or is x at a pole?
 (define (at-end-or-inside s low high x y steps)
   (define (near? end)
     (<= (abs (- x end)) (* 1e-5 (max (abs x) (* 1e-2 (abs (- high low)))))))
@@ -85,17 +83,14 @@
 ;; ---------------------------------------------------------------------------
 ;; Samples
 
-(struct sampled (x y) #:authentic)
-
-;; n + 1 of them from end to end; they keep out of step with what is periodic.
+;; n + 1 samples from end to end, shifted so that they keep out of step with a periodic f.
 (define (samples s low high n)
-  (define step (/ (- high low) (->double n)))
+  (define step (/ (- high low) (real->double-flonum n)))
   (for/list ([k (in-range (+ n 1))])
     (define shift (if (< 0 k n) (* 0.4 (- (fraction (* k golden-fraction)) 0.5)) 0.0))
     (define x (if (= k n) (real->double-flonum high) (+ low (* step (+ k shift)))))
-    (sampled x (value-there s x))))
+    (point x (value-there s x))))
 
-(define (->double n) (real->double-flonum n))
 (define (fraction x) (- x (floor x)))
 
 (define plateau-samples 64)
@@ -103,16 +98,16 @@
 ;; The neighbours of the lowest sample, if it is lower than y; or #f
 (define (lower-sample s low high y)
   (define all (samples s (min low high) (max low high) plateau-samples))
-  (define best (argmin sampled-y all))
-  (and (< (sampled-y best) y)
+  (define best (argmin point-y all))
+  (and (< (point-y best) y)
        (let ([k (index-of all best eq?)])
-         (list (sampled-x (list-ref all (max 0 (- k 1))))
-               (sampled-x (list-ref all (min plateau-samples (+ k 1))))))))
+         (list (point-x (list-ref all (max 0 (- k 1))))
+               (point-x (list-ref all (min plateau-samples (+ k 1))))))))
 
 (define fewest-samples 64)
 (define most-samples 4096)
 
-;; All that are found, from left to right.
+;; All minima found, from left to right.
 (define (minima-between who f low high method)
   (check-interval who low high)
   (define s (make-survey who f))
@@ -135,28 +130,28 @@
   (define distinct
     (let loop ([all all])
       (cond [(or (null? all) (null? (cdr all))) all]
-            [(= (sampled-y (first all)) (sampled-y (second all)))
+            [(= (point-y (first all)) (point-y (second all)))
              (loop (cons (first all) (cddr all)))]
             [else (cons (first all) (loop (cdr all)))])))
   (for/list ([p (in-list (cons #f distinct))] [q (in-list distinct)]
              [r (in-list (append (cdr distinct) (list #f)))]
-             #:when (and (or (not p) (< (sampled-y q) (sampled-y p)))
-                         (or (not r) (< (sampled-y q) (sampled-y r)))
-                         (< (sampled-y q) +inf.0)))
+             #:when (and (or (not p) (< (point-y q) (point-y p)))
+                         (or (not r) (< (point-y q) (point-y r)))
+                         (< (point-y q) +inf.0)))
     (bracket (or p q) q (or r q))))
 
-;; Its minimum; #f at a pole.
+;; The minimum in a bracket; #f at a pole.
 (define (bracketed s c low high method)
-  (define-values (a b) (values (sampled-x (bracket-first c)) (sampled-x (bracket-last c))))
+  (define-values (a b) (values (point-x (bracket-first c)) (point-x (bracket-last c))))
   (define lowest (bracket-lowest c))
   (cond
-    [(= a b) (found a (sampled-y lowest) 'flat 0 (survey-count s))]
+    [(= a b) (found a (point-y lowest) 'flat 0 (survey-count s))]
     [else
      (set-survey-count! s 0)
      (define x+y+steps (method (survey-function s) a b))
-     (define-values (x y) (if (<= (second x+y+steps) (sampled-y lowest))
+     (define-values (x y) (if (<= (second x+y+steps) (point-y lowest))
                               (values (first x+y+steps) (second x+y+steps))
-                              (values (sampled-x lowest) (sampled-y lowest))))
+                              (values (point-x lowest) (point-y lowest))))
      (define m (at-end-or-inside s low high x y (third x+y+steps)))
      (and (not (pole? m)) m)]))
 
@@ -165,3 +160,26 @@
    (format "~a: ~a found; the samples it went by are ~a apart, a narrower one may be missed"
            who (if (= count 1) "one minimum" (format "~a minima" count))
            (/ (round (* 1e3 distance)) 1e3))))
+
+;; ---------------------------------------------------------------------------
+;; Does a function fall without bound where a search found it least?
+;;
+;; Towards a minimum, or a kink as of |x| or √|x|, it falls by less and less from ten times a
+;; distance to the distance, as that shrinks; towards a pole by more and more, and towards the
+;; pole of a logarithm by as much.
+
+;; value : flonum -> flonum, +inf.0 where there is none; y : the value at x
+(define (bottomless? value x y low high)
+  (define length (abs (- high low)))
+  (define (at distance)
+    (define there (+ x (* distance length)))
+    (if (<= (min low high) there (max low high)) (value there) +inf.0))
+  (define ((fall side) distance) (- (at (* side 10.0 distance)) (at (* side distance))))
+  (define (grows? fall)
+    (define last (fall 1e-8))
+    (and (< (* 1e-9 (abs y)) last +inf.0)
+         (let ([middle (fall 1e-6)])
+           (and (< 0.0 middle +inf.0) (>= last (* 0.9 middle))
+                (let ([first (fall 1e-4)])
+                  (and (< 0.0 first +inf.0) (>= middle (* 0.9 first))))))))
+  (or (grows? (fall 1.0)) (grows? (fall -1.0))))

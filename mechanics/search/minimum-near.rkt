@@ -14,7 +14,7 @@
 
 (provide minimum-near judged-minimum)
 
-;; Where a search ended
+;; The point where a search ended, its value, and the evaluations
 (struct end (x y count) #:authentic)
 
 (define most-rounds 20)
@@ -40,7 +40,7 @@
 
 (define (metric-of o) (metric (outlook-curvatures o)))
 
-;; The same for a point that another search found, as well as it cared to
+;; -> minimum and flvector, for a point that another search found to its own precision
 (define (judged-minimum t x y count)
   (define o (look t x y))
   (cond [(eq? (outlook-kind o) 'unsettled)
@@ -61,7 +61,7 @@
                    count)
           x))
 
-;; Newton's steps, with the second derivatives there were, as long as the gradient shrinks.
+;; Takes Newton's steps, with the second derivatives at the first point, while the gradient shrinks.
 (define (polished t x y g c [left 3])
   (define next (along x 1.0 (downward-step c g)))
   (define-values (y* g*) (target-value-and-gradient t next))
@@ -79,7 +79,7 @@
               (by-either t x tolerance watch metric)
               (by-values t x tolerance watch))]))
 
-;; Below this it takes Newton's method.
+;; A finer tolerance needs Newton's method.
 (define finest 1e-10)
 
 (define (by-gradient t x tolerance watch metric stuck)
@@ -96,7 +96,7 @@
                          #:argument (lambda (x) (target-argument t x))))
   (end found y count))
 
-;; By values from where the gradient leads no further
+;; Searches by the gradient, then by values from the point where it leads no further.
 (define (by-either t x tolerance watch metric)
   (let/ec return
     (define stuck-at

@@ -4,7 +4,7 @@
 
 (require "../calculus/number-argument.rkt"
          "../generic/define-plain.rkt" "../generic/wrong-argument.rkt"
-         "../numeric/optimization/differences.rkt"
+         "../numeric/finite-number.rkt" "../numeric/optimization/differences.rkt"
          "../value/shape.rkt")
 
 (provide D-numeric richardson-derivative)
@@ -16,8 +16,7 @@
 
 ;; step : a distance from x over which f changes noticeably and is defined
 (define-plain (richardson-derivative f tolerance [step #f] #:report [report the-derivative])
-  (unless (or (not step) (and (real? step) (< 0 step +inf.0)))
-    (complain-of-argument 'richardson-derivative "a positive step" step))
+  (when step (check-argument 'richardson-derivative positive-finite? step "a positive step"))
   (derivative-from-values 'richardson-derivative f tolerance step report))
 
 (define (the-derivative value error count) value)

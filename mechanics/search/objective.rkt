@@ -21,13 +21,11 @@
 
 (define (make-target who f start) (target who f start (list->tuple who start)))
 
-(define (real-part-of who x) (number who (innermost x)))
-
 (define (target-start t)
   (define who (target-who t))
-  (structure->flvector (target-shape t) (lambda (x) (real-part-of who x))))
+  (structure->flvector (target-shape t) (lambda (x) (number-beneath who x))))
 
-;; What a point is to the user, and the same as a tuple or a number.
+;; The user's form of a point, and its form as a tuple or a number.
 (define (target-argument t x) (tuple-like (target-given t) (target-structure t x)))
 (define (target-structure t x) (flvector->structure (target-shape t) x))
 

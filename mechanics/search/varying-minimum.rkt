@@ -17,7 +17,8 @@
 ;; Does the value depend on something being differentiated?
 (define (varying? y) (not (eqv? 0 (total-order (scalars y)))))
 
-;; What `make` gives, a minimum and the flvector where it is, as it varies; #f if it does not.
+;; make : -> a minimum and the flvector where it is
+;; -> this minimum as it varies; #f if it does not vary
 (define (if-varying t x make)
   (and (varying? ((target-tuple-function t) (target-structure t x)))
        (let-values ([(m x) (make)]) (varying-minimum t m x))))

@@ -36,7 +36,7 @@
   (proved-equal? (open-equalities (drop-right all 1) (cdr all) '()) (car all) (cadr all)))
 
 ;; ---------------------------------------------------------------------------
-;; What g:= and g:zero? take for different
+;; Values that g:= and g:zero? take for different
 ;;
 ;; All of one question is asked at once, so that what is assumed for its parts holds together.
 
@@ -62,9 +62,6 @@
         [(and (function? x) (function? y)) (note-functions) #f]
         [else #f]))
 
-(define (same-size? x y)
-  (and (= (m:num-rows x) (m:num-rows y)) (= (m:num-cols x) (m:num-cols y))))
-
 ;; The same of x and what is zero as it is.
 (define (open-zeros x found)
   (define c (comparand x))
@@ -81,10 +78,10 @@
 ;; Operators and series are functions, too, in what is asked here.
 (define (function? x) (and (procedure? x) (not (tuple? x)) (not (matrix? x))))
 
-;; Symbols, and a symbol and a number, differ for all the algebra could say.
+;; The algebra cannot prove equal two symbols, or a symbol and a number.
 (define (atom? x) (or (number? x) (and (symbol? x) (not (pi-symbol? x)))))
 
-;; pairs : or #f; a and b : what was compared, to speak of where there are several
+;; pairs : a list or #f; a and b : the values compared, which notes name where pairs are several
 (define (proved-equal? pairs a b)
   (cond [(not pairs) #f]
         [(null? pairs) #t]

@@ -58,7 +58,7 @@
                                   #:remarks remarks #:meaning meaning
                                   #:resting-on relied-on)))))
 
-;; Of decimals in the way of a decision the tests tell themselves.
+;; Strings; decimals that stand in the way of a decision are in the tests' own reports.
 (define (remarks-on-residual residual status tests)
   (define (rounding? z) (eq? (zero-test-reason z) 'rounding))
   (append (cond [(ormap rounding? tests) (remarks-on-rounding residual 0.0)]

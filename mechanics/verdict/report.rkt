@@ -33,10 +33,10 @@
    (map reading-line (readings tests))
    (grounds used given)))
 
-;; One that is not proved zero: what it is called, or #f; its test; the ways to make it zero.
+;; A scalar that is not proved zero: its name or #f, its test, the ways to make it zero.
 (struct scalar (label test ways))
 
-;; What makes all zero is told of all.
+;; The ways that make all scalars zero are told once, for all.
 (define (scalar-report s alternatives)
   (define label (scalar-label s))
   (cond [label
@@ -48,7 +48,7 @@
   (for/list ([way (in-list ways)] [i (in-naturals)])
     (list depth (if (eqv? i 0) first-label "or if:") (equations way))))
 
-;; What each scalar alone is zero with may have been told of it before.
+;; A way that makes each scalar zero need not say so of all again.
 (define (ways-for-all scalars alternatives)
   (define shared?
     (for*/and ([way (in-list alternatives)] [s (in-list scalars)]) (member way (scalar-ways s))))
@@ -63,7 +63,7 @@
 (define (reading-line r)
   (list 1 "reading:" (list (reading-decimal r) "as" (short-datum (reading-expression r)))))
 
-;; What was declared and used, then what was assumed.
+;; Lines for the assumptions declared and used, then for those made.
 (define (grounds all given)
   (define (lines label wanted?)
     (for/list ([a (in-list all)] #:when (wanted? a)) (list 1 label (list a))))
@@ -78,7 +78,7 @@
               "undecided: the residual is zero, but it does not see what happens at some points"
               "undecided: the residual is neither proved nor refuted to be zero")]))
 
-;; Such as kink: (abs (- t 2)) at t = 2
+;; Lines as `kink: (abs (- t 2)) at t = 2`
 (define (kink-lines kinks) (map kink-line kinks))
 
 (define (kink-line k)

@@ -11,7 +11,7 @@
 
 (provide remarks-on-rounding remarks-on-pi)
 
-;; Each -> a list of no string or one
+;; Each -> a list of at most one string
 
 ;; default : what to speak of where simplification made an exact 0 of it
 (define (remarks-on-rounding residual [default #f])
@@ -41,10 +41,4 @@
 
 (define spelt-pi '(pi Pi PI π))
 
-(define (expressions-of x)
-  (define found '())
-  (map-leaves (lambda (leaf)
-                (when (expression? leaf) (set! found (cons leaf found)))
-                leaf)
-              x)
-  (reverse found))
+(define (expressions-of x) (filter expression? (leaves x)))

@@ -28,15 +28,13 @@
   (define operations (for/list ([m (in-list found)]) (cons (met-name m) (met-arguments m))))
   (values x (survey operations variables places unknowns values?)))
 
-;; Of a value that must be one: is there what is not a number in it?
+;; A survey of the value x itself: of expressions in it that hold a non-number.
 (define (survey-of-values x)
-  (define holes '())
-  (map-leaves (lambda (leaf)
-                (when (and (expression? leaf) (holds-no-number? leaf))
-                  (set! holes (cons (list 'nowhere leaf) holes)))
-                leaf)
-              x)
-  (survey (reverse holes) '() (lambda () '()) '() #t))
+  (define holes
+    (for/list ([leaf (in-list (leaves x))]
+               #:when (and (expression? leaf) (holds-no-number? leaf)))
+      (list 'nowhere leaf)))
+  (survey holes '() (lambda () '()) '() #t))
 
 (define (holds-no-number? e)
   (node-fold e
@@ -45,7 +43,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; -> kinks under assumptions A, and what it rests on that there are not more
+;; -> kinks under assumptions A, and the assumptions under which there are no more
 (define (survey-kinks s A)
   (if (null? (survey-operations s)) (values '() '()) (kinks-among s A)))
 
@@ -62,7 +60,7 @@
               (map rename (survey-unknowns s))
               (survey-values? s) A))
 
-;; Names for those of the symbols that nobody could have written, as an alist.
+;; An alist of names for the symbols that are uninterned.
 (define (names-of symbols es)
   (define taken (make-hasheq))
   (for* ([e (in-list es)] [name (in-list (symbols-in e))]) (hash-set! taken name #t))

@@ -10,7 +10,7 @@
 
 (provide sensible-ways ways-for-all)
 
-;; z : test of the expression e; given : #f or what the question is about; A : assumptions
+;; z : test of the expression e; given : #f or the meaning of the question; A : assumptions
 ;; -> lists of equations, each of which makes e zero
 (define (sensible-ways z e given A)
   (define m

@@ -9,15 +9,14 @@
 
 (provide looks-at-jumps? assumptions-off-kinks)
 
-;; Does e hold what jumps?
+;; Is there a jump, of sgn, in e?
 (define (looks-at-jumps? e)
   (and (node? e)
        (node-fold e
                   (lambda (leaf) #f)
                   (lambda (n parts) (or (eq? (node-head n) op:sgn) (ormap values parts))))))
 
-;; A with the relations that the witness is not on one of the kinks where it is; #f if it is on
-;; none.
+;; A with relations that exclude the kinks on which the witness lies; #f if it lies on none.
 (define (assumptions-off-kinks A kinks witness)
   (define there
     (for*/list ([k (in-list kinks)]
