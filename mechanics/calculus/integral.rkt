@@ -50,10 +50,18 @@
 
 (define (integral t f low high)
   (define (end x) (number (task-who t) x))
-  (cond
-    [(perturbed? low) (g:- (integral t f (base low) high) (edge f low 0.0))]
-    [(perturbed? high) (g:+ (integral t f low (base high)) (edge f high 0.0))]
-    [else (integral-between t f (end low) (end high))]))
+  (define (edge-at limit) (edge f limit 0.0))
+  (between-numbers low high edge-at edge-at
+                   (lambda (low high) (integral-between t f (end low) (end high)))))
+
+;; The integral between limits that may be perturbed, from (integral low high) between numbers
+;; and what the ε of either limit adds.
+(define (between-numbers low high low-edge high-edge integral)
+  (let between ([low low] [high high])
+    (cond
+      [(perturbed? low) (g:- (between (base low) high) (low-edge low))]
+      [(perturbed? high) (g:+ (between low (base high)) (high-edge high))]
+      [else (integral low high)])))
 
 (define (base limit) ((parts-value (parts-of limit)) limit))
 
@@ -105,12 +113,13 @@
 
 (define (moving-piece t f low high tolerance)
   (define-values (a b) (values (innermost low) (innermost high)))
-  (let piece ([low low] [high high])
-    (cond
-      [(perturbed? low) (g:- (piece (base low) high) (edge f low (aside f a b)))]
-      [(perturbed? high) (g:+ (piece low (base high)) (edge f high (aside f b a)))]
-      [(< (abs (- b a)) (* negligible (+ 1.0 (min (abs a) (abs b))))) 0]
-      [else (piece-between t f low high void tolerance)])))
+  (between-numbers low high
+                   (lambda (low) (edge f low (aside f a b)))
+                   (lambda (high) (edge f high (aside f b a)))
+                   (lambda (low high)
+                     (if (< (abs (- b a)) (* negligible (+ 1.0 (min (abs a) (abs b)))))
+                         0
+                         (piece-between t f low high void tolerance)))))
 
 (define negligible 1e-13)
 

@@ -39,8 +39,7 @@
   (m:generate (* 2 n) (* 2 n) (lambda (i j) (J-entry n i j))))
 
 (define (check-count who n)
-  (unless (exact-positive-integer? n)
-    (complain-of-argument who "a number of coordinates, at least 1" n)))
+  (check-argument who exact-positive-integer? n "a number of coordinates, at least 1"))
 
 (define (J-entry n i j)
   (cond [(= j (+ i n)) 1]

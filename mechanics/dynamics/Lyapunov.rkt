@@ -159,8 +159,7 @@
 ;; Of maps
 
 (define (exponent-of-map who map start n)
-  (unless (exact-positive-integer? n)
-    (complain-of-argument who "how many steps of the map, a positive integer" n))
+  (check-argument who exact-positive-integer? n "how many steps of the map, a positive integer")
   (define p (flvector (start-abscissa who start) (start-ordinate who start)))
   (define run! (tangent-stepper who map p))
   (define interval (max 1 (quotient n 1000)))

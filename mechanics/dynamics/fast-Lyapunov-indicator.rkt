@@ -28,8 +28,7 @@
   (indicator (make-step!) x y n))
 
 (define (check-steps who n)
-  (unless (exact-positive-integer? n)
-    (complain-of-argument who "how many steps of the map, a positive integer" n)))
+  (check-argument who exact-positive-integer? n "how many steps of the map, a positive integer"))
 
 ;; Of a grid of starts, xs by ys, flvectors -> flvector, row by row
 (define (indicator-grid who map xs ys n)

@@ -7,7 +7,6 @@
          tell-of-stale        ; paths of files in mechanics/, the folder that holds it ->
          nobody-waits?        ; -> boolean: is the program compiled to a file, or only looked at?
          uncompiled-text      ; folder that holds mechanics/ -> string
-         stale-text           ; the arguments of tell-of-stale -> string
          unread?)             ; port -> boolean
 
 ;; `raco make` and `raco setup` report their own progress.  A module that is expanded and not

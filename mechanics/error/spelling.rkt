@@ -53,11 +53,10 @@
 (define (completions text known)
   (define beginning (string-append text "-"))
   (define n (string-length beginning))
-  (for/list ([k (in-list known)]
-             #:when (let ([s (symbol->string k)])
-                      (and (> (string-length s) n)
-                           (string-ci=? beginning (substring s 0 n)))))
-    k))
+  (define (begins? k)
+    (define s (symbol->string k))
+    (and (> (string-length s) n) (string-ci=? beginning (substring s 0 n))))
+  (filter begins? known))
 
 (define (take-some names)
   (take (sort names symbol<?) (min most-suggestions (length names))))

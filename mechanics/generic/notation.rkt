@@ -11,9 +11,8 @@
 
 (provide prop:notation has-notation? notation-of
          ;; trees
-         tree:column tree:across tree:grid tree:listing tree:word tree:plain tree:name tree:row
-         tree:relation tree:report tree:report-line tree:datum
-         tree:sum tree:product tree:power tree:application
+         tree:column tree:across tree:grid tree:listing tree:word tree:row tree:relation
+         tree:datum tree:sum tree:product
          ;; layouts
          statement datum-notation text-notation)
 
@@ -22,10 +21,10 @@
 (require-on-demand
  ["../algebra/notation/tree.rkt"
   [column tree:column] [across tree:across] [grid tree:grid] [listing tree:listing]
-  [word tree:word] [plain tree:plain] [name tree:name] [row tree:row] [relation tree:relation]
+  [word tree:word] [row tree:row] [relation tree:relation]
   [report tree:report] [report-line tree:report-line] [application tree:application]]
  ["../algebra/notation/combine.rkt"
-  [sum-of tree:sum] [product-of tree:product] [power-of tree:power]]
+  [sum-of tree:sum] [product-of tree:product]]
  ["../algebra/notation/formula.rkt" [plain-datum->tree tree:datum]])
 
 ;; ---------------------------------------------------------------------------

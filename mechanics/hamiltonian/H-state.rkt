@@ -78,8 +78,8 @@
 
 ;; A state of n coordinates with components q^i and p_i; of one, q and p.
 (define (literal-Hamiltonian-state n)
-  (unless (exact-positive-integer? n)
-    (complain-of-argument 'literal-Hamiltonian-state "a number of coordinates, at least 1" n))
+  (check-argument 'literal-Hamiltonian-state exact-positive-integer? n
+                  "a number of coordinates, at least 1")
   (define (names mark)
     (for/list ([i (in-range n)]) (string->symbol (format mark i))))
   (if (= n 1)

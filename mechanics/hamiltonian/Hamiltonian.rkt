@@ -22,8 +22,7 @@
          (declared-Hamiltonian (unary-function (lambda () (value->datum H)) (state) (H state))))]
     [(kinetic-energy potential-energy)
      (for ([f (in-list (list kinetic-energy potential-energy))])
-       (unless (procedure? f)
-         (complain-of-argument 'make-Hamiltonian "an energy: a function of the state" f)))
+       (check-argument 'make-Hamiltonian procedure? f "an energy: a function of the state"))
      (define sum (g:+ kinetic-energy potential-energy))
      (if (accepts? sum 1) (make-Hamiltonian sum) sum)]))
 

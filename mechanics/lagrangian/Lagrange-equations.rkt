@@ -64,8 +64,7 @@
   (and (local-tuple? q) (scalar? (time q))))
 
 (define (check-order who n)
-  (unless (exact-positive-integer? n)
-    (complain-of-argument who "an order, a positive integer" n)))
+  (check-argument who exact-positive-integer? n "an order, a positive integer"))
 
 (define (residual-along e q)
   (define L (scalar-valued 'Lagrange-equations (equations-Lagrangian e)))

@@ -20,8 +20,7 @@
          s->r r->s spherical->rectangular rectangular->spherical)
 
 (define (F->C F)
-  (unless (procedure? F)
-    (complain-of-argument 'F->C "a coordinate transformation: a function of the local tuple" F))
+  (check-argument 'F->C procedure? F "a coordinate transformation: a function of the local tuple")
   (unless (of-functions? F)
     (complain 'F->C "a coordinate transformation is a function of the local tuple; given ~a~a"
               (describe-with-value F)

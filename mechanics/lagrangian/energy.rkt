@@ -19,8 +19,7 @@
 ;; T and V are functions of the local tuple, or of parameters that give such functions.
 (define (make-Lagrangian kinetic-energy potential-energy)
   (for ([f (in-list (list kinetic-energy potential-energy))])
-    (unless (procedure? f)
-      (complain-of-argument 'make-Lagrangian "an energy: a function of the local tuple" f)))
+    (check-argument 'make-Lagrangian procedure? f "an energy: a function of the local tuple"))
   (g:- kinetic-energy potential-energy))
 
 ;; (Lagrangian->energy L) : (t, q, v) ↦ P v − L

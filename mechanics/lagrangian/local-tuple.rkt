@@ -143,8 +143,8 @@
 
 ;; A local tuple of n coordinates with components named after `name`.
 (define (literal-Lagrangian-state n)
-  (unless (exact-positive-integer? n)
-    (complain-of-argument 'literal-Lagrangian-state "a number of coordinates, at least 1" n))
+  (check-argument 'literal-Lagrangian-state exact-positive-integer? n
+                  "a number of coordinates, at least 1")
   (define (tuple name)
     (if (= n 1)
         name

@@ -14,18 +14,17 @@
 ;; The polynomial in time through q0 at t0, then the coordinates qs, a list,
 ;; evenly spaced, and q1 at t1.
 (define (make-path t0 q0 t1 q1 qs)
-  (unless (list? qs)
-    (complain-of-argument 'make-path "a list of intermediate coordinates" qs))
+  (check-argument 'make-path list? qs "a list of intermediate coordinates")
   (interpolation 'make-path 'path
                  (append (list q0) qs (list q1))
                  (append (list t0) (linear-interpolants t0 t1 (length qs)) (list t1))))
 
 ;; t ↦ ν(t) (t - t1) (t - t2), a variation that leaves the ends where they are.
 (define (make-eta nu t1 t2)
-  (unless (procedure? nu)
-    (complain-of-argument 'make-eta "a function of time, or a tuple of them" nu))
+  (check-argument 'make-eta procedure? nu "a function of time, or a tuple of them")
   (printed-function (make-eta nu t1 t2) (t)
     (g:* (g:- t t1) (g:- t t2) (nu t))))
+
 
 ;; ((parametric-path-action L t0 q0 t1 q1) qs): the action of the path of
 ;; make-path, as a function of the intermediate coordinates.
@@ -39,8 +38,7 @@
 
 ;; n values evenly spaced between x0 and x1, ends excluded, as a list.
 (define (linear-interpolants x0 x1 n)
-  (unless (exact-nonnegative-integer? n)
-    (complain-of-argument 'linear-interpolants "a number of points" n))
+  (check-argument 'linear-interpolants exact-nonnegative-integer? n "a number of points")
   (define step (g:/ (g:- x1 x0) (add1 n)))
   (for/list ([i (in-range 1 (add1 n))])
     (g:+ x0 (g:* i step))))

@@ -30,9 +30,9 @@
   (make-primitive-operator
    (case-lambda
      [(F)
-      (unless (procedure? F)
-        (complain-of-argument 'Dt "a function of the local tuple" F))
+      (check-argument 'Dt procedure? F "a function of the local tuple")
       (printed-function (Dt F) (local) (total-derivative F local))]
+
      [Fs (raise-takes-only-function 'Dt Fs)])
    (lambda () 'Dt)))
 

@@ -15,14 +15,13 @@
 
 ;; ((((delta eta) f) q) t)
 (define (delta eta)
-  (unless (procedure? eta)
-    (complain-of-argument 'delta "a variation: a function of time, or a tuple of them" eta))
+  (check-argument 'delta procedure? eta "a variation: a function of time, or a tuple of them")
   (define name (call-datum 'delta eta))
+
   (make-primitive-operator (lambda (f) (variation-of f eta name)) name))
 
 (define (variation-of f eta operator-name)
-  (unless (procedure? f)
-    (complain-of-argument 'delta "a function of paths" f))
+  (check-argument 'delta procedure? f "a function of paths")
   (define (name) (list (operator-name) (value->datum f)))
   (define (at q)
     (derivative-at (lambda (epsilon) (f (g:+ q (g:* epsilon eta)))) 0))

@@ -4,7 +4,7 @@
 
 (require (only-in racket/list make-list)
          "../show/display/result.rkt"
-         "../generic/arithmetic.rkt" "../generic/on-demand.rkt")
+         "../generic/arithmetic.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
 
 (require-on-demand [racket/pretty pretty-write])
 
@@ -21,8 +21,7 @@
 
 ;; The list start, start + step, ... of n values.
 (define (iota n [start 0] [step 1])
-  (unless (exact-nonnegative-integer? n)
-    (raise-argument-error 'iota "a length, a natural number" n))
+  (check-argument 'iota exact-nonnegative-integer? n "a length, a natural number")
   (for/list ([i (in-range n)]) (g:+ start (g:* i step))))
 
 ;; ---------------------------------------------------------------------------
@@ -50,7 +49,7 @@
   (cons (car reversed) (reverse (cdr reversed))))
 
 (define (check-folded who f xs more)
-  (unless (procedure? f) (raise-argument-error who "a procedure" f))
+  (check-argument who procedure? f "a procedure")
   (unless (and (list? xs) (andmap list? more)
                (andmap (lambda (ys) (= (length ys) (length xs))) more))
     (raise-arguments-error who "expected lists of one length" "lists" (cons xs more))))
@@ -82,7 +81,7 @@
 ;; The values of (thunk); how long it took is printed.
 (define (show-time thunk)
   (unless (and (procedure? thunk) (procedure-arity-includes? thunk 0))
-    (raise-argument-error 'show-time "a procedure of no arguments" thunk))
+    (complain-of-argument 'show-time "a procedure of no arguments" thunk))
   (define-values (results cpu real gc) (time-apply thunk '()))
   (printf "process time: ~a ms (~a run + ~a gc); real time: ~a ms\n" cpu (- cpu gc) gc real)
   (apply values results))

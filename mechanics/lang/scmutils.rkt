@@ -4,7 +4,7 @@
 
 (require "../calculus/derivative.rkt" "../calculus/literal-function.rkt"
          "../error/complain.rkt"
-         "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt" "../numeric/finite-number.rkt"
          "../value/compose.rkt" "../value/rewrite.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt")
@@ -26,7 +26,7 @@
 ;; The greatest integer that is not greater, exact.
 (define (floor->exact x)
   (define number (comparand x))
-  (unless (finite? number) (raise-argument-error 'floor->exact "a real number" x))
+  (unless (finite? number) (complain-of-argument 'floor->exact "a real number" x))
   (inexact->exact (floor number)))
 
 ;; Do two numbers differ by no more than tolerance times half the sum of their sizes and
@@ -50,8 +50,7 @@
 
 ;; A matrix of symbols: row i and column j hold name^i_j.
 (define (literal-matrix name rows columns)
-  (unless (symbol? name)
-    (raise-argument-error 'literal-matrix "a quoted name, such as 'A" name))
+  (check-argument 'literal-matrix symbol? name "a quoted name, such as 'A")
   (for ([n (in-list (list rows columns))])
     (unless (exact-positive-integer? n)
       (complain 'literal-matrix "expected a number of rows and one of columns; given ~s and ~s"

@@ -32,8 +32,7 @@
                          #:most-steps [most 1000] #:progress [progress? (report-progress)])
   (check-arguments L t0 q0 t1 q1 n)
   (check-tolerance who tolerance)
-  (unless (exact-positive-integer? most)
-    (complain-of-argument who "a number of steps, a positive integer" most))
+  (check-argument who exact-positive-integer? most "a number of steps, a positive integer")
   (define (search t0 q0 t1 q1)
     (define p (make-problem L t0 q0 t1 q1 n))
     (call-with-progress progress?
@@ -49,8 +48,7 @@
   (check-real who "final time" t1)
   (when (= t0 t1)
     (raise-arguments-error who "the initial and the final time are the same" "time" t0))
-  (unless (exact-nonnegative-integer? n)
-    (complain-of-argument who "a number of intermediate points" n))
+  (check-argument who exact-nonnegative-integer? n "a number of intermediate points")
   (for ([q (list q0 q1)]
         [name '("coordinate at the initial time" "coordinate at the final time")])
     (for ([x (in-list (scalars q))]) (check-real who name x)))

@@ -9,7 +9,7 @@
          "Fourier.rkt"
          "constants.rkt")
 
-(provide node-angle periodic-mean periodic-shifted periodic-slope periodic-unshifted
+(provide node-angle periodic-mean periodic-unshifted
          periodic-value-at
          both-shifted both-slopes both-smoothed both-refined)
 
@@ -18,18 +18,12 @@
 (define (periodic-mean f)
   (fl/ (for/fold ([sum 0.0]) ([x (in-flvector f)]) (fl+ sum x)) (->fl (flvector-length f))))
 
-;; f(θ + a)
-(define (periodic-shifted f a) (alone both-shifted f a))
+;; f(θ + a), g(θ + a)
 (define (both-shifted f g a)
   (filtered f g (lambda (k size) (values (flcos (fl* k a)) (flsin (fl* k a))))))
 
-;; f'(θ)
-(define (periodic-slope f) (alone both-slopes f))
+;; f'(θ), g'(θ)
 (define (both-slopes f g) (filtered f g (lambda (k size) (values 0.0 k))))
-
-(define (alone both f . more)
-  (define-values (h zero) (apply both f (make-flvector (flvector-length f)) more))
-  h)
 
 ;; g with the mean 0 and g(θ) − g(θ + a) = f(θ) but for the mean of f, and for terms of f that
 ;; are no greater than `rounding`: where k a is nearly a whole turn noise would come out as a term
@@ -40,7 +34,8 @@
         ;; 1/(1 − exp(ika))
         (let ([half (fl* 0.5 (fl* k a))])
           (values 0.5 (fl/ (fl* 0.5 (flcos half)) (flsin half))))))
-  (alone filtered f factor))
+  (define-values (g zero) (filtered f (make-flvector (flvector-length f)) factor))
+  g)
 
 ;; Terms k of f and of g multiplied by what (factor k size) gives, the real and the imaginary part,
 ;; and terms −k by its conjugate; size : of term k of f + ig.  The term n/2, of which only the sum

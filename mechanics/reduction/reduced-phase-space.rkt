@@ -93,8 +93,7 @@
 ;; The arguments
 
 (define (check-index who k)
-  (unless (exact-nonnegative-integer? k)
-    (complain-of-argument who "the index of a coordinate" k)))
+  (check-argument who exact-nonnegative-integer? k "the index of a coordinate"))
 
 (define (check-place who k state)
   (define n (s:length (coordinate state)))

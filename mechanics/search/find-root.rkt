@@ -125,15 +125,12 @@
 
 (define ((difference-jacobian value) x)
   (define n (flvector-length x))
-  (define all (make-flvector (* n n)))
-  (for ([j (in-range n)])
-    (define h (fl* 6e-6 (fl+ 1.0 (flabs (flvector-ref x j)))))
-    (define after (value (moved x j h)))
-    (define before (value (moved x j (fl- 0.0 h))))
-    (for ([i (in-range n)])
-      (flvector-set! all (+ i (* j n))
-                     (fl/ (fl- (flvector-ref after i) (flvector-ref before i)) (fl* 2.0 h)))))
-  (columns->rows n all))
+  (define columns
+    (for/vector #:length n ([j (in-range n)])
+      (define h (fl* 6e-6 (fl+ 1.0 (flabs (flvector-ref x j)))))
+      (define change (difference (value (moved x j h)) (value (moved x j (fl- 0.0 h)))))
+      (for/vector #:length n ([d (in-flvector change)]) (fl/ d (fl* 2.0 h)))))
+  (rows-transpose columns))
 
 (define (moved x j h)
   (define y (flvector-copy x))

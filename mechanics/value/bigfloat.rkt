@@ -20,7 +20,7 @@
          ;; linear systems
          bigfloat-solutions
          ;; to and from those of math/bigfloat
-         wrap raw-bigfloat)
+         (rename-out [big wrap]) raw-bigfloat)
 
 (define kind:bigfloat
   (make-kind #:rank rank:number
@@ -28,19 +28,16 @@
              #:datum values
              #:unary operate-1
              #:binary operate-2
-             #:comparand (lambda (x) (exact-value (unwrap x)))))
+             #:comparand (lambda (x) (exact-value (big-value x)))))
 
 (value-struct big (value)
   #:kind kind:bigfloat
   #:text numeral
-  #:equal-by unwrap)
-
-(define (wrap x) (big x))
-(define (unwrap x) (big-value x))
+  #:equal-by big-value)
 
 ;; As flonums are written, with a point or an exponent.
 (define (numeral b)
-  (define x (unwrap b))
+  (define x (big-value b))
   (cond [(m:bfnan? x) "+nan.0"]
         [(m:bfinfinite? x) (if (m:bfnegative? x) "-inf.0" "+inf.0")]
         [else
@@ -61,13 +58,13 @@
     (call-with-bits bits
       (lambda ()
         (cond [(real? x) (real->bigfloat x)]
-              [(big? x) (m:bfcopy (unwrap x))]
+              [(big? x) (m:bfcopy (big-value x))]
               [(m:bigfloat? x) (m:bfcopy x)]
               [(string? x) (m:string->bigfloat x)]
               [else #f]))))
   (unless (m:bigfloat? value)
     (complain-of-argument 'bigfloat "a real number or the numeral of one, such as \"0.1\"" x))
-  (wrap value))
+  (big value))
 
 (define (bigfloat? x) (big? x))
 
@@ -75,12 +72,12 @@
   (check 'bigfloat-precision x)
   (bits x))
 
-(define (bits x) (m:bigfloat-precision (unwrap x)))
+(define (bits x) (m:bigfloat-precision (big-value x)))
 
 ;; A fraction; of infinities and what is not a number, the flonum.
 (define (bigfloat->exact x)
   (check 'bigfloat->exact x)
-  (exact-value (unwrap x)))
+  (exact-value (big-value x)))
 
 (define (check who x)
   (check-argument who big? x "a number of higher precision, such as (bigfloat 2 100)"))
@@ -91,9 +88,9 @@
 (define (operate-1 op x)
   (define name (generic-op-name op))
   (define f (operation-on-bigfloats name 1))
-  (cond [(eq? name 'exact->inexact) (m:bigfloat->flonum (unwrap x))]
+  (cond [(eq? name 'exact->inexact) (m:bigfloat->flonum (big-value x))]
         [(eq? name 'inexact->exact) (bigfloat->exact x)]
-        [f (wrap (call-with-bits (bits x) (lambda () (f (unwrap x)))))]
+        [f (big (call-with-bits (bits x) (lambda () (f (big-value x)))))]
         [else (raise-inapplicable op x)]))
 
 (define (operate-2 op a b)
@@ -111,10 +108,10 @@
     (cond [(not (big? a)) (bits b)]
           [(not (big? b)) (bits a)]
           [else (max (bits a) (bits b))]))
-  (wrap (call-with-bits most (lambda () (f (raw-bigfloat a) (raw-bigfloat b))))))
+  (big (call-with-bits most (lambda () (f (raw-bigfloat a) (raw-bigfloat b))))))
 
 ;; A number of Racket's or ours as one of math/bigfloat.
-(define (raw-bigfloat x) (if (big? x) (unwrap x) (real->bigfloat x)))
+(define (raw-bigfloat x) (if (big? x) (big-value x) (real->bigfloat x)))
 
 ;; The result where an argument is exact 0 or 1, as with Racket's own numbers; or #f.
 (define (trivially name a b)
@@ -140,4 +137,4 @@
   (call-with-bits most
     (lambda ()
       (define x (solutions (rows-map raw-bigfloat A) (rows-map raw-bigfloat right)))
-      (if (eq? x 'singular) x (rows-map wrap x)))))
+      (if (eq? x 'singular) x (rows-map big x)))))

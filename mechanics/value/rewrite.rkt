@@ -5,9 +5,9 @@
 ;; asked for, where others are simplified first; calculating with them goes on
 ;; as with any value, and `simplify` simplifies them.
 
-(require "algebra.rkt" "assumptions.rkt"
+(require "algebra.rkt" "assumptions.rkt" "simplify.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt" "../error/hint.rkt"
+         "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/wrong-argument.rkt")
 
 (provide expand factor collect coefficient together apart
@@ -89,18 +89,11 @@
   (define A (assumptions-in-force))
   (map-leaves
    (lambda (leaf)
-     (if (expression? leaf) (f leaf A) (raise-no-expression who leaf)))
+     (if (expression? leaf) (f leaf A) (raise-no-expression who leaf "use it on")))
    x))
 
 ;; ---------------------------------------------------------------------------
 ;; Complaints
-
-(define (raise-no-expression who x)
-  (complain who "expected an expression, or a tuple or matrix of them; given ~a~a"
-            (describe-with-value x)
-            (if (procedure? x)
-                "\n  apply the function first, and use it on its value"
-                (quoted-hint x))))
 
 (define (check-unknown who e)
   (unless (unknown? e)

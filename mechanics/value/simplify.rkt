@@ -5,10 +5,11 @@
          "algebra.rkt" "assumptions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/computed-once.rkt"
-         "../generic/describe.rkt" "../generic/kind.rkt")
+         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/wrong-argument.rkt")
 
 (provide expression simplify simplify-strictly simplify/assumptions as-shown
-         substitute with-literals)
+         substitute with-literals
+         raise-no-expression)
 
 ;; The plain S-expression of a value, as it prints.
 (define (expression x) (value->datum x))
@@ -80,7 +81,7 @@
    (lambda (leaf)
      (cond [(symbolic? leaf) (substitute-expression leaf alist)]
            [(or (number? leaf) (other-number? leaf)) leaf]
-           [else (raise-nothing-to-replace leaf)]))
+           [else (raise-no-expression 'substitute leaf "substitute in")]))
    x))
 
 ;; In a number or another symbol there is nothing to replace.  Where the replacement is an
@@ -102,11 +103,12 @@
   (define unlike-any (string->uninterned-symbol "part"))
   (not (eq? e (substitute-expression e (list (cons part unlike-any))))))
 
-(define (raise-nothing-to-replace x)
-  (complain 'substitute "expected an expression, or a tuple or matrix of them; given ~a~a"
+;; use : of the value of x, if it is a function
+(define (raise-no-expression who x use)
+  (complain who "expected an expression, or a tuple or matrix of them; given ~a~a"
             (describe-with-value x)
             (if (procedure? x)
-                "\n  apply the function first, and substitute in its value"
+                (format "\n  apply the function first, and ~a its value" use)
                 (quoted-hint x))))
 
 (define (pair-up xs)
@@ -120,12 +122,8 @@
          (cons (cons (car xs) (cadr xs)) (pair-up (cddr xs)))]))
 
 (define (check-replacement name replacement)
-  (unless (symbolic? name)
-    (complain 'substitute "expected a symbol or an expression to replace\n  given: ~a"
-              (describe-with-value name)))
-  (unless (expression? replacement)
-    (complain 'substitute "expected a number or an expression as replacement\n  given: ~a"
-              (describe-with-value replacement))))
+  (check-argument 'substitute symbolic? name "a symbol or an expression to replace")
+  (check-argument 'substitute expression? replacement "a number or an expression as replacement"))
 
 ;; (with-literals (m k) body ...): the names stand for the symbols.
 (define-syntax-rule (with-literals (name ...) body ...)

@@ -8,10 +8,10 @@
 (require racket/list
          "../algebra/expression/exact-numbers.rkt" "../algebra/expression/write.rkt"
          "../error/message-words.rkt"
-         "../generic/describe.rkt"
+         "../generic/describe.rkt" "../generic/notation.rkt"
          "../value/algebra.rkt")
 
-(provide verdict-report readings kink-lines report->text)
+(provide verdict-report readings kink-lines report->text report-notation)
 
 ;; status : as a whole.  tests : the zero-test of each scalar, in order.
 ;; labels : what the scalars are called; none for one that stands alone.
@@ -213,3 +213,30 @@
     (cond [(string=? text "") s]
           [(equal? part ",") (string-append text s)]
           [else (string-append text " " s)])))
+
+;; ---------------------------------------------------------------------------
+;; The lines as they are typeset: sides of equations stay together, and commas with the words
+;; before them
+
+;; lines : (depth label content), content a list of strings and data, or #f
+(define (report-notation lines)
+  (apply statement
+         (for/list ([l (in-list lines)])
+           (list* (car l) (cadr l) (parts (or (caddr l) '()))))))
+
+(define (parts content)
+  (cond [(null? content) '()]
+        [(relation-first? content)
+         (with-comma (tree:relation (part (car content)) (cadr content) (part (caddr content)))
+                     (cdddr content))]
+        [else (with-comma (part (car content)) (cdr content))]))
+
+(define (with-comma tree rest)
+  (if (and (pair? rest) (equal? "," (car rest)))
+      (cons (tree:row (list tree (tree:word ","))) (parts (cdr rest)))
+      (cons tree (parts rest))))
+
+(define (relation-first? content)
+  (and (pair? (cdr content)) (pair? (cddr content)) (member (cadr content) '("=" "<" ">" "≤" "≥"))))
+
+(define (part x) (if (string? x) (tree:word x) (tree:datum x)))

@@ -7,13 +7,12 @@
 ;; algebra finds out whether and where they do (algebra/zero/kink.rkt).
 
 (require (only-in racket/list append-map)
-         "fresh-name.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
          "../generic/describe.rkt" "../generic/kinks-met.rkt"
          "../value/algebra.rkt")
 
-(provide survey-derivatives survey-of-values survey-kinks)
+(provide survey-derivatives survey-of-values survey-kinks unused-name)
 
 ;; operations : ((name expression ...) ...) that were met
 ;; variables : symbols by which one differentiates
@@ -68,3 +67,9 @@
     (define name (unused-name (symbol->string s) taken))
     (hash-set! taken name #t)
     (cons s name)))
+
+;; A name for a symbol that is to be shown: base, or base1, base2 ... if the table has it already
+(define (unused-name base taken)
+  (for/first ([suffix (in-sequences '("") (in-naturals 1))]
+              #:unless (hash-ref taken (string->symbol (format "~a~a" base suffix)) #f))
+    (string->symbol (format "~a~a" base suffix))))

@@ -2,7 +2,7 @@
 ;; Verdicts: `proved`, `refuted` or `undecided`, with the evidence.
 
 (require racket/list
-         "report.rkt" "report-notation.rkt"
+         "report.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/truth.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
@@ -68,7 +68,7 @@
 ;; Evidence
 
 (define (first-refuted v)
-  (for/first ([z (in-list (verdict-tests v))] #:when (eq? (zero-test-status z) 'refuted)) z))
+  (findf (lambda (z) (eq? (zero-test-status z) 'refuted)) (verdict-tests v)))
 
 ;; Substitutions ((expression . number) ...) at which the residual is not zero,
 ;; and its value there; #f unless refuted.

@@ -42,7 +42,7 @@
 (define (invariant-circle-modes c) (circle-modes (checked 'invariant-circle-modes c)))
 
 (define (checked who c)
-  (unless (circle? c) (complain-of-argument who "a circle, as invariant-circle finds one" c))
+  (check-argument who circle? c "a circle, as invariant-circle finds one")
   c)
 
 (define (point-at c angle)
@@ -96,8 +96,7 @@
 
 (define (circle-for who map rotation-number between most)
   (check-map who map rotation-number)
-  (unless (exact-positive-integer? most)
-    (complain-of-argument who "#:most-modes, a positive integer" most))
+  (check-argument who exact-positive-integer? most "#:most-modes, a positive integer")
   (define rotation (flonum who rotation-number))
   (define omega (fl* :2pi rotation))
   (define-values (low high) (ends who between omega))

@@ -54,8 +54,8 @@
     (complain 'which-way? "the map comes last: (which-way? rotation-number x0 y0 map)"))
   (check-map 'which-way? map)
   (check-numbers 'which-way? (list rotation-number x0 y0) '("rotation number" "angle" "action"))
-  (unless (exact-nonnegative-integer? most-steps)
-    (complain-of-argument 'which-way? "how many steps at most, a natural number" most-steps))
+  (check-argument 'which-way? exact-nonnegative-integer? most-steps
+                  "how many steps at most, a natural number")
   (define start (real->double-flonum (comparand x0)))
   (define turn (fl* :2pi (real->double-flonum (comparand rotation-number))))
   (define low (fl- start pi))

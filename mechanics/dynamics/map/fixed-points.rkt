@@ -32,8 +32,7 @@
   fixed-point-rotation-angle fixed-point-determinant fixed-point-error)
 
 (define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 1e-13])
-  (unless (exact-positive-integer? period)
-    (complain-of-argument 'find-fixed-point "a period, a positive integer" period))
+  (check-argument 'find-fixed-point exact-positive-integer? period "a period, a positive integer")
   (define m (make-map-on-tuples 'find-fixed-point map guess period))
   (define-values (p z) (fixed-point-of 'find-fixed-point map m tolerance))
   (or (of-lesser-period map m z tolerance) p))

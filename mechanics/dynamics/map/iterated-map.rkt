@@ -19,8 +19,7 @@
 
 (define (iterated-map map n)
   (check-map 'iterated-map map n)
-  (unless (exact-nonnegative-integer? n)
-    (complain-of-argument 'iterated-map "how many times, a natural number" n))
+  (check-argument 'iterated-map exact-nonnegative-integer? n "how many times, a natural number")
   (define step #f)                      ; compiled, or 'none if it cannot be
   (define (compiled-step x y)
     (unless step (set! step (or (compile-map map x y) 'none)))

@@ -15,7 +15,7 @@
 (define-plain (periodic-points map n region #:grid [grid '(20 20)])
   (define who 'periodic-points)
   (check-map who map n region)
-  (unless (exact-positive-integer? n) (complain-of-argument who "a period, a positive integer" n))
+  (check-argument who exact-positive-integer? n "a period, a positive integer")
   (define-values (x-min x-max y-min y-max) (checked-region who region))
   (unless (and (list? grid) (= (length grid) 2) (andmap exact-positive-integer? grid))
     (complain who "#:grid is a list of two numbers of starts, across and up; given ~a"

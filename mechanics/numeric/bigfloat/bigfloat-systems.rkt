@@ -9,22 +9,16 @@
 
 (provide solutions)
 
-(define-row-operations (greatest-below clear-below! substitute-back!)
+(define-row-operations (triangulate! clear-below! substitute-back!)
   0.bf bfzero? bf- bf* bf/ bfabs bf>)
 
 ;; The rows of x with A x = right, in the precision in force; or 'singular.
 (define (solutions A right)
   (define rows (beside A right))
   (define n (vector-length A))
-  (define sizes (for/list ([j (in-range n)]) (column-size A j)))
-  (let loop ([k 0] [sizes sizes])
-    (cond [(= k n) (substitute-back! rows)]
-          [else
-           (define p (greatest-below rows k))
-           (cond [(bf<= (bfabs (entry rows p k)) (rounding (car sizes) n)) 'singular]
-                 [else (exchange! rows k p)
-                       (clear-below! rows k k (+ k 1))
-                       (loop (+ k 1) (cdr sizes))])])))
+  (define sizes (for/vector ([j (in-range n)]) (column-size A j)))
+  (define (too-small? pivot k) (bf<= (bfabs pivot) (rounding (vector-ref sizes k) n)))
+  (if (triangulate! rows too-small?) (substitute-back! rows) 'singular))
 
 (define (column-size A j)
   (for/fold ([size (bf 0)]) ([row (in-vector A)]) (bfmax size (bfabs (vector-ref row j)))))

@@ -11,13 +11,12 @@
 
 (provide takes-negative-values?)
 
-;; rows : a symmetric matrix, a vector of rows; `noise` beside its greatest entry is 0.
-(define (takes-negative-values? rows #:noise [noise 1e-7])
+;; rows : a symmetric matrix, a vector of rows; a ten-millionth of its greatest entry is 0.
+(define (takes-negative-values? rows)
   (define n (vector-length rows))
   (define a (rows-map values rows))
   (define (at i j) (entry a i j))
-  (define least
-    (* noise (for*/fold ([m 0.0]) ([row (in-vector rows)] [x (in-vector row)]) (max m (abs x)))))
+  (define least (* 1e-7 (greatest-entry rows)))
   (let loop ([left (range n)])
     (define pivot (and (pair? left) (argmax (lambda (i) (at i i)) left)))
     (cond

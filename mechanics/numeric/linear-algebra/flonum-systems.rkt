@@ -19,7 +19,7 @@
          eliminate-fully! null-vector)
 
 ;; Matrices are vectors of rows, of which the copies made here are changed.
-(define-row-operations (greatest-below clear-below! substitute-back!)
+(define-row-operations (triangulate! clear-below! substitute-back!)
   0.0 zero? - * / magnitude >)
 
 (define (inexact-rows rows) (rows-map exact->inexact rows))
@@ -27,30 +27,19 @@
 ;; ---------------------------------------------------------------------------
 ;; Square systems
 
-;; Makes the first n columns upper triangular; -> the sign of the exchanges, or 0
-;; if there is no pivot left.
-(define (triangulate! rows)
-  (define n (vector-length rows))
-  (let loop ([k 0] [sign 1])
-    (define p (and (< k n) (greatest-below rows k)))
-    (cond [(= k n) sign]
-          [(zero? (entry rows p k)) 0]
-          [else
-           (exchange! rows k p)
-           (clear-below! rows k k (add1 k))
-           (loop (add1 k) (if (= p k) sign (- sign)))])))
+(define (no-pivot? pivot k) (zero? pivot))
 
 (define (floating-determinant matrix)
   (define rows (inexact-rows matrix))
-  (define sign (triangulate! rows))
-  (if (zero? sign)
-      0.0
-      (for/fold ([p sign]) ([row (in-vector rows)] [i (in-naturals)]) (* p (vector-ref row i)))))
+  (define sign (triangulate! rows no-pivot?))
+  (if sign
+      (for/fold ([p sign]) ([row (in-vector rows)] [i (in-naturals)]) (* p (vector-ref row i)))
+      0.0))
 
 ;; The rows of x with matrix · x = right, or 'singular.
 (define (floating-solutions matrix right)
   (define rows (inexact-rows (beside matrix right)))
-  (cond [(or (zero? (triangulate! rows))
+  (cond [(or (not (triangulate! rows no-pivot?))
              (and (suspicious? matrix rows) (singular-within-rounding? matrix)))
          'singular]
         [else (substitute-back! rows)]))
@@ -68,7 +57,7 @@
 (define (singular-within-rounding? matrix)
   (define n (vector-length matrix))
   (define rows (inexact-rows (beside matrix (unit-rows n))))
-  (or (zero? (triangulate! rows))
+  (or (not (triangulate! rows no-pivot?))
       (>= (* epsilon (greatest-eigenvalue (product (magnitudes (substitute-back! rows))
                                                    (magnitudes matrix))))
           1.0)))

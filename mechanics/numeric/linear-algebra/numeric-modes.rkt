@@ -102,8 +102,7 @@
 ;; The size of the greatest term in K − ω²M + iωG.
 (define (frequency-scale M K G omega)
   (define w (magnitude omega))
-  (define (size A) (for*/fold ([s 0.0]) ([row (in-vector A)] [x (in-vector row)]) (max s (abs x))))
-  (max (size K) (* w w (size M)) (* w (size G))))
+  (max (greatest-entry K) (* w w (greatest-entry M)) (* w (greatest-entry G))))
 
 ;; (x, ẋ)' = (ẋ, −M⁻¹(K x + G ẋ))
 (define (first-order M K G n)

@@ -3,11 +3,15 @@
 
 (require racket/flonum)
 
-(provide entry all-entries? exact-numbers? row-length
+(provide entry greatest-entry all-entries? exact-numbers? row-length
          rows-map rows-combine rows-transpose beside submatrix unit-rows rows->flvector
          exchange!)
 
 (define (entry rows i j) (vector-ref (vector-ref rows i) j))
+
+;; The greatest magnitude of an entry.
+(define (greatest-entry rows)
+  (for*/fold ([m 0.0]) ([row (in-vector rows)] [x (in-vector row)]) (max m (magnitude x))))
 
 (define (all-entries? good? . matrices)
   (for*/and ([rows (in-list matrices)] [row (in-vector rows)] [x (in-vector row)]) (good? x)))

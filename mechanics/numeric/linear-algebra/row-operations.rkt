@@ -6,7 +6,9 @@
 
 (provide define-row-operations)
 
-;; (greatest-below rows k)        the row, from the k-th on, of the greatest entry in column k
+;; (triangulate! rows too-small?) makes the first n columns of n rows an upper triangle, with the
+;;                                greatest entry below as pivot -> the sign of the exchanges,
+;;                                or #f at a k-th pivot for which (too-small? pivot k)
 ;; (clear-below! rows k j start)  subtracts multiples of row k, which is 0 before column
 ;;                                `start`, from those below, to clear column j there
 ;; (substitute-back! rows)        of rows whose first n columns are an upper triangle ->
@@ -14,9 +16,21 @@
 ;;                                more
 ;;
 ;; The kind has a zero; (size x) is what `greater?` compares.
-(define-syntax-rule (define-row-operations (greatest-below clear-below! substitute-back!)
+(define-syntax-rule (define-row-operations (triangulate! clear-below! substitute-back!)
                       zero zero? subtract multiply divide size greater?)
   (begin
+    (define (triangulate! rows too-small?)
+      (define n (vector-length rows))
+      (let loop ([k 0] [sign 1])
+        (define p (and (< k n) (greatest-below rows k)))
+        (when p (exchange! rows k p))
+        (cond [(= k n) sign]
+              [(too-small? (entry rows k k) k) #f]
+              [else
+               (clear-below! rows k k (add1 k))
+               (loop (add1 k) (if (= p k) sign (- sign)))])))
+
+    ;; The row, from the k-th on, of the greatest entry in column k.
     (define (greatest-below rows k)
       (for/fold ([best k]) ([i (in-range (add1 k) (vector-length rows))])
         (if (greater? (size (entry rows i k)) (size (entry rows best k))) i best)))

@@ -19,6 +19,7 @@
 ;; difference, (f(x + h) − 2 f(x) + f(x − h))/h, does not fall with h.
 
 (require racket/flonum
+         racket/list
          "../constants.rkt" "../flvector.rkt" "../checked-arguments.rkt"
          "../../error/failure.rkt")
 
@@ -142,9 +143,7 @@
   (and (> (length row) 2)
        (> (entry-badness (least-bad row)) (max 1e-13 (* 8.0 (entry-badness best))))))
 
-(define (least-bad entries)
-  (for/fold ([best #f]) ([e (in-list entries)])
-    (if (or (not best) (< (entry-badness e) (entry-badness best))) e best)))
+(define (least-bad entries) (argmin entry-badness entries))
 
 ;; ---------------------------------------------------------------------------
 ;; The table

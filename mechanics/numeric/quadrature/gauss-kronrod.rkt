@@ -100,7 +100,7 @@
      (define sorted (panels-from-the-left panels))
      (define probes (or taken (take-probes (task-f t) sorted (fl> size 0.0))))
      (define-values (all-wrong again) (contradicted t sorted probes size))
-     (define wrong (remove-indivisible all-wrong whole))
+     (define wrong (filter (lambda (p) (not (indivisible? p whole))) all-wrong))
      (cond [(null? wrong) (finish t panels value bound size)]
            [(>= count (task-limit t)) ((task-raise-stuck t) value bound (car wrong))]
            [else
@@ -115,9 +115,6 @@
   (define-values (found again) (suspects panels probes tolerance size width))
   (values (if (null? found) (suspects-at-edges (task-f t) panels tolerance size width) found)
           again))
-
-(define (remove-indivisible panels whole)
-  (filter (lambda (p) (not (indivisible? p whole))) panels))
 
 ;; The rounding of nodes is counted at the end, for halving does not make it less; and only of
 ;; whole integrals: of parts towards a point where f is infinite it would be too much.

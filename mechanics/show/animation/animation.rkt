@@ -38,8 +38,7 @@
               ,(if (drawing? drawing) (drawing-datum drawing) (procedure-datum drawing))))
 
 (define (check-animation who a)
-  (unless (animation? a)
-    (complain-of-argument who "an animation, such as (animate trajectory (draw-pendulum))" a)))
+  (check-argument who animation? a "an animation, such as (animate trajectory (draw-pendulum))"))
 
 ;; ---------------------------------------------------------------------------
 ;; Making one
@@ -51,7 +50,7 @@
   (define who 'animate)
   (check-motion who motion from to)
   (check-drawing who drawing)
-  (unless (string? title) (complain-of-argument who "a string as title" title))
+  (check-argument who string? title "a string as title")
   (when trail-time
     (unless (> (check-number who "the time of the trail" trail-time) 0.0)
       (complain-of-argument who "a positive time of the trail, or #f" trail-time)))

@@ -117,8 +117,7 @@
     (complain who
               "expected a drawing of a mechanism of the library, such as (draw-pendulum)\n  given: ~a"
               (if (drawing? d) (value->text (drawing-datum d)) (describe-with-value d))))
-  (unless (hash? names)
-    (complain-of-argument who "a hash from names to names, such as (hash \"θ\" \"φ\")" names))
+  (check-argument who hash? names "a hash from names to names, such as (hash \"θ\" \"φ\")")
   (check-picture-width who size)
   (define marked (append (shapes-of d state) (flat-shapes who ((drawing-marks d) state))))
   (define named (for/list ([s (in-list marked)]) (if (lettering? s) (renamed s names) s)))
@@ -129,5 +128,5 @@
 
 (define (renamed s names)
   (define other (hash-ref names (lettering-text s) (lettering-text s)))
-  (unless (string? other) (complain-of-argument 'diagram "a string as name" other))
+  (check-argument 'diagram string? other "a string as name")
   (struct-copy lettering s [text other]))

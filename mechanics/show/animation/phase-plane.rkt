@@ -23,7 +23,7 @@
     (unless (and (procedure? f) (accepts? f 1))
       (raise-other-function 'phase-plane "a function of the state" f)))
   (for ([text (in-list (list x-label y-label))])
-    (unless (string? text) (complain-of-argument 'phase-plane "a string as label" text)))
+    (check-argument 'phase-plane string? text "a string as label"))
   (new-phase-plane x y x-label y-label))
 
 ;; Coordinate i against its velocity, or its momentum if the state has momenta.

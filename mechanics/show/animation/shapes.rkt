@@ -67,7 +67,7 @@
 (define (label at text #:color [color ink] #:size [size 15] #:anchor [anchor 'center]
                #:italic? [italic? #t] #:shift [shift #(0 0)])
   (define who 'label)
-  (unless (string? text) (complain-of-argument who "a string" text))
+  (check-argument who string? text "a string")
   (check-color who color)
   (unless (and (real? size) (<= 4 size 200))
     (complain-of-argument who "a size of letters from 4 to 200 pixels" size))

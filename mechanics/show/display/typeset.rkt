@@ -28,8 +28,7 @@
 
 ;; The value of a formula that is written as ->infix writes it.
 (define (read-infix text)
-  (unless (string? text)
-    (complain-of-argument 'read-infix "a string such as \"½ m ẋ²\"" text))
+  (check-argument 'read-infix string? text "a string such as \"½ m ẋ²\"")
   (when (regexp-match? #px"\\p{L}\\^[0-9]" text) (note-superscript))
   (read-expression (infix->datum text)))
 

@@ -24,8 +24,7 @@
                      #:window? [window? (not (or from grid))] #:source [source #f])
   (define who 'explore-map)
   (check-exploration who f map (or n 0))
-  (unless (exact-nonnegative-integer? color)
-    (complain-of-argument who "a small natural number as the first color" color))
+  (check-argument who exact-nonnegative-integer? color "a small natural number as the first color")
   (define given (if from (checked-starts who f from) '()))
   (define starts (append given (if grid (grid-starts who f grid) '())))
   (cond [(not n) (collect-orbits who f map given (list-tail starts (length given)) window?)]
@@ -82,8 +81,8 @@
 (define (check-exploration who f map n)
   (check-open who f)
   (check-map who map)
-  (unless (exact-nonnegative-integer? n)
-    (complain-of-argument who "how many points an orbit has, a natural number" n)))
+  (check-argument who exact-nonnegative-integer? n
+                  "how many points an orbit has, a natural number"))
 
 (define (checked-starts who f from)
   (unless (list? from)

@@ -19,8 +19,8 @@
     (complain 'default-collector "what shows points is a procedure of two coordinates; given ~a"
               (describe-with-value monitor)))
   (check-map 'default-collector map)
-  (unless (exact-nonnegative-integer? n)
-    (complain-of-argument 'default-collector "how many images are followed, a natural number" n))
+  (check-argument 'default-collector exact-nonnegative-integer? n
+                  "how many images are followed, a natural number")
   (let follow ([n n] [x x] [y y])
     (monitor x y)
     (if (= n 0)

@@ -52,8 +52,7 @@
              (make-semaphore 1) '() #f 0 #f))
 
 (define (check-frame who f)
-  (unless (frame? f)
-    (complain-of-argument who "a frame, such as (frame 0 1 -1 1)" f)))
+  (check-argument who frame? f "a frame, such as (frame 0 1 -1 1)"))
 
 ;; Complains before anything is computed for a frame that is closed.
 (define (check-open who f)

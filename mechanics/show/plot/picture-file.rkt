@@ -11,7 +11,7 @@
 
 ;; formats : ((extension . format) ...), such as #".png"; listed : as a message lists them
 (define (format-of-file who file formats listed)
-  (unless (path-string? file) (complain-of-argument who "the name of a file" file))
+  (check-argument who path-string? file "the name of a file")
   (define extension (path-get-extension file))
   (cond [(and extension (assoc (string->bytes/utf-8
                                 (string-downcase (bytes->string/utf-8 extension #\?)))

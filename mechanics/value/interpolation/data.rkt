@@ -6,7 +6,7 @@
 
 (require "../../error/complain.rkt"
          "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/tracing.rkt"
-         "../../generic/up-down.rkt"
+         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../numeric/finite-number.rkt")
 
 (provide points values-at check-increasing check-distinct
@@ -26,8 +26,7 @@
   (for ([x (in-vector v)])
     (define c (comparand x))
     (unless (finite? c)
-      (complain who "expected points that are real numbers\n  given: ~a"
-                (describe-with-value x))))
+      (complain-of-argument who "points that are real numbers" x)))
   v)
 
 (define (values-at who what ys xs)

@@ -56,8 +56,7 @@
   (define-values (xs ys) (checked who points values))
   (for ([y (in-vector ys)])
     (unless (real? (comparand y))
-      (complain who "expected values that are real numbers\n  given: ~a"
-                (describe-with-value y))))
+      (complain-of-argument who "values that are real numbers" y)))
   (cubics who xs ys (monotone-slopes xs ys) extrapolate?))
 
 (define (checked who points-given values-given)

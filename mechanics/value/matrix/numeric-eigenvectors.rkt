@@ -22,7 +22,7 @@
 ;; rows : of flonums; values : its eigenvalues -> a list of (value vector ...), up tuples
 (define (numeric-eigenvectors rows values)
   (append-map (lambda (near) (vectors-of rows near widest))
-              (clusters values (size-of rows) widest)))
+              (clusters values (greatest-entry rows) widest)))
 
 ;; Relative to the entries: how near eigenvalues are that may be one, and how far the mean of
 ;; such from being it.
@@ -31,7 +31,7 @@
 (define rounding 1e-12)
 
 (define (vectors-of rows near gap)
-  (define size (size-of rows))
+  (define size (greatest-entry rows))
   (cond [(null? (cdr near)) (list (list (car near) (by-inverse-iteration rows (car near))))]
         [else
          (define mean (mean-of near))
@@ -60,16 +60,13 @@
                  found))
     (cons (cons value (append* near)) far)))
 
-(define (size-of rows)
-  (for*/fold ([most 1e-300]) ([row (in-vector rows)] [x (in-vector row)]) (max most (magnitude x))))
-
 ;; ---------------------------------------------------------------------------
 ;; One
 
 ;; Near the eigenvalue the inverse of the matrix less it stretches one direction: that one.
 (define (by-inverse-iteration rows value)
   (define n (vector-length rows))
-  (define near (g:- (matrix rows) (+ value (* (size-of rows) 1e-10))))
+  (define near (g:- (matrix rows) (+ value (* (greatest-entry rows) 1e-10))))
   (define start (apply up (for/list ([i (in-range n)]) (+ 1.0 (* 0.1 i)))))
   (for/fold ([v start]) ([_ (in-range 4)])
     (unit-length (solve-linear-left near v))))

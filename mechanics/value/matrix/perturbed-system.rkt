@@ -70,19 +70,17 @@
 (define (size x) (magnitude (comparand x)))
 (define (exact-zero? x) (eqv? x 0))
 
-(define-row-operations (greatest-below clear-below! substitute-back!)
+(define-row-operations (triangulate! clear-below! substitute-back!)
   0 exact-zero? g:- g:* g:/ size >)
 
 ;; Of numbers, some of which are being differentiated or of higher precision; #f: not so.
 (define (pivots-determinant matrix)
-  (and (all-entries? (lambda (x) (plain-number? (beneath x))) matrix)
-       (let* ([n (vector-length matrix)] [rows (rows-map values matrix)])
-         (let loop ([k 0] [product 1])
-           (define p (greatest-below rows k))
-           (define pivot (entry rows p k))
-           (define next (g:* (if (= p k) product (g:- product)) pivot))
-           (cond [(= k (- n 1)) next]
-                 [(zero? (size pivot)) #f]
-                 [else (exchange! rows k p)
-                       (clear-below! rows k k (+ k 1))
-                       (loop (+ k 1) next)])))))
+  (define rows (rows-map values matrix))
+  (define n-1 (- (vector-length matrix) 1))
+  (define (too-small? pivot k) (and (< k n-1) (zero? (size pivot))))
+  (define sign
+    (and (all-entries? (lambda (x) (plain-number? (beneath x))) matrix)
+         (triangulate! rows too-small?)))
+  (and sign
+       (for/fold ([product sign]) ([row (in-vector rows)] [k (in-naturals)])
+         (g:* product (vector-ref row k)))))

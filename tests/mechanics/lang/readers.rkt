@@ -304,7 +304,7 @@
   "list-head: expected a list, and a number of its first elements\n  list: '(a)\n  number: 2"]
  [(fold-left + 0 '(1 2) '(3))
   "fold-left: expected lists of one length\n  lists: '((1 2) (3))"]
- [(fold-right 'f 0 '(1 2)) "fold-right: contract violation\n  expected: a procedure\n  given: 'f"]
+ [(fold-right 'f 0 '(1 2)) "fold-right: expected a procedure\n  given: the symbol f"]
  [(gamma 'x) "gamma: expected a real number; given the symbol x"]
  [(gamma -1) "gamma: there is a pole at 0, -1, -2, ...; given the number -1"]
  [(factorial 1.5)
