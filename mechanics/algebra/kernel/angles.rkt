@@ -49,9 +49,9 @@
   (define-values (s c) (inverse-functions (cdr t)))
   (define step (if (positive? (car t)) 1 -1))
   (define rest
-    (for/fold ([sum 0]) ([u (in-list terms)])
-      (e:+ sum (e:* (if (eq? u t) (- (car u) step) (car u)) (cdr u)))))
-  (define (of op) (if (eqv? rest 0) ((operation-numeric op) 0) (make-node op (list rest))))
+    (sum-of-terms (for/list ([u (in-list terms)])
+                    (if (eq? u t) (cons (- (car u) step) (cdr u)) u))))
+  (define of (function-at rest))
   (define sine (e:+ (e:* step (e:* s (of op:cos))) (e:* c (of op:sin))))
   (define cosine (e:- (e:* c (of op:cos)) (e:* step (e:* s (of op:sin)))))
   (cond [(eq? head op:sin) sine]
@@ -78,20 +78,10 @@
 (define multiple-limit 32)
 
 (define (settle-angles! c kind sign)
-  (define angles
-    (for/list ([(key a) (in-hash (collector-angles c))] #:when (eq? (car key) kind)) a))
-  (define ordered (sort-forms c angles))
+  (define ordered (sort-forms c (angles-of c kind)))
   (define-values (basis coordinates) (modest-basis (map angle-form ordered) multiple-limit))
-  (define basics (for/vector ([form (in-list basis)]) (basic-angle c sign form)))
-  (for ([a (in-list ordered)] [v (in-list coordinates)])
-    (set-angle-multiples! a
-      (for/list ([x (in-list v)])
-        (define basic (vector-ref basics (car x)))
-        (cons (car basic) (* (cdr basic) (cdr x)))))))
-
-(define (basic-angle c sign form)
-  (signed-angle (collector-simplifier c) (form->expression c form)
-                 (lambda (u) (make-circle u sign (lambda (e o) (intern-kernel! c e o))))))
+  (settle-multiples! c ordered basis coordinates
+                     (lambda (u) (make-circle u sign (lambda (e o) (intern-kernel! c e o))))))
 
 ;; The basic angles that occurred doubled.
 (define (doubled-circles c)

@@ -52,15 +52,10 @@
 (define (combine-circles! cs multiples)
   (define sign (circle-sign (caar multiples)))
   (define u
-    (for/fold ([sum 0]) ([m (in-list multiples)])
-      (e:+ sum (e:* (cdr m) (circle-expression (car m))))))
-  (define table (circles-of cs sign))
+    (sum-of-terms (for/list ([m (in-list multiples)]) (cons (cdr m) (circle-expression (car m))))))
+  (define (make u) (make-circle u sign (lambda (e o) (add-kernel! cs e o))))
   (signed-angle (circles-simplifier cs) u
-                 (lambda (u)
-                   (or (hash-ref table u #f)
-                       (let ([o (make-circle u sign (lambda (e o) (add-kernel! cs e o)))])
-                         (hash-set! table u o)
-                         o)))))
+                (lambda (u) (hash-ref! (circles-of cs sign) u (lambda () (make u))))))
 
 ;; The kernel of an expression that presentation takes as a whole.
 (define (whole-kernel! cs e relation)

@@ -43,17 +43,13 @@
 (define (resolve! c n resolution)
   (hash-set! (collector-resolutions c) n resolution))
 
-;; e stands for n.
+;; Lets the expression e stand for the node n.
 (define (resolve-alias! c n e)
   ((collector-visit c) c e)
   (resolve! c n (alias e)))
 
 (define (intern-kernel! c expression [relation #f])
-  (define kernels (collector-kernels c))
-  (or (hash-ref kernels expression #f)
-      (let ([k (make-kernel expression relation)])
-        (hash-set! kernels expression k)
-        k)))
+  (hash-ref! (collector-kernels c) expression (lambda () (make-kernel expression relation))))
 
 (define (add-relation! c r)
   (unless (memq r (collector-tower c))
@@ -68,35 +64,29 @@
 
 (define (atom-key! table e)
   (define keys (atoms-keys table))
-  (or (hash-ref keys e #f)
-      (let ([k (hash-count keys)])
-        (hash-set! keys e k)
-        (hash-set! (atoms-expressions table) k e)
-        k)))
+  (define k (hash-ref! keys e (lambda () (hash-count keys))))
+  (hash-set! (atoms-expressions table) k e)
+  k)
 
 ;; A longer sum than this is an atom of its own.
 (define form-limit 40)
 
 ;; The sum of ((number . expression) ...) as a vector over atoms.
 (define (linear-form c terms)
-  (if (> (length terms) form-limit)
-      (linear-form c (list (cons 1 (sum-of terms))))
-      (short-linear-form c terms)))
-
-(define (sum-of terms)
-  (make-node op:+ (for/list ([t (in-list terms)]) (e:* (car t) (cdr t)))))
-
-(define (short-linear-form c terms)
-  (for/fold ([form '()]) ([t (in-list terms)])
+  (define few
+    (if (> (length terms) form-limit)
+        (list (cons 1 (make-node op:+ (for/list ([t (in-list terms)]) (e:* (car t) (cdr t))))))
+        terms))
+  (for/fold ([form '()]) ([t (in-list few)])
     (unless (exact? (car t)) (set-collector-inexact-forms?! c #t))
     (vector-add form (list (cons (atom-key! (collector-atoms c) (cdr t))
                                  (inexact->exact (car t)))))))
 
 (define (form->expression c form)
   (define expressions (atoms-expressions (collector-atoms c)))
-  (for/fold ([sum 0]) ([entry (in-list form)])
-    (e:+ sum (e:* (present-number (cdr entry) (collector-inexact-forms? c))
-                  (hash-ref expressions (car entry))))))
+  (sum-of-terms (for/list ([entry (in-list form)])
+                  (cons (present-number (cdr entry) (collector-inexact-forms? c))
+                        (hash-ref expressions (car entry))))))
 
 (define (intern-angle! c kind form)
   (hash-ref! (collector-angles c) (cons kind form) (lambda () (angle form #f))))
@@ -104,19 +94,16 @@
 ;; Angles with the simplest forms first: fewest atoms, then by the order of
 ;; expressions.
 (define (sort-forms c angles)
-  (cond [(or (null? angles) (null? (cdr angles))) angles]
-        [else
-         (define compare (make-order))
-         (define (either-sign form)     ; the later of the angle and its opposite
-           (define u (form->expression c form))
-           (define v (form->expression c (vector-scale -1 form)))
-           (if (< (compare u v) 0) v u))
-         (define entries
-           (for/list ([a (in-list angles)])
-             (vector (length (angle-form a)) (either-sign (angle-form a)) a)))
-         (define (simpler? a b)
-           (define k (- (vector-ref a 0) (vector-ref b 0)))
-           (or (< k 0)
-               (and (eqv? k 0)
-                    (< (compare (vector-ref a 1) (vector-ref b 1)) 0))))
-         (for/list ([entry (in-list (sort entries simpler?))]) (vector-ref entry 2))]))
+  (define compare (make-order))
+  ;; how many atoms, and the later of the angle and its opposite
+  (define (key a)
+    (define form (angle-form a))
+    (define u (form->expression c form))
+    (define v (form->expression c (vector-scale -1 form)))
+    (cons (length form) (if (< (compare u v) 0) v u)))
+  (define (simpler? a b)
+    (or (< (car a) (car b))
+        (and (eqv? (car a) (car b)) (< (compare (cdr a) (cdr b)) 0))))
+  (if (or (null? angles) (null? (cdr angles)))
+      angles
+      (sort angles simpler? #:key key #:cache-keys? #t)))

@@ -17,6 +17,7 @@
          "../expression/operation.rkt" "../expression/simplifier.rkt")
 
 (provide visit-exponential! visit-symbolic-power! settle-exponentials!
+         angles-of settle-multiples!
          combine-exponentials merge-exponentials
          logarithm-term? hyperbolic->exponential!)
 
@@ -38,7 +39,7 @@
   (cond [(null? powers)
          (resolve! c n (exponential-power (intern-angle! c 'exponential (linear-form c others))))]
         [else
-         (define rest (for/fold ([sum 0]) ([t (in-list others)]) (e:+ sum (e:* (car t) (cdr t)))))
+         (define rest (sum-of-terms others))
          (define exponential (if (eqv? rest 0) 1 (make-node op:exp (list rest))))
          (resolve-alias! c n
                          (for/fold ([product exponential]) ([t (in-list powers)])
@@ -49,10 +50,7 @@
   (make-node op:expt (list (car (node-args (cdr t))) (exact-exponent (car t)))))
 
 (define (logarithm-term? t)
-  (and (node? (cdr t))
-       (eq? (node-head (cdr t)) op:log)
-       (exact-exponent (car t))
-       #t))
+  (and (headed? (cdr t) op:log) (exact-exponent (car t)) #t))
 
 ;; ---------------------------------------------------------------------------
 ;; Basic exponentials
@@ -65,11 +63,15 @@
   (define angles (angles-of c 'exponential))
   (define-values (basis coordinates) (modest-basis/atoms (map angle-form angles) power-limit))
   (define s (collector-simplifier c))
+  (settle-multiples! c angles basis coordinates
+                     (lambda (u)
+                       (intern-kernel! c (exponential-expression s u) (exponential u s)))))
+
+;; make : expression -> what stands for a basic angle, of which the others are multiples
+(define (settle-multiples! c angles basis coordinates make)
   (define basics
     (for/vector ([form (in-list basis)])
-      (signed-angle s (form->expression c form)
-                    (lambda (u)
-                      (intern-kernel! c (exponential-expression s u) (exponential u s))))))
+      (signed-angle (collector-simplifier c) (form->expression c form) make)))
   (for ([a (in-list angles)] [v (in-list coordinates)])
     (set-angle-multiples! a
       (for/list ([x (in-list v)])
@@ -87,8 +89,8 @@
       (make-node op:expt
                  (list b (simplifier-simplify
                           s
-                          (for/fold ([sum 0]) ([t (in-list terms)])
-                            (e:+ sum (e:* (car t) (without-logarithm (cdr t))))))))
+                          (sum-of-terms (for/list ([t (in-list terms)])
+                                          (cons (car t) (without-logarithm (cdr t))))))))
       (make-node op:exp (list u))))
 
 ;; The b such that every term is a multiple of (log b), or #f.
@@ -99,16 +101,16 @@
        (for/and ([b (in-list (cdr bases))]) (equal? b (car bases)))
        (car bases)))
 
-(define (logarithm? e) (and (node? e) (eq? (node-head e) op:log)))
+;; The logarithm among the factors of e, or #f.
+(define (logarithm-in e)
+  (and (headed? e op:*) (findf (lambda (f) (headed? f op:log)) (node-args e))))
 
 (define (logarithm-base e)
-  (and (node? e)
-       (eq? (node-head e) op:*)
-       (for/first ([f (in-list (node-args e))] #:when (logarithm? f)) (car (node-args f)))))
+  (define logarithm (logarithm-in e))
+  (and logarithm (car (node-args logarithm))))
 
 (define (without-logarithm e)
-  (define logarithm (for/first ([f (in-list (node-args e))] #:when (logarithm? f)) f))
-  (for/fold ([product 1]) ([f (in-list (remq logarithm (node-args e)))]) (e:* product f)))
+  (for/fold ([product 1]) ([f (in-list (remq (logarithm-in e) (node-args e)))]) (e:* product f)))
 
 ;; ---------------------------------------------------------------------------
 ;; Combining for presentation
@@ -131,8 +133,8 @@
 (define (total-exponent es)
   (simplifier-simplify
    (exponential-simplifier (kernel-relation (caar es)))
-   (for/fold ([sum 0]) ([p (in-list es)])
-     (e:+ sum (e:* (cdr p) (exponential-exponent (kernel-relation (car p))))))))
+   (sum-of-terms (for/list ([p (in-list es)])
+                   (cons (cdr p) (exponential-exponent (kernel-relation (car p))))))))
 
 ;; The powers with the product of their exponentials as one kernel.
 ;; intern : expression relation -> kernel
@@ -148,7 +150,7 @@
 
 (define (absorb-base e others)
   (define base
-    (and (eq? (node-head e) op:expt)
+    (and (headed? e op:expt)
          (for/first ([p (in-list others)]
                      #:when (equal? (kernel-expression (car p)) (car (node-args e))))
            p)))
@@ -161,7 +163,7 @@
 
 ;; An integer and a simplified exponent added.
 (define (simple-sum k n)
-  (cond [(and (node? n) (eq? (node-head n) op:+)) (e:+ k n)]
+  (cond [(headed? n op:+) (e:+ k n)]
         [(positive? k) (make-node op:+ (list k n))]
         [else (make-node op:- (list n (- k)))]))
 

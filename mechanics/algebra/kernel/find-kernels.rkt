@@ -60,7 +60,7 @@
              (visit-blocked! c e)
              (visit-node! c e))]))
 
-;; What :2pi and the like stand for.
+;; The multiple of :pi that a name such as :2pi stands for.
 (define (pi-expression s) (e:* (pi-multiple s) exact-pi))
 
 (define (visit-number! c e)
@@ -193,7 +193,7 @@
 ;; A sum of squares is kept as it was written, if that is shorter, with its
 ;; denominator under the root: distances have such radicands.
 (define (consider-radicand! c r outer inner base)
-  (when (and (node? base) (memq (node-head base) (list op:+ op:-)) (reciprocal? outer))
+  (when (and (sum? base) (reciprocal? outer))
     (define tidy (tidy-sum c base))
     (when (< (expression-size tidy) (expression-size inner))
       (visit! c tidy)
@@ -202,7 +202,7 @@
 
 (define (reciprocal? e)
   (or (eqv? e 1)
-      (and (node? e) (eq? (node-head e) op:/) (eqv? 1 (car (node-args e))))))
+      (and (headed? e op:/) (eqv? 1 (car (node-args e))))))
 
 ;; The sum of the operands, each simplified, powers of sums not expanded; the
 ;; longest first.
@@ -218,10 +218,9 @@
 
 ;; ((±1 . operand) ...) of nested sums and differences
 (define (signed-operands e sign)
-  (define (headed? op) (and (node? e) (eq? (node-head e) op)))
-  (cond [(headed? op:+)
+  (cond [(headed? e op:+)
          (append-map (lambda (a) (signed-operands a sign)) (node-args e))]
-        [(headed? op:-)
+        [(headed? e op:-)
          (append (signed-operands (car (node-args e)) sign)
                  (signed-operands (cadr (node-args e)) (- sign)))]
         [else (list (cons sign e))]))
@@ -259,14 +258,9 @@
 
 ;; The shortest of the candidates, if the degree has not grown meanwhile.
 (define (choose-radicand! r)
-  (define compare (make-order))
-  (define (shorter a b)
-    (define d (- (expression-size (car a)) (expression-size (car b))))
-    (if (or (< d 0) (and (eqv? d 0) (< (compare (car a) (car b)) 0))) a b))
-  (define candidates (root-candidates r))
+  (define candidates (sort (root-candidates r) shorter-expression? #:key car))
   (when (and (pair? candidates) (eqv? 2 (root-degree r)))
-    (define best
-      (for/fold ([best (car candidates)]) ([a (in-list (cdr candidates))]) (shorter a best)))
+    (define best (car candidates))
     (set-root-radicand! r (car best))
     (set-root-scale! r (cdr best))))
 

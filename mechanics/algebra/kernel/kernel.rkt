@@ -17,9 +17,10 @@
          "../expression/size.rkt")
 
 (provide (struct-out kernel) make-kernel sum-kernel? circular-kernel? hyperbolic-kernel?
-         place-kernels! insert-kernel!
+         kernel-expressions place-kernels! insert-kernel!
          (struct-out circle) (struct-out angle) (struct-out root)
-         (struct-out modulus) (struct-out exponential))
+         (struct-out modulus) (struct-out exponential)
+         sum-of-terms shorter-expression?)
 
 ;; relation : #f, or the circle, root, modulus or exponential this kernel is of
 ;; size : of the expression, as written
@@ -31,14 +32,19 @@
   (kernel expression relation (expression-size expression) #f #f #f))
 
 ;; Is it a sum taken as a whole?
-(define (sum-kernel? k) (headed? (kernel-expression k) op:+ op:-))
+(define (sum-kernel? k) (sum? (kernel-expression k)))
 
 ;; Is it a sine or a cosine?
-(define (circular-kernel? k) (headed? (kernel-expression k) op:sin op:cos))
-(define (hyperbolic-kernel? k) (headed? (kernel-expression k) op:sinh op:cosh))
+(define (circular-kernel? k) (either-headed? k op:sin op:cos))
+(define (hyperbolic-kernel? k) (either-headed? k op:sinh op:cosh))
 
-(define (headed? e a b)
-  (and (node? e) (or (eq? (node-head e) a) (eq? (node-head e) b))))
+(define (either-headed? k a b)
+  (define e (kernel-expression k))
+  (or (headed? e a) (headed? e b)))
+
+;; A table of the kernels' expressions, each with #t.
+(define (kernel-expressions kernels)
+  (for/hash ([k kernels]) (values (kernel-expression k) #t)))
 
 ;; The sine and the cosine of a basic angle; hyperbolic ones if sign is -1.
 (struct circle (expression sign [sine #:mutable] [cosine #:mutable])
@@ -62,6 +68,18 @@
 
 ;; e^exponent, and what simplifies exponents.
 (struct exponential (exponent simplifier) #:authentic)
+
+;; ---------------------------------------------------------------------------
+;; Expressions
+
+;; The sum of ((number . expression) ...)
+(define (sum-of-terms terms)
+  (for/fold ([sum 0]) ([t (in-list terms)]) (e:+ sum (e:* (car t) (cdr t)))))
+
+;; Is a shorter than b, or as long and before it in the order of expressions?
+(define (shorter-expression? a b)
+  (define d (- (expression-size a) (expression-size b)))
+  (or (< d 0) (and (eqv? d 0) (expression<? a b))))
 
 ;; ---------------------------------------------------------------------------
 ;; Places

@@ -119,9 +119,11 @@
   (define entry (assv key v))
   (if entry (cdr entry) 0))
 
-;; v minus the multiple of row that clears v's coordinate at row's first key.
-(define (clear v row)
-  (vector-add v (vector-scale (- (/ (coordinate v (caar row)) (cdar row))) row)))
+;; v's coordinate at row's first key over that of row
+(define (ratio v row) (/ (coordinate v (caar row)) (cdar row)))
+
+;; v - c row
+(define (subtract-multiple v c row) (vector-add v (vector-scale (- c) row)))
 
 ;; ---------------------------------------------------------------------------
 ;; Over the rationals
@@ -145,9 +147,9 @@
 ;; -> v - Σ cᵢ vᵢ with the keys of all rows cleared, and -c.
 (define (reduce v rows)
   (for/fold ([v v] [combination '()]) ([row (in-list rows)])
-    (define c (- (/ (coordinate v (caaar row)) (cdaar row))))
-    (values (vector-add v (vector-scale c (car row)))
-            (vector-add combination (vector-scale c (cdr row))))))
+    (define c (ratio v (car row)))
+    (values (subtract-multiple v c (car row))
+            (subtract-multiple combination c (cdr row)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Over the integers
@@ -180,16 +182,16 @@
 ;; The row with its entries above the pivots of the rows below made least.
 (define (reduce-by row below)
   (for/fold ([row row]) ([b (in-list below)])
-    (vector-add row (vector-scale (- (round (/ (coordinate row (caar b)) (cdar b)))) b))))
+    (subtract-multiple row (round (ratio row b)) b)))
 
 (define (euclid key rows)
   (define (size v) (abs (coordinate v key)))
   (define-values (here elsewhere) (partition (lambda (v) (eqv? (caar v) key)) rows))
-  (define pivot (car (sort here < #:key size)))
+  (define pivot (argmin size here))
   (define reduced
     (for/list ([v (in-list here)] #:unless (eq? v pivot))
       (define q (quotient (coordinate v key) (coordinate pivot key)))
-      (vector-add v (vector-scale (- q) pivot))))
+      (subtract-multiple v q pivot)))
   (define rest (filter pair? (append reduced elsewhere)))
   (if (ormap (lambda (v) (eqv? (caar v) key)) rest)
       (euclid key (cons pivot rest))
@@ -200,8 +202,8 @@
   (let loop ([v v] [rows rows] [k 0])
     (cond [(null? rows) '()]
           [else
-           (define c (/ (coordinate v (caaar rows)) (cdaar rows)))
-           (define rest (loop (clear v (car rows)) (cdr rows) (+ k 1)))
+           (define c (ratio v (car rows)))
+           (define rest (loop (subtract-multiple v c (car rows)) (cdr rows) (+ k 1)))
            (if (eqv? c 0) rest (cons (cons k c) rest))])))
 
 ;; ---------------------------------------------------------------------------
@@ -218,6 +220,6 @@
     (filter (lambda (row) (< (caar row) size)) (hermite (append made moduli))))
   (define rest
     (for/fold ([v target]) ([row (in-list rows)])
-      (vector-add v (vector-scale (- (floor (/ (coordinate v (caar row)) (cdar row)))) row))))
+      (subtract-multiple v (floor (ratio v row)) row)))
   (and (or (null? rest) (>= (caar rest) size))
        (for/list ([i (in-range (length vectors))]) (- (coordinate rest (+ size i))))))

@@ -188,7 +188,7 @@
   (for/fold ([sum 0]) ([p (in-list parts)])
     (e:+ sum (e:* (car p) (part-logarithm c (cdr p))))))
 
-;; Of what was factored already, so it is not visited again; but for exponentials.
+;; The logarithm of a factor, which is not visited again: it has no further factors.
 (define (part-logarithm c f)
   (cond [(headed? f op:exp) (car (node-args f))]
         [(symbolic-power? f)

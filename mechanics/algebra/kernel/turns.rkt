@@ -15,24 +15,24 @@
 ;; The other way round, asin, acos and atan of a number are a multiple of π if a flonum says
 ;; which, and its sine and cosine are exactly the numbers that they have to be.
 
-(require "../expression/constant-value.rkt" "../expression/expression.rkt"
+(require (only-in "kernel.rkt" sum-of-terms)
+         "../expression/constant-value.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/pi.rkt" "../expression/simplifier.rkt"
          "../../numeric/constants.rkt")
 
-(provide turned turned-exponential inverse-multiple)
+(provide turned turned-exponential inverse-multiple function-at)
 
 ;; terms : ((number . expression) ...), whose sum is the angle
 ;; -> an expression that is sin, cos or tan of it, or #f if π is none of the terms or nothing
 ;; can be done
 (define (turned head terms)
   (define t (for/first ([t (in-list terms)] #:when (eq? (cdr t) exact-pi)) t))
-  (and t (turned-by head (inexact->exact (car t)) (sum-of (remq t terms)))))
+  (and t (turned-by head (inexact->exact (car t)) (sum-of-terms (remq t terms)))))
 
 ;; The function of c π + u.  Of tan π/2, which has no value, it is the quotient that has none.
 (define (turned-by head c u)
-  (define quarters (ceiling (- (* 2 c) 1/2)))
+  (define-values (quarters r) (quarter-turns c))
   (define k (modulo quarters 4))
-  (define r (- c (/ quarters 2)))
   (define w (exact-wave (abs r)))
   (define rest (e:+ (e:* r exact-pi) u))
   (cond [(and w (not (eqv? r 0)))
@@ -41,8 +41,10 @@
         [(and (eqv? rest 0) (eq? head op:tan) (odd? k)) (make-node op:/ '(-1 0))]
         [else (quarter-turned head k (function-at rest))]))
 
-(define (sum-of terms)
-  (for/fold ([sum 0]) ([t (in-list terms)]) (e:+ sum (e:* (car t) (cdr t)))))
+;; -> the whole quarters of a turn in c π, and the rest r, -1/4 < r <= 1/4
+(define (quarter-turns c)
+  (define quarters (ceiling (- (* 2 c) 1/2)))
+  (values quarters (- c (/ quarters 2))))
 
 ;; The functions of u, as a procedure of their operation.
 (define ((function-at u) op)
@@ -69,11 +71,10 @@
 (define (turned-exponential terms)
   (define t (for/first ([t (in-list terms)] #:when (equal? (cdr t) imaginary-pi)) t))
   (define c (if t (inexact->exact (car t)) 0))
-  (define quarters (ceiling (- (* 2 c) 1/2)))
-  (define r (- c (/ quarters 2)))
+  (define-values (quarters r) (quarter-turns c))
   (define w (exact-wave (abs r)))
   (define (exponential u) (if (eqv? u 0) 1 (make-node op:exp (list u))))
-  (define u (and t (sum-of (remq t terms))))
+  (define u (and t (sum-of-terms (remq t terms))))
   (cond [(not (and t (or w (not (eqv? quarters 0))))) #f]
         [w (e:* (expt +i (modulo quarters 4))
                 (e:* (e:+ (wave-cosine w) (e:* (if (negative? r) -i +i) (wave-sine w)))
