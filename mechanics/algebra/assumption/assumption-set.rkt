@@ -12,6 +12,7 @@
 (require racket/list
          "signs.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
+         (only-in "../expression/numeric-functions.rkt" sgn)
          "../expression/operation.rkt" "../expression/pi.rkt" "../expression/simplifier.rkt")
 
 (provide
@@ -51,10 +52,10 @@
 
 (define (decided? k) (signs-decided? (known-signs k)))
 
-;; What all of them rest on.
+;; The datums that the ks rest on.
 (define (union ks) (remove-duplicates (append-map known-because ks)))
 
-;; Both are known.
+;; What a and b say together of one expression.
 (define (meet a b)
   (define s (bitwise-and (known-signs a) (known-signs b)))
   (cond [(eqv? s (known-signs a)) a]
@@ -131,7 +132,7 @@
         [(and (memq head odd-functions) (null? (cdr parts))) (car parts)]
         [else unknown]))
 
-;; Those that have the sign of their argument.
+;; Operations whose values have the sign of the argument.
 (define odd-functions (list op:sinh op:tanh op:asinh op:atanh op:asin op:atan))
 
 (define (never-positive? k) (signs-within? (known-signs k) nonpositive))
@@ -145,8 +146,6 @@
         [(never-positive? base) not-real]
         [(and k (even? (denominator k))) (because-of nonnegative)]
         [else unknown]))
-
-(define (sgn x) (if (negative? x) -1 1))
 
 ;; ---------------------------------------------------------------------------
 ;; Limits

@@ -9,7 +9,7 @@
 
 (provide (struct-out interval) everything point-interval
          interval-sum interval-product interval-quotient interval-power interval-magnitude
-         interval-of-operation intersection)
+         interval-of-operation)
 
 (struct interval (low high) #:authentic)
 
@@ -20,7 +20,7 @@
 
 (define (point-interval x) (interval x x))
 
-;; Of two intervals that overlap.
+;; The intersection of two intervals that overlap.
 (define (intersection r s)
   (interval (greatest (interval-low r) (interval-low s))
             (least (interval-high r) (interval-high s))))

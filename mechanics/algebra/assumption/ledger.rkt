@@ -40,12 +40,12 @@
           (delay (or (common-point A) (find-reference (question-expressions q) A)))
           (make-hash) '() '() '()))
 
-;; That of a question of which this is a part.
+;; The reference point of the question of which this is a part, or #f.
 (define (common-point A)
   (define point (assumptions-reference A))
   (and point (point)))
 
-;; What all rests on, as datums such as (>= R 0), in the order they were needed.
+;; What the result rests on, as datums such as (>= R 0), in the order they were needed.
 (define (simplifier-grounds s) (reverse (ledger-grounds (simplifier-ledger s))))
 
 ;; Relations of the domain have no datum.
@@ -94,14 +94,14 @@
         [(signs-within? signs zero) 0]
         [else #f]))
 
-;; The same, or that at the reference point.
+;; -> the decided sign, else that at the reference point, which is assumed; or #f
 (define (sign-or-assumed s e)
   (or (decided-sign s e)
       (let ([sign (sign-to-assume s e)])
         (when sign (assume! s e sign))
         sign)))
 
-;; The same if it is known; else it is left open.
+;; -> the decided sign, or #f, and then the sign is noted as open
 (define (sign-or-left-open s e) (or (decided-sign s e) (leave-open! s e)))
 
 ;; Is e known not to be negative, or taken to be so from now on?

@@ -57,7 +57,7 @@
 (define (factor-signs signs n others)
   (possible signs (lambda (x) (signs-product (signs-power x n) others))))
 
-;; The same for x + y.
+;; The signs x may have if x + y has one of `signs` and y one of `others`.
 (define (term-signs signs others)
   (possible signs (lambda (x) (signs-sum x others))))
 
