@@ -8,7 +8,7 @@
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt")
 
-(provide exponential-roots exponential?)
+(provide exponential-roots)
 
 (define (exponential-roots f x A)
   (define g (by-exponentials f x))
@@ -57,14 +57,11 @@
 (define (logarithm-root r ab x A)
   (define value (root-value r))
   (define-values (a b) (apply values ab))
-  (define positive? (zero-everywhere? (e:- value (e:apply op:abs value)) A))
   (if (and (real? value) (<= value 0))
       '()
       (list (root x
                   (quotient-of (e:- (e:apply op:log value) b) a A)
-                  (if positive?
+                  (if (eqv? 1 (known-branch value A))
                       (root-conditions r)
                       (cons (list '>= value 0) (root-conditions r)))
                   '()))))
-
-(define (exponential? e) (and (node? e) (eq? (node-head e) op:exp)))

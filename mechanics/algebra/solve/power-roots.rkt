@@ -32,10 +32,9 @@
   (define D (simplify-expression (e:- (e:expt (e:* 1/2 b) 2) (e:* a c)) A))
   (define (solution sign)
     (quotient-of (e:- (e:* sign (e:apply op:sqrt D)) (e:* 1/2 b)) a A))
-  (define size (e:apply op:abs D))
-  (define (known? sign) (zero-everywhere? (e:- D (e:* sign size)) A))
-  (define conditions (if (known? 1) '() (list (list '>= D 0))))
-  (if (and (known? -1) (not (known? 1)))
+  (define branch (known-branch D A))
+  (define conditions (if branch '() (list (list '>= D 0))))
+  (if (eqv? branch -1)
       '()
       (for/list ([sign '(1 -1)]) (root x (solution sign) conditions '()))))
 
@@ -58,12 +57,9 @@
 ;; The real x with xⁿ = value: where n is even, those of a value that is not negative
 (define (nth-roots value conditions n x A)
   (define (size v) (simplify-expression (e:expt v (/ 1 n)) A))
-  (define (roots values condition)
-    (for/list ([v (in-list values)]) (root x v (append condition conditions) '())))
-  (define sign (cond [(real? value) (sgn value)]
-                     [(zero-everywhere? (e:- value (e:apply op:abs value)) A) 1]
-                     [(zero-everywhere? (e:+ value (e:apply op:abs value)) A) -1]
-                     [else #f]))
+  (define (roots xs condition)
+    (for/list ([v (in-list xs)]) (root x v (append condition conditions) '())))
+  (define sign (known-branch value A))
   (define one (if (eqv? sign -1) (e:negate (size (e:negate value))) (size value)))
   (cond [(eqv? sign 0) (roots '(0) '())]
         [(odd? n) (roots (list (if sign one (signed (size (magnitude value)) value))) '())]
@@ -72,8 +68,6 @@
 
 (define (magnitude v) (e:apply op:abs v))
 (define (signed size v) (e:* (e:apply op:sgn v) size))
-
-(define (sgn v) (cond [(> v 0) 1] [(< v 0) -1] [else 0]))
 
 ;; The exponents of x in e, 1 where it stands alone.
 (define (powers-of e x)

@@ -2,11 +2,12 @@
 ;; A root of one equation in x, and how the coefficients of x are found: from values at 0, 1 and −1,
 ;; whatever the form of the equation, with a proof that nothing else is in it.
 
-(require "../expression/expression.rkt"
+(require "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt"
          "../simplify/simplify-expression.rkt")
 
-(provide (struct-out root) put zero-everywhere? value-at line quotient-of arguments-of)
+(provide (struct-out root) put zero-everywhere? known-branch value-at line quotient-of
+         arguments-of)
 
 ;; x = value, under conditions.  waves : what sine and cosine are there, an alist
 (struct root (x value conditions waves) #:authentic)
@@ -14,6 +15,15 @@
 (define (put e x value) (substitute-expression e (list (cons x value))))
 
 (define (zero-everywhere? e A) (eqv? 0 (simplify-expression e A)))
+
+;; The sign of a number; else 1 of what is known not to be negative, -1 of what is known not to
+;; be positive, or #f
+(define (known-branch e A)
+  (define size (e:apply op:abs e))
+  (cond [(real? e) (cond [(> e 0) 1] [(< e 0) -1] [else 0])]
+        [(zero-everywhere? (e:- e size) A) 1]
+        [(zero-everywhere? (e:+ e size) A) -1]
+        [else #f]))
 
 ;; (a b) if e = a x + b with a ≠ 0, both without x; else #f.
 (define (line e x A)

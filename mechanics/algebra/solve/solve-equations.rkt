@@ -16,8 +16,8 @@
 (require racket/list
          "angle-roots.rkt" "exponential-roots.rkt" "factors.rkt" "power-roots.rkt" "root.rkt"
          "../expression/constant-value.rkt" "../expression/expression.rkt"
-         "../expression/pi.rkt" "../expression/substitute.rkt"
-         "../expression/symbols.rkt"
+         (only-in "../expression/operation.rkt" op:exp) "../expression/pi.rkt"
+         "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt")
 
 (provide solve-equations)
@@ -60,7 +60,7 @@
   (define (linear x) (linear-root f x xs A))
   (define root (ormap linear xs))
   (cond [root (list root)]
-        [(exponential? f) '()]
+        [(headed? f op:exp) '()]
         [(pair? (cdr xs)) #f]
         [else (or (quadratic-roots f (car xs) A)
                   (power-roots f (car xs) A)
