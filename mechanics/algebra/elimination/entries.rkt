@@ -10,9 +10,10 @@
 ;; beyond a bound the attempt is given up.
 
 (require "bareiss.rkt"
+         (only-in "../assumption/ledger.rkt" simplifier-grounds)
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt"
-         "../field/field.rkt" "../field/walk.rkt"
+         "../field/field-extension.rkt" "../field/field.rkt" "../field/walk.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt"
@@ -78,21 +79,19 @@
 (define (call-with-polynomials matrix A use)
   (define entries (for*/list ([row (in-vector matrix)] [e (in-vector row)]) e))
   (define w (make-workspace A (question-about entries A)))
-  (define atlas (workspace-atlas w (make-node op:+ entries)))
+  (define atlas (collect-kernels (make-node op:+ entries) w))
   (define kernels (place-kernels! (atlas-kernels atlas)))
   (let retry ([degree 15])
     (define result
       (with-handlers ([exn:algebra:degree-overflow? values]
-                      [stuck? (lambda (s) #f)]
+                      [obstruction? (lambda (o) #f)]
                       [outgrown? (lambda (o) #f)])
         (use (field-coefficients (make-field atlas kernels degree poly-branch) matrix w))))
     (if (exn:algebra:degree-overflow? result) (retry (+ 1 (* 2 degree))) result)))
 
 (define (field-coefficients F matrix w)
   (define R (field-ring F))
-  (define fractions
-    (for/vector #:length (vector-length matrix) ([row (in-vector matrix)])
-      (for/vector #:length (vector-length row) ([e (in-vector row)]) (field-fraction F e))))
+  (define fractions (rows-map (lambda (e) (field-fraction F e)) matrix))
   (define D ((if (null? (field-relations F)) polynomial-domain relation-domain) F))
   (define rows (for/vector ([row (in-vector fractions)]) (tidy-row F row)))
   (coefficients D rows
@@ -103,7 +102,7 @@
                 (lambda (p) (poly-negate R p))
                 (lambda (p q) (present F (ratio-fraction F (ratio p q))))
                 (lambda (ratios) (primitive-ratios F ratios))
-                (lambda () (workspace-assumptions w))))
+                (lambda () (simplifier-grounds w))))
 
 (define (ratio-fraction F r)
   (define R (field-ring F))
@@ -115,10 +114,10 @@
 (define (scale R rows fractions)
   (for/fold ([s (fraction-constant R 1)])
             ([row (in-vector rows)] [fs (in-vector fractions)])
-    (define first
+    (define factor
       (for/first ([p (in-vector row)] [f (in-vector fs)] #:unless (poly-zero? p))
         (fraction/ R (fraction-from-poly R p) f)))
-    (if first (fraction* R s first) s)))
+    (if factor (fraction* R s factor) s)))
 
 ;; A polynomial of degree d in k variables has at most (d + k choose k) terms.
 (define (term-bound R rows)
@@ -163,7 +162,7 @@
 (define (primitive-ratios F ratios)
   (define fs (for/vector ([r (in-list ratios)]) (ratio-fraction F r)))
   (for/list ([p (in-vector (tidy-row F fs))])
-    (present F (fraction-from-poly (field-ring F) p))))
+    (present-poly F p)))
 
 ;; ---------------------------------------------------------------------------
 ;; Polynomials as domains

@@ -8,12 +8,15 @@
 ;; enough for a session to go on: a full tank lasts about a second.  When it is
 ;; empty only small steps are made.
 
-(require "walk.rkt"
-         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
+(require "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 
-(provide make-fuel fuel-meter fuel-empty? call-nested
+(provide obstacle? raise-obstacle
+         make-fuel fuel-meter fuel-empty? call-nested
          begin-step! end-steps! within-a-step check-expansion check-sum
          spend-on-terms! spend-on-nodes! readable?)
+
+(struct obstacle ())
+(define (raise-obstacle) (raise (obstacle)))
 
 ;; nested? : is this the argument of a kernel?
 (struct fuel (meter [nested? #:mutable]) #:authentic)
@@ -22,7 +25,7 @@
 
 (define (fuel-empty? tank) (<= (meter-left (fuel-meter tank)) 0))
 
-;; Arguments of kernels are held to closer bounds.
+;; The thunk's value, found within the closer bounds of a kernel's argument.
 (define (call-nested tank thunk)
   (define outer (fuel-nested? tank))
   (set-fuel-nested?! tank #t)
@@ -41,7 +44,7 @@
         [(fuel-nested? tank) inner-limits]
         [else outer-limits]))
 
-;; What follows is one step, until the next begins.
+;; Begins a step, which ends where the next one begins.
 (define (begin-step! tank)
   (meter-allow! (fuel-meter tank) (limits-step (current-limits tank))))
 

@@ -30,10 +30,9 @@
 ;; if nothing changes, or no ring has room.
 (define (rationalize-above F f)
   (define R (field-ring F))
-  (define (algebraic? i) (for/or ([r (in-list (field-relations F))]) (eqv? i (relation-index r))))
   (if (and (not (fraction-polynomial? f))
            (<= 2 (poly-term-count (fraction-numerator f)) 6)
-           (ormap algebraic? (poly-variables R (fraction-numerator f))))
+           (for/or ([i (in-list (poly-variables R (fraction-numerator f)))]) (relation-of F i)))
       (with-handlers ([exn:algebra:degree-overflow?
                       (lambda (x) (if (< (ring-max-degree R) degree-limit) (raise x) f))])
         (fraction-invert R (rationalize F (fraction-invert R f))))
@@ -58,7 +57,7 @@
           1)))
 
 (define (sine? F r)
-  (circle? (kernel-relation (vector-ref (field-kernels F) (relation-index r)))))
+  (circle? (kernel-relation (field-kernel F (relation-index r)))))
 
 (define (modest? r f c e)
   (<= (* (poly-term-count (fraction-numerator f))

@@ -37,7 +37,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
 
-;; Without zeros at the end.
+;; The list without zeros at its end.
 (define (trim cs)
   (cond [(null? cs) '()]
         [else
@@ -48,11 +48,7 @@
   (trim (for/list ([a (in-list p)]) (times F c a))))
 
 (define (u:- F p q)
-  (trim (let loop ([p p] [q q])
-          (cond [(null? q) p]
-                [else
-                 (cons (fraction- (field-ring F) (if (null? p) (zero F) (car p)) (car q))
-                       (loop (if (null? p) '() (cdr p)) (cdr q)))]))))
+  (trim (add F p (for/list ([c (in-list q)]) (fraction-negate (field-ring F) c)))))
 
 (define (u:* F p q)
   (if (or (null? p) (null? q))

@@ -11,7 +11,7 @@
          "monomial.rkt" "ring.rkt" "term-list.rkt")
 
 (provide
- poly-constant poly-variable poly-monomial
+ poly-constant poly-variable
  poly+ poly- poly-negate poly* poly-scale poly-expt poly-sum
  shift-terms divide-by-monomial
  ;; for sums of other things
@@ -25,11 +25,6 @@
 
 (define (poly-variable R i [exponent 1])
   (list (make-term (variable-monomial R i exponent) 1)))
-
-(define (poly-monomial R coefficient exponents)
-  (if (eqv? coefficient 0)
-      '()
-      (list (make-term (exponents->monomial R exponents) coefficient))))
 
 ;; ---------------------------------------------------------------------------
 ;; Linear operations
@@ -56,32 +51,8 @@
 (define-sum (add p q) +)
 
 (define (poly+ R p q) (add p q))
-
-(define (poly- R p q) (subtract p q))
-
-(define (subtract p q)
-  (cond [(null? p) (negate q)]
-        [(null? q) p]
-        [else
-         (define s (car p))
-         (define t (car q))
-         (define order (monomial-compare (term-monomial s) (term-monomial t)))
-         (cond [(fx> order 0) (cons s (subtract (cdr p) q))]
-               [(fx< order 0)
-                (cons (make-term (term-monomial t) (- (term-coefficient t)))
-                      (subtract p (cdr q)))]
-               [else
-                (define c (- (term-coefficient s) (term-coefficient t)))
-                (if (eq? c 0)
-                    (subtract (cdr p) (cdr q))
-                    (cons (make-term (term-monomial s) c) (subtract (cdr p) (cdr q))))])]))
-
-(define (poly-negate R p) (negate p))
-
-(define (negate p)
-  (if (null? p)
-      '()
-      (cons (make-term (leading-monomial p) (- (leading-coefficient p))) (negate (cdr p)))))
+(define (poly- R p q) (add p (scale -1 q)))
+(define (poly-negate R p) (scale -1 p))
 
 (define (poly-scale R c p)
   (cond [(eqv? c 0) '()]

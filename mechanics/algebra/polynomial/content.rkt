@@ -3,8 +3,7 @@
 
 (require "arithmetic.rkt" "monomial.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
 
-(provide poly-content poly-primitive poly-primitive-part poly-monomial-content
-         common-monomial split-monomial)
+(provide poly-content poly-primitive poly-primitive-part common-monomial split-monomial)
 
 ;; The positive rational c for which p/c has coprime integer coefficients: the
 ;; gcd of the numerators over the lcm of the denominators; 0 for zero.
@@ -34,10 +33,7 @@
   (define-values (content primitive) (poly-primitive R p))
   primitive)
 
-;; The exponents of the greatest monomial that divides p.
-(define (poly-monomial-content R p)
-  (monomial-exponents R (common-monomial R p)))
-
+;; The greatest monomial that divides p.
 (define (common-monomial R p)
   (if (null? p)
       (ring-one R)

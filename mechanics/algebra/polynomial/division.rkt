@@ -85,7 +85,7 @@
                      (leading-monomial b)
                      best))])))
 
-;; Its coefficient, its terms taken off the buckets.
+;; The coefficient of m in the sum of the buckets; takes the terms with m off them.
 (define (take-coefficient! buckets used m)
   (let loop ([i 0] [sum 0])
     (cond [(eq? i used) sum]

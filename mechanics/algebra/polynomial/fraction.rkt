@@ -13,7 +13,8 @@
 ;; alone.  How the denominator is split into factors depends on its history;
 ;; fraction-denominator-parts splits it in a way that does not.
 
-(require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "division.rkt" "gcd.rkt"
+(require racket/list
+         "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "division.rkt" "gcd.rkt"
          "inspect.rkt" "gcd-splitting.rkt" "power.rkt" "ring-change.rkt"
          "../../error/complain.rkt")
 
@@ -110,10 +111,10 @@
 
 ;; The factors of two denominators, with their exponents in both.
 (define (common-basis R F G)
-  (define first
+  (define of-f
     (for/list ([h (in-list F)])
       (make-power (power-base h) (exponents (power-exponent h) 0))))
-  (for/fold ([basis first]) ([h (in-list G)])
+  (for/fold ([basis of-f]) ([h (in-list G)])
     (basis-insert R add-exponents basis (power-base h) (exponents 0 (power-exponent h)))))
 
 (define (add-over R f g basis)
@@ -138,9 +139,9 @@
 ;; Fractions over one denominator are added first.
 (define (fraction-sum R fs)
   (define (add f g) (fraction+ R f g))
+  (define groups (group-by fraction-denominator-factors fs basis=?))
   (sum-of-neighbours add
-                     (for/list ([group (in-list (group-by-denominator fs))])
-                       (sum-group R group))
+                     (for/list ([group (in-list groups)]) (sum-group R group))
                      (fraction '() '())))
 
 (define (sum-group R group)
@@ -149,20 +150,6 @@
       (cancel R
               (poly-sum R (map fraction-numerator group))
               (fraction-denominator-factors (car group)))))
-
-;; A list of lists of fractions with equal factors, in order of first coming.
-(define (group-by-denominator fs)
-  (define groups
-    (for/fold ([groups '()]) ([f (in-list fs)])
-      (let place ([groups groups])
-        (cond [(null? groups) (list (list f))]
-              [(same-denominator? f (car (car groups)))
-               (cons (cons f (car groups)) (cdr groups))]
-              [else (cons (car groups) (place (cdr groups)))]))))
-  (map reverse groups))
-
-(define (same-denominator? f g)
-  (basis=? (fraction-denominator-factors f) (fraction-denominator-factors g)))
 
 ;; ---------------------------------------------------------------------------
 ;; Products

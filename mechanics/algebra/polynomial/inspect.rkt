@@ -9,7 +9,7 @@
  ;; degrees
  poly-degree poly-total-degree poly-variables
  ;; terms
- poly-terms poly-term-coefficient poly-term-powers poly-for-each-term
+ poly-terms poly-term-coefficient poly-term-powers
  poly-leading-coefficient product-leading-coefficient poly-height
  ;; along one variable
  poly-coefficients poly-coefficients-over poly-from-coefficients poly-leading-coefficient-in
@@ -83,10 +83,6 @@
 
 (define poly-term-coefficient car)
 (define poly-term-powers cdr)
-
-(define (poly-for-each-term R p visit)
-  (for ([t (in-list p)])
-    (visit (term-coefficient t) (monomial-exponents R (term-monomial t)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Along one variable

@@ -19,8 +19,8 @@
   (define xs (apply fxvector points))
   (define n (fxvector-length xs))
   (define inverses (inverse-distances xs P))
-  (lambda (values)
-    (define differences (apply fxvector values))
+  (lambda (ys)
+    (define differences (apply fxvector ys))
     (divided-differences! differences inverses P)
     ;; Horner from the last difference: result := result (z - xᵢ) + differenceᵢ
     (define result (make-fxvector n 0))

@@ -9,7 +9,8 @@
 ;; Lifting wants p to be monic in x: with leading coefficient l and degree n, not
 ;; p but l^(n-1) p(x/l) is treated.
 
-(require "arithmetic.rkt" "content.rkt" "dense.rkt" "division.rkt" "gcd.rkt" "inspect.rkt"
+(require (only-in racket/list argmin)
+         "arithmetic.rkt" "content.rkt" "dense.rkt" "division.rkt" "gcd.rkt" "inspect.rkt"
          "integer-factor.rkt" "lifting.rkt" "recombination.rkt" "ring-change.rkt" "ring.rkt"
          "term-list.rkt")
 
@@ -44,12 +45,12 @@
 
 ;; -> variable and reversed?, for the simplest leading coefficient
 (define (best-view R p)
-  (define-values (cost x reversed?)
-    (for*/fold ([cost #f] [x #f] [reversed? #f])
-               ([i (in-list (poly-variables R p))] [r? (in-list '(#f #t))])
-      (define new (view-cost R (if r? (reversed R p i) p) i))
-      (if (or (not cost) (< new cost)) (values new i r?) (values cost x reversed?))))
-  (values x reversed?))
+  (define views
+    (for*/list ([x (in-list (poly-variables R p))] [reversed? (in-list '(#f #t))])
+      (cons x reversed?)))
+  (define best
+    (argmin (lambda (v) (view-cost R (if (cdr v) (reversed R p (car v)) p) (car v))) views))
+  (values (car best) (cdr best)))
 
 (define (view-cost R p i)
   (define l (poly-leading-coefficient-in R p i))

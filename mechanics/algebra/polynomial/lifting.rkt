@@ -24,13 +24,13 @@
 ;; too much work.  g₀, h₀ : dense polynomials modulo P
 (define (lift-factor R p x g₀ h₀ P)
   (define-values (u v) (dense-bezout g₀ h₀ P))
-  (define last (degree-outside R p x))
+  (define highest (degree-outside R p x))
   (let lift ([g (sparse R x g₀ (ring-one R) P)] [h (sparse R x h₀ (ring-one R) P)] [k 1])
-    (cond [(> k last) g]
+    (cond [(> k highest) g]
           [(> (* (length g) (length h)) product-limit) #f]
           [else
-           (define error (terms-of-degree R (poly- R p (poly* R g h)) x k))
-           (define-values (δg δh) (corrections R x error g₀ h₀ u v P))
+           (define missing (terms-of-degree R (poly- R p (poly* R g h)) x k))
+           (define-values (δg δh) (corrections R x missing g₀ h₀ u v P))
            (lift (poly+ R g δg) (poly+ R h δh) (+ k 1))])))
 
 ;; The greatest degree in all variables but x.
@@ -52,9 +52,9 @@
     (vector-set! v e (term-coefficient t)))
   table)
 
-(define (corrections R x error g₀ h₀ u v P)
+(define (corrections R x missing g₀ h₀ u v P)
   (define-values (gs hs)
-    (for/fold ([gs '()] [hs '()]) ([(m numbers) (in-hash error)])
+    (for/fold ([gs '()] [hs '()]) ([(m numbers) (in-hash missing)])
       (define c (dense numbers P))
       (define-values (k δg) (dense-divide (dense* v c P) g₀ P))
       (define-values (δh zero) (dense-divide (dense- c (dense* δg h₀ P) P) g₀ P))

@@ -10,7 +10,7 @@
 
 (provide
  ;; fields
- first-prime nth-prime next-prime residue symmetric-residue
+ nth-prime next-prime residue symmetric-residue
  mod* mod+ mod- mod-expt mod-inverse
  sample-residue
  ;; univariate polynomials

@@ -14,7 +14,7 @@
  ;; what arithmetic costs
  make-meter meter-left meter-charge! meter-allow! meter-allow-all! overspent?
  ;; making
- poly-constant poly-variable poly-monomial
+ poly-constant poly-variable
  ;; asking
  poly-zero? poly-constant? poly-constant-value poly=? poly-term-count
  poly-degree poly-total-degree poly-variables poly-leading-coefficient
@@ -22,7 +22,8 @@
  ;; arithmetic
  poly+ poly- poly-negate poly* poly-scale poly-expt poly-sum poly-divide
  ;; divisors
- poly-gcd* poly-content poly-primitive poly-monomial-content poly-parts
+ poly-gcd* poly-content poly-primitive poly-parts
+ common-monomial monomial-factors divide-by-monomial
  ;; powers, of polynomials or of the variables in a term
  make-power power-base power-exponent product-leading-coefficient
  ;; along one variable

@@ -26,10 +26,8 @@
  check-degree check-monomial check-power
  ;; monomials from exponents
  variable-unit variable-monomial variable-power
- exponents->monomial
  ;; exponents of monomials
- monomial-degree monomial-exponent monomial-exponents
- monomial-factors monomial-fold
+ monomial-degree monomial-exponent monomial-factors monomial-fold
  monomial-part monomial-gcd
  ;; tables keyed by monomials
  make-monomial-hash)
@@ -66,7 +64,7 @@
           (monomial+ guards (one-bit w (+ s bits -1))))
         meter))
 
-;; The same variables, and the same meter.
+;; A ring of the same variables, with the same meter, for another greatest degree.
 (define (wider-ring R max-degree) (make-ring (ring-size R) max-degree (ring-meter R)))
 
 ;; n terms are multiplied or looked at; those of many words are dearer.
@@ -121,25 +119,9 @@
 (define (variable-monomial R i exponent)
   (check-power R (variable-unit R i) exponent))
 
-;; The same for an exponent known to fit.
+;; The same monomial, unchecked: the exponent is known to fit.
 (define (variable-power R i exponent)
   (monomial-power (variable-unit R i) exponent))
-
-;; factors : powers of variables, each index once
-(define (factors->monomial R factors)
-  (for/fold ([m (ring-one R)]) ([f (in-list factors)])
-    (define power (variable-monomial R (power-base f) (power-exponent f)))
-    (check-monomial R (monomial+ m power))))
-
-;; exponents : a list or a vector, one a variable
-(define (exponents->monomial R exponents)
-  (factors->monomial R
-                     (for/list ([e (if (vector? exponents)
-                                       (in-vector exponents)
-                                       (in-list exponents))]
-                                [i (in-naturals)]
-                                #:unless (eqv? e 0))
-                       (make-power i e))))
 
 ;; ---------------------------------------------------------------------------
 ;; Exponents of monomials
@@ -184,11 +166,6 @@
   (define shift (ring-degree-shift R))
   (fx- word (fxlshift (fxrshift word shift) shift)))
 
-(define (monomial-exponents R m)
-  (define v (make-vector (ring-size R) 0))
-  (monomial-fold R m (lambda (i e _) (vector-set! v i e)) (void))
-  v)
-
 ;; A procedure from monomials to their parts in the given variables.
 (define (monomial-part R variables)
   (define field (ring-field R))
@@ -196,7 +173,9 @@
     (for/fold ([mask (ring-one R)]) ([i (in-list variables)])
       (define unit (variable-unit R i))
       (monomial-join mask (monomial-power (monomial- unit (degree-unit R)) field))))
-  (lambda (m) (factors->monomial R (monomial-factors R (monomial-mask mask m)))))
+  (lambda (m)
+    (for/fold ([part (ring-one R)]) ([f (in-list (monomial-factors R (monomial-mask mask m)))])
+      (monomial+ part (variable-power R (power-base f) (power-exponent f))))))
 
 ;; The total degree 1 alone, no variable.
 (define (degree-unit R)

@@ -17,6 +17,7 @@
 ;; primes make a wrong guess, so only what divides p and q is returned.
 
 (require racket/fixnum
+         (only-in racket/list argmin)
          "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "interpolation.rkt"
          "modular-terms.rkt" "modular.rkt" "monomial.rkt" "ring.rkt" "gcd-skeleton.rkt"
          "term-list.rkt")
@@ -62,10 +63,7 @@
   (define (cost x)
     (min (length (poly-leading-coefficient-in R p x))
          (length (poly-leading-coefficient-in R q x))))
-  (for/fold ([best (car variables)] [least (cost (car variables))] #:result best)
-            ([x (in-list (cdr variables))])
-    (define c (cost x))
-    (if (< c least) (values x c) (values best least))))
+  (argmin cost variables))
 
 ;; The gcd over the integers: numeric content included.
 (define (integer-gcd R p q gcd-of)

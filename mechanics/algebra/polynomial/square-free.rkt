@@ -6,7 +6,7 @@
 (provide poly-square-free)
 
 ;; Powers of factors: primitive, square-free, pairwise coprime, not constant; their
-;; product is p up to a rational factor.
+;; product is p up to a rational factor.  Several may have one exponent.
 (define (poly-square-free R p)
   (define variables (poly-variables R p))
   (cond [(null? variables) '()]
@@ -14,7 +14,7 @@
          (define x (car variables))
          (define content (poly-content-in R p x))
          (define primitive (poly-primitive-part R (poly-divide R p content)))
-         (merge-multiplicities R (append (yun R primitive x) (poly-square-free R content)))]))
+         (append (yun R primitive x) (poly-square-free R content))]))
 
 ;; p without factors free of x.  With p = ∏ fᵢ^i, p/gcd(p, p') is ∏ fᵢ; comparing
 ;; derivatives then frees f₁, f₂, ... in turn.
@@ -27,12 +27,3 @@
            (define f (poly-gcd R w z))
            (define rest (loop (poly-divide R w f) (poly-divide R z f) (+ i 1)))
            (if (poly-constant? f) rest (cons (make-power f i) rest))])))
-
-;; Factors of one multiplicity multiplied together.
-(define (merge-multiplicities R factors)
-  (for/fold ([merged '()]) ([f (in-list (sort factors > #:key power-exponent))])
-    (define last (and (pair? merged) (car merged)))
-    (if (and last (= (power-exponent f) (power-exponent last)))
-        (cons (make-power (poly* R (power-base f) (power-base last)) (power-exponent f))
-              (cdr merged))
-        (cons f merged))))

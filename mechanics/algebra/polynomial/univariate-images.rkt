@@ -82,10 +82,10 @@
 
 ;; No variable has a degree above the total one.
 (define (blank-images R p variables)
-  (define length (+ 1 (monomial-degree R (leading-monomial p))))
+  (define size (+ 1 (monomial-degree R (leading-monomial p))))
   (define images (make-vector (ring-size R) #f))
   (for ([i (in-list variables)])
-    (vector-set! images i (make-fxvector length 0)))
+    (vector-set! images i (make-fxvector size 0)))
   images)
 
 (define (add-at! image e value P)

@@ -22,7 +22,7 @@
   (set-meter-left! m left)
   (when (< left (meter-stop m)) (raise (overspent))))
 
-;; From now on at most n more.
+;; Allows charges of at most n from now on.
 (define (meter-allow! m n) (set-meter-stop! m (- (meter-left m) n)))
 
 (define (meter-allow-all! m) (set-meter-stop! m -inf.0))

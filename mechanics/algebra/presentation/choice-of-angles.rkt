@@ -10,14 +10,11 @@
 (require racket/list
          "contract.rkt" "sine-or-cosine.rkt" "waves.rkt"
          "../field/field.rkt"
-         "../kernel/kernel.rkt"
-         "../polynomial/polynomial.rkt")
+         "../kernel/kernel.rkt")
 
-(provide spell summands)
+(provide spell)
 
-;; A summand: (coefficient . ((kernel . exponent) ...)).
-
-;; -> summands whose sum equals p modulo the relations.
+;; -> summands (field.rkt) whose sum equals p modulo the relations.
 (define (spell F p)
   (define usual
     (contract-angles F (shortest-squares F p)
@@ -30,59 +27,25 @@
         [(null? circular) (spell-in-waves F p usual hyperbolic)]
         [else usual]))  ; groups that agree outside one kind may not be equal
 
-(define (occurring-circles F p sign)
-  (define variables (poly-variables (field-ring F) p))
-  (define (occurs? k) (memv (kernel-index k) variables))
-  (for*/list ([k (in-vector (field-kernels F))]
-              [o (in-value (kernel-relation k))]
-              #:when (and (circle? o) (eqv? sign (circle-sign o))
-                          (or (occurs? k) (occurs? (circle-cosine o)))))
-    o))
-
 ;; ---------------------------------------------------------------------------
 ;; Groups of summands that agree outside the circles
 
 (define (spell-in-waves F p spelled circles)
   (define outside (if (eqv? 1 (circle-sign (car circles))) not-circular not-hyperbolic))
-  (define groups (group-by-powers spelled outside))
+  ;; the same for summands that agree outside
+  (define (key s) (sort (filter outside (cdr s)) < #:key (lambda (p) (kernel-rank (car p)))))
+  (define groups (group-by key spelled))
   (cond [(andmap lone? groups) spelled]
         [else
-         (define written (make-hash))
-         (for ([g (in-list (group-by-powers (summands F p) outside))])
-           (hash-set! written (car g) (cdr g)))
+         (define written
+           (for/hash ([g (in-list (group-by key (summands F p)))]) (values (key (car g)) g)))
          (append*
           (for/list ([g (in-list groups)])
             (if (lone? g)
-                (cdr g)
-                (shorter-spelling F (cdr g) (hash-ref written (car g)) circles outside))))]))
+                g
+                (shorter-spelling F g (hash-ref written (key (car g))) circles))))]))
 
-(define (lone? group) (null? (cddr group)))
-
-;; The terms of p as they are.
-(define (summands F p)
-  (for/list ([t (in-list (poly-terms (field-ring F) p))])
-    (cons (poly-term-coefficient t)
-          (for/list ([f (in-list (poly-term-powers t))])
-            (make-power (vector-ref (field-kernels F) (power-base f)) (power-exponent f))))))
-
-;; -> ((key . summands) ...), in the order in which they come.
-(define (group-by-powers summands chosen?)
-  (define table (make-hash))
-  (define keys
-    (for/fold ([keys '()]) ([s (in-list summands)])
-      (define key (powers-key (filter chosen? (cdr s))))
-      (define known? (hash-has-key? table key))
-      (hash-update! table key (lambda (group) (cons s group)) '())
-      (if known? keys (cons key keys))))
-  (for/list ([key (in-list (reverse keys))])
-    (cons key (reverse (hash-ref table key)))))
-
-;; The same for equal products.
-(define (powers-key powers)
-  (define (pair p) (cons (kernel-rank (car p)) (cdr p)))
-  (cond [(null? powers) '()]
-        [(null? (cdr powers)) (list (pair (car powers)))]
-        [else (sort (map pair powers) < #:key car)]))
+(define (lone? group) (null? (cdr group)))
 
 (define (not-circular p) (not (circular-kernel? (car p))))
 (define (not-hyperbolic p) (not (hyperbolic-kernel? (car p))))
@@ -90,8 +53,8 @@
 ;; ---------------------------------------------------------------------------
 ;; One group
 
-;; usual : summands; written : those of the polynomial, equal to them.
-(define (shorter-spelling F usual written circles outside)
+;; usual, written : summands, those of the polynomial and others equal to them
+(define (shorter-spelling F usual written circles)
   (define active (filter (lambda (o) (varies? o written)) circles))
   (define circular? (eqv? 1 (circle-sign (car circles))))
   (define (size w) (wave-size w active))
@@ -142,8 +105,8 @@
 ;; Do the exponents of the circle's functions differ among the summands?
 (define (varies? o summands)
   (define (exponents s) (exponents-of s (list o)))
-  (define first (exponents (car summands)))
-  (for/or ([s (in-list (cdr summands))]) (not (equal? (exponents s) first))))
+  (define own (exponents (car summands)))
+  (for/or ([s (in-list (cdr summands))]) (not (equal? (exponents s) own))))
 
 ;; The powers that all summands share: those of no active circle.
 (define (unvarying written active)

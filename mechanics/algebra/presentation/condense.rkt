@@ -23,7 +23,7 @@
 ;; -> one term equal to the sum
 (define (sum->term F terms) (one-term F (condense F terms)))
 
-;; A lone term itself, several as a kernel of their own.
+;; One term equal to the sum: the only term there is, or a kernel that is the sum.
 (define (one-term F terms)
   (if (null? (cdr terms))
       (car terms)

@@ -15,11 +15,12 @@
 ;; a term and its partner are one subtraction and one lookup apart.
 
 (require racket/list
+         (only-in "term.rkt" pairs-in-order)
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/polynomial.rkt" "../polynomial/ring.rkt" "../polynomial/term-list.rkt")
 
-(provide contract-angles)
+(provide contract-angles occurring-circles)
 
 ;; A circle whose functions occur in keys: their fields start at these bits and
 ;; these integers add one to their exponents.
@@ -32,15 +33,13 @@
 ;; combine : circle circle sign -> (circle . ±1), the circle of the sum (sign 1)
 ;; or the difference of two angles, or of its opposite.
 ;; double? : circle -> is twice its angle welcome?
-;; -> ((coefficient . ((kernel . exponent) ...)) ...)
+;; -> summands (field.rkt)
 (define (contract-angles F p combine double?)
-  (define circles (occurring-circles F p))
+  (define circles (occurring-circles F p 1))
   (if (or (ormap double? circles)
           (and (pair? circles) (or (pair? (cdr circles)) (squared? F p (car circles)))))
       (contract F p circles combine double?)
-      (for/list ([t (in-list p)])
-        (cons (term-coefficient t)
-              (factors->powers F (monomial-factors (field-ring F) (term-monomial t)))))))
+      (summands F p)))
 
 (define (contract F p circles combine double?)
   (define width (+ 1 (integer-length (ring-max-degree (field-ring F)))))
@@ -57,13 +56,13 @@
   (or (> (poly-degree R p (kernel-index (circle-cosine o))) 1)
       (> (poly-degree R p (kernel-index (circle-sine o))) 1)))
 
-;; The circles whose sines or cosines occur in p.
-(define (occurring-circles F p)
+;; The circles of this sign whose sines or cosines occur in p.
+(define (occurring-circles F p sign)
   (define occurring (poly-variables (field-ring F) p))
   (define (occurs? k) (memv (kernel-index k) occurring))
   (for*/list ([k (in-vector (field-kernels F))]
               [o (in-value (kernel-relation k))]
-              #:when (and (circle? o) (eqv? 1 (circle-sign o))
+              #:when (and (circle? o) (eqv? sign (circle-sign o))
                           (or (occurs? k) (occurs? (circle-cosine o)))))
     o))
 
@@ -98,12 +97,8 @@
       (cons (+ (arithmetic-shift number shift) low) (term-coefficient t))))
   (define rests (make-vector (hash-count numbers)))
   (for ([(m number) (in-hash numbers)])
-    (vector-set! rests number (factors->powers F (monomial-factors R m))))
+    (vector-set! rests number (kernel-powers F (monomial-factors R m))))
   (values terms rests))
-
-(define (factors->powers F factors)
-  (for/list ([f (in-list factors)])
-    (make-power (vector-ref (field-kernels F) (power-base f)) (power-exponent f))))
 
 (define (decode F s rests width)
   (define turns (stage-turns s))
@@ -152,16 +147,12 @@
     (cons t (cons s c))))
 
 (define (find-pair key x factors table combine)
-  (for*/or ([rest (in-tails factors)] #:when (pair? rest)
-            [b (in-list (cdr rest))])
-    (define a (car rest))
+  (for/or ([pair (in-list (pairs-in-order factors))])
+    (define-values (a b) (apply values pair))
     (or (and (cosine? a) (cosine? b)
              (pair-of key x (car a) (car b) 'cosine table combine))
         (and (sine? a) (cosine? b)
              (pair-of key x (car a) (car b) 'sine table combine)))))
-
-(define (in-tails xs)
-  (let loop ([xs xs]) (if (null? xs) '() (cons xs (loop (cdr xs))))))
 
 (define (sine? f) (not (eqv? 0 (cadr f))))
 (define (cosine? f) (not (eqv? 0 (cddr f))))

@@ -11,7 +11,7 @@
          "../kernel/exponentials.rkt" "../kernel/kernel.rkt")
 
 (provide (struct-out form) form-expression
-         term-form sum-form product-form
+         term-form sum-form product-form product-expression
          power-size smaller-form? smaller-form shorter-form)
 
 ;; sign : ±1; build : ±1 -> expression, given the sign to show
@@ -49,39 +49,30 @@
   (define top (if down? (numerator (abs c)) (abs c)))
   (define bottom (if down? (denominator c) 1))
   (define (build sign)
-    (define n (upper-expression (present-number (* sign top) inexact?) above sums extra))
+    (define n
+      (product-expression (present-number (* sign top) inexact?)
+                          (append (insert-sums (map form-expression sums)
+                                               (powers->expressions above))
+                                  extra)))
     (if quotient?
-        (make-node op:/ (list n (lower-expression bottom below divisors)))
+        (make-node op:/ (list n (product-expression bottom
+                                                    (append (powers->expressions below)
+                                                            (map divisor-expression divisors)))))
         n))
-  (form (+ (upper-size top above sums extra)
-           (if quotient? (+ 1 (lower-size bottom below divisors)) 0)
+  (form (+ (product-size top (append (map power-size* above) (map form-size sums)
+                                     (map expression-size extra)))
+           (if quotient?
+               (+ 1 (product-size bottom (append (map power-size* below)
+                                                 (map divisor-size divisors))))
+               0)
            (if (negative? c) 1 0))
         (if (negative? c) -1 1)
         build))
 
-(define (upper-expression c powers sums extra)
-  (product-expression c (append (insert-sums (map form-expression sums)
-                                             (powers->expressions powers))
-                                extra)))
-
-(define (lower-expression c powers divisors)
-  (product-expression c (append (powers->expressions powers)
-                                (map divisor-expression divisors))))
-
-(define (upper-size c powers sums extra)
-  (factors-size c
-                (+ (powers-size powers) (sizes sums)
-                   (for/sum ([e (in-list extra)]) (expression-size e)))
-                (+ (length powers) (length sums) (length extra))))
-
-(define (lower-size c powers divisors)
-  (factors-size c
-                (+ (powers-size powers) (divisors-size divisors))
-                (+ (length powers) (length divisors))))
-
 (define (divisor-expression d)
   (expt-expression (form-expression (car d)) (cdr d)))
 
+;; The number c times the factors, the first of which may be numbers, too.
 (define (product-expression c factors)
   (cond [(null? factors) c]
         [(number? (car factors)) (product-expression (* c (car factors)) (cdr factors))]
@@ -128,7 +119,7 @@
 
 (define (symbol-power? e)
   (or (symbol? e)
-      (and (node? e) (eq? (node-head e) op:expt) (symbol? (car (node-args e))))))
+      (and (headed? e op:expt) (symbol? (car (node-args e))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Sums
@@ -169,22 +160,19 @@
 ;; ---------------------------------------------------------------------------
 ;; Sizes
 
-(define (sizes forms) (for/sum ([f (in-list forms)]) (form-size f)))
-
-(define (powers-size powers)
-  (for/sum ([p (in-list powers)]) (power-size (car p) (cdr p))))
+(define (power-size* p) (power-size (car p) (cdr p)))
 
 (define (power-size k n)
   (define r (kernel-relation k))
   (define unit? (eqv? 1 (if (and (root? r) (> n 1)) (/ n (root-degree r)) (abs n))))
   (+ (kernel-size k) (if unit? 0 2)))
 
-(define (divisors-size divisors)
-  (for/sum ([d (in-list divisors)])
-    (+ (form-size (car d)) (if (eqv? 1 (cdr d)) 0 2))))
+(define (divisor-size d) (+ (form-size (car d)) (if (eqv? 1 (cdr d)) 0 2)))
 
-;; A product of `count` factors of total size `size`, and the number c.
-(define (factors-size c size count)
-  (cond [(eqv? count 0) 1]
-        [(eqv? c 1) (+ size (if (eqv? count 1) 0 1))]
-        [else (+ size 2)]))
+;; The product of the number c and factors of these sizes.
+(define (product-size c sizes)
+  (define size (apply + sizes))
+  (cond [(null? sizes) 1]
+        [(not (eqv? c 1)) (+ size 2)]
+        [(null? (cdr sizes)) size]
+        [else (+ size 1)]))

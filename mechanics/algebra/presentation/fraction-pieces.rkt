@@ -11,7 +11,7 @@
 ;; which a reduced numerator cannot hold, come back.
 
 (require racket/list
-         "denominator.rkt" "sine-or-cosine.rkt"
+         "sine-or-cosine.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt" "../polynomial/ring.rkt"
@@ -49,7 +49,7 @@
   (define parts (map split pieces))
   (if (andmap whole? pieces parts) pieces (join F (append* parts))))
 
-;; Is this all one part, as it was?
+;; Did splitting leave the piece p as it was?
 (define (whole? p parts)
   (and (null? (cdr parts))
        (poly=? (piece-numerator p) (piece-numerator (car parts)))
@@ -57,6 +57,24 @@
 
 ;; ---------------------------------------------------------------------------
 ;; The denominator
+
+;; Finding the parts of longer factors would cost more than it is worth.
+(define parts-limit 100)
+
+;; -> number and powers of polynomials, their product being the denominator of f: the parts that
+;; depend on the value alone, unless the factors it came with have fewer terms; x² - 1, but the
+;; distances from two centres apart
+(define (denominator-factors F f)
+  (define R (field-ring F))
+  (define given (fraction-denominator-factors f))
+  (define parts
+    (if (<= (additions given) parts-limit) (fraction-denominator-parts R f) given))
+  (define factors (if (< (additions given) (additions parts)) given parts))
+  (values (/ (product-leading-coefficient given) (product-leading-coefficient factors))
+          factors))
+
+(define (additions factors)
+  (for/sum ([h (in-list factors)]) (- (poly-term-count (power-base h)) 1)))
 
 ;; Factors of a single term, sin²θ for 1 - cos²θ among them, become powers.
 (define (split-denominator F f)
@@ -74,7 +92,7 @@
          (for/fold ([powers (piece-powers p)])
                    ([v (in-list (monomial-factors R (term-monomial t)))])
            (add-power powers
-                      (vector-ref (field-kernels F) (power-base v))
+                      (field-kernel F (power-base v))
                       (- (* (power-exponent v) e))))
          (piece-factors p)))
 
@@ -89,7 +107,7 @@
         (for/or ([h (in-list (fraction-denominator-factors f))])
           (positive? (poly-degree R (power-base h) i)))))
   (for*/list ([r (in-list (field-relations F))]
-              [k (in-value (vector-ref (field-kernels F) (relation-index r)))]
+              [k (in-value (field-kernel F (relation-index r)))]
               #:when (and (root? (kernel-relation k)) (occurs? (relation-index r)))
               [p (in-value (fraction-numerator (relation-radicand r)))]
               #:unless (or (poly-zero? p) (single-term? p)))
@@ -178,16 +196,8 @@
 (define (groups F p h)
   (define R (field-ring F))
   (define own (poly-variables R h))
-  (define outside
-    (monomial-part R (remv* own (range (ring-size R)))))
-  (define table (make-monomial-hash R))
-  (define order
-    (for/fold ([order '()]) ([t (in-list p)])
-      (define m (outside (term-monomial t)))
-      (define group (hash-ref table m '()))
-      (hash-set! table m (cons t group))
-      (if (null? group) (cons m order) order)))
-  (for/list ([m (in-list (reverse order))]) (reverse (hash-ref table m))))
+  (define outside (monomial-part R (remv* own (range (ring-size R)))))
+  (group-by (lambda (t) (outside (term-monomial t))) p))
 
 ;; ---------------------------------------------------------------------------
 ;; Joining

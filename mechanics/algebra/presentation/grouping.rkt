@@ -22,25 +22,14 @@
 
 ;; Those become one term, a product with a sum in the symbols.
 (define (group-by-kernels terms sum->term better?)
-  (define table (make-hash))
-  (define keys
-    (for/fold ([keys '()]) ([t (in-list terms)])
-      (define key (kernel-part t))
-      (define known? (hash-has-key? table key))
-      (hash-update! table key (lambda (group) (cons t group)) '())
-      (if known? keys (cons key keys))))
-  (if (= (length keys) (length terms))
-      terms
-      (append*
-       (for/list ([key (in-list (reverse keys))])
-         (define group (reverse (hash-ref table key)))
-         (if (or (null? key) (null? (cdr group)))
-             group
-             (factored-if-better group sum->term better?))))))
+  (append*
+   (for/list ([group (in-list (group-by kernel-part terms))])
+     (if (or (null? (cdr group)) (null? (kernel-part (car group))))
+         group
+         (factored-if-better group sum->term better?)))))
 
 (define (kernel-part t)
-  (for/list ([p (in-list (term-powers t))] #:unless (symbol? (kernel-expression (car p))))
-    (cons (kernel-rank (car p)) (cdr p))))
+  (filter-not (lambda (p) (symbol? (kernel-expression (car p)))) (term-powers t)))
 
 ;; The sum, or one term with its content in front.
 (define (factored-if-better terms sum->term better?)
@@ -65,7 +54,7 @@
       terms
       (let regroup ([terms terms] [made '()] [tried '()])
         (let try ([pairs (heavy-pairs terms weight)] [tried tried])
-          (define factor (and (pair? pairs) (shared-factor (caar pairs) (cdar pairs))))
+          (define factor (and (pair? pairs) (apply shared-factor (car pairs))))
           (cond [(not factor) terms]
                 [(or (member-factor? factor tried)
                      (not (or (has-sum? factor) (unmade? (car pairs) made))))
@@ -86,29 +75,21 @@
 ;; The pairs of terms whose common factor is heavy enough, the heaviest first.
 (define (heavy-pairs terms weight)
   (define weighed
-    (for*/list ([rest (in-tails terms)]
-                [b (in-list (cdr rest))]
-                [w (in-value (shared-weight (car rest) b weight))]
+    (for*/list ([pair (in-list (pairs-in-order terms))]
+                [w (in-value (shared-weight (car pair) (cadr pair) weight))]
                 #:when (>= w least-weight))
-      (cons w (cons (car rest) b))))
+      (cons w pair)))
   (map cdr (sort weighed > #:key car)))
 
-(define (unmade? pair made) (not (or (memq (car pair) made) (memq (cdr pair) made))))
+(define (unmade? pair made) (not (ormap (lambda (t) (memq t made)) pair)))
 
 ;; The weight of what two terms have alike.  Of x² and x y nothing counts: the
 ;; square is worth more than the factor x.
 (define (shared-weight a b weight)
-  (let loop ([as (term-powers a)] [bs (term-powers b)]
-             [sum (if (eqv? 1 (shared-number a b)) 0 1)])
-    (cond [(or (null? as) (null? bs)) sum]
-          [else
-           (define i (kernel-place (caar as)))
-           (define j (kernel-place (caar bs)))
-           (cond [(< i j) (loop (cdr as) bs sum)]
-                 [(> i j) (loop as (cdr bs) sum)]
-                 [(eqv? (cdar as) (cdar bs))
-                  (loop (cdr as) (cdr bs) (+ sum (weight (caar as) (cdar as))))]
-                 [else (loop (cdr as) (cdr bs) sum)])])))
+  (define (same k m n) (if (eqv? m n) m 0))
+  (for/fold ([sum (if (eqv? 1 (shared-number a b)) 0 1)])
+            ([p (in-list (combine-powers same (term-powers a) (term-powers b)))])
+    (+ sum (weight (car p) (cdr p)))))
 
 (define (shared-factor a b)
   (term (shared-number a b) (common-powers (term-powers a) (term-powers b) #t)))
@@ -120,9 +101,6 @@
 
 (define (has-sum? t)
   (for/or ([p (in-list (term-powers t))]) (sum-kernel? (car p))))
-
-(define (in-tails xs)
-  (if (null? xs) '() (cons xs (in-tails (cdr xs)))))
 
 ;; The number of two terms that differ in sign at most, else 1.
 (define (shared-number a b)

@@ -58,21 +58,18 @@
        (<= (sum-over poly-term-count) term-bound)
        (<= (poly-term-count (fraction-numerator f)) term-bound)))
 
-(define (algebraic? F i)
-  (for/or ([r (in-list (field-relations F))]) (eqv? i (relation-index r))))
-
 ;; Those with relations, then the others, by rank.
 (define (variables-in-order F f)
   (define R (field-ring F))
-  (define (rank i) (kernel-rank (vector-ref (field-kernels F) i)))
+  (define (rank i) (kernel-rank (field-kernel F i)))
   (define occurring
     (remove-duplicates
      (append-map (lambda (p) (poly-variables R p))
                  (cons (fraction-numerator f)
                        (map power-base (fraction-denominator-factors f))))
      eqv?))
-  (define-values (first others) (partition (lambda (i) (algebraic? F i)) occurring))
-  (append (sort first < #:key rank) (sort others < #:key rank)))
+  (define-values (algebraic others) (partition (lambda (i) (relation-of F i)) occurring))
+  (append (sort algebraic < #:key rank) (sort others < #:key rank)))
 
 ;; ---------------------------------------------------------------------------
 ;; Parts

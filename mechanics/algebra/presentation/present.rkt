@@ -18,10 +18,12 @@
          "../kernel/exponentials.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 
-(provide present linear-terms)
+(provide present present-poly linear-terms)
 
 ;; Much may be multiplied out that was not before.
 (define (present F f) (with-room F f present-here))
+
+(define (present-poly F p) (present F (fraction-from-poly (field-ring F) p)))
 
 (define (present-here F f)
   (define p (fraction-numerator f))
@@ -71,8 +73,8 @@
   (for/list ([t (in-list (write F p))]) (make-term (car t) (cdr t))))
 
 (define (piece-terms F p [write spell])
-  (define powers (term-powers (make-term 1 (piece-powers p))))
-  (define terms (multiply-terms (poly->terms F (piece-numerator p) write) powers))
+  (define terms
+    (multiply-terms (poly->terms F (piece-numerator p) write) (collect-powers (piece-powers p))))
   (if (ormap has-exponential? terms)
       (map (lambda (t) (merged-exponentials F t)) terms)
       terms))

@@ -19,13 +19,10 @@
 ;; A polynomial equal to p modulo the relations, in which sines may be squared.
 (define (shortest-squares F p)
   (for/fold ([p p]) ([r (in-list (field-relations F))])
-    (define o (kernel-relation (vector-ref (field-kernels F) (relation-index r))))
-    (if (and (circle? o) (squared? F p (kernel-index (circle-cosine o))))
+    (define o (kernel-relation (field-kernel F (relation-index r))))
+    (if (and (circle? o) (>= (poly-degree (field-ring F) p (kernel-index (circle-cosine o))) 2))
         (choose F p o)
         p)))
-
-(define (squared? F p i)
-  (for/or ([t (in-list p)]) (>= (monomial-exponent (field-ring F) (term-monomial t) i) 2)))
 
 (define (choose F p o)
   (define R (field-ring F))

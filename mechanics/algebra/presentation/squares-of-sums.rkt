@@ -42,33 +42,28 @@
   (define members (multiply-terms (reverse (square-members s)) below))
   (make-term (term-coefficient content)
              (cons (cons (sum->kernel members) 2)
-                   (for/fold ([powers (term-powers content)]) ([p (in-list below)])
-                     (multiply-powers powers (list (cons (car p) (* -2 (cdr p)))))))))
+                   (divide-powers (divide-powers (term-powers content) below) below))))
 
 ;; What clears the members of denominators by kernels that are no symbols.
 (define (denominators members)
+  (define (clearing k m n) (if (symbol? (kernel-expression k)) 0 (max 0 m (- n))))
   (for/fold ([powers '()]) ([m (in-list members)])
-    (merge-powers (lambda (p q rest)
-                    (define e (max (if p (cdr p) 0) (if q (- (cdr q)) 0)))
-                    (if (and (positive? e) (not (symbol? (kernel-expression (car (or p q))))))
-                        (cons (cons (car (or p q)) e) rest)
-                        rest))
-                  powers (term-powers m))))
+    (combine-powers clearing powers (term-powers m))))
 
 (define (welcome? s squares)
   (or (alike? (square-members s))
       (for/and ([other (in-list squares)])
         (or (eq? other s)
-            (not (same-powers? (term-powers (square-content s))
-                               (term-powers (square-content other))))))))
+            (not (equal? (term-powers (square-content s))
+                         (term-powers (square-content other))))))))
 
 ;; Have all members the same number of symbols?
 (define (alike? members)
   (define (degree m)
     (for/sum ([p (in-list (term-powers m))])
       (if (symbol? (kernel-expression (car p))) (cdr p) 0)))
-  (define first (degree (car members)))
-  (andmap (lambda (m) (= (degree m) first)) (cdr members)))
+  (define own (degree (car members)))
+  (andmap (lambda (m) (= (degree m) own)) (cdr members)))
 
 ;; -> squares and the terms that are left
 (define (find-squares terms)
@@ -120,7 +115,7 @@
   (define new
     (and ratio
          (andmap (lambda (p) (even? (cdr p)))
-                 (multiply-powers (term-powers w) (invert-powers (term-powers content))))
+                 (divide-powers (term-powers w) (term-powers content)))
          (term ratio (root-of (term-powers w) (term-powers content)))))
   (define products
     (and new
@@ -141,7 +136,7 @@
 (define (find-product product terms used)
   (for/first ([t (in-list terms)]
               #:when (= (abs (term-coefficient t)) (abs (term-coefficient product)))
-              #:when (same-powers? (term-powers t) (term-powers product))
+              #:when (equal? (term-powers t) (term-powers product))
               #:unless (memq t used))
     (cons (if (= (term-coefficient t) (term-coefficient product)) 1 -1) t)))
 
@@ -153,31 +148,18 @@
 
 ;; √x if that is rational, else #f.
 (define (rational-root x)
-  (define (root n) (let ([r (integer-sqrt n)]) (and (= (* r r) n) r)))
   (and (positive? x)
-       (let ([n (root (numerator x))] [d (root (denominator x))])
-         (and n d (/ n d)))))
+       (let ([root (sqrt x)]) (and (exact? root) root))))
 
 ;; The root of the powers divided by what is shared.
 (define (root-of powers shared)
-  (for/list ([p (in-list (multiply-powers powers (invert-powers shared)))])
+  (for/list ([p (in-list (divide-powers powers shared))])
     (cons (car p) (quotient (cdr p) 2))))
-
-(define (same-powers? as bs)
-  (cond [(null? as) (null? bs)]
-        [(null? bs) #f]
-        [else (and (eq? (caar as) (caar bs))
-                   (eqv? (cdar as) (cdar bs))
-                   (same-powers? (cdr as) (cdr bs)))]))
 
 ;; The powers two products have in common, so that even ones are left.
 (define (shared-part as bs)
-  (define (entry p q rest)
-    (define m (if p (cdr p) 0))
-    (define n (if q (cdr q) 0))
-    (define e
-      (cond [(positive? (* m n)) (if (positive? m) (min m n) (max m n))]
-            [(even? m) 0]
-            [else (min m n)]))
-    (if (eqv? e 0) rest (cons (cons (car (or p q)) e) rest)))
-  (merge-powers entry as bs))
+  (define (shared k m n)
+    (cond [(positive? (* m n)) (nearer-to-zero m n)]
+          [(even? m) 0]
+          [else (min m n)]))
+  (combine-powers shared as bs))

@@ -10,9 +10,9 @@
          "../expression/exact-numbers.rkt" "../expression/order.rkt"
          "../kernel/exponentials.rkt" "../kernel/kernel.rkt")
 
-(provide (struct-out term) make-term term-sort
-         multiply-powers invert-powers scale-terms multiply-terms
-         extract-content common-powers nearer-to-zero merge-powers
+(provide (struct-out term) make-term term-sort pairs-in-order
+         collect-powers combine-powers multiply-powers divide-powers invert-powers
+         scale-terms multiply-terms extract-content common-powers nearer-to-zero
          exponential-power? has-exponential?
          positive-powers negative-powers by-rank)
 
@@ -20,9 +20,11 @@
 (struct term (coefficient powers) #:authentic)
 
 ;; powers in any order, a kernel perhaps more than once
-(define (make-term coefficient powers)
-  (term coefficient
-        (for/fold ([product '()]) ([p (in-list powers)]) (multiply-powers product (list p)))))
+(define (make-term coefficient powers) (term coefficient (collect-powers powers)))
+
+;; The same powers by ascending place, each kernel once.
+(define (collect-powers powers)
+  (for/fold ([product '()]) ([p (in-list powers)]) (multiply-powers product (list p))))
 
 ;; ---------------------------------------------------------------------------
 ;; Order
@@ -36,17 +38,14 @@
 ;; decide except by their product.
 (define (sort-by-exponents terms)
   (define compare (make-order))
-  (define keys
-    (for/list ([t (in-list terms)])
-      (define-values (exponential others) (combine-exponentials (term-powers t)))
-      (vector (filter-not exponential-power? (term-powers t))
-              (or exponential 0)
-              t)))
+  (define (key t)
+    (define-values (exponential others) (combine-exponentials (term-powers t)))
+    (cons (or exponential 0) (filter-not exponential-power? (term-powers t))))
   (define (before? a b)
-    (cond [(powers<? (vector-ref a 0) (vector-ref b 0)) #t]
-          [(powers<? (vector-ref b 0) (vector-ref a 0)) #f]
-          [else (< (compare (vector-ref b 1) (vector-ref a 1)) 0)]))
-  (map (lambda (key) (vector-ref key 2)) (sort keys before?)))
+    (cond [(powers<? (cdr a) (cdr b)) #t]
+          [(powers<? (cdr b) (cdr a)) #f]
+          [else (< (compare (car b) (car a)) 0)]))
+  (sort terms before? #:key key #:cache-keys? #t))
 
 (define (exponential-power? p) (exponential? (kernel-relation (car p))))
 (define (has-exponential? t) (ormap exponential-power? (term-powers t)))
@@ -62,37 +61,39 @@
                [(eqv? (cdar as) (cdar bs)) (powers<? (cdr as) (cdr bs))]
                [else (> (cdar as) (cdar bs))])]))
 
+;; All lists of two elements, the first of which stands before the second.
+(define (pairs-in-order xs)
+  (if (null? xs)
+      '()
+      (append (for/list ([x (in-list (cdr xs))]) (list (car xs) x))
+              (pairs-in-order (cdr xs)))))
+
 ;; Powers in the order of a product.
-(define (by-rank powers)
-  (if (or (null? powers) (null? (cdr powers)))
-      powers
-      (sort powers < #:key (lambda (p) (kernel-rank (car p))))))
+(define (by-rank powers) (sort powers < #:key (lambda (p) (kernel-rank (car p)))))
 
-(define (positive-powers powers)
-  (for/list ([p (in-list powers)] #:when (positive? (cdr p))) p))
-
-(define (negative-powers powers)
-  (for/list ([p (in-list powers)] #:when (negative? (cdr p)))
-    (cons (car p) (- (cdr p)))))
+(define (positive-powers powers) (filter (lambda (p) (positive? (cdr p))) powers))
+(define (negative-powers powers) (positive-powers (invert-powers powers)))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
 
-(define (multiply-powers as bs)
-  (cond [(null? as) bs]
-        [(null? bs) as]
-        [else
-         (define i (kernel-place (caar as)))
-         (define j (kernel-place (caar bs)))
-         (cond [(< i j) (cons (car as) (multiply-powers (cdr as) bs))]
-               [(> i j) (cons (car bs) (multiply-powers as (cdr bs)))]
-               [else
-                (define e (+ (cdar as) (cdar bs)))
-                (define rest (multiply-powers (cdr as) (cdr bs)))
-                (if (eqv? e 0) rest (cons (cons (caar as) e) rest))])]))
+;; exponent : kernel, its exponents in as and in bs, 0 where it has none -> that in the result
+(define (combine-powers exponent as bs)
+  (define (next k m n as bs)
+    (define e (exponent k m n))
+    (define rest (combine-powers exponent as bs))
+    (if (eqv? e 0) rest (cons (cons k e) rest)))
+  (cond [(and (null? as) (null? bs)) '()]
+        [(or (null? bs)
+             (and (pair? as) (< (kernel-place (caar as)) (kernel-place (caar bs)))))
+         (next (caar as) (cdar as) 0 (cdr as) bs)]
+        [(or (null? as) (> (kernel-place (caar as)) (kernel-place (caar bs))))
+         (next (caar bs) 0 (cdar bs) as (cdr bs))]
+        [else (next (caar as) (cdar as) (cdar bs) (cdr as) (cdr bs))]))
 
-(define (invert-powers powers)
-  (for/list ([p (in-list powers)]) (cons (car p) (- (cdr p)))))
+(define (multiply-powers as bs) (combine-powers (lambda (k m n) (+ m n)) as bs))
+(define (divide-powers as bs) (combine-powers (lambda (k m n) (- m n)) as bs))
+(define (invert-powers powers) (divide-powers '() powers))
 
 (define (scale-terms c terms)
   (if (eqv? c 1)
@@ -126,37 +127,14 @@
 ;; the one nearer to 0.  Exponentials are shared as a whole or not at all: which
 ;; of them are basic depends on those that occurred.
 (define (common-powers as bs shared?)
-  (define same? (same-exponentials? as bs))
-  (define (lesser p q rest)
-    (define m (if p (cdr p) 0))
-    (define n (if q (cdr q) 0))
-    (define e
-      (cond [(exponential-power? (or p q)) (if same? m 0)]
-            [shared? (nearer-to-zero m n)]
-            [else (min m n)]))
-    (if (eqv? e 0) rest (cons (cons (car (or p q)) e) rest)))
-  (merge-powers lesser as bs))
-
-(define (same-exponentials? as bs)
-  (define (exponentials powers)
-    (for/list ([p (in-list powers)] #:when (exponential-power? p))
-      (cons (kernel-place (car p)) (cdr p))))
-  (equal? (exponentials as) (exponentials bs)))
+  (define same? (equal? (filter exponential-power? as) (filter exponential-power? bs)))
+  (define (lesser k m n)
+    (cond [(exponential? (kernel-relation k)) (if same? m 0)]
+          [shared? (nearer-to-zero m n)]
+          [else (min m n)]))
+  (combine-powers lesser as bs))
 
 (define (nearer-to-zero m n)
   (cond [(and (positive? m) (positive? n)) (min m n)]
         [(and (negative? m) (negative? n)) (max m n)]
         [else 0]))
-
-;; entry : the powers of one kernel in as and in bs, #f where it has none, and the
-;; rest -> the rest with what the two make
-(define (merge-powers entry as bs)
-  (cond [(and (null? as) (null? bs)) '()]
-        [(null? bs) (entry (car as) #f (merge-powers entry (cdr as) bs))]
-        [(null? as) (entry #f (car bs) (merge-powers entry as (cdr bs)))]
-        [else
-         (define i (kernel-place (caar as)))
-         (define j (kernel-place (caar bs)))
-         (cond [(< i j) (entry (car as) #f (merge-powers entry (cdr as) bs))]
-               [(> i j) (entry #f (car bs) (merge-powers entry as (cdr bs)))]
-               [else (entry (car as) (car bs) (merge-powers entry (cdr as) (cdr bs)))])]))

@@ -37,6 +37,5 @@
     (cons (fraction* R c (fraction-from-poly R (poly-variable R i k))) terms)))
 
 (define (written F fractions)
-  (define forms
-    (for/list ([f (in-list fractions)]) (expression->form (quotient-expression F f))))
-  (if (null? forms) 0 (form-expression (sum-form forms))))
+  (form-expression
+   (sum-form (for/list ([f (in-list fractions)]) (expression->form (quotient-expression F f))))))

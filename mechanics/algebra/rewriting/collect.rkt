@@ -105,10 +105,9 @@
 ;; Writing
 
 (define (polynomial-expression F table variables)
-  (define forms
-    (for/list ([entry (in-list table)] #:unless (fraction-zero? (cdr entry)))
-      (term-form* F (cdr entry) (car entry) variables)))
-  (if (null? forms) 0 (form-expression (sum-form forms))))
+  (form-expression
+   (sum-form (for/list ([entry (in-list table)] #:unless (fraction-zero? (cdr entry)))
+               (term-form* F (cdr entry) (car entry) variables)))))
 
 ;; A coefficient times powers.  One that is a single term is written as part of
 ;; the term; one with a sum in it stands as it is presented by itself.
@@ -117,7 +116,7 @@
   (define e (present F coefficient))
   (define powers
     (for/list ([i (in-list variables)] [n (in-list exponents)] #:unless (eqv? n 0))
-      (cons (vector-ref (field-kernels F) i) n)))
+      (cons (field-kernel F i) n)))
   (define monomial
     (fraction-product R
       (for/list ([i (in-list variables)] [n (in-list exponents)])

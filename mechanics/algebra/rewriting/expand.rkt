@@ -31,14 +31,11 @@
   (define pieces (fraction->pieces F f))
   (define-values (whole others) (partition (lambda (p) (null? (piece-factors p))) pieces))
   (define terms (append-map (lambda (p) (piece-terms F p)) whole))
-  (define summands
-    (append (for/list ([t (in-list (in-order terms))]) (term-form t (inexact-field? F)))
-            (append-map (lambda (p) (quotient-forms F p)) others)))
-  (if (null? summands) (expression->form 0) (sum-form summands)))
+  (sum-form (append (for/list ([t (in-list (in-order terms))]) (term-form t (field-inexact? F)))
+                    (append-map (lambda (p) (quotient-forms F p)) others))))
 
 (define (piece-terms F p)
-  (multiply-terms (polynomial-terms F (piece-numerator p))
-                  (term-powers (make-term 1 (piece-powers p)))))
+  (multiply-terms (polynomial-terms F (piece-numerator p)) (collect-powers (piece-powers p))))
 
 ;; A positive constant comes first.
 (define (in-order terms)
@@ -54,7 +51,7 @@
     (for/list ([h (in-list (piece-factors p))])
       (cons (expanded-form F (fraction-from-poly (field-ring F) (car h))) (cdr h))))
   (for/list ([t (in-list (in-order (piece-terms F p)))])
-    (product-form (term-coefficient t) (term-powers t) '() divisors (inexact-field? F))))
+    (product-form (term-coefficient t) (term-powers t) '() divisors (field-inexact? F))))
 
 ;; ---------------------------------------------------------------------------
 ;; Veils

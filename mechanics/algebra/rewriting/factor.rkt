@@ -33,8 +33,7 @@
 
 (define (factored-form F f)
   (define p (fraction->piece F f))
-  (define start
-    (factors 1 (term-powers (make-term 1 (piece-powers p))) '()))
+  (define start (factors 1 (collect-powers (piece-powers p)) '()))
   (define all
     (for/fold ([product (multiply F start (piece-numerator p) 1)])
               ([h (in-list (piece-factors p))])
@@ -139,16 +138,13 @@
 (define (mixed? F p)
   (for/or ([t (in-list (terms-as-presented F p))]) (negative? (car t))))
 
-(define (terms-as-presented F p)
-  (linear-terms F (fraction-from-poly (field-ring F) p)))
-
 ;; ---------------------------------------------------------------------------
 ;; Writing
 
 (define (written F product)
   (define (show h)
     (expression->form
-     (let ([e (present F (fraction-from-poly (field-ring F) (car h)))])
+     (let ([e (present-poly F (car h))])
        (if (eqv? 1 (cdr h)) e (make-node op:expt (list e (cdr h)))))))
   (define-values (above below)
     (for/fold ([above '()] [below '()] #:result (values (reverse above) (reverse below)))

@@ -13,8 +13,8 @@
 ;;   factors count, is written in the kernels of all.
 
 (require "normalize.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/order.rkt"
-         "../expression/simplifier.rkt" "../expression/size.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/simplifier.rkt"
          "../field/bounds.rkt" "../field/field.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
@@ -35,8 +35,7 @@
 
 (define (least-expression es)
   (for/fold ([best (car es)]) ([e (in-list (cdr es))])
-    (define k (- (expression-size e) (expression-size best)))
-    (if (or (< k 0) (and (eqv? k 0) (expression<? e best))) e best)))
+    (if (shorter-expression? e best) e best)))
 
 ;; ---------------------------------------------------------------------------
 ;; Arguments
@@ -120,18 +119,16 @@
 ;; Has each argument by itself kernels that all together have, without roots that may
 ;; depend on each other?
 (define (comparable? atlas own)
-  (define known
-    (for/hash ([k (in-list (atlas-kernels atlas))]) (values (kernel-expression k) #t)))
+  (define known (kernel-expressions (atlas-kernels atlas)))
   (define tower (atlas-tower atlas))
   (and (or (null? tower) (null? (cdr tower)))
        (for*/and ([kernels (in-list own)] [k (in-vector kernels)])
          (hash-ref known (kernel-expression k) #f))))
 
-;; In the kernels of all, where these are not its own.
+;; The arguments; one whose value has kernels other than its own is written in those of all.
 (define (spell-by-parts F arguments fractions own)
   (for/list ([a (in-list arguments)] [f (in-list fractions)] [kernels (in-list own)])
-    (define known
-      (for/hash ([k (in-vector kernels)]) (values (kernel-expression k) #t)))
+    (define known (kernel-expressions kernels))
     (if (for/and ([k (in-list (fraction-kernels F f))])
           (hash-ref known (kernel-expression k) #f))
         a
@@ -142,7 +139,7 @@
   (define factors (map power-base (fraction-denominator-factors f)))
   (for*/list ([p (in-list (cons (fraction-numerator f) factors))]
               [i (in-list (poly-variables R p))])
-    (vector-ref (field-kernels F) i)))
+    (field-kernel F i)))
 
 (define (fraction->expression F f)
   (e:/ (poly->expression F (fraction-numerator f))
@@ -150,11 +147,10 @@
          (e:* product (e:expt (poly->expression F (power-base h)) (power-exponent h))))))
 
 (define (poly->expression F p)
-  (for/fold ([sum 0]) ([t (in-list (poly-terms (field-ring F) p))])
+  (for/fold ([sum 0]) ([s (in-list (summands F p))])
     (e:+ sum
-         (for/fold ([product (poly-term-coefficient t)]) ([power (in-list (poly-term-powers t))])
-           (define k (vector-ref (field-kernels F) (power-base power)))
-           (e:* product (e:expt (kernel-expression k) (power-exponent power)))))))
+         (for/fold ([product (car s)]) ([power (in-list (cdr s))])
+           (e:* product (e:expt (kernel-expression (power-base power)) (power-exponent power)))))))
 
 ;; The least of those that are equal, simplified by itself.
 (define (spell-by-wholes F arguments fractions s)

@@ -5,7 +5,7 @@
 ;; set: with x > 0, |x| - 1 becomes x - 1.  So relations that simplify to something
 ;; else in the new set are added in that form too.
 
-(require "question.rkt" "simplify-expression.rkt" "workspace.rkt"
+(require "question.rkt" "simplify-expression.rkt"
          "../assumption/assumption-set.rkt" "../assumption/emptiness.rkt"
          "../assumption/narrowing.rkt"
          "../assumption/relation.rkt")
@@ -30,8 +30,7 @@
          s)))
 
 (define (add A new)
-  (define w (make-workspace (with-automatic-assumptions no-assumptions #f) nothing-asked))
-  (if (null? new) A (add-relations A new w)))
+  (if (null? new) A (add-relations A new (neutral-workspace))))
 
 (define (simplified r A)
   (relation (relation-datum r)

@@ -27,11 +27,10 @@
 
 ;; The rational number whose square root the kernel of that index is, or #f.
 (define (squared-number F i)
-  (define r
-    (for/first ([r (in-list (field-relations F))] #:when (eqv? i (relation-index r))) r))
+  (define r (relation-of F i))
   (define u (and r (eqv? 2 (relation-degree r)) (relation-radicand r)))
   (and u
-       (root? (kernel-relation (vector-ref (field-kernels F) i)))
+       (root? (kernel-relation (field-kernel F i)))
        (fraction-polynomial? u)
        (poly-constant? (fraction-numerator u))
        (positive? (poly-constant-value (fraction-numerator u)))

@@ -9,35 +9,35 @@
          "../assumption/ledger.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/simplifier.rkt"
-         "../field/bounds.rkt" "../field/field.rkt" "../field/rationalize.rkt"
-         "../field/walk.rkt"
+         "../field/bounds.rkt" "../field/field-extension.rkt" "../field/field.rkt"
+         "../field/rationalize.rkt" "../field/walk.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt")
 
 (provide (struct-out normal) normalize readable-form roomy values-together poly-branch)
 
-;; stuck : the nodes that would have grown too large, in the order they were met
-(struct normal (field fraction stuck) #:authentic)
+;; unexpanded : the nodes that would have grown too large, in the order they were met
+(struct normal (field fraction unexpanded) #:authentic)
 
 ;; ---------------------------------------------------------------------------
 ;; Sums left unexpanded
 
-;; So many are, one after the other, before all of an expression is left.
-(define stuck-limit 8)
+;; After so many obstructions the whole expression is left as it is.
+(define blocked-limit 8)
 
-;; The normal form of e.  Sums at which the walk gets stuck are blocked, left as they
-;; are; after too many of them, or if there is no fuel left, e is.
-;; nodes : where it got stuck before, the last first
+;; The normal form of e.  Where the walk meets an obstruction, the sums there are blocked, that
+;; is, left as they are; after too many obstructions, or if no fuel is left, e itself is blocked.
+;; nodes : the obstructions met before, the last first
 (define (normalize e s [blocked '()] [nodes '()])
   (define result
-    (with-handlers ([stuck? values]) (normalize-around e s blocked nodes)))
+    (with-handlers ([obstruction? values]) (normalize-around e s blocked nodes)))
   (end-steps! (simplifier-fuel s))
   (cond [(normal? result) result]
-        [(or (fuel-empty? (simplifier-fuel s)) (>= (length nodes) stuck-limit))
+        [(or (fuel-empty? (simplifier-fuel s)) (>= (length nodes) blocked-limit))
          (normalize e s (list e) (list e))]
         [else
-         (define n (stuck-node result))
+         (define n (obstruction-node result))
          (normalize e s (append (sums-to-block n blocked) blocked) (cons n nodes))]))
 
 ;; The form itself or, if it has too many terms to be read, that of e with the
@@ -68,17 +68,17 @@
   (call-with-field (collect-kernels e s blocked) e
     (lambda (F)
       (define f (field-value F e))
-      (when (> (expanded-degree F f) degree-limit) (raise (stuck e)))
+      (when (> (expanded-degree F f) degree-limit) (raise (obstruction e)))
       (normal F f (reverse nodes)))))
 
-;; (proceed F) in the field of the atlas, with as much room as that needs; stuck at e
-;; if there is none.
+;; (proceed F) in the field of the atlas, with as much room as that needs; e is an obstruction if
+;; no ring has room.
 (define (call-with-field atlas e proceed)
   (spend-on-nodes! (simplifier-fuel (atlas-simplifier atlas))
                    (hash-count (atlas-resolutions atlas)))
   (define kernels (place-kernels! (atlas-kernels atlas)))
   (let retry ([degree 7])
-    (when (> degree degree-limit) (raise (stuck e)))
+    (when (> degree degree-limit) (raise (obstruction e)))
     (or (with-handlers ([exn:algebra:degree-overflow? (lambda (x) #f)])
           (proceed (make-field atlas kernels degree poly-branch)))
         (retry (+ 1 (* 2 degree))))))
@@ -92,15 +92,15 @@
 ;; -> a field and the values there of expressions whose kernels the atlas holds, or #f #f
 (define (values-together atlas es)
   (define found
-    (with-handlers ([stuck? values])
+    (with-handlers ([obstruction? values])
       (call-with-field atlas (car es)
         (lambda (F) (cons F (for/list ([e (in-list es)]) (field-value F e)))))))
   (end-steps! (simplifier-fuel (atlas-simplifier atlas)))
-  (if (stuck? found) (values #f #f) (values (car found) (cdr found))))
+  (if (obstruction? found) (values #f #f) (values (car found) (cdr found))))
 
 ;; The sign of a polynomial, known or taken for granted, or #f.
 (define (poly-branch F p)
-  (sign-or-assumed (field-simplifier F) (present F (fraction-from-poly (field-ring F) p))))
+  (sign-or-assumed (field-simplifier F) (present-poly F p)))
 
 ;; ---------------------------------------------------------------------------
 ;; Room for presentation
@@ -123,4 +123,4 @@
   (cond [(<= degree (ring-max-degree (field-ring F))) n]
         [else
          (define-values (W w) (wider-field F f degree))
-         (normal W w (normal-stuck n))]))
+         (normal W w (normal-unexpanded n))]))

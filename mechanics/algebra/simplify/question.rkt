@@ -8,9 +8,11 @@
          "../assumption/ledger.rkt" "../assumption/narrowing.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/symbols.rkt")
 
-(provide question-about nothing-asked)
+(provide question-about neutral-workspace)
 
-(define nothing-asked (question '() #f))
+;; For what is asked of no one question; it takes no sign for granted.
+(define (neutral-workspace)
+  (make-workspace (with-automatic-assumptions no-assumptions #f) (question '() #f)))
 
 ;; es : expressions, which are asked about under the assumptions A
 (define (question-about es A)
@@ -24,7 +26,7 @@
         [(and (null? (assumptions-relations A)) (monomials-apart? found))
          (assumptions-of-monomials found A)]
         [else
-         (define w (make-workspace (with-automatic-assumptions no-assumptions #f) nothing-asked))
+         (define w (neutral-workspace))
          (with-handlers ([exn:algebra:contradiction? (lambda (x) #f)])
            (add-relations A (for/list ([r (in-list found)]) (simplified r w)) w))]))
 

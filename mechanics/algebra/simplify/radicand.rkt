@@ -119,8 +119,6 @@
 ;; 1/√x is √(1/x) unless x is negative.
 (define (sign-below F p) (or (decided-sign (field-simplifier F) (present-poly F p)) 1))
 
-(define (present-poly F p) (present F (fraction-from-poly (field-ring F) p)))
-
 ;; Factors of unknown sign: -> an expression outside, roots ((inner . exponent) ...),
 ;; and parts ((polynomial . exponent) ...) to be left under the root with others.
 (define (careful-roots F factors q real?)
@@ -145,7 +143,7 @@
   (define powers (for/list ([p (in-list parts)]) (cons (car p) (* q (cdr p)))))
   (cons (present F (fraction-product (field-ring F) powers)) (/ 1 q)))
 
-;; The same, whatever the sign of the others.
+;; -> the factors that are roots or exponentials, as ((root . integer) ...), and the others
 (define (partition-roots F factors real?)
   (for/fold ([roots '()] [others '()] #:result (values (reverse roots) (reverse others)))
             ([g (in-list factors)])
@@ -165,7 +163,7 @@
   (define variables (poly-variables (field-ring F) p))
   (define r
     (and (null? (cdr p)) (pair? variables) (null? (cdr variables))
-         (kernel-relation (vector-ref (field-kernels F) (car variables)))))
+         (kernel-relation (field-kernel F (car variables)))))
   (and (or (exponential? r)
            (and (root? r) (not (eqv? (root-radicand r) -1))))
        r))

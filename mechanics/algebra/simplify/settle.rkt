@@ -36,13 +36,8 @@
 
 ;; Would e be simplified in this very field?
 (define (same-field? F e s)
-  (define known
-    (for/hash ([k (in-vector (field-kernels F))]) (values (kernel-expression k) #t)))
-  (define (known? e) (hash-ref known e #f))
   (define atlas (collect-kernels e s))
-  (define kernels (atlas-kernels atlas))
-  (and (= (length kernels) (hash-count known))
-       (for/and ([k (in-list kernels)]) (known? (kernel-expression k)))
+  (and (equal? (kernel-expressions (atlas-kernels atlas)) (kernel-expressions (field-kernels F)))
        (same-circles? (atlas-doubled atlas) (atlas-doubled (field-atlas F)))))
 
 (define (same-circles? as bs)
@@ -54,59 +49,43 @@
   (define known
     (for/hash ([k (in-vector (field-kernels F))] #:when (circle? (kernel-relation k)))
       (values (circle-expression (kernel-relation k)) #t)))
-  (define memo (make-memo))
-  (define (new? e)
-    (and (node? e) (memo e (lambda () (new-node? e)))))
-  (define (new-node? n)
-    (cond [(memq (node-head n) (list op:+ op:- op:* op:/ op:expt))
-           (ormap new? (node-args n))]
+  (define (new? n parts)
+    (cond [(memq (node-head n) (list op:+ op:- op:* op:/ op:expt)) (ormap values parts)]
           [(memq (node-head n) (list op:sin op:cos op:sinh op:cosh))
            (not (hash-ref known (car (node-args n)) #f))]
           [else #f]))
-  (and (positive? (hash-count known)) (new? e)))
+  (and (positive? (hash-count known)) (node-fold e (lambda (leaf) #f) new?)))
 
 ;; Does e show a root that is no kernel of F, as one of another degree or radicand?
 (define (new-roots? F e)
-  (define known
-    (for/hash ([k (in-vector (field-kernels F))] #:when (root? (kernel-relation k)))
-      (values (kernel-expression k) #t)))
-  (define memo (make-memo))
-  (define (new? e)
-    (and (node? e)
-         (memo e (lambda () (or (and (lone-root? e) (not (hash-ref known (root-of e) #f)))
-                                (ormap new? (node-args e)))))))
-  (and (pair? (atlas-tower (field-atlas F))) (new? e)))
+  (define known (kernel-expressions (field-kernels F)))
+  (define (new? n parts)
+    (define root (root-of n))
+    (or (and root (not (hash-ref known root #f))) (ormap values parts)))
+  (and (pair? (atlas-tower (field-atlas F))) (node-fold e (lambda (leaf) #f) new?)))
 
-(define (lone-root? n)
-  (or (eq? (node-head n) op:sqrt)
-      (and (eq? (node-head n) op:expt)
-           (rational? (cadr (node-args n)))
-           (not (integer? (cadr (node-args n)))))))
-
-;; The root that the node is a power of.
+;; The root that the node is a power of, or #f.
 (define (root-of n)
-  (define degree (if (eq? (node-head n) op:sqrt) 2 (denominator (cadr (node-args n)))))
   (define u (car (node-args n)))
-  (if (eqv? degree 2) (make-node op:sqrt (list u)) (make-node op:expt (list u (/ 1 degree)))))
+  (define k
+    (cond [(headed? n op:sqrt) 1/2]
+          [(headed? n op:expt) (cadr (node-args n))]
+          [else #f]))
+  (cond [(or (not (rational? k)) (integer? k)) #f]
+        [(eqv? 2 (denominator k)) (make-node op:sqrt (list u))]
+        [else (make-node op:expt (list u (/ 1 (denominator k))))]))
 
 ;; Is at most one flonum in e, as a factor of the whole?  A whole one is an integer when it is
 ;; read again, which has common factors with others.
 (define (flonum-in-front? e)
-  (define exact? (exactness))
-  (define (in-front? e)
-    (cond [(and (node? e) (eq? (node-head e) op:/))
-           (and (in-front? (car (node-args e))) (andmap exact? (cdr (node-args e))))]
-          [(and (node? e) (eq? (node-head e) op:*))
-           (and (factor? (car (node-args e))) (andmap exact? (cdr (node-args e))))]
-          [else (or (factor? e) (exact? e))]))
+  (define (first-in-front? in-front?)
+    (and (in-front? (car (node-args e))) (andmap exact-expression? (cdr (node-args e)))))
   (define (factor? e) (and (real? e) (not (and (flonum? e) (integer? e)))))
-  (in-front? e))
+  (cond [(headed? e op:/) (first-in-front? flonum-in-front?)]
+        [(headed? e op:*) (first-in-front? factor?)]
+        [else (or (factor? e) (exact-expression? e))]))
 
-;; -> expression -> is there no flonum in it?  Shared parts are looked at once.
-(define (exactness)
-  (define memo (make-memo))
-  (define (exact-expression? e)
-    (cond [(number? e) (exact? e)]
-          [(node? e) (memo e (lambda () (andmap exact-expression? (node-args e))))]
-          [else #t]))
-  exact-expression?)
+(define (exact-expression? e)
+  (node-fold e
+             (lambda (leaf) (or (symbol? leaf) (exact? leaf)))
+             (lambda (n exact?s) (andmap values exact?s))))

@@ -2,8 +2,9 @@
 ;; Simplification: to a canonical value, and from it to a readable expression,
 ;; under assumptions about signs.
 
-(require "question.rkt" "workspace.rkt"
+(require (only-in "normalize.rkt" normal-field normal-fraction) "question.rkt" "workspace.rkt"
          "../assumption/assumption-set.rkt"
+         (only-in "../assumption/ledger.rkt" simplifier-grounds simplifier-revision)
          "../expression/expression.rkt"
          "../field/bounds.rkt")
 
@@ -12,15 +13,16 @@
 
 ;; The work begins anew as long as there are revisions; each decides more signs.
 ;; e : what is asked about
+;; fuel : for all the work together, or #f: then each time anew
 ;; -> what it results in, and what that rests on, as datums such as (>= R 0):
 ;; relations of A, and what was taken for granted
-(define (work-under A e work [make-fuel make-fuel])
-  (define w (make-workspace A (question-about (list e) A) (make-fuel)))
+(define (work-under A e work [fuel #f])
+  (define w (make-workspace A (question-about (list e) A) (or fuel (make-fuel))))
   (define result (work w))
-  (define revised (workspace-revision w))
+  (define revised (simplifier-revision w))
   (if revised
-      (work-under revised e work make-fuel)
-      (values result (workspace-assumptions w))))
+      (work-under revised e work fuel)
+      (values result (simplifier-grounds w))))
 
 (define (simplify-expression e [A no-assumptions])
   (define-values (simple grounds) (simplify-expression/assumptions e A))
@@ -42,11 +44,9 @@
 (define (normal-form e [A no-assumptions] [fuel (make-fuel)])
   (define-values (result grounds)
     (work-under A e
-                (lambda (w)
-                  (define-values (F f) (workspace-normal w e))
-                  (list F f))
-                (lambda () fuel)))
-  (values (car result) (cadr result) grounds))
+                (lambda (w) (workspace-normal w e))
+                fuel))
+  (values (normal-field result) (normal-fraction result) grounds))
 
 ;; -> the same, and the simplified expression.  The last value holds what is to be
 ;; known of it as well.
@@ -54,7 +54,7 @@
   (define-values (result grounds)
     (work-under A e
                 (lambda (w)
-                  (define-values (F f) (workspace-normal w e))
-                  (list F f (if (node? e) (workspace-simplify w e) e) (workspace-left w)))))
-  (define-values (F f simple left) (apply values result))
-  (values F f simple (append grounds left)))
+                  (define n (workspace-normal w e))
+                  (list n (if (node? e) (workspace-simplify w e) e) (workspace-left w)))))
+  (define-values (n simple left) (apply values result))
+  (values (normal-field n) (normal-fraction n) simple (append grounds left)))

@@ -6,15 +6,14 @@
 
 (require racket/list
          "argument-alignment.rkt" "normalize.rkt" "radicand.rkt" "settle.rkt"
-         (only-in "../assumption/assumption-set.rkt" plainly-real?) "../assumption/ledger.rkt"
+         (only-in "../assumption/assumption-set.rkt" plainly-real?)
+         (only-in "../assumption/ledger.rkt" make-ledger)
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/simplifier.rkt" "../expression/size.rkt"
          "../field/bounds.rkt" "../field/field.rkt"
-         "../kernel/find-kernels.rkt"
          "../presentation/linear-parts.rkt" "../presentation/present.rkt")
 
-(provide make-workspace workspace-assumptions workspace-revision workspace-left
-         workspace-simplify workspace-normal workspace-atlas)
+(provide make-workspace workspace-left workspace-simplify workspace-normal)
 
 ;; normals : expression -> normal form; simples : expression -> simplified
 ;; term-lists : expression -> terms; part-lists : expression -> linear parts.  These
@@ -36,10 +35,7 @@
 
 (define (normal-of w e)
   (define n (if (node? e) e (make-node op:+ (list e))))
-  (or (hash-ref (workspace-normals w) n #f)
-      (let ([form (normalize (aligned w n) w)])
-        (hash-set! (workspace-normals w) n form)
-        form)))
+  (hash-ref! (workspace-normals w) n (lambda () (normalize (aligned w n) w))))
 
 (define (aligned w n)
   (align n w (workspace-involved? w)
@@ -53,13 +49,8 @@
   (define n (roomy (nested-normal w e)))
   (proceed (normal-field n) (normal-fraction n)))
 
-;; -> field and fraction
-(define (workspace-normal w e)
-  (define n (roomy (normal-of w e)))
-  (values (normal-field n) (normal-fraction n)))
-
-;; The kernels of e, without evaluating it.
-(define (workspace-atlas w e) (collect-kernels e w))
+;; The normal form of e, with room to present it.
+(define (workspace-normal w e) (roomy (normal-of w e)))
 
 ;; ---------------------------------------------------------------------------
 ;; Simplified expressions
@@ -79,7 +70,7 @@
   (define simples (workspace-simples w))
   (hash-set! simples e simple)
   (when (node? simple)
-    (leave! w (normal-stuck form))
+    (leave! w (normal-unexpanded form))
     (hash-set! simples simple simple)
     (hash-set! (workspace-normals w) simple (normal-of w e)))
   simple)
@@ -96,22 +87,21 @@
   (and (node? e)
        (literal-head? (node-head e))
        (for/and ([a (in-list (node-args e))])
-         (or (settled-symbol? a) (and (number? a) (exact? a))))))
+         (if (number? a) (exact? a) (settled-symbol? a)))))
 
 (define (settled-symbol? e) (and (symbol? e) (not (pi-alias? e))))
 
 ;; ---------------------------------------------------------------------------
 ;; Terms and factors
 
-(define (terms w e)
-  (if (or (settled-symbol? e) (simple-application? e))
-      (list (cons 1 e))
-      (hash-ref! (workspace-term-lists w) e (lambda () (with-normal w e linear-terms)))))
+(define (terms w e) (combination w e workspace-term-lists linear-terms))
+(define (parts w e) (combination w e workspace-part-lists linear-parts))
 
-(define (parts w e)
+;; e as ((number . expression) ...), which the table keeps
+(define (combination w e table terms-of)
   (if (or (settled-symbol? e) (simple-application? e))
       (list (cons 1 e))
-      (hash-ref! (workspace-part-lists w) e (lambda () (with-normal w e linear-parts)))))
+      (hash-ref! (table w) e (lambda () (with-normal w e terms-of)))))
 
 (define (factors w e) (with-normal w e fraction-factors))
 
@@ -123,37 +113,28 @@
 (define workspace-methods (methods simplify terms parts factors irreducible-factors root-parts))
 
 ;; ---------------------------------------------------------------------------
-;; What the work rests on; what was left unexpanded
-
-;; What the work so far rests on, as datums such as (>= R 0).
-(define (workspace-assumptions w) (simplifier-grounds w))
-
-;; Assumptions with which to begin anew, or #f (see assumption/ledger.rkt).
-(define (workspace-revision w) (simplifier-revision w))
+;; What was left unexpanded
 
 (define (leave! w nodes)
   (set-workspace-left-unexpanded! w (append (reverse nodes) (workspace-left-unexpanded w))))
 
-;; What would have grown too large, as datums (left-unexpanded e): the innermost
-;; such operations, of which a few are told.
+;; Datums (left-unexpanded e) for the innermost operations that would have grown too large, a few
+;; of them.
 (define (workspace-left w)
   (define all (reverse (workspace-left-unexpanded w)))
   (define others (make-hasheq))
   (for ([e (in-list all)]) (hash-set! others e #t))
   (define innermost
     (filter-not (lambda (e) (contains-any? e others)) (remove-duplicates all)))
-  (for/list ([e (in-list innermost)] [_ (in-range told-limit)])
+  (for/list ([e (in-list innermost)] [_ (in-range shown-limit)])
     (list 'left-unexpanded (expression->datum e))))
 
-(define told-limit 3)
+(define shown-limit 3)
 
 ;; Is one of these nodes below e?
 (define (contains-any? e nodes)
-  (define seen (make-hasheq))
-  (define (below? e)
-    (for/or ([a (in-list (node-args e))])
-      (and (node? a)
-           (not (hash-ref seen a #f))
-           (begin (hash-set! seen a #t)
-                  (or (hash-ref nodes a #f) (below? a))))))
-  (below? e))
+  (node-fold e
+             (lambda (leaf) #f)
+             (lambda (n found)
+               (or (ormap values found)
+                   (and (not (eq? n e)) (hash-ref nodes n #f))))))

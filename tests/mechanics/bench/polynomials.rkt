@@ -16,7 +16,8 @@
   (for ([_ (in-range degree)])
     (define i (random n))
     (vector-set! v i (+ 1 (vector-ref v i))))
-  (poly-monomial R (+ 1 (random 20)) v))
+  (for/fold ([p (poly-constant R (+ 1 (random 20)))]) ([e (in-vector v)] [i (in-naturals)])
+    (poly* R p (poly-variable R i e))))
 
 ;; About `terms` terms of degree up to `degree` in the first n variables.
 (define (random-polynomial R terms degree [n (ring-size R)])

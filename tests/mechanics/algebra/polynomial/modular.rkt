@@ -13,7 +13,7 @@
          "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
-(define P first-prime)
+(define P (nth-prime 0))
 
 ;; ---------------------------------------------------------------------------
 ;; Fields

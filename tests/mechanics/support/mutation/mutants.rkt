@@ -10,13 +10,13 @@
 
 (define-mutants mutants
   ;; relations between kernels
-  ["sin² + cos² = 2" "field/field.rkt"
+  ["sin² + cos² = 2" "field/field-extension.rkt"
    "(if (eqv? (circle-sign o) 1) (poly- R one cosine²) (poly- R cosine² one))"
    "(if (eqv? (circle-sign o) 1) (poly- R (poly-constant R 2) cosine²) (poly- R cosine² one))"]
-  ["cosh² + sinh² = 1" "field/field.rkt"
+  ["cosh² + sinh² = 1" "field/field-extension.rkt"
    "(if (eqv? (circle-sign o) 1) (poly- R one cosine²) (poly- R cosine² one))"
    "(poly- R one cosine²)"]
-  ["the relation of an absolute value is |u|² = u" "field/field.rkt"
+  ["the relation of an absolute value is |u|² = u" "field/field-extension.rkt"
    "(reduce-fraction F (fraction-expt (field-ring F) u 2))"
    "(reduce-fraction F u)"]
   ["what is left of a reduced power is all of it" "field/field.rkt"
@@ -27,17 +27,17 @@
    "(relation-radicand r)"]
   ;; angles
   ["cos(a + b) = cos a cos b + sin a sin b" "field/walk.rkt"
-   "(constant A sign) (product A (cdr t) (cdr u))"
-   "(constant A (- sign)) (product A (cdr t) (cdr u))"]
+   "(constant F sign) (product (cdr t) (cdr u))"
+   "(constant F (- sign)) (product (cdr t) (cdr u))"]
   ["sin(a + b) = sin a cos b + sin a sin b" "field/walk.rkt"
-   "(sum A (product A (cdr t) (car u)) (product A (car t) (cdr u)))"
-   "(sum A (product A (cdr t) (car u)) (product A (cdr t) (cdr u)))"]
+   "(field-sum F (product (cdr t) (car u)) (product (car t) (cdr u)))"
+   "(field-sum F (product (cdr t) (car u)) (product (cdr t) (cdr u)))"]
   ["sin(-a) = sin a" "field/walk.rkt"
-   "(if (negative? n) (product A (constant A -1) sine) sine)"
+   "(if (negative? n) (field-product F (constant F -1) sine) sine)"
    "sine"]
   ["tan = cos / sin" "field/walk.rkt"
-   "[else (quotient-of (walk-arithmetic w) (cdr t) (car t))]"
-   "[else (quotient-of (walk-arithmetic w) (car t) (cdr t))]"]
+   "[else (field-quotient (walk-field w) (cdr t) (car t))]"
+   "[else (field-quotient (walk-field w) (car t) (cdr t))]"]
   ["cos(asin u) = 1 - u²" "kernel/angles.rkt"
    "(values u (root (e:- 1 (square u))))"
    "(values u (e:- 1 (square u)))"]

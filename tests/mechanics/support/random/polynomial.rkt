@@ -1,9 +1,14 @@
 #lang racket/base
-;; Random polynomials.
+;; Polynomials by their exponents, and random ones.
 
 (require mechanics/algebra/polynomial/polynomial)
 
-(provide random-polynomial random-polynomials random-coefficient random-point)
+(provide poly-monomial random-polynomial random-polynomials random-coefficient random-point)
+
+;; exponents : a list or a vector, one a variable
+(define (poly-monomial R coefficient exponents)
+  (for/fold ([p (poly-constant R coefficient)]) ([e exponents] [i (in-naturals)])
+    (poly* R p (poly-variable R i e))))
 
 ;; Up to `terms` terms of total degree up to `degree`, in a random choice of
 ;; variables, with coefficients from `coefficient`.
