@@ -43,19 +43,19 @@
   (check-radius x)
   (when (> (middle-magnitude x) exp-bits) (raise unknown))
   (define w (+ p 16))
-  (define-values (y error k) (exp-and-exponent (fixed x (+ w spare)) w))
+  (define-values (y bound k) (exp-and-exponent (fixed x (+ w spare)) w))
   ;; e^(x + ρ) - e^x <= 2 ρ e^x for ρ <= 1
-  (define spread (shift-up (* (+ y error) (ball-radius x)) (+ 1 (ball-scale x))))
-  (make-ball y (+ error spread) (- k w) p))
+  (define spread (shift-up (* (+ y bound) (ball-radius x)) (+ 1 (ball-scale x))))
+  (make-ball y (+ bound spread) (- k w) p))
 
 ;; X : in units of 2^-(w + spare), within one unit
-;; -> y error k, where the exponential is y 2^k, y in units of 2^-w
+;; -> y bound k, where the exponential is y 2^k, y in units of 2^-w
 (define (exp-and-exponent X w)
   (define log2 (log2-fixed (+ w spare)))
   (define k (whole-quotient X log2))
   (define r (arithmetic-shift (- X (* k log2)) (- spare)))
-  (define-values (y error) (exp-fixed r w))
-  (values y (+ error 5) k))
+  (define-values (y bound) (exp-fixed r w))
+  (values y (+ bound 5) k))
 
 ;; log (m 2^e) = k log 2 + log f, where f = m 2^(e - k) is between 1/2 and 2.
 (define (ball-log x p)
@@ -68,18 +68,18 @@
   (define k (- (ball-scale x) f-scale))
   (define near-one (- (+ (integer-length (- m (arithmetic-shift 1 (- f-scale)))) f-scale)))
   (define w (+ p 16 (if (eqv? k 0) (max 0 (min near-one (* 4 p))) 0)))
-  (define-values (y error) (log-of-fraction m f-scale w))
+  (define-values (y bound) (log-of-fraction m f-scale w))
   (define long (+ w (integer-length k)))
   (define multiple (arithmetic-shift (* k (log2-fixed long)) (- w long)))
   ;; log (x + ρ) - log x <= ρ/(x - ρ)
   (define spread
     (+ 1 (quotient (arithmetic-shift (ball-radius x) w) (ball-lower x))))
-  (make-ball (+ y multiple) (+ error spread (if (eqv? k 0) 0 4)) (- w) p))
+  (make-ball (+ y multiple) (+ bound spread (if (eqv? k 0) 0 4)) (- w) p))
 
-;; log (m 2^e), between 1/2 and 2, in units of 2^-w, with its error
+;; log (m 2^e), between 1/2 and 2, in units of 2^-w, with a bound of its error
 (define (log-of-fraction m e w)
   (define y (rounded-flonum (log (exact->inexact (* m (expt 2 e))))))
-  (define-values (g error k)
+  (define-values (g bound k)
     (if (eqv? y 0)
         (values (arithmetic-shift 1 w) 0 0)
         (exp-and-exponent (fixed (ball (- y) 0 (- flonum-bits)) (+ w spare)) w)))
@@ -90,7 +90,7 @@
   (define-values (series series-error)
     (atanh-fixed (quotient (arithmetic-shift d w) (+ one z)) w))
   (values (+ (arithmetic-shift y (- w flonum-bits)) (* 2 series))
-          (+ (* 2 series-error) 6 (* 4 (+ 1 error)))))
+          (+ (* 2 series-error) 6 (* 4 (+ 1 bound)))))
 
 ;; A flonum of moderate size in units of 2^-flonum-bits.
 (define flonum-bits 50)
@@ -113,24 +113,24 @@
   (when (> bits angle-bits) (raise unknown))
   (define w (+ precise 16))
   (define long (+ w bits 4))
-  (define-values (y error) (sine (fixed x long) n long w))
-  (make-ball y (+ error (fixed-radius x w)) (- w) p))
+  (define-values (y bound) (sine (fixed x long) n long w))
+  (make-ball y (+ bound (fixed-radius x w)) (- w) p))
 
-;; sin (x + n π/2) in units of 2^-w, with its error; X : x in smaller units of 2^-long, so that
-;; the error of k π is less than one unit.
+;; sin (x + n π/2) in units of 2^-w, with a bound of its error; X : x in smaller units of
+;; 2^-long, so that the error of k π is less than one unit.
 (define (sine X n long w)
   (define pi (pi-fixed long))
   (define k (whole-quotient (+ (* 4 X) pi) (* 2 pi)))
   (define r (arithmetic-shift (- (* 2 X) (* k pi)) (- w long 1)))
-  (define-values (y error) (quarter-turned r (+ k n) w))
-  (values y (+ error 3)))
+  (define-values (y bound) (quarter-turned r (+ k n) w))
+  (values y (+ bound 3)))
 
 (define (whole-quotient a b) (quotient (- a (modulo a b)) b))
 
 ;; sin (r + k π/2)
 (define (quarter-turned r k w)
-  (define-values (y error) (if (even? k) (sin-fixed r w) (cos-fixed r w)))
-  (values (if (bitwise-bit-set? k 1) (- y) y) error))
+  (define-values (y bound) (if (even? k) (sin-fixed r w) (cos-fixed r w)))
+  (values (if (bitwise-bit-set? k 1) (- y) y) bound))
 
 ;; ---------------------------------------------------------------------------
 ;; The angle of the point (x, y)
@@ -149,15 +149,15 @@
   (unless (and (positive? room) (away-from-cut? y x)) (raise unknown))
   (define small (if (positive? X) (- (integer-length X) (integer-length Y)) 0))
   (define w (+ p 16 (max 0 (min small (* 4 p)))))
-  (define-values (angle error) (angle-of-point Y X w))
+  (define-values (angle bound) (angle-of-point Y X w))
   (define spread (if (eqv? r 0) 0 (+ 1 (quotient (arithmetic-shift r w) room))))
-  (make-ball angle (+ error spread) (- w) p))
+  (make-ball angle (+ bound spread) (- w) p))
 
 ;; On the cut itself the angle is π; balls of radius 0 may be there.
 (define (away-from-cut? y x)
   (or (ball-positive? x) (ball-positive? y) (ball-negative? y) (eqv? 0 (ball-radius y))))
 
-;; In units of 2^-w, with its error.
+;; The angle in units of 2^-w, with a bound of its error.
 (define (angle-of-point Y X w)
   (define n (max (integer-length X) (integer-length Y)))
   (define x (arithmetic-shift X (- w n)))             ; the greater is between 1/2 and 1
@@ -169,13 +169,13 @@
   (define-values (s s-error) (sine turn 0 long w))
   (define across (- (arithmetic-shift (* y c) (- w)) (arithmetic-shift (* x s) (- w))))
   (define along (+ (arithmetic-shift (* x c) (- w)) (arithmetic-shift (* y s) (- w))))
-  (define error (+ c-error s-error 6))                ; of across, and of along
+  (define bound (+ c-error s-error 6))                ; of across, and of along
   (unless (and (> along (arithmetic-shift 1 (- w 2)))
                (< (abs across) (arithmetic-shift along -8)))
     (raise unknown))
   (define-values (rest rest-error) (atan-fixed (quotient (arithmetic-shift across w) along) w))
   (values (+ (arithmetic-shift theta (- w flonum-bits)) rest)
-          (+ rest-error 2 (* 8 error))))
+          (+ rest-error 2 (* 8 bound))))
 
 (define (flonum-angle Y X n)
   (define (leading k) (exact->inexact (arithmetic-shift k (- 60 n))))

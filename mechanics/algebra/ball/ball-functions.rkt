@@ -12,8 +12,10 @@
 
 (define one (ball 1 0 0))
 
-(define (half b) (ball (ball-middle b) (ball-radius b) (- (ball-scale b) 1)))
-(define (twice b) (ball (ball-middle b) (ball-radius b) (+ (ball-scale b) 1)))
+;; b 2^k
+(define (shifted b k) (ball (ball-middle b) (ball-radius b) (+ (ball-scale b) k)))
+(define (half b) (shifted b -1))
+(define (twice b) (shifted b 1))
 
 ;; ---------------------------------------------------------------------------
 ;; Angles

@@ -5,7 +5,7 @@
 (require "ball-value.rkt"
          "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/pi.rkt")
 
-(provide tape-value)
+(provide tape-value evaluate-tape)
 
 ;; lookup : leaf values-of-its-arguments -> exact rational; of a tuple, the value is a list of
 ;; its name and its components' values
@@ -13,19 +13,20 @@
 ;; -> a value, 'no-value where some item has none, or 'unknown
 (define (tape-value t lookup p)
   (with-handlers ([symbol? values])
-    (define items (tape-items t))
-    (define so-far (make-vector (vector-length items) #f))
     (define met (make-hasheq))
-    (for/last ([head (in-vector (tape-heads t))] [ks (in-vector (tape-operands t))]
-               [k (in-naturals)])
-      (define v (item-value (vector-ref items k) head (values-of ks so-far) lookup p met))
-      (vector-set! so-far k v)
-      v)))
+    (evaluate-tape t (lambda (e head arguments) (item-value e head arguments lookup p met)))))
 
-(define (values-of ks so-far)
-  (if (null? ks)
-      '()
-      (cons (vector-ref so-far (car ks)) (values-of (cdr ks) so-far))))
+;; value-of : item, its head and the values of its operands -> its value
+;; -> the value of the last item
+(define (evaluate-tape t value-of)
+  (define known (make-vector (tape-length t) #f))
+  (define (values-at ks)
+    (if (null? ks) '() (cons (vector-ref known (car ks)) (values-at (cdr ks)))))
+  (for/last ([e (in-vector (tape-items t))] [head (in-vector (tape-heads t))]
+             [ks (in-vector (tape-operands t))] [k (in-naturals)])
+    (define v (value-of e head (values-at ks)))
+    (vector-set! known k v)
+    v))
 
 (define (item-value e head arguments lookup p met)
   (cond [(operation? head) (apply-operation head arguments p met)]

@@ -6,6 +6,7 @@
 
 (require "ball.rkt" "ball-elementary.rkt" "ball-functions.rkt" "fixed-point.rkt"
          "../assumption/signs.rkt"
+         (only-in "../expression/numeric-functions.rkt" sgn)
          "../expression/operation.rkt")
 
 (provide number->value pi->value apply-operation
@@ -136,7 +137,7 @@
         [else (ball-angle (value->ball y p) (value->ball x p) p)]))
 
 (define (sign-of x)
-  (cond [(not (ball? x)) (cond [(> x 0) 1] [(< x 0) -1] [else 0])]
+  (cond [(not (ball? x)) (sgn x)]
         [(ball-positive? x) 1]
         [(ball-negative? x) -1]
         [else (raise unknown)]))
@@ -144,13 +145,9 @@
 (define (root x p)
   (cond [(ball? x) (ball-sqrt x p)]
         [(< x 0) (raise no-value)]
-        [else (or (exact-root x) (ball-sqrt (exact->ball x (+ p 4)) p))]))
-
-(define (exact-root x)
-  (define-values (n n-rest) (integer-sqrt/remainder (numerator x)))
-  (and (eqv? 0 n-rest)
-       (let-values ([(d d-rest) (integer-sqrt/remainder (denominator x))])
-         (and (eqv? 0 d-rest) (/ n d)))))
+        [else
+         (define r (sqrt x))
+         (if (exact? r) r (ball-sqrt (exact->ball x (+ p 4)) p))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers, real ones

@@ -71,11 +71,11 @@
   (square-up sum (+ 4 (* 2 terms)) s v w))
 
 ;; (y + ε)² = y² + (2 y + ε) ε
-(define (square-up y error s v w)
-  (for/fold ([y y] [error error] #:result (values (down y (- v w)) (+ 2 (down error (- v w)))))
+(define (square-up y bound s v w)
+  (for/fold ([y y] [bound bound] #:result (values (down y (- v w)) (+ 2 (down bound (- v w)))))
             ([_ (in-range s)])
     (values (down (* y y) v)
-            (+ 2 (down (* (+ y y error) error) v)))))
+            (+ 2 (down (* (+ y y bound) bound) v)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Sine and cosine of |x| <= 1: Σ ± x^(2k)/(2k)! and the like
@@ -91,8 +91,8 @@
   (alternating (arithmetic-shift 1 w) (down (* X X) w) w 1))
 
 (define (sin-fixed X w)
-  (define-values (sum error) (alternating (abs X) (down (* X X) w) w 2))
-  (values (if (negative? X) (- sum) sum) error))
+  (define-values (sum bound) (alternating (abs X) (down (* X X) w) w 2))
+  (values (if (negative? X) (- sum) sum) bound))
 
 ;; ---------------------------------------------------------------------------
 ;; Arctangents of |t| <= 1/2: Σ ± t^(2k+1)/(2k+1)

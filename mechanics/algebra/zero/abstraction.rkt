@@ -12,7 +12,8 @@
 ;; then to be proved as well; so large a part that nothing would be gained is
 ;; left alone.
 
-(require "fingerprint.rkt"
+(require racket/list
+         "fingerprint.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/substitute.rkt")
 
@@ -28,8 +29,8 @@
          (expression-with-cuts t (cuts-vector t cuts))))
   (if (and general (much-shorter? general t))
       (values general
-              (for*/list ([g (in-list cuts)] [k (in-list (cdr (group-places g)))])
-                (e:- (item t k) (item t (car (group-places g))))))
+              (for*/list ([group (in-list cuts)] [k (in-list (cdr group))])
+                (e:- (item t k) (item t (car group)))))
       (values #f '())))
 
 ;; What is not short is to be less than half as long as before.
@@ -44,10 +45,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Candidates
 
-;; Items of equal value, the first of which stands for all.
-(struct group (places) #:authentic)
-
-;; The groups of nodes that are used more than once, inner ones first.
+;; The groups of nodes that are used more than once, inner ones first.  A group is the list of
+;; the places of items of equal value, the first of which stands for all.
 (define (candidate-classes t classes)
   (define n (tape-length t))
   (define sizes (subgraph-sizes t))
@@ -55,22 +54,15 @@
   (for* ([ks (in-vector (tape-operands t))] [k (in-list ks)])
     (define c (vector-ref classes k))
     (when c (vector-set! uses c (+ 1 (vector-ref uses c)))))
-  (define members (make-vector n '()))
-  (for ([k (in-range (- n 1) -1 -1)])
-    (define c (vector-ref classes k))
-    (when c (vector-set! members c (cons k (vector-ref members c)))))
-  (define (worthwhile? places)
-    (define leader (car places))
-    (and (> (vector-ref uses leader) 1)
-         (ormap (lambda (k) (node? (item t k))) places)
-         (or (null? (cdr places))
-             (< (* 5 (for/fold ([size 0]) ([k (in-list places)]) (max size (vector-ref sizes k))))
+  (define (class k) (vector-ref classes k))
+  (define (worthwhile? group)
+    (and (> (vector-ref uses (car group)) 1)
+         (ormap (lambda (k) (node? (item t k))) group)
+         (or (null? (cdr group))
+             (< (* 5 (apply max (map (lambda (k) (vector-ref sizes k)) group)))
                 (* 2 n)))))
-  (define groups
-    (for/list ([places (in-vector members)]
-               #:when (and (pair? places) (worthwhile? places)))
-      (group places)))
-  (sort groups < #:key (lambda (g) (apply max (group-places g)))))
+  (define groups (group-by class (filter class (range n)) eqv?))
+  (sort (filter worthwhile? groups) < #:key (lambda (group) (apply max group))))
 
 ;; How many items each has below it, at most: shared ones count as often as they
 ;; are used, up to the length of the tape.
@@ -100,33 +92,21 @@
           [(vanishes? (append candidates kept)) (append candidates kept)]
           [(null? (cdr candidates)) kept]
           [else
-           (define-values (first second) (halves candidates))
-           (choose second (choose first kept))])))
-
-(define (halves xs)
-  (let loop ([n (quotient (length xs) 2)] [first '()] [xs xs])
-    (if (eqv? n 0)
-        (values (reverse first) xs)
-        (loop (- n 1) (cons (car xs) first) (cdr xs)))))
+           (define-values (inner outer) (split-at candidates (quotient (length candidates) 2)))
+           (choose outer (choose inner kept))])))
 
 (define (cuts-vector t groups)
   (define cuts (make-vector (tape-length t) #f))
-  (for* ([g (in-list groups)] [k (in-list (group-places g))]
-         #:when (node? (item t k)))
-    (vector-set! cuts k (car (group-places g))))
+  (for* ([group (in-list groups)] [k (in-list group)] #:when (node? (item t k)))
+    (vector-set! cuts k (car group)))
   cuts)
 
 ;; ---------------------------------------------------------------------------
 
 ;; A cut node is what it is cut to, if that is a leaf, or a symbol for that.
 (define (expression-with-cuts t cuts)
-  (define n (tape-length t))
-  (define values (make-vector n #f))
-  (define (value-of k)
-    (or (vector-ref values k)
-        (let ([v (new-value k)])
-          (vector-set! values k v)
-          v)))
+  (define known (make-hasheqv))
+  (define (value-of k) (hash-ref! known k (lambda () (new-value k))))
   (define (new-value k)
     (define e (item t k))
     (define cut (vector-ref cuts k))
@@ -134,4 +114,4 @@
           [cut (string->uninterned-symbol (format "part~a" k))]
           [(node? e) (rebuild (node-head e) (map value-of (vector-ref (tape-operands t) k)))]
           [else e]))
-  (value-of (- n 1)))
+  (value-of (- (tape-length t) 1)))

@@ -9,7 +9,8 @@
 ;; first order and adds its own rounding.  So "not zero" can be told from
 ;; "zero within rounding".
 
-(require "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
+(require "../ball/ball-tape.rkt"
+         "../expression/operation.rkt" "../expression/pi.rkt"
          "../../numeric/constants.rkt")
 
 (provide approximate-tape)
@@ -22,16 +23,7 @@
 ;; -> number and error; the number is not finite where e is not defined.
 ;; Raises exn:fail:contract:divide-by-zero as the operations on numbers do.
 (define (approximate-tape t lookup)
-  (define items (tape-items t))
-  (define values-so-far (make-vector (vector-length items) #f))
-  (define (values-of ks)
-    (for/list ([k (in-list ks)]) (vector-ref values-so-far k)))
-  (define result
-    (for/last ([head (in-vector (tape-heads t))] [ks (in-vector (tape-operands t))]
-               [k (in-naturals)])
-      (define new (item-value (vector-ref items k) head (values-of ks) lookup))
-      (vector-set! values-so-far k new)
-      new))
+  (define result (evaluate-tape t (lambda (e head args) (item-value e head args lookup))))
   (values (car result) (cdr result)))
 
 (define (not-real? x) (and (number? x) (not (real? x))))
@@ -53,13 +45,13 @@
 (define (bare v)
   (if (symbol? (car v)) (cons (car v) (map bare (cdr v))) (car v)))
 
-(define (rounded x error)
-  (cond [(fixnum? x) (cons x error)]
-        [(not (exact? x)) (cons x (+ error (* epsilon (magnitude x))))]
-        [(<= (bits x) bit-limit) (cons x error)]
+(define (rounded x bound)
+  (cond [(fixnum? x) (cons x bound)]
+        [(not (exact? x)) (cons x (+ bound (* epsilon (magnitude x))))]
+        [(<= (bits x) bit-limit) (cons x bound)]
         [else
          (define y (exact->inexact x))
-         (cons y (+ error (* epsilon (magnitude y))))]))
+         (cons y (+ bound (* epsilon (magnitude y))))]))
 
 (define (bits x)
   (if (real? x)

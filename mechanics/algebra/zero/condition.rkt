@@ -13,7 +13,7 @@
          "equation.rkt"
          "../expression/read.rkt" "../expression/substitute.rkt"
          "../field/field.rkt"
-         "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
+         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt"
          "../simplify/simplify-expression.rkt")
 
@@ -52,18 +52,14 @@
 ;; what these can be factored into; parts with too many terms are not.
 (define (vanishing-factors F p may-vanish?)
   (define R (field-ring F))
-  (define (may-be? g)
-    (and (> (poly-term-count g) 1) (may-vanish? (present F (fraction-from-poly R g)))))
+  (define (may-be? g) (and (> (poly-term-count g) 1) (may-vanish? (present-poly F g))))
   (define parts (filter may-be? (map power-base (poly-parts R p))))
   (append parts
           (for*/list ([g (in-list parts)]
-                      #:when (<= (poly-term-count g) most-terms)
-                      [h (in-list (map power-base (poly-factor R g)))]
+                      [h (in-list (irreducible R g))]
                       #:unless (equal? g h)
                       #:when (may-be? h))
             h)))
-
-(define most-terms 60)
 
 ;; The polynomial or its negative, whichever has its first term positive.
 (define (presentable-sign F p)
@@ -91,10 +87,9 @@
   (define equations
     (for/list ([c (in-list coefficients)]) (condition F c parameter? may-vanish?)))
   (define found (remove-duplicates (filter values equations)))
-  (define (open c) (present F (fraction-from-poly (field-ring F) c)))
   (if (and (<= (length found) equation-limit)
            (for/and ([c (in-list coefficients)] [e (in-list equations)])
-             (or e (follows? (open c) found))))
+             (or e (follows? (present-poly F c) found))))
       found
       '()))
 

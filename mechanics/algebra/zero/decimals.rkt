@@ -80,7 +80,9 @@
 
 ;; The root of a fraction.
 (define (read-root x degree most-bits)
-  (define f (simplest-near (expt x degree) (* 2 degree unit)))
+  (define power (expt x degree))
+  (define bound (* 2 degree unit power))
+  (define f (simplest-between (- power bound) (+ power bound)))
   (and (<= (rational-bits f) most-bits)
        (case degree
          [(1) f]
@@ -110,11 +112,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Fractions
 
-;; The simplest fraction within x (1 ± error), by the continued fractions of both ends.
-(define (simplest-near x error)
-  (simplest-between (* x (- 1 error)) (* x (+ 1 error))))
-
-;; 0 <= low <= high
+;; The simplest fraction from low to high, by the continued fractions of both; 0 <= low <= high
 (define (simplest-between low high)
   (define whole (ceiling low))
   (if (<= whole high)

@@ -9,10 +9,11 @@
          "../expression/size.rkt" "../expression/symbols.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt"
-         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
+         "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt")
 
-(provide relation-for moving-coefficients kernel-at all-kernels? constant-expression?)
+(provide relation-for moving-coefficients irreducible kernel-at all-kernels?
+         constant-expression?)
 
 ;; Is it made of symbols that are no variables?
 (define (constant-expression? e variables)
@@ -20,7 +21,7 @@
              (lambda (leaf) (not (memq leaf variables)))
              (lambda (n constant?s) (and (operation? (node-head n)) (andmap values constant?s)))))
 
-(define (kernel-at F i) (kernel-expression (vector-ref (field-kernels F) i)))
+(define (kernel-at F i) (kernel-expression (field-kernel F i)))
 
 (define (all-kernels? F p kind?)
   (for/and ([i (in-list (poly-variables (field-ring F) p))]) (kind? (kernel-at F i))))
@@ -84,8 +85,7 @@
        (null? (cddr terms))
        (let ([sides (for/list ([t (in-list terms)])
                       (define size (abs (poly-term-coefficient t)))
-                      (present F (fraction-from-poly R
-                                   (term->poly R size (poly-term-powers t)))))])
+                      (present-poly F (term->poly R size (poly-term-powers t))))])
          (if (left-before? (car sides) (cadr sides))
              (equation (car sides) (cadr sides))
              (equation (cadr sides) (car sides))))))
@@ -96,6 +96,14 @@
 
 (define (equation left right) (list '= (expression->datum left) (expression->datum right)))
 
+;; The irreducible factors of p, each once; p itself if it has a single term, or many.
+(define (irreducible R p)
+  (if (<= 2 (poly-term-count p) most-factored)
+      (map power-base (poly-factor R p))
+      (list p)))
+
+(define most-factored 60)
+
 ;; ---------------------------------------------------------------------------
 ;; What moves
 
@@ -104,15 +112,13 @@
 (define (moving-coefficients F p parameter?)
   (define R (field-ring F))
   (define (moving? power) (not (parameter? (kernel-at F (power-base power)))))
-  (define groups (make-hash))
-  (define keys
-    (for/fold ([keys '()] #:result (reverse keys)) ([t (in-list (poly-terms R p))])
-      (define key (filter moving? (poly-term-powers t)))
-      (define resting (filter-not moving? (poly-term-powers t)))
-      (define known (hash-ref groups key '()))
-      (hash-set! groups key (cons (term->poly R (poly-term-coefficient t) resting) known))
-      (if (null? known) (cons key keys) keys)))
-  (sort (for/list ([key (in-list keys)]) (poly-sum R (hash-ref groups key)))
+  (define (coefficient terms)
+    (poly-sum R (for/list ([t (in-list terms)])
+                  (term->poly R (poly-term-coefficient t)
+                              (filter-not moving? (poly-term-powers t))))))
+  (define groups
+    (group-by (lambda (t) (filter moving? (poly-term-powers t))) (poly-terms R p)))
+  (sort (map coefficient groups)
         < #:key (lambda (c) (+ (* 100 (poly-term-count c)) (poly-total-degree R c)))))
 
 (define (term->poly R c powers)

@@ -11,7 +11,7 @@
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt" "../expression/symbols.rkt")
 
-(provide somewhere-defined? everywhere-defined? decisive-leaves)
+(provide somewhere-defined? decisive-leaves leaves-under-functions)
 
 ;; t : tape; A : assumptions
 (define (somewhere-defined? t A)
@@ -65,19 +65,56 @@
 ;; The leaves that stand where not every number may: in a denominator, under a root, a
 ;; logarithm, ...  -> table: leaf -> #t
 (define (decisive-leaves t)
-  (define items (tape-items t))
-  (define n (vector-length items))
-  (define decisive (make-vector n #f))
-  (for/fold ([leaves (hash)]) ([k (in-range (- n 1) -1 -1)])
-    (define e (vector-ref items k))
-    (define decides? (vector-ref decisive k))
-    (for ([j (in-list (vector-ref (tape-operands t) k))] [i (in-naturals)])
-      (when (or decides? (decided-by? e i)) (vector-set! decisive j #t)))
-    (if (and decides? (unknown? e)) (hash-set leaves e #t) leaves)))
+  (define marks
+    (spread-marks t 0 (lambda (e mark i) (if (or (eqv? mark 1) (decided-by? e i)) 1 0))))
+  (leaves-marked t marks 1))
 
 ;; Does the i-th argument of the node decide whether it has a value?
 (define (decided-by? n i)
   (not (or (total? n) (and (eq? (node-head n) op:/) (eqv? i 0)))))
+
+;; ---------------------------------------------------------------------------
+;; Under functions
+
+;; Where the leaves that stand under a sine, an exponential or the like are 0, these have exact
+;; values.
+;; -> the leaves standing somewhere below a function, and those that stand nowhere else
+(define (leaves-under-functions t)
+  ;; a mark has bit 1 for outside, bit 2 for below; a literal application is a leaf
+  (define (below e mark i)
+    (cond [(literal-head? (node-head e)) 0]
+          [(memq (node-head e) algebraic) mark]
+          [(eqv? mark 0) 0]
+          [else 2]))
+  (define marks (spread-marks t 1 below))
+  (values (leaves-marked t marks 2 3) (leaves-marked t marks 2)))
+
+(define algebraic (list op:+ op:- op:* op:/ op:expt op:sqrt op:abs))
+
+;; ---------------------------------------------------------------------------
+;; Marks, from the root down
+
+;; below : node, its marks, number of an operand -> what it adds to the operand's marks
+;; -> vector of marks, bits, by item; root : those of the last one
+(define (spread-marks t root below)
+  (define n (tape-length t))
+  (define marks (make-vector n 0))
+  (vector-set! marks (- n 1) root)
+  (for ([k (in-range (- n 1) -1 -1)])
+    (define e (vector-ref (tape-items t) k))
+    (define mark (vector-ref marks k))
+    (for ([j (in-list (vector-ref (tape-operands t) k))] [i (in-naturals)])
+      (vector-set! marks j (bitwise-ior (below e mark i) (vector-ref marks j)))))
+  marks)
+
+;; -> table of the unknowns that have one of these marks
+(define (leaves-marked t marks . wanted)
+  (for/hash ([e (in-vector (tape-items t))] [mark (in-vector marks)]
+             #:when (and (unknown? e) (memv mark wanted)))
+    (values e #t)))
+
+;; ---------------------------------------------------------------------------
+;; At a point
 
 ;; Has each part of it a value there?  Literal functions have one for equal arguments.
 (define (defined? t lookup value)

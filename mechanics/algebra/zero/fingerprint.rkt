@@ -135,8 +135,6 @@
         [else (mark-all! here) (and (eq? op op:expt) (integer? (exponent)))]))
 
 (define rational (list op:+ op:* op:- op:/ op:up op:down))
-(define exponential (list op:exp op:sinh op:cosh op:tanh))
-(define circular (list op:sin op:cos op:tan))
 
 ;; Bits 0, 1, 2 to bits 1, 3, 5 or 2, 4, 6; the last levels have none below.
 (define last-levels #b1111000)
@@ -201,7 +199,7 @@
   (define heads (tape-heads (plan-tape plan)))
   (define operands (tape-operands (plan-tape plan)))
   (define levels (plan-levels plan))
-  (define values (site-values s))
+  (define residues (site-values s))
   (define n (vector-length items))
   (let loop ([k 0])
     (cond [(fx= k n) #t]
@@ -209,7 +207,7 @@
           [else
            (define x (item-residue plan s k (vector-ref heads k) items (vector-ref operands k)))
            (and x
-                (begin (fxvector-set! values k x)
+                (begin (fxvector-set! residues k x)
                        (loop (fx+ k 1))))])))
 
 (define (item-residue plan s k head items operands)

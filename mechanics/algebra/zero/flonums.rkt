@@ -8,9 +8,9 @@
 ;; alone make of each other, as 2 · 4.9 does of 9.8, is Racket's arithmetic and is done
 ;; before an expression is made; so expressions without a symbol prove nothing.
 
-(require "proof.rkt"
+(require "decimals.rkt" "proof.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/substitute.rkt" "../expression/symbols.rkt")
+         "../expression/symbols.rkt")
 
 (provide contains-flonum? speaks-of-symbols? vanishes-for-any-flonums?)
 
@@ -21,35 +21,22 @@
 ;; A : assumptions.  The proof may not rest on what the unknowns are.
 (define (vanishes-for-any-flonums? t A)
   (define unknowns (make-hasheqv))
+  (define (general)
+    (with-decimals-read (tape->expression t)
+                        (for/list ([x (in-list (decimals-in t))])
+                          (reading x (unknown x unknowns)))))
   (define grounds
     (and (speaks-of-symbols? t)
-         (prove-vanishing (expression->tape (generalized t unknowns)) A)))
+         (prove-vanishing (expression->tape (general)) A)))
   (and grounds
-       (not (mentions-any? grounds (hash-values unknowns)))))
+       (not (datum-mentions? grounds (lambda (x) (memq x (hash-values unknowns)))))))
 
 (define (speaks-of-symbols? t)
   (for/or ([e (in-vector (tape-items t))])
     (or (free-symbol? e) (and (node? e) (null? (node-args e))))))
-
-;; The expression on the tape, its flonums replaced.
-(define (generalized t unknowns)
-  (define n (tape-length t))
-  (define parts (make-vector n #f))
-  (for ([e (in-vector (tape-items t))] [ks (in-vector (tape-operands t))] [k (in-naturals)])
-    (vector-set! parts k
-                 (cond [(node? e)
-                        (rebuild (node-head e) (for/list ([j (in-list ks)]) (vector-ref parts j)))]
-                       [(and (number? e) (inexact? e)) (unknown e unknowns)]
-                       [else e])))
-  (vector-ref parts (- n 1)))
 
 (define (unknown x unknowns)
   (define below? (and (real? x) (negative? x)))
   (define key (if below? (- x) x))
   (define symbol (hash-ref! unknowns key (lambda () (string->uninterned-symbol "c"))))
   (if below? (e:negate symbol) symbol))
-
-(define (mentions-any? datum symbols)
-  (cond [(pair? datum)
-         (or (mentions-any? (car datum) symbols) (mentions-any? (cdr datum) symbols))]
-        [else (and (memq datum symbols) #t)]))

@@ -164,7 +164,7 @@
          (signs-within? (known-signs (signs-of e s)) nonnegative))))
 
 (define (terms-of u)
-  (if (and (node? u) (eq? (node-head u) op:+))
+  (if (headed? u op:+)
       (append-map terms-of (node-args u))
       (list u)))
 
@@ -201,10 +201,10 @@
   (define-values (F f simple notes) (normal-form+simplified e A))
   (infer-signs A (atlas-simplifier (field-atlas F)) simple))
 
-;; Is it so, by the signs that e may have?  What that rests on is noted.
-(define (by-signs so? e s)
+;; Do the signs that e may have satisfy the predicate?  What the answer yes rests on is noted.
+(define (by-signs good? e s)
   (define k (signs-of e s))
-  (define yes? (so? (known-signs k)))
+  (define yes? (good? (known-signs k)))
   (when yes? (set-search-grounds! s (append (reverse (known-because k)) (search-grounds s))))
   yes?)
 

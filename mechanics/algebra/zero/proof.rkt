@@ -14,7 +14,7 @@
          "../polynomial/fraction.rkt"
          "../simplify/simplify-expression.rkt")
 
-(provide prove-vanishing)
+(provide prove-vanishing datum-mentions?)
 
 ;; What the first attempt may cost.
 (define brief-look 500000)
@@ -56,11 +56,16 @@
        (or (null? (assumptions-relations A)) (single-valued? general))
        (let ([assumptions (prove general)])
          (and assumptions
-              (not (ormap mentions-part? assumptions))
+              (not (datum-mentions? assumptions uninterned?))
               (for/fold ([all assumptions]) ([d (in-list differences)])
                 (define more (and all (prove d)))
                 (and more (append more all)))))))
 
-(define (mentions-part? datum)
-  (cond [(pair? datum) (or (mentions-part? (car datum)) (mentions-part? (cdr datum)))]
-        [else (and (symbol? datum) (not (symbol-interned? datum)))]))
+;; A symbol that stands for a part?
+(define (uninterned? x) (and (symbol? x) (not (symbol-interned? x))))
+
+;; Does the predicate hold of something in the datum?
+(define (datum-mentions? datum good?)
+  (if (pair? datum)
+      (or (datum-mentions? (car datum) good?) (datum-mentions? (cdr datum) good?))
+      (good? datum)))

@@ -6,10 +6,11 @@
 ;; for the root of what is no square.
 
 (require racket/fixnum
+         (only-in racket/list index-of)
          "../expression/operation.rkt"
          "../polynomial/modular.rkt")
 
-(provide (struct-out site) make-site mix
+(provide make-site site-values mix circular exponential
          site-symbol site-pi site-number site-application site-operation)
 
 ;; prime, values : of this level, values by places on the tape
@@ -107,11 +108,7 @@
 (define (unknown s op operands)
   (fxremainder (mix-values s (operation-number op) operands) (site-prime s)))
 
-(define (operation-number op)
-  (let loop ([ops numbered-operations] [k 0])
-    (cond [(null? ops) k]
-          [(eq? op (car ops)) k]
-          [else (loop (cdr ops) (+ k 1))])))
+(define (operation-number op) (index-of numbered-operations op eq?))
 (define numbered-operations (list* op:up op:down operations))
 
 ;; ---------------------------------------------------------------------------
@@ -154,7 +151,8 @@
 (define (exponential-value s p op k)
   (define up
     (if (site-exponential s)
-        (power-from (site-exponential s) (fxvector-ref (site-exponents s) k) p)
+        (power-from (site-exponential s) (fxvector-ref (site-exponents s) k) 1
+                    (lambda (x y) (mod* x y p)))
         (unknown-exponential s p k)))
   (define (down) (mod-inverse up p))
   (cond [(eqv? up 0) #f]
@@ -178,11 +176,12 @@
     (vector-set! powers k (square (vector-ref powers (- k 1)))))
   powers)
 
-(define (power-from powers n p)
-  (let loop ([n n] [k 0] [x 1])
+;; The n-th power, from those of build-powers.
+(define (power-from powers n one times)
+  (let loop ([n n] [k 0] [x one])
     (cond [(fx= n 0) x]
           [(fx= 0 (fxand n 1)) (loop (fxrshift n 1) (fx+ k 1) x)]
-          [else (loop (fxrshift n 1) (fx+ k 1) (mod* x (vector-ref powers k) p))])))
+          [else (loop (fxrshift n 1) (fx+ k 1) (times x (vector-ref powers k)))])))
 
 ;; Still exp(u) exp(-u) = 1.
 (define (unknown-exponential s p k)
@@ -239,10 +238,7 @@
   (build-powers g r double))
 
 (define (turn-from powers n p)
-  (let loop ([n n] [k 0] [x '(1 . 0)])
-    (cond [(fx= n 0) x]
-          [(fx= 0 (fxand n 1)) (loop (fxrshift n 1) (fx+ k 1) x)]
-          [else (loop (fxrshift n 1) (fx+ k 1) (turn x (vector-ref powers k) p))])))
+  (power-from powers n '(1 . 0) (lambda (a b) (turn a b p))))
 
 ;; Still the cosine is even, the sine odd.
 (define (unknown-turn s p k)

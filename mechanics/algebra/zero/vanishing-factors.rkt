@@ -12,7 +12,7 @@
          "equation.rkt" "nondegeneracy.rkt"
          "../expression/expression.rkt"
          "../field/field.rkt"
-         "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
+         "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt")
 
 (provide ways-to-vanish same-equations? symbol-alone?)
@@ -38,15 +38,8 @@
   (define R (field-ring F))
   (for*/list ([part (in-list (poly-parts R p))]
               [g (in-list (irreducible R (power-base part)))]
-              #:when (may-vanish? (present F (fraction-from-poly R g))))
+              #:when (may-vanish? (present-poly F g)))
     g))
-
-(define (irreducible R p)
-  (if (and (> (poly-term-count p) 1) (<= (poly-term-count p) most-factored))
-      (map power-base (poly-factor R p))
-      (list p)))
-
-(define most-factored 60)
 
 ;; The lists of equations by which a factor is zero whatever its variables are.
 (define (ways-of-factor F g parameter? may-vanish?)

@@ -16,8 +16,8 @@
 ;; Positive points come first: at √(b² - 4km) a person expects strong damping and
 ;; masses, not negative ones.
 
-(require (only-in racket/list drop take)
-         "trial-point.rkt" "point-value.rkt" "region.rkt" "under-functions.rkt"
+(require (only-in racket/list drop split-at take)
+         "existence.rkt" "trial-point.rkt" "point-value.rkt" "region.rkt"
          "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt")
 
@@ -31,7 +31,7 @@
 ;; How many of them have positive numbers only.
 (define positive-points 6)
 
-;; And how many with fractions.
+;; How many points with fractions are tried, and how many of these with positive ones only.
 (define fraction-points 24)
 (define positive-fraction-points 16)
 
@@ -136,14 +136,10 @@
                (define f (look q (car z) (car precisions)))
                (if (finding? f) (cons (car z) f) z)))
            (define found (for/first ([z (in-list again)] #:when (witness? (cdr z))) z))
-           (define-values (next rest) (first-few again))
+           (define-values (next rest) (split-at again (min further-points (length again))))
            (if found
                (values found '())
                (loop (cdr precisions) next (append rest done)))])))
-
-(define (first-few zs)
-  (define n (min further-points (length zs)))
-  (values (for/list ([z (in-list zs)] [_ (in-range n)]) z) (list-tail zs n)))
 
 ;; ---------------------------------------------------------------------------
 ;; Witnesses
