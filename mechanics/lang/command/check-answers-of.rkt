@@ -3,7 +3,7 @@
 ;;
 ;; Either way the files are run in processes of their own, which hold no key.
 
-(require racket/cmdline
+(require (only-in racket/file make-directory*)
          racket/list
          racket/path
          "load-worksheet.rkt" "written-files.rkt"
@@ -15,36 +15,26 @@
 
 (provide check-command)
 
-;; What was asked for.  reports : paths; gradescope : a path, or #f
+;; The options.  reports : paths; gradescope : a path, or #f
 (struct wish (path worksheet reports gradescope seconds json?))
 
 (define (check-command arguments)
   (define w (wished arguments))
-  (unless (directory-exists? (wish-path w)) (check-there 'check (wish-path w)))
-  (for ([r (in-list (wish-reports w))]) (check-report r))
-  (cond [(directory-exists? (wish-path w)) (check-class w)]
-        [else (check-file w)]))
-
-(define options '("--worksheet" "--report" "--gradescope" "--seconds"))
+  (define class? (directory-exists? (wish-path w)))
+  (unless class? (check-there 'check (wish-path w)))
+  (for-each check-report (wish-reports w))
+  (if class? (check-class w) (check-file w)))
 
 (define (wished arguments)
-  (define-values (worksheet reports gradescope seconds json?) (values #f '() #f 10 #f))
-  (define path
-    (command-line
-     #:program "raco mechanics check"
-     #:argv (options-first arguments options)
-     #:once-each
-     [("--worksheet") file "The teacher's worksheet" (set! worksheet file)]
-     [("--gradescope") where "A results.json for each submission" (set! gradescope where)]
-     [("--seconds") n "What a submission may cost" (set! seconds (string->number n))]
-     [("--json") "Write the judgments as JSON" (set! json? #t)]
-     #:multi
-     [("--report") file "A report: file.html, file.csv or file.json"
-                   (set! reports (append reports (list (simple-form-path file))))]
-     #:args (file-or-folder) file-or-folder))
+  (define-values (path option)
+    (read-arguments 'check arguments #:argument "file-or-folder"
+                    #:valued '("--worksheet" "--gradescope" "--seconds")
+                    #:switches '("--json") #:repeated '("--report")))
+  (define seconds (string->number (or (option "--seconds") "10")))
   (unless (and (real? seconds) (<= 1 seconds 3600))
     (complain 'check "--seconds takes a number from 1 to 3600"))
-  (wish path worksheet reports gradescope seconds json?))
+  (wish path (option "--worksheet") (map simple-form-path (option "--report"))
+        (option "--gradescope") seconds (option "--json")))
 
 ;; ---------------------------------------------------------------------------
 ;; A class
@@ -63,36 +53,31 @@
 
 (define (write-reports w r)
   (for ([file (in-list (wish-reports w))])
-    (write-whole file (string->bytes/utf-8 ((report-format file) r))))
+    (write-text 'mechanics file ((report-format file) r)))
   (when (wish-gradescope w)
     (define one? (file-exists? (wish-path w)))
     (for ([g (in-list (class-report-graded r))])
-      (write-Gradescope (wish-gradescope w) one? (class-report-worksheet r) g))))
+      (write-Gradescope (wish-gradescope w) one? g))))
 
 ;; A folder with a folder for each submission; of one submission the file itself.
-(define (write-Gradescope where one? worksheet g)
+(define (write-Gradescope where one? g)
   (define name (file-name (submission-id (graded-submission g))))
   (define folder (if one? where (build-path where name)))
-  (make-folder folder)
-  (write-whole (build-path folder "results.json")
-               (string->bytes/utf-8 (graded->Gradescope worksheet g))))
+  (make-directory* folder)
+  (write-text 'mechanics (build-path folder "results.json") (graded->Gradescope g)))
 
-(define (make-folder path)
-  (define-values (base name dir?) (split-path (path->complete-path path)))
-  (unless (directory-exists? base) (make-folder base))
-  (unless (directory-exists? path) (make-directory path)))
-
-;; A name is whatever the student chose.
+;; A student may choose any name.
 (define (file-name id)
   (define plain (regexp-replace* #px"[^\\w .@-]" id "_"))
   (if (regexp-match? #rx"^[.]*$" plain) (string-append "_" plain) plain))
 
-(define formats
-  (list (cons #".html" class->page) (cons #".csv" class->csv) (cons #".json" class->json)))
-
+;; -> report -> text, or #f
 (define (report-format file)
-  (define found (assoc (path-get-extension file) formats))
-  (and found (cdr found)))
+  (case (path-get-extension file)
+    [(#".html") class->page]
+    [(#".csv") class->csv]
+    [(#".json") class->json]
+    [else #f]))
 
 (define (check-report file)
   (unless (report-format file)
@@ -113,12 +98,12 @@
   (write-reports w r)
   (if (wish-json? w)
       (display (class->json r))
-      (tell g worksheet (simple-form-path (wish-path w))))
+      (tell g (simple-form-path (wish-path w))))
   (if (andmap settled? (graded-judgments g)) 0 1))
 
 (define (settled? j) (memq (judgment-status j) '(right kept)))
 
-;; The exercises that the student's file has in its envelope.
+;; A worksheet of the exercises in the student's file.
 (define (worksheet-within file text)
   (define exercises (sealed-exercises text))
   (unless exercises
@@ -127,11 +112,7 @@
               file))
   (worksheet "" #f "" exercises))
 
-;; The hints depend on what was tried before.
-(define (tell g worksheet file)
-  (when (graded-problem g) (printf "~a\n" (graded-problem g)))
-  (for ([n (in-list (graded-notes g))]) (printf "~a\n" n))
-  (tell-judgments
-   (for/list ([e (in-list (exercises-of worksheet))] [j (in-list (graded-judgments g))])
-     (judged e (hash-ref (graded-answers g) (exercise-name e) #f) j))
-   file))
+;; The hints depend on earlier tries.
+(define (tell g file)
+  (for ([text (in-list (graded-remarks g))]) (printf "~a\n" text))
+  (tell-judgments (graded-answers g) file))

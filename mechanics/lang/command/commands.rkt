@@ -8,7 +8,6 @@
                    ["worksheet-files.rkt" worksheet-command handout-command new-command]
                    ["check-answers-of.rkt" check-command]
                    ["export-program.rkt" export-command]
-                   ["repl.rkt" repl-command]
                    ["raco-help.rkt" help-command])
 
 (provide commands)
@@ -17,27 +16,33 @@
   (list
    (command "show" "FILE [-o page.html]"
             "a program with its results as a page: formulas typeset, pictures in place"
-            (lambda (arguments) (show-command arguments)))
+            show-command)
    (command "tex" "FILE [-o file.tex]"
-            "the same for LaTeX, with amsmath; pictures are files beside it"
-            (lambda (arguments) (TeX-command arguments)))
-   (command "new" "FILE" "a worksheet to begin with: a template for teachers"
-            (lambda (arguments) (new-command arguments)))
+            "the same for LaTeX, with amsmath; pictures are files beside it" TeX-command)
+   (command "new" "FILE" "a worksheet to begin with: a template for teachers" new-command)
    (command "worksheet" "FILE [-o student.rkt]"
             "a worksheet's file for students, and the page to hand out, in HTML and TeX"
-            (lambda (arguments) (worksheet-command arguments)))
+            worksheet-command)
    (command "handout" "FILE [--to html|tex] [--answers] [-o file]"
             "the page of a worksheet alone, for teachers with its answers; or of a program"
-            (lambda (arguments) (handout-command arguments)))
+            handout-command)
    (command "check" (string-append "FILE|FOLDER [--worksheet FILE] [--report FILE] ... "
                                    "[--gradescope FOLDER] [--seconds N] [--json]")
-            "the answers of a student, or of a class"
-            (lambda (arguments) (check-command arguments)))
+            "the answers of a student, or of a class" check-command)
    (command "export" (string-append "FILE [--to c|python|jax] [-o FOLDER] [--system NAME] ... "
                                     "[--all] [--list] [--derivatives] [--replace]")
             "the systems that a program follows, as programs in C, in Python or for JAX"
-            (lambda (arguments) (export-command arguments)))
+            export-command)
    (command "repl" "" "a prompt with history, completion and help"
-            (lambda (arguments) (repl-command arguments)))
+            (lambda (arguments) (start-prompt arguments)))
    (command "help" "[NAME]" "this list; what a command does; what is known of a name"
             (lambda (arguments) (help-command arguments commands)))))
+
+;; `raco mechanics repl`: the prompt of `make repl`.
+(define (start-prompt arguments)
+  (cond [(pair? arguments)
+         (eprintf "raco mechanics repl: it takes no arguments\n")
+         2]
+        [else
+         (dynamic-require '(submod mechanics/lang/prompt/start main) #f)
+         0]))

@@ -3,13 +3,12 @@
 ;;
 ;;     (define ((L-pendulum g m l) (up t theta thetadot)) ...)
 ;;
-;; says how parameters and coordinates are called, which numbers have forgotten when it runs.
+;; names parameters and coordinates, which are mere numbers when the program runs.
 
 (require racket/list
          racket/path
          racket/runtime-path
-         "../program-file.rkt"
-         (only-in "../help/entry.rkt" name-at-head)
+         "../program-file.rkt" "../redefinition/heads.rkt"
          "../../generic/up-down.rkt"
          (only-in "../../value/shape.rkt" shape-length)
          (only-in "../../value/structure.rkt" structure->list))
@@ -41,14 +40,14 @@
     (append*
      (for/list ([form (in-list forms)] #:when (pair? form))
        (case (car form)
-         [(define) (if (pair? (cdr form)) (list (name-at-head (cadr form))) '())]
+         [(define) (if (pair? (cdr form)) (list (head-name-in (cadr form))) '())]
          [(#%module-begin #%plain-module-begin begin) (walk form)]
          [else '()])))))
 
 (define-runtime-path book-folder "../../book")
 (define-runtime-path rigid-folder "../../rigid")
 
-;; Those of the book's objects and of rigid bodies, as far as their programs are installed.
+;; The heads of the book's objects and of rigid bodies, as far as their programs are installed.
 (define (book-heads)
   (for*/fold ([heads (hasheq)]) ([folder (in-list (list rigid-folder book-folder))]
                                  [file (in-list (directory-list folder #:build? #t))]
@@ -59,11 +58,15 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; The names of so many parameters, or #f
+;; The names of the parameters, if there are so many; or #f
 (define (parameter-names heads name count)
-  (define arguments (hash-ref heads name #f))
-  (define first-ones (and arguments (pair? arguments) (car arguments)))
-  (and (list? first-ones) (= count (length first-ones)) (andmap symbol? first-ones) first-ones))
+  (define parameters (argument-list heads name car))
+  (and (list? parameters) (= count (length parameters)) (andmap symbol? parameters) parameters))
+
+;; pick : of the lists of arguments that the name takes; #f without any
+(define (argument-list heads name pick)
+  (define arguments (hash-ref heads name '()))
+  (and (pair? arguments) (pick arguments)))
 
 ;; A state of zeros, of the shape of the last argument of the name; or #f
 (define (pattern-state heads name)
@@ -77,8 +80,7 @@
 
 ;; (up ...), if the last procedure of the head takes that alone; or #f
 (define (last-pattern heads name)
-  (define arguments (hash-ref heads name #f))
-  (define formals (and arguments (pair? arguments) (last arguments)))
+  (define formals (argument-list heads name last))
   (and (list? formals) (= 1 (length formals)) (pattern? (car formals)) (car formals)))
 
 (define (pattern? x) (and (list? x) (pair? x) (memq (car x) '(up down)) #t))

@@ -7,7 +7,7 @@
 
 (provide load-worksheet worksheet-file? check-there)
 
-;; The worksheets that are loaded share the library with this program.
+;; Loaded worksheets share the library with this program.
 (define-namespace-anchor here)
 
 ;; who : in whose name is complained
@@ -37,7 +37,7 @@
                    (if (null? near) "" (format "; did you mean ~a?" (alternatives near)))
                    file (if (null? near) (place-hint file) ""))]))
 
-;; Where it was looked for, which a name from another folder does not tell.
+;; The folder of the file, which its name may not tell.
 (define (place-hint file)
   (define-values (folder _name _folder?) (split-path (path->complete-path file)))
   (cond [(regexp-match? #rx"^~" file)

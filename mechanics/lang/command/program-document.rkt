@@ -1,5 +1,5 @@
 #lang racket/base
-;; A program and its results as a document: the forms as they are written, what came of each,
+;; A program and its results as a document: the forms as they are written, the results of each,
 ;; and the comments between them as prose.
 
 (require racket/file
@@ -12,7 +12,7 @@
 (provide program-document)
 
 ;; who : in whose name is complained; name : of the file, as it was given
-;; -> document, and what is to be said if the program did not run to its end, or #f
+;; -> document, and the message of the error that ended the program early, or #f
 (define (program-document who file [name (path->string (file-name-from-path file))])
   (check-program who name file)
   (define text (program-text file))
@@ -30,7 +30,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Reading
 
-;; Positions of syntax count a line end as one character, however it is written.
+;; With newlines as line ends: positions of syntax count any line end as one character.
 (define (program-text file)
   (define text (bytes->string/utf-8 (file->bytes file)))
   (regexp-replace* #rx"\r\n?" (regexp-replace #rx"^\uFEFF" text "") "\n"))
@@ -68,7 +68,7 @@
 
 (define (form-start form) (- (syntax-position form) 1))
 
-;; A comment behind it on its line belongs to a form.
+;; A comment behind a form on its line belongs to the form.
 (define (form-end text form)
   (define end (+ (form-start form) (syntax-span form)))
   (define m (regexp-match-positions #px"^[ \t]*;[^\n]*" text end))
@@ -81,17 +81,16 @@
       (code text above)))
 
 (define (submodule-name form)
-  (define parts (syntax->list form))
-  (and parts (> (length parts) 1)
-       (memq (syntax-e (car parts)) '(module module* module+))
-       (syntax-e (cadr parts))))
+  (syntax-case form ()
+    [(keyword name . _)
+     (and (memq (syntax-e #'keyword) '(module module* module+)) (syntax-e #'name))]
+    [_ #f]))
 
-;; What is said where the program ended before its last form.
+;; The pieces where the program ended before its last form.
 (define (ending end)
-  (cond [(not (early-end-message end))
-         (list (failure "The program ended itself here; what follows was not run."))]
-        [else
-         (list (failure (early-end-message end))
-               (failure (if (early-end-running? end)
-                            "The program stopped here; what follows was not run."
-                            "The program could not be compiled; nothing of it was run.")))]))
+  (define message (early-end-message end))
+  (define consequence
+    (cond [(not message) "The program ended itself here; what follows was not run."]
+          [(early-end-running? end) "The program stopped here; what follows was not run."]
+          [else "The program could not be compiled; nothing of it was run."]))
+  (map failure (filter values (list message consequence))))

@@ -2,8 +2,8 @@
 ;; The systems of a program, ready for export: those it follows while it runs, and state
 ;; derivatives that it defines and does not follow.
 ;;
-;; What its own definitions call the variables and parameters is read off its text
-;; (definition-heads.rkt): a motion itself is of numbers.
+;; The names of variables and parameters come from the program's text (definition-heads.rkt): a
+;; motion itself is of numbers.
 
 (require "definition-heads.rkt" "run-program.rkt" "system-of-program.rkt"
          "../program-file.rkt"
@@ -16,23 +16,23 @@
 
 ;; systems   : found ones, in the order in which they are followed
 ;; shapeless : names of state derivatives of which no state is known
-;; error     : what ended the program before its last form, a text, or #f
-;; exited?   : did it end itself, by `exit`?  Then nothing beyond is known
+;; error     : message of the error that ended the program early, or #f
+;; exited?   : did it end itself, by `exit`?
 (struct findings (systems shapeless error exited?) #:authentic)
 
 ;; who : in whose name is complained; name : of the file, as it was given -> findings
 (define (program-systems who file name #:derivatives? [derivatives? #f])
   (check-program who name file)
   (define stx (call-with-program file (lambda (port) (read-whole-program who name file port))))
-  (define r (register '()))
-  (define defined '())
+  (define-values (motions defined) (values '() '()))
   (define (look namespace) (set! defined (definitions stx namespace)))
-  (define o
-    (call-watching-systems (lambda (maker ps state) (register! r maker ps state))
-                           (lambda () (run-program stx file #:shown void #:look look))))
-  (define end (outcome-end o))
+  (define end
+    (outcome-end
+     (call-watching-systems
+      (lambda (maker ps state) (set! motions (with-motion maker ps state motions)))
+      (lambda () (run-program stx file #:shown void #:look look)))))
   (define k (make-knowledge stx defined file))
-  (define all (reverse (register-all r)))
+  (define all (reverse motions))
   (define-values (unfollowed shapeless) (defined-only all defined k))
   (findings (systems-of (append all unfollowed) k derivatives?)
             shapeless
@@ -40,26 +40,24 @@
             (and end (not (early-end-message end)))))
 
 ;; ---------------------------------------------------------------------------
-;; What is followed
-
-;; all : followed, the last first
-(struct register ([all #:mutable]) #:authentic)
+;; Systems that are followed
 
 ;; A program may make its system anew for each motion.
-(define most-registered 500)
+(define most-motions 500)
 
-(define (register! r maker ps state)
-  (define all (register-all r))
+;; motions : followed, the last first
+(define (with-motion maker ps state motions)
   (define derivative (if (null? ps) (derivative-for maker '()) maker))
-  (unless (or (>= (length all) most-registered)
-              (for/or ([f (in-list all)])
-                (and (eq? derivative (followed-maker f))
-                     (= (length ps) (length (followed-parameters f)))
-                     (same-shape? state (followed-state f)))))
-    (set-register-all! r (cons (followed derivative ps state) all))))
+  (define (same? f)
+    (and (eq? derivative (followed-maker f))
+         (= (length ps) (length (followed-parameters f)))
+         (same-shape? state (followed-state f))))
+  (if (or (>= (length motions) most-motions) (ormap same? motions))
+      motions
+      (cons (followed derivative ps state) motions)))
 
 ;; ---------------------------------------------------------------------------
-;; What is defined
+;; Systems that are defined
 
 ;; -> alist of names and values
 (define (definitions stx namespace)
@@ -77,12 +75,13 @@
 
 ;; -> followed, with states that its arguments show, and the names of those that show none
 (define (defined-only all defined k)
-  (define others
-    (for/list ([d (in-list defined)]
-               #:when (state-derivative? (cdr d))
-               #:unless (for/or ([f (in-list all)]) (eq? (cdr d) (followed-maker f))))
-      d))
-  (define states (for/list ([d (in-list others)]) (state-by-pattern (cdr d) k)))
-  (values (for/list ([d (in-list others)] [s (in-list states)] #:when s)
-            (followed (cdr d) '() s))
-          (for/list ([d (in-list others)] [s (in-list states)] #:unless s) (car d))))
+  (define makers (map followed-maker all))
+  (for/fold ([unfollowed '()] [shapeless '()]
+             #:result (values (reverse unfollowed) (reverse shapeless)))
+            ([d (in-list defined)]
+             #:when (state-derivative? (cdr d))
+             #:unless (memq (cdr d) makers))
+    (define state (state-by-pattern (cdr d) k))
+    (if state
+        (values (cons (followed (cdr d) '() state) unfollowed) shapeless)
+        (values unfollowed (cons (car d) shapeless)))))

@@ -1,15 +1,18 @@
 #lang racket/base
-;; What a command of `raco mechanics` is, and how commands are listed.
+;; The commands of `raco mechanics`, and their list as it is printed.
 
-(provide (struct-out command) find-command print-commands print-command)
+(provide (struct-out command) find-command command-names print-commands print-command)
 
-;; sentence : what it does
-;; run      : strings -> the status to exit with: 0 all is well, 1 the program or what was asked
-;;            for is not, 2 what was typed makes no sense
+;; sentence : about its purpose
+;; run      : strings -> the status to exit with: 0 all is well, 1 the program or the answers have
+;;            mistakes, 2 the arguments make no sense
 (struct command (name arguments sentence run))
 
 (define (find-command name commands)
-  (for/first ([c (in-list commands)] #:when (string=? name (command-name c))) c))
+  (findf (lambda (c) (string=? name (command-name c))) commands))
+
+(define (command-names commands)
+  (for/list ([c (in-list commands)]) (string->symbol (command-name c))))
 
 (define (print-commands commands)
   (printf "raco mechanics COMMAND ...\n\n")
@@ -22,6 +25,5 @@
   (printf "raco mechanics ~a\n    ~a\n" (usage c) (command-sentence c)))
 
 (define (usage c)
-  (if (string=? "" (command-arguments c))
-      (command-name c)
-      (string-append (command-name c) " " (command-arguments c))))
+  (define arguments (command-arguments c))
+  (string-append (command-name c) (if (string=? "" arguments) "" " ") arguments))

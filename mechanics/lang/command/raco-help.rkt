@@ -22,7 +22,7 @@
   (define near
     (if (card-of name)
         '()
-        (likely-names name (for/list ([c (in-list commands)]) (string->symbol (command-name c))))))
+        (likely-names name (command-names commands))))
   (unless (null? near)
     (printf "There is no command ~a; did you mean ~a?\n\n" name (alternatives near)))
   (help-about name))

@@ -1,6 +1,6 @@
 #lang racket/base
-;; `raco mechanics COMMAND ARGUMENT ...`: the command is looked up and run; mistakes are told in
-;; a few words, as tools for a terminal do.
+;; `raco mechanics COMMAND ARGUMENT ...`: the command is looked up and run; mistakes are told
+;; briefly, as terminal tools do.
 
 (require "raco-command.rkt" "commands.rkt"
          "../../error/spelling.rkt")
@@ -18,7 +18,7 @@
          2]))
 
 (define (run c arguments)
-  (cond [(ormap (lambda (a) (member a '("-h" "--help"))) arguments)
+  (cond [(or (member "-h" arguments) (member "--help" arguments))
          (print-command c)
          0]
         [(member "" arguments)
@@ -30,7 +30,7 @@
                                       2)])
            ((command-run c) arguments))]))
 
-;; As the shell gives it for a variable that has no value: that is no name of anything.
+;; A shell gives an empty argument for a variable without a value.
 (define (tell-empty name arguments)
   (define before
     (for/last ([a (in-list (cons name arguments))] [next (in-list arguments)]
@@ -42,8 +42,7 @@
                name (if (string=? name "help") "name" "file"))))
 
 (define (tell-unknown name)
-  (define near
-    (nearest-names name (for/list ([c (in-list commands)]) (string->symbol (command-name c)))))
+  (define near (nearest-names name (command-names commands)))
   (eprintf "raco mechanics: ~a is no command~a\n" (if (string=? name "") "an empty name" name)
            (if (null? near) "" (format "; did you mean ~a?" (alternatives near))))
   (eprintf "raco mechanics help lists them\n"))

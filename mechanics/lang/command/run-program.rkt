@@ -1,9 +1,9 @@
 #lang racket/base
-;; Running a program for a document: what each of its forms prints, and its results.
+;; Runs a program for a document: the output and the results of each form.
 ;;
 ;; The program runs once, as it would by itself: a module of its language, in a thread with
-;; parameters of its own, so that what it assumes or sets is gone afterwards.  An error ends it,
-;; as it would end the program; what came before is kept.
+;; parameters of its own, so that assumptions and settings are gone afterwards.  An error ends it,
+;; as it would end the program; earlier results are kept.
 
 (require racket/path
          "watch.rkt"
@@ -17,13 +17,13 @@
 ;; end   : early-end, or #f if it ran to its end
 (struct outcome (found end))
 
-;; number  : of the form where it ended, or #f if that is not known
+;; number  : of the form where it ended, or #f if that is unknown
 ;; running?: did it run?  If not, it could not be compiled
 ;; message : of the error, or #f if it ended itself, by exit
 (struct early-end (number running? message))
 
 ;; stx : of a module; file : where it was read -> outcome
-;; shown : result -> what is kept of it
+;; shown : result -> its form in the outcome
 ;; look  : called with the namespace of the program's definitions once it has run, or when it ends
 ;; itself
 (define (run-program stx file #:shown [shown value->shown] #:look [look void])
@@ -41,7 +41,7 @@
 ;; In the thread of the program
 
 ;; shown, look : as above; module : its name; number : of the form that runs, or #f
-;; items : what came of it, latest first
+;; items : its outputs and results, latest first
 (struct recorder (found printed shown look module [number #:mutable] [items #:mutable]) #:authentic)
 
 (define (run stx file shown look)
@@ -51,7 +51,7 @@
     (recorder found (open-output-string) shown look (make-resolved-module-path name) #f '()))
   (define ended
     (let/ec stop
-      ;; what is defined by then is looked at, as at the end
+      ;; the definitions made by then are looked at, as at the end
       (define (exit-by-program code)
         (when (recorder-number r) (look-at-definitions r))
         (stop (early-end (recorder-number r) #t #f)))
@@ -75,7 +75,7 @@
     (finish-form! r)
     (set-recorder-number! r number))
   (define module (recorder-module r))
-  (parameterize ([current-namespace (program-namespace)]
+  (parameterize ([current-namespace (namespace-anchor->empty-namespace here)]
                  [current-load-relative-directory (path-only file)]
                  [current-command-line-arguments (vector)]
                  [current-input-port (open-input-string "")]
@@ -91,10 +91,8 @@
 
 (define (look-at-definitions r) ((recorder-look r) (module->namespace (recorder-module r))))
 
-;; The program shares the library with those who show its results.
+;; The program shares the library with the code that shows its results.
 (define-namespace-anchor here)
-
-(define (program-namespace) (namespace-anchor->empty-namespace here))
 
 ;; ---------------------------------------------------------------------------
 ;; Recording
@@ -105,25 +103,22 @@
   (define port (recorder-printed r))
   (define text (get-output-string port))
   (unless (string=? text "")
-    (truncate-output! port)
+    (get-output-bytes port #t)          ; empties it
     (add-item! r (output text))))
 
-(define (truncate-output! port) (void (get-output-bytes port #t)))
-
-;; What was printed before the first form belongs to it.
+;; Output before the first form belongs to that form.
 (define (finish-form! r)
   (note-output! r)
-  (define number (recorder-number r))
   (define found (recorder-found r))
-  (when (and (or number (pair? (recorder-items r))) (positive? (vector-length found)))
-    (define n (or number 0))
+  (when (positive? (vector-length found))
+    (define n (or (recorder-number r) 0))
     (vector-set! found n (append (vector-ref found n) (reverse (recorder-items r))))
     (set-recorder-items! r '())))
 
 ;; ---------------------------------------------------------------------------
 ;; Errors
 
-;; The message as it is told where a program is run, with its hints.
+;; The message as it is printed where a program is run, with its hints.
 (define (message e)
   (define port (open-output-string))
   (parameterize ([current-error-port port]
@@ -135,8 +130,8 @@
         (eprintf "raised, though it is no error: ~v" e)))
   (regexp-replace #rx"\n+$" (get-output-string port) ""))
 
-;; The form that was running; in a program that could not be compiled, the one that the error
-;; is about, if it says so.
+;; The number of the form that was running; in a program that could not be compiled, of the form
+;; that the error names, or #f.
 (define (place-of e stx r)
   (or (recorder-number r)
       (and (exn:srclocs? e)

@@ -1,6 +1,6 @@
 #lang racket/base
-;; A system that a program follows, as a system for export: named after what the program and the
-;; book call it, with its parameters as such where the program gives them to what makes the state
+;; A system that a program follows, as a system for export: under the name that the program or the
+;; book gives it, with parameters where the program passes them to the maker of the state
 ;; derivative.
 
 (require racket/list
@@ -16,7 +16,7 @@
 (provide (struct-out followed) (struct-out found)
          make-knowledge state-by-pattern systems-of)
 
-;; maker : a state derivative; or, with parameters, what makes one of them
+;; maker : a state derivative; or, with parameters, the procedure that makes one of them
 (struct followed (maker parameters state) #:authentic)
 
 ;; name   : string, for the command line, files and functions
@@ -31,7 +31,7 @@
 (define (make-knowledge stx defined file)
   (knowledge (list (once (lambda () (program-heads stx))) (once book-heads)) defined file))
 
-;; -> found ones; what comes to the same is there once
+;; -> found ones, each system once
 (define (systems-of all k derivatives?)
   (for/fold ([done '()] #:result (reverse done)) ([f (in-list all)])
     (define name (fresh (system-name f k) (map found-name done)))
@@ -47,29 +47,32 @@
 ;; ---------------------------------------------------------------------------
 ;; Names
 
-;; The names that the value prints with, and the one that it has in the program.
-(define (names-in x k)
-  (define defined
-    (for/list ([d (in-list (knowledge-defined k))] #:when (eq? x (cdr d))) (car d)))
-  (append defined (filter symbol? (flatten (value->datum x)))))
+;; The names of the value in the program.
+(define (names-of x k)
+  (for/list ([d (in-list (knowledge-defined k))] #:when (eq? x (cdr d))) (car d)))
 
-;; look : heads name -> what is looked for or #f
+;; These, and the names that it prints with.
+(define (names-in x k)
+  (append (names-of x k) (filter symbol? (flatten (value->datum x)))))
+
+;; look : heads name -> a value for k, or #f
 (define (look-up k x look)
   (define names (names-in x k))
   (for*/or ([heads (in-list (knowledge-heads k))] [name (in-list names)]) (look (heads) name)))
 
 (define (system-name f k)
   (define maker (followed-maker f))
+  (define own-names (names-of maker k))
   (define name
-    (or (for/first ([d (in-list (knowledge-defined k))] #:when (eq? maker (cdr d))) (car d))
-        (look-up k maker telling-name)
-        (path->string (file-name-from-path (path-replace-extension (knowledge-file k) #"")))))
+    (cond [(pair? own-names) (car own-names)]
+          [(look-up k maker long-name)]
+          [else (file-name-from-path (path-replace-extension (knowledge-file k) #""))]))
   (identifier-of
    (regexp-replaces (format "~a" name)
                     '([#rx"^[LHT]-" ""] [#rx"(-state|-system)?-(derivative|sysder)$" ""]))))
 
-;; One that is a letter, as L, says nothing.
-(define (telling-name heads name)
+;; A defined name of more than a letter, such as L; or #f
+(define (long-name heads name)
   (and (hash-ref heads name #f) (< 1 (string-length (symbol->string name))) name))
 
 (define (identifier-of text)
@@ -125,20 +128,21 @@
   (let/ec return
     (make-exported 'export
                    (if (null? ps) maker (lambda (s) ((derivative-for maker ps) s)))
-                   (placeholder-state state) name order derivatives?
+                   ;; of a state that was being differentiated only the shape is needed
+                   (scalars->structure state (lambda (_) 0)) name order derivatives?
                    #:names (variable-names f k)
                    #:definition (definition-of f k symbols)
                    #:otherwise return)))
 
-;; What makes a state derivative of parameters says nothing of states; what it makes names the
-;; Lagrangian.
+;; The maker of a state derivative of parameters says nothing of states; the state derivative
+;; prints the Lagrangian's name.
 (define (variable-names f k)
   (define-values (maker ps state)
     (values (followed-maker f) (followed-parameters f) (followed-state f)))
   (or (names-by maker state k)
       (and (pair? ps) (names-by (derivative-for maker ps) state k))))
 
-;; A Lagrangian's own momenta are not what it calls its velocities.
+;; A Hamiltonian made of a Lagrangian has momenta where the Lagrangian's pattern has velocities.
 (define (names-by maker state k)
   (define names (look-up k maker (lambda (heads name) (state-names heads name state))))
   (define n (and names (quotient (length names) 2)))
@@ -147,9 +151,6 @@
               (for/list ([q (in-list (take (cdr names) n))])
                 (and q (string->symbol (format "p_~a" q)))))
       names))
-
-;; Of a state that was being differentiated only the shape is needed.
-(define (placeholder-state state) (scalars->structure state (lambda (_) 0)))
 
 (define (definition-of f k symbols)
   (define maker (value->text (followed-maker f)))

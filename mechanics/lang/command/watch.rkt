@@ -1,7 +1,9 @@
 #lang racket/base
-;; A program that tells when it begins with a form.  Before each form of the module stands a
-;; call that says which one it is; so the program runs as it would by itself, and what it
-;; prints and shows is known to come from that form.
+;; A program that tells when it begins with a form: before each form of the module stands a call
+;; with the form's number.  So the program runs as it would by itself, and each output is known to
+;; come from one form.
+
+(require (only-in racket/list append*))
 
 (provide with-watched-forms module-forms)
 
@@ -26,14 +28,14 @@
   (define p (module-parts stx))
   (define wrapper (parts-wrapper p))
   (define watched
-    (for*/list ([(form number) (in-parallel (parts-forms p) (in-naturals))]
-                [x (in-list (list (call-of (lambda () (watch number) (values))) form))])
-      x))
+    (append*
+     (for/list ([form (in-list (parts-forms p))] [number (in-naturals)])
+       (list (call-of (lambda () (watch number) (values))) form))))
   (define body
     (if wrapper
         (list (datum->syntax wrapper (cons (car (syntax-e wrapper)) watched) wrapper wrapper))
         watched))
   (datum->syntax stx (cons (namespace-module-identifier) (append (parts-start p) body)) stx stx))
 
-;; The procedure itself is in the form: no name of the program can stand in its way.
+;; The procedure itself is in the form, not its name, which the program might define.
 (define (call-of thunk) (datum->syntax #f (list thunk)))

@@ -1,11 +1,11 @@
 #lang racket/base
-;; How answers travel from the process of a submission to the teacher's: a line for each,
+;; The lines by which the process of a submission tells its answers to the teacher's:
 ;;
 ;;   (name answer datum)   (name text 72 101 ...)   (name failed 72 101 ...)   (name unanswered)
 ;;
-;; of nothing but names, numbers and parentheses, texts being the numbers of their characters.
-;; Whoever writes the lines may wish us ill; so they are looked at before they are read: no
-;; reader's syntax, no number that would take forever to be made.
+;; They hold only names, numbers and parentheses; a text is the numbers of its characters.  Their
+;; writer may wish us ill: so they are inspected before they are read, for syntax of the reader and
+;; for numbers that would take forever to be made.
 
 (require "../worksheet/answer-data.rkt" "../worksheet/read-untrusted.rkt")
 
@@ -29,7 +29,7 @@
               #:when (and entry (not (hash-has-key? found (car entry)))))
     (hash-set found (car entry) (cdr entry))))
 
-;; -> (name . answer), or #f of what is none
+;; -> (name . answer), or #f if the line is no answer
 (define (read-line-safely line)
   (define d (if (plain-line? line) (read-datum line) (refused-line line)))
   (and (list? d) (>= (length d) 2) (symbol? (car d)) (symbol? (cadr d))
@@ -40,7 +40,7 @@
            (regexp-match? #px"[0-9.][a-zA-Z][+-]?[0-9]{4,}" line)
            (regexp-match? #px"[0-9]{2000,}" line))))
 
-;; The name is told even so.
+;; A failure under the name of the line, if the line has one.
 (define (refused-line line)
   (define m (regexp-match #px"^\\(([a-zA-Z][\\w*+/<=>!?:$%&~^.-]{0,60}) answer " line))
   (and m (list* (string->symbol (cadr m)) 'failed

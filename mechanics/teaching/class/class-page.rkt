@@ -1,8 +1,8 @@
 #lang racket/base
-;; The report on a class as a page of HTML: a table, what went wrong how often, and each
+;; The report on a class as a page of HTML: a table, common mistakes with their number, and each
 ;; submission with its answers typeset.
 ;;
-;; Whatever a student wrote is text on the page and nothing else, for the page is built as XML.
+;; A student's words are text on the page and nothing else, for the page is built as XML.
 
 (require racket/file
          racket/list
@@ -34,12 +34,12 @@
   (if text `((p ([class "warning"] [role "alert"]) ,(visible text))) '()))
 
 (define (summary w all)
-  (define points (for/list ([g (in-list all)]) (graded-points g w)))
-  (define open (for/sum ([g (in-list all)]) (graded-open g)))
+  (define points (map graded-points all))
+  (define open (apply + (map graded-open all)))
   `(p ,(visible (format "~a. On average ~a of ~a.~a"
                         (counted (length all) "submission")
                         (number->text (/ (apply + points) (max 1 (length all))))
-                        (counted-points (total-points w))
+                        (counted-points (total-points (exercises-of w)))
                         (if (= open 0) "" (format " Left to you: ~a." (counted open "answer")))))))
 
 ;; ---------------------------------------------------------------------------
@@ -52,26 +52,24 @@
                           ,@(for/list ([e (in-list (exercises-of w))])
                               `(th ,(visible (symbol->string (exercise-name e)))))
                           (th "Points")))
-               (tbody ,@(for/list ([g (in-list all)] [i (in-naturals 1)]) (row w g i))))))
+               (tbody ,@(for/list ([g (in-list all)] [i (in-naturals 1)]) (row g i))))))
 
-(define (row w g i)
+(define (row g i)
   `(tr (td (a ([href ,(format "#s~a" i)]) ,(visible (person g))))
-       ,@(for/list ([j (in-list (graded-judgments g))] [e (in-list (exercises-of w))])
-           `(td ([class ,(symbol->string (judgment-status j))]
-                 [title ,(status->words (judgment-status j))])
-                ,(visible (cell-text e j))))
-       (td ([class "total"]) ,(visible (number->text (graded-points g w))))))
+       ,@(for/list ([j (in-list (graded-answers g))])
+           (define status (judged-status j))
+           `(td ([class ,(symbol->string status)] [title ,(status->words status)])
+                ,(visible (cell-text status (judged-points j)))))
+       (td ([class "total"]) ,(visible (number->text (graded-points g))))))
 
-(define (cell-text e j)
-  (define points (judgment-points j (exercise-points e)))
-  (case (judgment-status j)
+(define (cell-text status points)
+  (case status
     [(undecided) "?"]
     [(kept) "to read"]
     [(unanswered) "–"]
     [(failed) "error"]
-    [else (format "~a ~a" (mark j) (number->text points))]))
-
-(define (mark j) (case (judgment-status j) [(right) "✓"] [(partly) "±"] [else "✗"]))
+    [else (format "~a ~a" (case status [(right) "✓"] [(partly) "±"] [else "✗"])
+                  (number->text points))]))
 
 (define (person g) (submission-person (graded-submission g)))
 
@@ -81,56 +79,54 @@
 (define (times n) (if (= n 1) "once" (format "~a times" n)))
 
 (define (what-went-wrong w all)
+  (define wrong (filter wanting? (append-map graded-answers all)))
   (define rows
-    (append*
-     (for/list ([e (in-list (exercises-of w))] [k (in-naturals)])
-       (define said
-         (for*/list ([g (in-list all)]
-                     [j (in-value (list-ref (graded-judgments g) k))]
-                     #:when (memq (judgment-status j) '(wrong partly trivial)))
-           (if (pair? (judgment-words j)) (car (judgment-words j)) "it fails in another way")))
-       (for/list ([group (in-list (sort (group-by values said) > #:key length))])
-         (list (exercise-name e) (car group) (length group))))))
+    (for*/list ([e (in-list (exercises-of w))]
+                [same (in-value (filter (lambda (j) (eq? e (judged-exercise j))) wrong))]
+                [group (in-list (sort (group-by values (map mistake same)) > #:key length))])
+      `(tr (td ,(visible (symbol->string (exercise-name e))))
+           (td ,(visible (car group)))
+           (td ,(visible (times (length group)))))))
   (if (null? rows)
       '()
-      `((h2 "What went wrong")
-        (div ([class "table"])
-             (table (tbody ,@(for/list ([r (in-list rows)])
-                               `(tr (td ,(visible (symbol->string (first r))))
-                                    (td ,(visible (second r)))
-                                    (td ,(visible (times (third r))))))))))))
+      `((h2 "What went wrong") (div ([class "table"]) (table (tbody ,@rows))))))
+
+(define (mistake j)
+  (define words (judgment-words (judged-judgment j)))
+  (if (pair? words) (car words) "it fails in another way"))
 
 ;; ---------------------------------------------------------------------------
 ;; A submission
 
 (define (section w g i)
-  (define s (graded-submission g))
+  (define id (submission-id (graded-submission g)))
   `((h2 ([id ,(format "s~a" i)]) ,(visible (person g))
-        ,@(if (equal? (person g) (submission-id s))
+        ,@(if (equal? (person g) id)
               '()
-              `((span ([class "label"]) ,(visible (format " (~a)" (submission-id s))))))
-        ,(visible (format ": ~a of ~a" (number->text (graded-points g w))
-                          (counted-points (total-points w)))))
+              `((span ([class "label"]) ,(visible (format " (~a)" id)))))
+        ,(visible (format ": ~a of ~a" (number->text (graded-points g))
+                          (counted-points (total-points (exercises-of w))))))
     ,@(if (graded-problem g)
           `((pre ([class "failure"]) ,(visible (graded-problem g))))
           '())
     ,@(for/list ([n (in-list (graded-notes g))]) `(p ([class "note"]) ,(visible n)))
-    ,@(for/list ([e (in-list (exercises-of w))] [j (in-list (graded-judgments g))]
-                 #:unless (and (eq? 'failed (judgment-status j)) (null? (judgment-words j))))
-        (judged-answer e j (hash-ref (graded-answers g) (exercise-name e) '(unanswered))))))
+    ,@(for/list ([j (in-list (graded-answers g))]
+                 #:unless (equal? '(failed) (judged-answer j)))
+        (answer-section j))))
 
-(define (judged-answer e j d)
-  `(div ([class ,(format "judged ~a" (judgment-status j))])
+(define (answer-section j)
+  (define status (judged-status j))
+  `(div ([class ,(format "judged ~a" status)])
         (p (span ([class "status"])
-                 ,(visible (format "~a: ~a~a" (exercise-name e) (status->words (judgment-status j))
-                                   (points->text e j)))))
-        ,@(answer->xexprs d)
-        ,@(for/list ([text (in-list (judgment-words j))])
+                 ,(visible (format "~a: ~a~a" (judged-name j) (status->words status)
+                                   (points->text j)))))
+        ,@(answer->xexprs (judged-answer j))
+        ,@(for/list ([text (in-list (judgment-words (judged-judgment j)))])
             `(p ([class "said"]) ,(visible text)))
-        ,@(evidence (judgment-verdict j) j)))
+        ,@(evidence (judgment-verdict (judged-judgment j)))))
 
-;; A proof needs no more words.
-(define (evidence v j)
+;; A proof without assumptions needs no more words.
+(define (evidence v)
   (if (and v (not (and (proved? v) (null? (verdict-assumptions v)))))
       `((details (summary "verdict") ,@(tree->xexprs (value->tree v #t))))
       '()))
@@ -139,7 +135,7 @@
 
 (define (text->xexpr text) `(pre ([class "text"]) ,(visible text)))
 
-;; As it was written, not simplified.
+;; The answer as it was written, not simplified.
 (define (answer->xexprs d)
   (case (car d)
     [(answer)

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; The answers of one submission, collected from a process of its own.
 ;;
-;; The process may cost so many seconds (process-cost.rkt), two thirds of what a submission may, the rest
-;; being for its judgments; and it may write so much.  Then it is ended, with whatever it started.
-;; Nothing that it writes is run.
+;; The process may cost two thirds of the seconds of a submission (process-cost.rkt), the rest being for
+;; its judgments; and its output is limited.  Beyond either limit it is ended, with all processes
+;; that it started.  Nothing that it writes is run.
 
 (require racket/match
          racket/port
@@ -14,7 +14,7 @@
 
 ;; answers : hasheq of answers (answer-lines.rkt), by name
 ;; problem : why there are not more, or #f
-;; spent   : seconds, what the program has cost
+;; spent   : seconds that the program has cost
 (struct collected (answers problem spent) #:transparent)
 
 (define most-output 250000)
@@ -36,7 +36,7 @@
   (format "~s\n" (request (and (not (waits-known?)) (seconds-to-run i))
                           (isolation-megabytes i) bare text)))
 
-;; What tells how an answer is applied, and no more.
+;; The exercise without all parts but those that tell how an answer is applied.
 (define (without-key e)
   (exercise (exercise-name e) (exercise-kind e) "" (exercise-coordinates e)
             (for/hasheq ([(name value) (in-hash (exercise-settings e))]
@@ -59,14 +59,14 @@
   (subprocess-kill process #t)
   (collected-from text (if failed? 'ended end) spent))
 
-;; text : what the process wrote; how : it ended, done, ended, late or long
+;; text : output of the process; how : it ended, one of done, ended, late, long
 (define (collected-from text how [spent 0])
   (define found (read-answer-lines text))
   (collected (hash-remove (hash-remove found '*program*) '*ready*) (problem-of found how) spent))
 
-;; start : a reading; read-on : of the last one, what it is now
-;; -> text, how it ended, done, late or long, and what it cost since it had loaded the library
-;; and read what it is asked, which it says
+;; start : a reading; read-on : last reading -> the present one
+;; -> text; done, late or long; and the cost since the process wrote its first line, which says
+;; that it has loaded the library and read its request
 (define (read-within seconds in start read-on)
   (define buffer (make-bytes 65536))
   (let loop ([parts '()] [size 0] [start start] [now start])
@@ -86,8 +86,8 @@
 (define longest-start 60)        ; seconds
 (define pulse 1/5)               ; seconds, how often its cost is looked at
 
-;; A program that was stopped, or did not run at all.  What is said of the program may be the
-;; program's own invention, and of any form.
+;; Why the program was stopped or did not run, or #f.  The entry *program* may be the program's
+;; own invention, of any form.
 (define (problem-of found end)
   (define program
     (match (hash-ref found '*program* #f)

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The program of the process of a submission (evaluate.rkt): asked on one port, it answers on
-;; the other.
+;; The program of a submission's process (evaluate.rkt): it reads a request from one port and
+;; answers on the other.
 
 (require "evaluate.rkt")
 

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; The process of one submission: it runs a student's program, and writes down the answers.
 ;;
-;; It knows no key and gives no verdict.  The program runs in a sandbox of Racket's, and so does
-;; whatever is asked of its values, for applying an answer or writing it down runs what the
-;; student wrote.  What gets out of the sandbox is in a process that has nothing (isolation.rkt).
-;; An answer that ends the program ends no other: the program is opened anew for those.
+;; It knows no key and gives no verdict.  The program runs in a sandbox of Racket's, and so do all
+;; uses of its values, for the student's code runs when an answer is applied or written down.  A
+;; program that escapes from the sandbox is in a process that can reach nothing (isolation.rkt).
+;; Where an answer ends the program, the program is opened anew for the next answers.
 ;;
 ;; It reads a request, and writes a line for each answer (answer-lines.rkt).
 
@@ -13,7 +13,7 @@
 
 (provide evaluate-request (struct-out request))
 
-;; seconds : or #f, where its cost is watched over from outside
+;; seconds : or #f, where the cost is watched from outside
 ;; exercises : without keys; text : the program
 (struct request (seconds megabytes exercises text) #:prefab)
 

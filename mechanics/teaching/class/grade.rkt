@@ -1,36 +1,41 @@
 #lang racket/base
-;; A class: submissions are evaluated, several at a time, each in its process; what they answer
-;; is judged here.
+;; A class: submissions are evaluated, several at a time, each in its process; their answers are
+;; judged here.
 ;;
-;; A submission costs its own time at most: what it took to evaluate it is taken off the time for
-;; its judgments.  The same answer of two students is judged once; what there was no time to judge
+;; A submission costs its own time at most: the time of its evaluation is taken off that of its
+;; judgments.  The same answer of two students is judged once; an answer without time left for it
 ;; is left to a person.
 
 (require racket/future
+         (only-in racket/list count)
          "collect-answers.rkt" "isolation.rkt" "submission.rkt" "within-limits.rkt"
          "../worksheet/defined-names.rkt" "../worksheet/exercise.rkt" "../worksheet/judge.rkt" "../worksheet/judgment.rkt")
 
 (provide grade-class
-         (struct-out graded) graded-points graded-open (struct-out class-report))
+         (struct-out graded) graded-judgments graded-points graded-open graded-remarks
+         (struct-out class-report))
 
-;; judgments : one for each exercise of the worksheet; answers : hasheq, as collected
-;; notes     : strings, what else there is to say of it
-(struct graded (submission answers judgments problem notes) #:transparent)
+;; answers : judged answers, one for each exercise of the worksheet
+;; problem : why there are not more answers, or #f; notes : further strings
+(struct graded (submission answers problem notes) #:transparent)
 
-;; warning : what is to be told on top, or #f
+;; warning : text for the top, or #f
 (struct class-report (worksheet warning graded) #:transparent)
 
-;; The points, as far as they are known.
-(define (graded-points g w)
-  (for/sum ([j (in-list (graded-judgments g))] [e (in-list (exercises-of w))])
-    (or (judgment-points j (exercise-points e)) 0)))
+(define (graded-judgments g) (map judged-judgment (graded-answers g)))
 
-;; How many answers are left to a person?
-(define (graded-open g)
-  (for/sum ([j (in-list (graded-judgments g))]) (if (judgment-share j) 0 1)))
+(define (graded-points g) (sum-of-points (graded-answers g)))
 
-;; strictest : level of isolation, the first that is tried
-;; tell : number of submissions graded so far -> any; called after each
+;; The number of answers that are left to a person.
+(define (graded-open g) (count (lambda (j) (not (judgment-share j))) (graded-judgments g)))
+
+;; The problem, if there is one, and the notes.
+(define (graded-remarks g)
+  (define problem (graded-problem g))
+  (if problem (cons problem (graded-notes g)) (graded-notes g)))
+
+;; strictest : the level of isolation that is tried first
+;; tell : called after each submission with the number graded so far
 (define (grade-class w submissions
                      #:seconds [seconds 10] #:megabytes [megabytes 512]
                      #:strictest [strictest 'namespaces] #:tell [tell void])
@@ -52,7 +57,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Evaluation
 
-;; As many at a time as there are processors. -> list of procedures that wait for a result
+;; Starts as many at a time as there are processors. -> procedures that wait for a result each
 (define (start-all i exercises submissions)
   (define seats (make-semaphore (max 1 (min 4 (processor-count)))))
   (for/list ([s (in-list submissions)])
@@ -63,30 +68,29 @@
                                                 (lambda () (collect-one i exercises s))))))
     (lambda () (channel-get result))))
 
-;; Whatever happens there is a result, for somebody waits for it: a system may have no process
-;; left to start.
+;; Gives a result even where the system has no process left to start: a thread waits for it.
 (define (collect-one i exercises s)
+  (define (none problem) (collected (hasheq) problem 0))
   (with-handlers ([exn:fail? (lambda (x)
-                               (collected (hasheq) (string-append "it could not be evaluated: "
-                                                                  (exn-message x))
-                                          0))])
+                               (none (string-append "it could not be evaluated: "
+                                                    (exn-message x))))])
     (if (submission-text s)
         (collect-answers i exercises (submission-text s))
-        (collected (hasheq) (submission-problem s) 0))))
+        (none (submission-problem s)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Judgment
 
 (define (grade-one exercises s found known seconds)
-  (define answers (collected-answers found))
   (define problem (collected-problem found))
   (define nothing (if problem '(failed) '(unanswered)))
-  (define-values (judgments left)
-    (for/fold ([done '()] [left (- seconds (collected-spent found))]) ([e (in-list exercises)])
-      (define-values (j took)
-        (judge-once known e (hash-ref answers (exercise-name e) nothing) left))
-      (values (cons j done) (- left took))))
-  (graded s answers (reverse judgments) problem (notes-on exercises s found)))
+  (define answers
+    (for/fold ([done '()] [left (- seconds (collected-spent found))] #:result (reverse done))
+              ([e (in-list exercises)])
+      (define d (hash-ref (collected-answers found) (exercise-name e) nothing))
+      (define-values (j took) (judge-once known e d left))
+      (values (cons (judged e d j) done) (- left took))))
+  (graded s answers problem (notes-on exercises s found)))
 
 (define (notes-on exercises s found)
   (define text (or (submission-text s) ""))
@@ -96,8 +100,8 @@
   (append (if part? '("what could be run of it was judged") '())
           (definition-notes exercises text)))
 
-;; -> a judgment, and the seconds that it took.  One that was not made is not remembered: the next
-;; may have more time for it.
+;; -> a judgment, and the seconds that it took.  An answer that was not judged is not remembered:
+;; the next submission may have more time for it.
 (define (judge-once known e d seconds)
   (define key (cons (exercise-name e) d))
   (define found (hash-ref known key #f))

@@ -1,7 +1,7 @@
 #lang racket/base
-;; Where submissions run: in a process that can reach nothing.
+;; Isolation of submissions: each runs in a process that can reach nothing.
 ;;
-;; A sandbox of Racket's keeps an honest mistake in, and most attacks; but a place that a program
+;; Racket's sandbox contains an honest mistake, and most attacks; but a place that a program
 ;; starts has no sandbox around it.  So, where Linux has the tools, the process is
 ;;
 ;;   prlimit   limited in memory, time, processes, and files, of which it can write none;
@@ -14,7 +14,7 @@
 ;;
 ;;   namespaces   all of that;
 ;;   nobody       prlimit and setpriv, for root alone; a library that only root can read is copied;
-;;   own          prlimit: the process belongs to whoever asked.
+;;   own          prlimit: the process belongs to the teacher.
 
 (require compiler/compilation-path
          racket/file
@@ -22,7 +22,7 @@
          racket/path
          racket/port
          setup/dirs
-         "tasks.rkt"
+         "process-cost.rkt"
          "../../error/complain.rkt")
 
 (provide call-with-isolation isolation-levels
@@ -30,7 +30,7 @@
          level-warning
          start-isolated)
 
-;; megabytes, seconds : of each submission, what it may cost (process-cost.rkt)
+;; megabytes, seconds : that each submission may cost (process-cost.rkt)
 ;; limits? : does prlimit set limits?  nobody? : does setpriv change the user?
 ;; level   : of isolation-levels
 ;; folder  : the mount point of the root directory, or the place of a copied library, or #f
@@ -59,8 +59,8 @@
       "Do not run submissions of people whom you do not trust here; use a virtual machine with "
       "Linux.")]))
 
-;; Gives the strictest isolation that works to `use`; its folder is gone afterwards, whatever
-;; happens.  strictest : the first of isolation-levels that is tried
+;; Calls `use` with the strictest isolation that works; its folder is deleted afterwards in any
+;; case.  strictest : the first of isolation-levels that is tried
 (define (call-with-isolation megabytes seconds use #:strictest [strictest 'namespaces])
   (check-compiled)
   (define folder #f)
@@ -85,7 +85,7 @@
     (file-or-directory-permissions folder #o755)
     folder))
 
-;; The last resort is not tried: what fails in it fails everywhere.
+;; The last resort is not tried: a failure there would be one everywhere.
 (define (find-isolation megabytes seconds folder allowed)
   (define prlimit? (and (find "prlimit") #t))
   (define setpriv? (and (find "setpriv") #t))
@@ -108,8 +108,8 @@
   (define id (find "id"))
   (and id (equal? "0\n" (output-of (lambda () (subprocess #f #f #f id "-u"))))))
 
-;; Whatever the modes of its files, everybody may read the copy; by their times compiled ones are
-;; known to be up to date. -> was there room for it?
+;; Copies the library for everybody to read, with the times by which compiled files are known to be
+;; up to date. -> was there room for it?
 (define (copy-library folder)
   (define copy (build-path folder "mechanics"))
   (with-handlers ([exn:fail:filesystem? (lambda (e) #f)])
@@ -122,8 +122,7 @@
 ;; The command
 
 ;; Starts Racket with these arguments -> the process, its output, its input, its errors.
-;; Its environment is empty, but that compiled files are to be taken as they are: there none
-;; could be written.
+;; Its environment says only that compiled files are up to date: none could be written there.
 (define (start-isolated i arguments)
   (define command (isolated-command i arguments))
   (parameterize ([current-environment-variables (make-environment-variables
@@ -153,8 +152,8 @@
 
 (define nobody 65534)
 
-;; Racket reserves more addresses than it uses.  Its time is watched over from outside; this
-;; limit, which counts that of loading as well, is for what would not be seen there.
+;; Racket reserves more addresses than it uses.  Its time is watched from outside; this limit,
+;; which includes the time of loading, stops a process that is not seen there.
 (define (limits i)
   (define bytes (* 1048576 (+ 1024 (* 2 (isolation-megabytes i)))))
   (define seconds (+ 30 (inexact->exact (ceiling (isolation-seconds i)))))
@@ -177,10 +176,10 @@
           (needed-folders)
           command))
 
-;; $1 : where to put the root directory together; $2 : the collection of this library, of which
-;; nothing around it is seen; $3 : how many folders follow that it needs; then the command.
-;; The system may refuse a folder without what is mounted in it; then that comes along.  Racket
-;; asks /proc for its own name.
+;; $1 : folder in which the root directory is made; $2 : the collection of this library, of whose
+;; surroundings nothing is seen; $3 : the number of folders that follow; then the command.
+;; The system may refuse to bind a folder without the file systems mounted in it; then they come
+;; along.  Racket asks /proc for its own name.
 (define set-up #<<sh
 set -e
 umask 022
@@ -212,7 +211,7 @@ sh
   (simplify-path (path->complete-path (or (find-executable-path p) p)
                                       (find-system-path 'orig-dir))))
 
-;; Where the collection of this library is found; nothing of the user's own.
+;; Collections come from this library and Racket, none from the user's own folder.
 (define (racket-options i)
   (list "-A" "/nowhere"
         "-S" (cond [(isolation-complete? i) "/library"]

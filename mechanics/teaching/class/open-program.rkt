@@ -1,17 +1,17 @@
 #lang racket/base
 ;; A student's program, run in a sandbox of Racket's.
 ;;
-;; A program that cannot be run as a whole, for a name in it is misspelt, say, is run form by form,
-;; as if it were typed at a prompt: so one answer with a mistake voids no other.
+;; A program that cannot be run as a whole, because of a misspelt name for example, is run form by
+;; form, as if it were typed at a prompt: so a mistake in one answer voids no other.
 
 (require racket/match
          racket/sandbox)
 
 (provide open-program answer-in program-ended? (struct-out program) reason)
 
-;; evaluator : or #f, if nothing of it could be run
+;; evaluator : or #f, if no form could be run
 ;; problem   : why it does not run as a whole, or #f
-;; failures  : hasheq, why a name of it has no value
+;; failures  : hasheq, why a name has no value
 (struct program (evaluator problem failures))
 
 ;; seconds : of each evaluation, or #f
@@ -31,7 +31,7 @@
   (with-handlers ([void (lambda (x) (open-by-forms text x limited))])
     (program (limited (lambda () (make-module-evaluator text))) #f (hasheq))))
 
-;; x : what was raised when it was run as a whole
+;; x : the value raised when the program was run as a whole
 (define (open-by-forms text x limited)
   (with-handlers ([void (lambda (_) (program #f (reason x) (hasheq)))])
     (define evaluator
@@ -44,7 +44,7 @@
 
 (define our-language #px"^#lang mechanics[ \t]*\r?\n")
 
-;; Where a form cannot be read nothing can that follows it.  Of a name's definitions the last
+;; Runs the forms up to the first one that cannot be read.  Of a name's definitions the last
 ;; counts. -> failures
 (define (run-forms text)
   (define in (open-input-string text))
@@ -71,8 +71,8 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; answer-of : of the value -> data; of a program that does not define the name what it failed
-;; with, or else `otherwise`.
+;; answer-of : value of the name -> data.  For a name that is not defined, its failure or
+;; `otherwise`.
 (define (answer-in p name answer-of otherwise)
   (define failure (hash-ref (program-failures p) name #f))
   (with-handlers ([void (lambda (x) (list 'failed (reason x)))])
@@ -80,22 +80,20 @@
      (program-evaluator p)
      (lambda ()
        (cond [failure (list 'failed failure)]
-             [(defined? name) (retold (answer-of (eval name)))]
+             [(defined? name)
+              (match (answer-of (eval name))
+                [(list 'failed text) (list 'failed (in-readers-words text))]
+                [d d])]
              [else otherwise])))))
 
-;; Has what it did ended it, by `exit` or by taking too much?
+;; Has the program ended itself, by `exit` or by taking too much?
 (define (program-ended? p) (not (evaluator-alive? (program-evaluator p))))
-
-(define (retold d)
-  (match d
-    [(list 'failed text) (list 'failed (in-readers-words text))]
-    [_ d]))
 
 (define (defined? name)
   (identifier-binding (namespace-symbol->identifier name) 0 #t))
 
-;; What was raised is not asked for its message unless it is an error of Racket's own making,
-;; and is not printed.
+;; The value x is asked for its message only if it is an exception of Racket's, and it is not
+;; printed.
 (define (reason x)
   (cond [(out-of-bounds? x) "it took too long, or too much memory, or ended itself"]
         [(and (exn? x) (string? (exn-message x))) (in-readers-words (exn-message x))]
@@ -103,7 +101,7 @@
 
 (define (out-of-bounds? x) (or (exn:fail:resource? x) (exn:fail:sandbox-terminated? x)))
 
-;; The program is not called so by who wrote it.
+;; The student does not call the program `program`.
 (define (in-readers-words text)
   (define with-lines (regexp-replace #px"^program:(\\d+):\\d+: " text "line \\1: "))
   (regexp-replace #px"^(\\S+): undefined;\n cannot reference an identifier before its def.*$"

@@ -1,9 +1,10 @@
 #lang racket/base
-;; What a process has cost: the seconds in which it kept others waiting, and not the system it.
+;; The cost of a process: the seconds in which it kept others waiting, without those in which the
+;; system kept it waiting; and the number of a user's tasks.
 ;;
-;; On a machine that has much to do a program waits for a processor, which is no fault of its own;
-;; one that sleeps keeps its place from others, and one that starts more of its kind uses more
-;; than its own time.  So the cost between two readings is the greater of
+;; On a busy machine a program waits for a processor, which is no fault of its own; a sleeping
+;; program keeps its place from others, and one that starts further processes uses more than its
+;; own time.  So the cost between two readings is the greater of
 ;;
 ;;   passed − waited    what the clock says, without the time in which the program could have
 ;;                      run, and had no processor
@@ -11,10 +12,12 @@
 ;;
 ;; Linux tells both in /proc.  Where it does not, all time that passes is the program's.
 
-(require racket/file
+(require (only-in racket/file file->string)
+         (only-in racket/list filter-map)
          (only-in racket/string string-split))
 
-(provide (struct-out reading) read-cost read-on cost-between waits-known? children-of)
+(provide (struct-out reading) read-cost read-on cost-between waits-known? children-of
+         tasks-of owner)
 
 ;; clock, waited, used : seconds, since some time each
 (struct reading (clock waited used) #:transparent)
@@ -25,10 +28,12 @@
 
 ;; id : of a process; first-child? : is the program not this process, but the first it started?
 (define (read-cost id first-child?)
-  (define program (if (and first-child? (pair? (children-of id))) (car (children-of id)) id))
-  (reading (/ (current-inexact-milliseconds) 1000.) (waited program) (used id)))
+  (define children (if first-child? (children-of id) '()))
+  (reading (/ (current-inexact-milliseconds) 1000.)
+           (waited (if (pair? children) (car children) id))
+           (used id)))
 
-;; Of a process that has ended nothing can be read any more; what was known of it stays.
+;; The next reading; a process that has ended keeps the last one.
 (define (read-on last id first-child?)
   (define now (read-cost id first-child?))
   (define (greatest field) (max (field last) (field now)))
@@ -45,16 +50,14 @@
   (define found (numbers (about id "schedstat")))
   (if (= 3 (length found)) (/ (cadr found) 1e9) 0.))
 
-;; In hundredths of a second, by the program and by the system, of it and of its children that
-;; have ended: what follows its name, which may be anything, from the twelfth on.
+;; Hundredths of a second, by the program and by the system, of the process and of its children
+;; that have ended: four numbers of those that follow its name, which may be any text.
 (define (used id)
   (define m (regexp-match #rx"[)] [^)]*$" (about id "stat")))
   (define found (if m (numbers (car m)) '()))
   (define own
-    (if (> (length found) first-time)
-        (/ (for/sum ([n (in-list (list-tail found first-time))] [_ (in-range 4)]) n) 100.)
-        0.))
-  (for/fold ([sum own]) ([c (in-list (children-of id))]) (+ sum (used c))))
+    (for/sum ([n (in-list found)] [i (in-range (+ first-time 4))] #:when (>= i first-time)) n))
+  (apply + (/ own 100.) (map used (children-of id))))
 
 (define first-time 10)           ; of the numbers that follow the letter of its state
 
@@ -65,4 +68,24 @@
   (with-handlers ([exn:fail:filesystem? (lambda (e) "")])
     (file->string (format "/proc/~a/~a" id name))))
 
-(define (numbers text) (filter values (map string->number (string-split text))))
+(define (numbers text) (filter-map string->number (string-split text)))
+
+;; ---------------------------------------------------------------------------
+;; Tasks: processes and their threads
+
+;; user : number of a user -> number; 0 where there is no /proc
+(define (tasks-of user)
+  (for*/sum ([name (in-list (entries "/proc"))]
+             #:when (regexp-match? #rx"^[0-9]+$" name)
+             [process (in-value (build-path "/proc" name))]
+             #:when (eqv? user (owner process)))
+    (length (entries (build-path process "task")))))
+
+;; A process may end while it is looked at.
+(define (entries folder)
+  (with-handlers ([exn:fail:filesystem? (lambda (e) '())]) (directory-list folder)))
+
+;; -> number of the user who owns the file, or #f
+(define (owner path)
+  (with-handlers ([exn:fail:filesystem? (lambda (e) #f)])
+    (hash-ref (file-or-directory-stat path) 'user-id)))

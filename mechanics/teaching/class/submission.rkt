@@ -1,19 +1,20 @@
 #lang racket/base
-;; What was handed in: the files of a folder, looked at before anything of them is run.
+;; Submissions: the files of a folder, inspected before any of them is run.
 ;;
 ;; Each program of the folder, a file ending with .rkt, is a submission, and so is a folder in it
 ;; that holds one such file, as learning platforms deliver them.  Links are not followed.
 
-(require racket/path
+(require (only-in racket/list filter-map)
+         racket/path
          (only-in racket/string string-trim)
          "../../error/complain.rkt")
 
 (provide (struct-out submission) folder->submissions file->submission)
 
 ;; id      : string, by which it is listed
-;; person  : what its line ";; Name:" says, or the id
+;; person  : the name in its line ";; Name:", or the id
 ;; text    : the program, or #f
-;; problem : why there is none, or #f
+;; problem : why there is no program, or #f
 (struct submission (id person text problem) #:transparent)
 
 (define largest 1000000)
@@ -21,11 +22,7 @@
 ;; who : in whose name is complained
 (define (folder->submissions who folder)
   (define entries (sort (directory-list folder) string<? #:key by-number #:cache-keys? #t))
-  (define found
-    (for*/list ([name (in-list entries)]
-                [s (in-value (entry->submission folder name))]
-                #:when s)
-      s))
+  (define found (filter-map (lambda (name) (entry->submission folder name)) entries))
   (when (null? found)
     (complain who "there is no submission, no file that ends with .rkt\n  folder: ~a" folder))
   found)
@@ -47,10 +44,12 @@
 (define (subfolder->submission path id)
   (define programs (filter program? (directory-list path)))
   (cond [(hidden? id) #f]
-        [(null? programs) (submission id id #f "the folder has no file that ends with .rkt")]
+        [(null? programs) (without-program id "the folder has no file that ends with .rkt")]
         [(pair? (cdr programs))
-         (submission id id #f "the folder has several files that end with .rkt")]
+         (without-program id "the folder has several files that end with .rkt")]
         [else (file->submission (build-path path (car programs)) id)]))
+
+(define (without-program id problem) (submission id id #f problem))
 
 (define (program? name) (regexp-match? #rx#"[.]rkt$" (path->bytes name)))
 (define (hidden? id) (or (regexp-match? #rx"^[.]" id) (equal? id "compiled")))
@@ -59,18 +58,15 @@
 (define (path->text path) (bytes->string/utf-8 (path->bytes path) #\?))
 
 (define (file->submission path [id (path->text (file-name-from-path path))])
-  (define (problem text) (submission id id #f text))
+  (define (problem text) (without-program id text))
   (cond [(link-exists? path) (problem "it is a link to another place, and was not opened")]
         [(directory-exists? path) (problem "it is a folder, though its name ends with .rkt")]
         [(not (file-exists? path)) (problem "there is no such file")]
-        [(not (regular? path)) (problem "it is no file of text")]
+        ;; a pipe or a device would be read without end
+        [(not (eq? 'file (file-or-directory-type path))) (problem "it is no file of text")]
         [(> (file-size path) largest)
          (problem (format "it has ~a bytes; at most ~a are read" (file-size path) largest))]
         [else (bytes->submission id (read-at-most path))]))
-
-;; A pipe or a device would be read without end.
-(define (regular? path)
-  (eq? 'file (file-or-directory-type path)))
 
 (define (read-at-most path)
   (define bytes (call-with-input-file path (lambda (in) (read-bytes largest in))))
@@ -78,8 +74,8 @@
 
 (define (bytes->submission id bytes)
   (define text (with-handlers ([exn:fail:contract? (lambda (e) #f)]) (bytes->string/utf-8 bytes)))
-  (cond [(not text) (submission id id #f "it is no text in UTF-8")]
-        [(string=? "" (string-trim text)) (submission id id #f "it is empty")]
+  (cond [(not text) (without-program id "it is no text in UTF-8")]
+        [(string=? "" (string-trim text)) (without-program id "it is empty")]
         [else (submission id (person-in text id) text #f)]))
 
 (define (person-in text id)

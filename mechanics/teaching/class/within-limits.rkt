@@ -1,14 +1,13 @@
 #lang racket/base
 ;; Work of our own that may take too long, or too much memory: it is stopped by a break.
 ;;
-;; A thread that is killed leaves half done what it does: a part of the library that it was
-;; loading, a table that it was writing into and that stays locked.  A break comes only where it
-;; may.
+;; A killed thread leaves its work half done: a part of the library half loaded, a table locked.
+;; A break comes only where breaks are enabled.
 
 (provide call-within)
 
 ;; thunk : -> any
-;; -> what it gave, or #f if it had to be stopped; and the seconds of a processor that it took
+;; -> its value, or #f if it had to be stopped; and the seconds of a processor that it took
 (define (call-within seconds megabytes thunk)
   (define-values (own full) (values (make-custodian) (make-custodian)))
   (define result #f)
@@ -25,7 +24,7 @@
      (values (and result (unbox result)) (seconds-of worker)))
    (lambda () (custodian-shutdown-all own))))
 
-;; full : an event that happens when there is no memory left for it
+;; full : an event, ready when the worker has no memory left
 (define (ends-within? worker seconds full)
   (let wait ()
     (define first-event (sync/timeout pulse worker full))
@@ -37,7 +36,7 @@
 
 (define (seconds-of worker) (/ (current-process-milliseconds worker) 1000.))
 
-;; What takes no break, as a procedure of a teacher's may not, is killed after all.
+;; A worker that takes no break, in a procedure of the teacher's perhaps, is killed after all.
 (define (stop worker)
   (break-thread worker)
   (unless (sync/timeout longest-break worker) (kill-thread worker)))

@@ -15,11 +15,11 @@
 (define longest-symbol 60)
 (define deepest 500)
 
-;; -> #f, or what is wrong with the datum, in words
+;; Says in words why the datum is refused, or gives #f.
 (define (why-not-an-answer d)
   (let/ec return
-    (check-parts d (lambda (text) (return text)))
-    (if (> (weight d) most-weight) "it comes to more than can be calculated with" #f)))
+    (check-parts d return)
+    (and (> (weight d) most-weight) "it comes to more than can be calculated with")))
 
 ;; ---------------------------------------------------------------------------
 
@@ -42,7 +42,7 @@
 
 (define odd (string->list "\"'`,;|\\()[]{}&#"))
 
-;; About how many digits, or terms, d may come to.
+;; An estimate of the digits, or terms, that d may come to.
 (define (weight d)
   (cond [(exact-rational? d) (+ 1 (integer-length (numerator d)) (integer-length (denominator d)))]
         [(or (not (pair? d)) (null? d)) 1]
@@ -54,7 +54,7 @@
 
 (define (weights ds) (for/sum ([d (in-list ds)]) (weight d)))
 
-;; By how much a power multiplies the weight of its base.
+;; The factor by which a power multiplies the weight of its base.
 (define (times exponent)
   (cond [(exact-rational? exponent)
          (+ 1 (abs (numerator exponent)) (abs (denominator exponent)))]
@@ -62,7 +62,7 @@
         [(numeric? exponent) (expt 2 (min 64 (weight exponent)))]
         [else (weight exponent)]))
 
-;; Without a symbol: it may be a large number.
+;; Does d hold no symbol?  Then it may be a large number.
 (define (numeric? d)
   (if (pair? d) (andmap numeric? (cdr d)) (number? d)))
 

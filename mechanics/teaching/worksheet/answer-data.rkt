@@ -1,24 +1,23 @@
 #lang racket/base
 ;; Answers as data, and back.
 ;;
-;; Where the student's program runs an answer is applied to the symbols that its kind
-;; prescribes, and what comes of that is written down; where it is judged it is read as an
-;; expression, never run.  What is written down is a list:
+;; The student's program applies an answer to the symbols that its kind prescribes, and writes
+;; down the value; the judge reads that as an expression, and never runs it.  An answer as data
+;; is a list:
 ;;
 ;;   (answer datum)   (text "...")   (unanswered)   (failed "why")
 
-(require racket/list
+(require (only-in racket/list append*)
          (only-in racket/string string-trim)
          "answer-bounds.rkt"
          "../../algebra/expression/expression.rkt"
-         "../../error/complain.rkt"
+         "../../error/complain.rkt" "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"
          "../../value/matrix/matrix.rkt" "../../value/read-expression.rkt" "../../value/shape.rkt")
 
-(provide unanswered unanswered? answer->datum text-answer->datum datum->answer apply-rounds
-         longest-text)
+(provide unanswered answer->datum text-answer->datum datum->answer longest-text)
 
-;; What a hole in a student's file holds.
+;; The value of a hole in a student's file.
 (struct no-answer ()
   #:property prop:custom-write (lambda (x port mode) (write-string "unanswered" port)))
 (define unanswered (no-answer))
@@ -26,8 +25,8 @@
 
 (define longest-text 4000)
 
-;; rounds : of arguments, the lists that it is applied to one after the other.  An error of the
-;; answer's own is what came of it.
+;; rounds : lists of arguments, to which x is applied one after the other.  An error that x itself
+;; raises is data, too.
 (define (answer->datum x rounds)
   (cond [(or (unanswered? x) (void? x)) '(unanswered)]
         [else (with-handlers ([exn:fail? (lambda (e) (list 'failed (exn-message e)))])
@@ -47,7 +46,7 @@
          (list 'failed (format "it has more than ~a characters" longest-text))]
         [else (list 'text x)]))
 
-;; The inverse of answer->datum, of what anybody may have written.
+;; The value of a datum, which anybody may have written.
 (define (datum->answer d)
   (define why (why-not-an-answer d))
   (when why (complain 'answer "~a" why))
@@ -56,28 +55,22 @@
 ;; ---------------------------------------------------------------------------
 ;; Application
 
-;; An expression in the symbols themselves is taken as it is, and so is a function of all
-;; arguments at once.
+;; An expression in the symbols themselves is its own value; a function may take all arguments at
+;; once.
 (define (apply-rounds f rounds)
   (cond [(or (null? rounds) (not (function? f))) f]
         [(accepts? f (length (car rounds))) (apply-rounds (apply f (car rounds)) (cdr rounds))]
         [(accepts? f (length (append* rounds))) (apply f (append* rounds))]
         [else (complain 'answer "the function takes ~a; here it is applied to ~a"
-                        (arity->text f) (arguments->text (car rounds)))]))
+                        (arity->text f) (joined (map value->text (car rounds)) " and "))]))
 
-(define (arguments->text xs)
-  (apply string-append (add-between (map value->text xs) " and ")))
-
-;; Tuples can be applied, too; one of expressions is a value.
+;; Tuples are procedures, too; a tuple of expressions is a value.
 (define (function? x)
   (if (tuple? x)
       (ormap function? (scalars x))
       (procedure? x)))
 
-(define (value? x)
-  (if (matrix? x)
-      #t
-      (for/and ([s (in-list (scalars x))]) (expression? s))))
+(define (value? x) (or (matrix? x) (andmap expression? (scalars x))))
 
 (define (not-a-value x)
   (cond [(and (procedure? x) (not (tuple? x)))

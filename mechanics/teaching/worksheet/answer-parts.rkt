@@ -1,18 +1,18 @@
 #lang racket/base
-;; What every judgment is made of: verdicts on the parts of an answer.
+;; Verdicts on the parts of an answer, of which all judgments are made.
 
-(require "prescribed-symbols.rkt"
+(require (only-in racket/list append-map count)
+         "prescribed-symbols.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/substitute.rkt"
          "../../algebra/zero/vanishing.rkt"
-         "../../calculus/expression-function.rkt"
+         "../../calculus/derivative.rkt" "../../calculus/expression-function.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../value/assumptions.rkt"
          "../../value/matrix/matrix.rkt"
          "../../value/shape.rkt" "../../value/structure.rkt"
          "../../verdict/prove-zero.rkt" "../../verdict/verdict.rkt")
 
-(provide alike? same? zero-value? share-proved value-function along-path->symbols
-         replace)
+(provide alike? same? zero-value? share-proved value-function rate along-path->symbols replace)
 
 (define (alike? a b)
   (cond [(and (tuple? a) (tuple? b))
@@ -25,16 +25,16 @@
          (and (= (m:num-rows a) (m:num-rows b)) (= (m:num-cols a) (m:num-cols b)))]
         [else (and (expression? a) (expression? b))]))
 
-;; Proved to be equal?
+;; Are a and b proved to be equal?
 (define (same? a b) (and (alike? a b) (proved? (verify-equal a b))))
 
 (define (zero-value? x)
   (for/and ([e (in-list (scalars x))]) (and (expression? e) (vanishes? e (assumptions-in-force)))))
 
-;; Which share of the scalars of x is zero?
+;; The share of the scalars of x that are proved to be zero.
 (define (share-proved x)
   (define parts (scalars x))
-  (/ (for/sum ([e (in-list parts)]) (if (proved? (prove-zero e)) 1 0)) (length parts)))
+  (/ (count (lambda (e) (proved? (prove-zero e))) parts) (length parts)))
 
 ;; ---------------------------------------------------------------------------
 ;; Values as functions
@@ -44,14 +44,14 @@
   (define point (map cons (scalars at) (scalars x)))
   (map-leaves (lambda (leaf) (evaluate-generically leaf point)) e))
 
+;; The derivative of e by a symbol.
+(define (rate e symbol) (derivative-at (value-function e symbol) symbol))
+
 ;; e, with ((D x) t) and its like, in symbols: x, xdot, xddot.
 (define (along-path->symbols e names)
-  (define long (structure->list (long-tuple-of names)))
-  (define entries
-    (for*/list ([(derivatives values) (in-parallel (path-derivatives names) (cdr long))]
-                [pair (in-list (map cons derivatives (scalars values)))])
-      pair))
-  (replace e entries))
+  (replace e (append-map (lambda (derivatives part) (map cons derivatives (scalars part)))
+                         (path-derivatives names)
+                         (cdr (structure->list (long-tuple-of names))))))
 
 ;; entries : ((expression . expression) ...)
 (define (replace x entries)

@@ -1,18 +1,20 @@
 #lang racket/base
-;; What a student's file runs at its end: each answer is judged, and told in words.
+;; The end of a student's file: each answer is judged, and the judgment printed; hints come after
+;; wrong answers, whose number is kept in a file beside the student's.
 
 (require (for-syntax racket/base)
-         (only-in racket/file file->string)
+         (only-in racket/file file->string file->value write-to-file)
+         (only-in racket/list remove-duplicates)
          "answer-data.rkt" "defined-names.rkt" "exercise-kind.rkt" "exercise.rkt"
-         "judge.rkt" "judgment-words.rkt" "judgment.rkt" "sealed-exercises.rkt" "attempt-count.rkt")
+         "judge.rkt" "judgment-words.rkt" "judgment.rkt" "sealed-exercises.rkt")
 
-(provide check-answers checking? sealed-exercises (struct-out judged) tell-judgments)
+(provide check-answers checking? sealed-exercises tell-judgments)
 
-;; Not while answers are collected for the teacher.
+;; #f while answers are collected for the teacher.
 (define checking? (make-parameter #t))
 
-;; (check-answers [name value] ... "sealed" ...), the texts being one.  What it stands behind is
-;; known only when the whole module is: so it is looked at then.
+;; (check-answers [name value] ... "sealed" ...), the texts being one.  All definitions of the
+;; module are known only after its expansion: so the names are looked up then.
 (define-syntax (check-answers stx)
   (syntax-case stx ()
     [(_ part ...) #`(#%expression #,(syntax/loc stx (check-defined part ...)))]))
@@ -53,7 +55,7 @@
        (judged e d (judge e d)))
      file)))
 
-;; As it was saved last.
+;; The file as it was saved last.
 (define (text-of file)
   (with-handlers ([exn:fail? (lambda (x) "")]) (if file (file->string file) "")))
 
@@ -65,33 +67,45 @@
   (and (pair? parts) (unseal (apply string-append parts))))
 
 ;; ---------------------------------------------------------------------------
+;; Judgments, printed
 
-;; answer : data
-(struct judged (exercise answer judgment))
-
-;; file : of the student, or #f
+;; all : judged answers; file : the student's, or #f
 (define (tell-judgments all [file #f])
-  (define tries
-    (count-tries file (for/list ([one (in-list all)] #:when (wanting? one))
-                        (cons (exercise-name (judged-exercise one)) (judged-answer one)))))
-  (for ([one (in-list all)] [i (in-naturals 1)])
-    (printf "~a. ~a\n" i (judgment->text (judged-exercise one) (judged-judgment one)
-                                         #:hints (fitting-hints one tries))))
-  (printf "~a of ~a.\n" (number->text (total all)) (counted-points (possible all))))
+  (define tries (count-tries file (filter wanting? all)))
+  (for ([j (in-list all)] [i (in-naturals 1)])
+    (printf "~a. ~a\n" i (judgment->text j #:hints (if (wanting? j) (hints-due j tries) '()))))
+  (printf "~a of ~a.\n" (number->text (sum-of-points all))
+          (counted-points (total-points (map judged-exercise all)))))
 
-(define (wanting? one) (memq (judgment-status (judged-judgment one)) '(wrong partly trivial)))
+;; The hints that come after so many wrong answers.
+(define (hints-due j tries)
+  (define given (hash-ref tries (judged-name j)))
+  (for/list ([h (in-list (exercise-hints (judged-exercise j)))] #:when (<= (hint-after h) given))
+    (hint-text h)))
 
-;; Those of which enough wrong answers have been given.
-(define (fitting-hints one tries)
-  (define e (judged-exercise one))
-  (define given (hash-ref tries (exercise-name e) 0))
-  (if (wanting? one)
-      (for/list ([h (in-list (exercise-hints e))] #:when (<= (hint-after h) given)) (hint-text h))
-      '()))
+;; ---------------------------------------------------------------------------
+;; Wrong answers, counted
 
-(define (total all)
-  (for/sum ([one (in-list all)])
-    (or (judgment-points (judged-judgment one) (exercise-points (judged-exercise one))) 0)))
+;; wrong : the wrong answers of this run -> hasheq, from the name of an exercise to the number of
+;; different wrong answers so far
+(define (count-tries file wrong)
+  (define place (and file (path-replace-extension file #".tries")))
+  (define before (if place (read-tries place) '()))
+  (define all
+    (remove-duplicates
+     (append before (for/list ([j (in-list wrong)])
+                      (list (judged-name j) (equal-hash-code (format "~s" (judged-answer j))))))))
+  (when (and place (not (equal? all before))) (write-tries place all))
+  (for/fold ([counts (hasheq)]) ([entry (in-list all)])
+    (hash-update counts (car entry) add1 0)))
 
-(define (possible all)
-  (for/sum ([one (in-list all)]) (exercise-points (judged-exercise one))))
+(define (read-tries place)
+  (define found (with-handlers ([exn:fail? (lambda (e) '())]) (file->value place)))
+  (if (and (list? found) (andmap entry? found)) found '()))
+
+(define (entry? x) (and (list? x) (= 2 (length x)) (symbol? (car x)) (exact-integer? (cadr x))))
+
+;; In a folder that cannot be written to every try is the first.
+(define (write-tries place all)
+  (with-handlers ([exn:fail:filesystem? void])
+    (write-to-file all place #:exists 'truncate)))

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What the clauses of an exercise are called, and how many values stand in each: known when a
-;; worksheet is compiled, so that a slip in a clause is told as such, and not as an unknown name.
+;; The names of an exercise's clauses, and how many values each takes: known when a worksheet is
+;; compiled, so that the error names the clause, not an unknown variable.
 
 (provide clause-names values-fit? values-wanted names-clause? keywords-of)
 
@@ -10,10 +10,10 @@
 
 (define clause-names (append with-names with-one with-any '(slip no-practice)))
 
-;; Are its parts names, that are not evaluated?
+;; Are its parts names, which are not evaluated?
 (define (names-clause? name) (memq name with-names))
 
-;; n : how many there are, but for keywords
+;; n : the number of values, without keywords
 (define (values-fit? name n)
   (cond [(memq name with-one) (= n 1)]
         [(eq? name 'slip) (= n 2)]

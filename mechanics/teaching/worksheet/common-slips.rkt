@@ -1,10 +1,11 @@
 #lang racket/base
-;; Common slips, recognized: in what way a wrong answer differs from the key.
+;; Common slips: how a wrong answer differs from the key.
 ;;
 ;; Each is a claim that is proved before it is told: that the answer is the key with the other
-;; sign, that it lacks one of its terms, and so on.
+;; sign, that it lacks a term, and the like.
 
 (require racket/list
+         (only-in racket/math pi)
          "answer-parts.rkt" "judge-equations.rkt" "prescribed-symbols.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
@@ -19,8 +20,8 @@
         [(not (= (shape-length key) (shape-length answer))) #f]
         [(and (tuple? key) (tuple? answer) (alike? key (turned answer)))
          (if (same? key (turned answer))
-         "the components are right, but up and down are exchanged"
-         "up and down are exchanged")]
+             "the components are right, but up and down are exchanged"
+             "up and down are exchanged")]
         [else #f]))
 
 (define (turned x)
@@ -43,7 +44,7 @@
        (for/or ([p (in-permutations ks)])
          (andmap same? p as))))
 
-;; A number by which the answer is the key, or #f.
+;; The number by which the answer differs from the key, or #f.
 (define (constant-factor ks as)
   (define ratio
     (for/first ([k (in-list ks)] [a (in-list as)] #:unless (zero-value? k))
@@ -52,7 +53,7 @@
        (andmap (lambda (k a) (same? a (g:* ratio k))) ks as)
        ratio))
 
-;; d : what the answer has too much
+;; d : answer less key
 (define (slip-of-terms key d)
   (define terms (terms-of key))
   (define (ratio-to t) (and (not (zero-value? t)) (simplify (g:/ d t))))
@@ -85,7 +86,7 @@
 
 (define (turn xs) (append (cdr xs) (list (car xs))))
 
-;; The accelerations that both give are compared.
+;; Compares the accelerations that follow from either.
 (define (slip-of-accelerations key answer names)
   (define-values (k a) (values (accelerations-by key names) (accelerations-by answer names)))
   (and k a (slip-of-parts k a)))
@@ -95,14 +96,14 @@
 
 (define (slip-of-number k a within?)
   (define (is? x) (within? x a))
+  (define (off-by? factor) (or (is? (* k factor)) (is? (/ k factor))))
   (cond [(or (zero? k) (zero? a)) #f]
         [(is? (- k)) "the sign is the opposite"]
-        [(for/or ([n (in-range 1 10)]) (or (is? (* k (expt 10. n))) (is? (/ k (expt 10. n)))))
+        [(for/or ([n (in-range 1 10)]) (off-by? (expt 10. n)))
          "it is off by a power of ten: is it in the unit asked for?"]
-        [(or (is? (* k 57.29577951308232)) (is? (/ k 57.29577951308232)))
-         "degrees and radians are mixed up"]
-        [(or (is? (* 2 k)) (is? (/ k 2))) "it is off by a factor 2"]
-        [(or (is? (* k 6.283185307179586)) (is? (/ k 6.283185307179586)))
+        [(off-by? (/ 180 pi)) "degrees and radians are mixed up"]
+        [(off-by? 2) "it is off by a factor 2"]
+        [(off-by? (* 2 pi))
          "it is off by a factor 2π: angular frequency, frequency and period differ"]
         [(is? (/ k)) "it is the reciprocal"]
         [(is? (* k k)) "it is the square"]
@@ -112,7 +113,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; Symbols in the answer that the question does not have.
+;; The symbols in the answer that the question does not have.
 (define (unknown-names key answer others)
   (define (names x) (append-map (lambda (e) (if (expression? e) (symbols-in e) '())) (scalars x)))
   (define known (append others (names key)))

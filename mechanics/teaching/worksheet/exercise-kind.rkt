@@ -1,17 +1,17 @@
 #lang racket/base
-;; The kinds of exercise: what an answer is a function of, how it is written, and whether the
-;; verdict on it shows the key.
+;; The kinds of exercise: the arguments of an answer, how it is written, and whether the verdict
+;; on it shows the key.
 ;;
-;; How each is judged stands in judge.rkt.
+;; judge.rkt tells how each is judged.
 
 (require "answer-data.rkt" "exercise.rkt" "prescribed-symbols.rkt")
 
-(provide (struct-out kind) kinds kind-of-exercise rounds-of answer-form answer-of-kind)
+(provide (struct-out kind) kinds find-kind kind-of-exercise rounds-of answer-form answer-of-kind)
 
-;; arguments : what an answer is applied to, one of none, time, path, local, state, named
-;; says      : what an answer is, in words
-;; open?     : is a refutation no news about the key?  So it is where the question itself says
-;;             how an answer is judged
+;; arguments : of an answer, one of none, time, path, local, state, named
+;; says      : an answer of the kind, in words
+;; open?     : does a refutation tell nothing about the key, since the question itself says how an
+;;             answer is judged?
 ;; key?      : must the worksheet have the right answer?
 (struct kind (name arguments says open? key?))
 
@@ -30,12 +30,12 @@
    (kind 'reason 'none "A sentence or two, in quotation marks" #t #f)
    (kind 'expects 'named "A value" #t #f)))
 
-(define (find-kind name)
-  (for/first ([k (in-list kinds)] #:when (eq? name (kind-name k))) k))
+;; -> kind, or #f
+(define (find-kind name) (findf (lambda (k) (eq? name (kind-name k))) kinds))
 
 (define (kind-of-exercise e) (find-kind (exercise-kind e)))
 
-;; What an answer is a function of; a clause may say otherwise.
+;; The arguments of an answer; a clause overrides its kind.
 (define (arguments-of e)
   (define usual (kind-arguments (kind-of-exercise e)))
   (define named (setting e 'arguments '()))
@@ -44,8 +44,8 @@
         [(and (eq? usual 'local) (setting e 'Hamiltonian)) 'state]
         [else usual]))
 
-;; The arguments of each application: ((path) (t)) for what is applied to a path, and its value
-;; to the time.
+;; The arguments of each application: ((path) (t)) for a function of a path whose value is a
+;; function of the time.
 (define (rounds-of e)
   (define names (exercise-coordinates e))
   (case (arguments-of e)
@@ -56,29 +56,25 @@
     [(state) (list (list (state-of names)))]
     [(named) (list (setting e 'arguments))]))
 
-;; x : what was answered, a value -> data
+;; x : the answer, a value -> data
 (define (answer-of-kind e x)
   (if (eq? 'reason (exercise-kind e))
       (text-answer->datum x)
       (answer->datum x (rounds-of e))))
 
-;; How the definition of an answer begins.
+;; The beginning of an answer's definition.
 (define (answer-form e)
   (define name (exercise-name e))
   (define names (exercise-coordinates e))
-  (define (listed names) (if (null? (cdr names)) (car names) (cons 'up names)))
+  (define (listed names [head 'up]) (as-one names (lambda (names) (cons head names))))
   (case (arguments-of e)
     [(none) (format "(define ~a ~a)" name (if (eq? (exercise-kind e) 'reason) "\"...\"" "..."))]
     [(time) (format "(define (~a t) ...)" name)]
     [(path) (format "(define ((~a ~a) t) ...)" name (listed names))]
     [(local) (format "(define (~a ~s) ...)" name `(up t ,(listed names) ,(listed (dotted names))))]
     [(state) (format "(define (~a ~s) ...)" name
-                     `(up t ,(listed names) ,(momenta-pattern names)))]
+                     `(up t ,(listed names) ,(listed (momenta-of names) 'down)))]
     [(named) (format "(define ~s ...)" (cons name (setting e 'arguments)))]))
 
 (define (dotted names)
   (for/list ([n (in-list names)]) (string->symbol (format "~adot" n))))
-
-(define (momenta-pattern names)
-  (define ps (for/list ([n (in-list names)]) (string->symbol (format "p_~a" n))))
-  (if (null? (cdr ps)) (car ps) (cons 'down ps)))

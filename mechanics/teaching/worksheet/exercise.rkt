@@ -1,26 +1,26 @@
 #lang racket/base
-;; What a worksheet consists of.
+;; Worksheets and their parts.
 ;;
-;; Everything in an exercise is data, values being kept as the S-expressions they print as: so
-;; the same exercise is judged in the teacher's program, in the student's, and in a class.
+;; An exercise holds data alone, values as the S-expressions that they print as: so the same
+;; exercise is judged in the teacher's program, in the student's, and in a class.
 
 (provide (struct-out worksheet) (struct-out passage) (struct-out given) (struct-out formula)
          (struct-out exercise) (struct-out slip) (struct-out hint)
-         exercises-of setting total-points)
+         exercises-of numbered-exercises setting total-points)
 
 ;; parts : passages, givens, formulas and exercises, in their order
 (struct worksheet (title due name parts) #:transparent)
 
 (struct passage (text) #:transparent)
-;; Definitions that the student gets, as they are written.
+;; Definitions for the student, as the teacher wrote them.
 (struct given (source) #:transparent)
 ;; A value to be shown on the hand-out; label : text before it
 (struct formula (label value) #:transparent)
 
-;; name        : symbol, what the answer is to be defined as
+;; name        : symbol, under which the student defines the answer
 ;; kind        : symbol, of exercise-kind.rkt
 ;; coordinates : list of symbols
-;; settings    : hasheq of data, what the clauses of the exercise say
+;; settings    : hasheq of data, from the clauses of the exercise
 ;; key         : datum of the right answer, or #f
 ;; practice?   : may the student's own copy hold the key?
 (struct exercise (name kind question coordinates settings key points slips hints practice?)
@@ -28,9 +28,14 @@
 
 ;; A mistake with a message of its own; credit : share of the points
 (struct slip (datum message credit) #:prefab)
-;; after : how many wrong answers come first
+;; after : number of wrong answers that come first
 (struct hint (text after) #:prefab)
 
 (define (exercises-of w) (filter exercise? (worksheet-parts w)))
+
+;; -> hasheq, from the exercises to their numbers
+(define (numbered-exercises w)
+  (for/hasheq ([e (in-list (exercises-of w))] [i (in-naturals 1)]) (values e i)))
+
 (define (setting e name [otherwise #f]) (hash-ref (exercise-settings e) name otherwise))
-(define (total-points w) (for/sum ([e (in-list (exercises-of w))]) (exercise-points e)))
+(define (total-points exercises) (apply + (map exercise-points exercises)))

@@ -13,8 +13,8 @@
 ;; Where the key's equations do not give the accelerations, the answer's are compared with
 ;; them one by one.
 
-(require "answer-parts.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
-         "../../calculus/derivative.rkt"
+(require (only-in racket/list count)
+         "answer-parts.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
          "../../error/message-words.rkt"
          "../../generic/arithmetic.rkt"
          "../../lagrangian/total-derivative.rkt"
@@ -23,7 +23,7 @@
          "../../value/shape.rkt" "../../value/simplify.rkt" "../../value/structure.rkt"
          "../../verdict/prove-zero.rkt" "../../verdict/verdict.rkt")
 
-(provide judge-equations judge-Lagrangian accelerations-by Lagrangian-residual)
+(provide judge-equations judge-Lagrangian accelerations-by)
 
 (define (judge-equations e key answer)
   (define names (exercise-coordinates e))
@@ -56,7 +56,7 @@
         [(= n (rank M)) (right v)]
         [else (partly (/ (rank M) n) v "some of the equations say the same as others")]))
 
-;; Some do not hold.  Of the others each counts that says something of its own.
+;; Some equations do not hold.  The others count, as far as they are independent.
 (define (judge-those-that-hold names M n v)
   (define hold
     (for/list ([e (in-list (scalars (verdict-residual v)))] [i (in-naturals)]
@@ -69,26 +69,25 @@
          (undecided-judgment v (string-append "some of the equations are refuted, and one that "
                                               "holds is not linear in the accelerations"))]))
 
-;; Multiples of the key's equations, each of its own.
+;; Is each equation a multiple of the key's equation in its place?
 (define (judge-one-by-one key answer names)
-  (define v (verify-equal (as-one (scalars answer)) (as-one (scalars key))))
-  (define shares
-    (for/list ([k (in-list (scalars key))] [x (in-list (scalars answer))])
-      (if (multiple? k x names) 1 0)))
-  (define share (/ (apply + shares) (length shares)))
+  (define-values (ks xs) (values (scalars key) (scalars answer)))
+  (define v (verify-equal (as-one xs) (as-one ks)))
+  (define share (/ (count (lambda (k x) (multiple? k x names)) ks xs) (length ks)))
   (if (= share 1)
       (right v)
-      (judged-by (verdict-status v) v (lambda () share))))
+      (judged-by v (lambda (_) share))))
 
 (define (multiple? k x names)
   (or (same? k x)
       (and (not (zero-value? k))
            (let ([ratio (simplify (g:/ x k))])
              (and (not (zero-value? ratio))
-                  (for/and ([s (in-list (scalars (long-tuple-of names)))])
-                    (zero-value? (rate ratio s))))))))
+                  (free-of? ratio (scalars (long-tuple-of names))))))))
 
-(define (rate e symbol) (derivative-at (value-function e symbol) symbol))
+;; Does the expression change with none of the symbols?
+(define (free-of? e symbols)
+  (for/and ([s (in-list symbols)]) (zero-value? (rate e s))))
 
 ;; ---------------------------------------------------------------------------
 ;; M a + b
@@ -100,22 +99,22 @@
          (for/list ([e (in-list (scalars E))])
            (for/list ([a (in-list (acceleration-symbols names))]) (simplify (rate e a))))))
 
-(define (all-zero? M)
+(define (every-element? M wanted?)
   (for*/and ([i (in-range (m:num-rows M))] [j (in-range (m:num-cols M))])
-    (zero-value? (matrix-ref M i j))))
+    (wanted? (matrix-ref M i j))))
+
+(define (all-zero? M) (every-element? M zero-value?))
 
 ;; Are the equations linear in the accelerations?
 (define (free-of-accelerations? M names)
-  (for*/and ([i (in-range (m:num-rows M))] [j (in-range (m:num-cols M))]
-             [s (in-list (acceleration-symbols names))])
-    (zero-value? (rate (matrix-ref M i j) s))))
+  (every-element? M (lambda (e) (free-of? e (acceleration-symbols names)))))
 
-;; E with the accelerations a, a list.
+;; E with the list a in place of the accelerations.
 (define (along-motion E a names)
   (replace E (map cons (acceleration-symbols names) a)))
 
-;; The accelerations that the equations E = 0 give, a list; or #f if they do not, or are not
-;; linear in them.
+;; The accelerations that follow from E = 0, a list; or #f if none follow, or E is not linear in
+;; them.
 (define (accelerations-by E names)
   (define M (mass-matrix-of E names))
   (define symbols (acceleration-symbols names))
@@ -132,7 +131,7 @@
 (define (Lagrangian-residual L names)
   ((Euler-Lagrange-operator (value-function L (local-tuple-of names))) (long-tuple-of names)))
 
-;; Up to a factor and a total time derivative, or whatever leaves the equations equivalent.
+;; Up to a factor and a total time derivative, or any change that leaves the equations equivalent.
 (define (judge-Lagrangian e key answer)
   (define names (exercise-coordinates e))
   (define local (local-tuple-of names))
@@ -145,7 +144,7 @@
     [(right)
      (define v (verify-equivalent-Lagrangians (value-function key local)
                                               (value-function answer local) local))
-     (judged-by (verdict-status v) v (lambda () 0))]
+     (judged-by v (lambda (_) 0))]
     [(trivial)
      (trivial (judgment-verdict found)
               "its equations of motion are 0 = 0: it is a total time derivative")]

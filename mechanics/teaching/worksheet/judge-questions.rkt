@@ -1,7 +1,8 @@
 #lang racket/base
-;; Answers to which the system itself is the key: motions, what is conserved, canonical maps.
+;; Answers to which the system itself is the key: motions, conserved quantities, canonical maps.
 
-(require "answer-parts.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
+(require (only-in racket/list append-map)
+         "answer-parts.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
          "../../calculus/derivative.rkt"
          "../../hamiltonian/on-demand.rkt"
          "../../question/on-demand.rkt"
@@ -34,11 +35,11 @@
          (define v (verify-solution (system-of e local) path #:force (force-of e local)))
          (if (proved? v)
              (judge-motion e v key path)
-             (judged-by (verdict-status v) v (lambda () (share-proved (verdict-residual v)))))]))
+             (judged-by v share-proved))]))
 
 (define (coordinate-part local) (ref local 1))
 
-;; A motion: does it rest where the key moves, begin as it should, and has it all constants?
+;; Does the motion move if the key does, begin as the question says, and have all constants?
 (define (judge-motion e v key path)
   (define (moves? q) (not (zero-value? ((D q) 't))))
   (define start (setting e 'starts))
@@ -55,25 +56,26 @@
   (define at-start (verify-equal (up (path t0) ((D path) t0)) (up (ref start 1) (ref start 2))))
   (if (proved? at-start)
       (right v)
-      (judged-by (verdict-status at-start) at-start
-                 (lambda () (/ (+ 1 (share-proved (verdict-residual at-start))) 3))
-         "it is a solution, but does not begin as it should")))
+      (judged-by at-start (lambda (residual) (/ (+ 1 (share-proved residual)) 3))
+                 "it is a solution, but does not begin as it should")))
 
-;; By how many ways its constants change the state.
+;; The rank of the derivative of the state by the constants tells how many are independent.
 (define (judge-constants v path constants names)
   (define q (path 't))
   (define state (append (scalars q) (scalars ((D path) 't))))
-  (define J
-    (apply matrix-by-rows
-           (for/list ([x (in-list state)])
-             (for/list ([c (in-list constants)])
-               (simplify (derivative-at (value-function x c) c))))))
-  (define-values (found needed) (values (rank J) (* 2 (length names))))
+  (define-values (found needed)
+    (values (rank-of-derivatives state constants) (* 2 (length names))))
   (if (= found needed)
       (right v)
       (partly 1/2 v
               (format "it is a solution, but not the general one: it has ~a of the ~a constants"
                       found needed))))
+
+;; xs : expressions, whose derivatives by the symbols are the rows
+(define (rank-of-derivatives xs symbols)
+  (rank (apply matrix-by-rows
+               (for/list ([x (in-list xs)])
+                 (for/list ([s (in-list symbols)]) (simplify (rate x s)))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Conserved quantities
@@ -81,31 +83,22 @@
 (define (judge-conserved e key answer)
   (define names (exercise-coordinates e))
   (define at (if (setting e 'Hamiltonian) (state-of names) (local-tuple-of names)))
-  (define Q (value-function answer at))
-  (define v (verify-conserved (system-of e at) Q at #:force (force-of e at)))
-  (define gradients (map (lambda (x) (gradient-at x at)) (scalars answer)))
-  (cond [(andmap zero-value? gradients)
+  (define v (verify-conserved (system-of e at) (value-function answer at) at
+                              #:force (force-of e at)))
+  (define parts (scalars answer))
+  (cond [(for*/and ([x (in-list parts)] [s (in-list (scalars at))]) (zero-value? (rate x s)))
          (trivial v "it is the same whatever the state: a constant, not a quantity of the motion")]
-        [(not (proved? v))
-         (judged-by (verdict-status v) v (lambda () (share-proved (verdict-residual v))))]
-        [(known-already? e gradients at)
+        [(not (proved? v)) (judged-by v share-proved)]
+        [(known-already? e parts (scalars at))
          (trivial v "it is conserved, but only what is known to be so already, in other words")]
         [else (right v)]))
 
-;; The derivatives by the scalars of the state.
-(define (gradient-at x at)
-  (list->up (for/list ([s (in-list (scalars at))]) (derivative-at (value-function x s) s))))
-
-;; Is it a function of the quantities of the clause `besides`?
-(define (known-already? e gradients at)
+;; Are the parts functions of the quantities of the clause `besides`?
+(define (known-already? e parts state)
   (define known
-    (for*/list ([d (in-list (setting e 'besides '()))]
-                [x (in-list (scalars (read-expression d)))])
-      (gradient-at x at)))
-  (define (rank-of rows) (rank (apply matrix-by-rows (map row rows))))
-  (and (pair? known) (= (rank-of known) (rank-of (append known gradients)))))
-
-(define (row gradient) (map simplify (scalars gradient)))
+    (append-map (lambda (d) (scalars (read-expression d))) (setting e 'besides '())))
+  (and (pair? known)
+       (= (rank-of-derivatives known state) (rank-of-derivatives (append known parts) state))))
 
 ;; ---------------------------------------------------------------------------
 ;; Canonical maps
@@ -120,15 +113,15 @@
          (cond [(and (same? answer state) (not (same? key state)))
                 (trivial v "it leaves every state where it is")]
                [(not (proved? v))
-                (judged-by (verdict-status v) v (lambda () 0) "it is not canonical")]
+                (judged-by v (lambda (_) 0) "it is not canonical")]
                [else (judge-transformed e v C state)])]))
 
-;; What is to become of the Hamiltonian, if the question says so.
+;; Does the Hamiltonian become the one of the question, if it names one?
 (define (judge-transformed e v C state)
   (define wanted (setting e 'becomes))
   (cond [(not wanted) (right v)]
         [else
          (define H (value-function (read-expression (setting e 'system)) state))
          (define w (verify-equal (H (C state)) (read-expression wanted)))
-         (judged-by (verdict-status w) w (lambda () 1/2)
-         "it is canonical, but the Hamiltonian does not become what it should")]))
+         (judged-by w (lambda (_) 1/2)
+                    "it is canonical, but the Hamiltonian does not become what it should")]))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Answers that are what the key is: expressions, functions, numbers, Hamiltonians.
+;; Answers that are compared with the key: expressions, functions, numbers, Hamiltonians.
 
 (require "answer-parts.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
          "../../algebra/expression/expression.rkt"
@@ -15,14 +15,11 @@
 
 ;; Equal to the key; of a tuple each component counts by itself.
 (define (judge-value e key answer)
-  (cond [(not (alike? key answer))
-         (wrong #f (format "the answer is ~a where ~a is expected"
-                           (describe answer) (describe key)))]
-        [else
-         (define v (verify-equal answer key))
-         (judged-by (verdict-status v) v (lambda () (share-proved (verdict-residual v))))]))
+  (if (alike? key answer)
+      (judged-by (verify-equal answer key) share-proved)
+      (wrong #f (format "the answer is ~a where ~a is expected" (describe answer) (describe key)))))
 
-;; Equal within a share of the key; where the key is 0, or it is asked for, within so much.
+;; Within a relative tolerance of the key; absolute, where the key is 0 or the question says so.
 (define (judge-number e key answer)
   (define-values (k a) (values (real-value key) (real-value answer)))
   (cond [(not a) (wrong #f (format "the answer is no number: ~a" (value->text answer)))]
@@ -55,4 +52,4 @@
             (define by-time-alone (prove-zero gradient #:variables (scalars state)))
             (if (proved? by-time-alone)
                 (right by-time-alone "it differs by a term that no equation of motion sees")
-                (judged-by (verdict-status v) v (lambda () 0)))])]))
+                (judged-by v (lambda (_) 0)))])]))

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; The judgment on an answer.
 ;;
-;; An answer that is not right is held against the slips that the teacher foresaw, by the same
-;; judgment with the slip in place of the key; then against those that everybody makes
-;; (common-slips.rkt).
+;; A wrong answer is compared with the slips that the teacher foresaw, by the same judgment with
+;; the slip in place of the key; then with common ones (common-slips.rkt).
 
 (require racket/list
          "answer-data.rkt" "answer-parts.rkt" "common-slips.rkt" "exercise.rkt"
@@ -17,8 +16,7 @@
 
 (provide judge)
 
-;; d : the answer as data (answer-data.rkt).  What anybody assumed does not matter here, but for
-;; what the exercise itself assumes.
+;; d : the answer as data (answer-data.rkt).  Only the exercise's own assumptions hold here.
 (define (judge e d)
   (case (car d)
     [(unanswered) (judgment 'unanswered 0 #f '())]
@@ -34,8 +32,8 @@
       (not (setting e 'check))
       (not (exercise-key e))))
 
-;; A datum that is no expression is the student's mistake; whatever goes wrong after it is read
-;; may be the teacher's or ours, and is left to a person.
+;; A datum that is no expression is the student's mistake; an error after it was read may be the
+;; teacher's or ours, and the answer is left to a person.
 (define (judge-datum e d)
   (define answer
     (with-handlers ([exn:fail? (lambda (x) (judgment 'failed 0 #f (list (exn-message x))))])
@@ -45,13 +43,13 @@
 (define (judge-answer e answer)
   (with-handlers ([exn:fail? not-judged])
     (call-assuming (setting e 'assuming '())
-                   (lambda () (with-slips e answer (judged e (exercise-key e) answer))))))
+                   (lambda () (with-slips e answer (judge-by-key e (exercise-key e) answer))))))
 
 (define (not-judged x)
   (undecided-judgment #f (string-append "it could not be judged: " (exn-message x))))
 
-;; key : a datum.  What the mathematics cannot answer is undecided.
-(define (judged e key answer)
+;; key : a datum.  A failure of the mathematics leaves the answer undecided.
+(define (judge-by-key e key answer)
   (define judge-it
     (case (exercise-kind e)
       [(number) judge-number]
@@ -66,64 +64,67 @@
   (with-handlers ([exn:fail:mechanics? (lambda (x) (undecided-judgment #f (exn-message x)))])
     (judge-it e (and key (read-expression key)) answer)))
 
-;; By the teacher's own procedure, which answers with a verdict or a truth value.
+;; By the teacher's own procedure, which gives a verdict or a truth value.
 (define (judge-as-expected e key answer)
   (define found ((setting e 'check) answer))
-  (cond [(verdict? found) (judged-by (verdict-status found) found (lambda () 0))]
+  (cond [(verdict? found) (judged-by found (lambda (_) 0))]
         [found (right #f)]
         [else (wrong #f)]))
 
 ;; ---------------------------------------------------------------------------
 ;; Slips
 
-;; A slip that cannot be compared leaves the judgment as it is.
+;; The judgment j, with the slip that explains it; j itself if a slip cannot be compared.
 (define (with-slips e answer j)
+  (define status (judgment-status j))
   (with-handlers ([exn:fail? (lambda (x) j)])
-    (explained e answer j)))
+    (cond [(not (memq status '(wrong partly trivial))) j]
+          [(foreseen-slip e answer)
+           => (lambda (s)
+                (define share (max (judgment-share j) (slip-credit s)))
+                (with-message (struct-copy judgment j
+                                           [status (if (> share 0) 'partly status)]
+                                           [share share])
+                              (slip-message s)))]
+          [(and (not (eq? status 'trivial)) (common-slip e answer))
+           => (lambda (text) (with-message j text))]
+          [else j])))
 
-(define (explained e answer j)
-  (cond [(not (memq (judgment-status j) '(wrong partly trivial))) j]
-        [(foreseen-slip e answer)
-         => (lambda (s)
-              (define share (max (judgment-share j) (slip-credit s)))
-              (with-message (struct-copy judgment j
-                                         [status (if (> share 0) 'partly (judgment-status j))]
-                                         [share share])
-                            (slip-message s)))]
-        [(eq? (judgment-status j) 'trivial) j]
-        [(common-slip e answer) => (lambda (text) (with-message j text))]
-        [else j]))
+;; The message stands before the other words.
+(define (with-message j text)
+  (struct-copy judgment j [words (cons text (judgment-words j))]))
 
 (define (foreseen-slip e answer)
-  (for/first ([s (in-list (exercise-slips e))] #:when (slipped? e s answer)) s))
+  (findf (lambda (s) (slipped? e s answer)) (exercise-slips e)))
 
 ;; Motions, integrals and maps are judged without the key; as slips they are compared.
 (define (slipped? e s answer)
   (case (exercise-kind e)
     [(solution conserved canonical expects) (same? (read-expression (slip-datum s)) answer)]
-    [else (eq? 'right (judgment-status (judged e (slip-datum s) answer)))]))
+    [else (right-by-key? e (slip-datum s) answer)]))
+
+(define (right-by-key? e key answer)
+  (eq? 'right (judgment-status (judge-by-key e key answer))))
 
 (define (common-slip e answer)
   (define key (and (exercise-key e) (read-expression (exercise-key e))))
   (define names (exercise-coordinates e))
-  (define (right? x) (eq? 'right (judgment-status (judged e (exercise-key e) x))))
-  (define kind (if (and key (same? key answer)) 'key (exercise-kind e)))
-  (case kind
-    [(key reason expects) #f]           ; a key that is refuted has no slip in it that we know
-    [(number) (slip-of-number* e key answer)]
+  ;; a key that is refuted has no slip in it that we know
+  (case (if (and key (same? key answer)) 'key (exercise-kind e))
+    [(key reason expects) #f]
+    [(number) (numeric-slip e key answer)]
     [(equations)
      (or (slip-of-equations names (along-path->symbols key names)
-                            (along-path->symbols answer names) right?)
+                            (along-path->symbols answer names)
+                            (lambda (x) (right-by-key? e (exercise-key e) x)))
          (strange-names e key answer))]
-    [(Lagrangian solution conserved canonical)
-     (or (slip-of-values key answer) (strange-names e key answer))]
     [else (or (slip-of-values key answer) (strange-names e key answer))]))
 
-(define (slip-of-number* e key answer)
+(define (numeric-slip e key answer)
   (define-values (k a) (values (real-value key) (real-value answer)))
   (and k a (slip-of-number k a (lambda (x y) (within? e x y)))))
 
-;; A misspelt name is the most common mistake of all.
+;; A misspelt name is the commonest mistake.
 (define (strange-names e key answer)
   (define names (exercise-coordinates e))
   (define usual

@@ -1,14 +1,20 @@
 #lang racket/base
-;; What is found about an answer.
+;; Judgments on answers.
+
+(require "exercise.rkt"
+         "../../verdict/verdict.rkt")
 
 (provide (struct-out judgment) right wrong partly undecided-judgment trivial judged-by
-         with-message judgment-points)
+         (struct-out judged) judged-name judged-status wanting? judged-points sum-of-points)
 
 ;; status  : right, partly, wrong, trivial, undecided, unanswered, failed, kept
 ;; share   : of the points, from 0 to 1; #f where a person has to say
 ;; verdict : or #f
 ;; words   : strings, what there is to say, first things first
 (struct judgment (status share verdict words) #:transparent)
+
+;; An answer, as data (answer-data.rkt), with the judgment on it.
+(struct judged (exercise answer judgment) #:transparent)
 
 (define (right v . words) (judgment 'right 1 v words))
 (define (wrong v . words) (judgment 'wrong 0 v words))
@@ -17,17 +23,26 @@
 (define (partly share v . words)
   (judgment (if (eqv? share 0) 'wrong 'partly) share v words))
 
-;; status : of a verdict; share : -> what part of it is right
-(define (judged-by status v share . words)
-  (case status
+;; v : a verdict; share : residual of v -> the share of the points that a refuted answer gets
+(define (judged-by v share . words)
+  (case (verdict-status v)
     [(proved) (judgment 'right 1 v words)]
     [(undecided) (judgment 'undecided #f v words)]
-    [else (apply partly (share) v words)]))
+    [else (apply partly (share (verdict-residual v)) v words)]))
 
-;; One thing more to say, before the others.
-(define (with-message j text)
-  (struct-copy judgment j [words (cons text (judgment-words j))]))
+;; ---------------------------------------------------------------------------
+;; Judged answers
 
-;; -> number, or #f
-(define (judgment-points j points)
-  (and (judgment-share j) (* points (judgment-share j))))
+(define (judged-name x) (exercise-name (judged-exercise x)))
+(define (judged-status x) (judgment-status (judged-judgment x)))
+
+;; Is the answer not right, and known to be so?
+(define (wanting? x) (memq (judged-status x) '(wrong partly trivial)))
+
+;; -> number, or #f where a person has to say
+(define (judged-points x)
+  (define share (judgment-share (judged-judgment x)))
+  (and share (* share (exercise-points (judged-exercise x)))))
+
+;; The points, as far as they are known.
+(define (sum-of-points all) (for/sum ([x (in-list all)]) (or (judged-points x) 0)))

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Exercises made of their clauses, as a teacher writes them.
 ;;
-;; Whatever a clause computes is applied to the symbols of the exercise's kind, as an answer is,
-;; and kept as data.
+;; The value of a clause is applied to the symbols of the exercise's kind, as an answer is, and
+;; kept as data.
 
 (require racket/list
          "answer-data.rkt" (only-in "answer-parts.rkt" same?) "clause-names.rkt"
@@ -16,28 +16,29 @@
 (provide make-exercise)
 
 ;; clauses : lists of the name of a clause and its arguments
-(define (make-exercise name kind-name question clauses)
-  (check-clauses name kind-name question clauses)
-  (define (argument clause-name [otherwise #f])
-    (define c (assq clause-name clauses))
-    (if c (cadr c) otherwise))
+(define (make-exercise name kind question clauses)
+  (check-clauses name kind question clauses)
+  (define (has? clause) (and (assq clause clauses) #t))
+  (define (argument clause [otherwise #f])
+    (if (has? clause) (car (rest-of clause clauses)) otherwise))
+  (define (of-each clause make)
+    (for/list ([c (in-list clauses)] #:when (eq? (car c) clause)) (make (cdr c))))
   (define names (rest-of 'coordinates clauses))
   (define draft
-    (exercise name kind-name question names
+    (exercise name kind question names
               (settings name names clauses argument)
               #f (argument 'points 1) '()
-              (for/list ([c (in-list clauses)] #:when (eq? (car c) 'hint)) (make-hint name (cdr c)))
-              (and (not (assq 'no-practice clauses)) (not (eq? kind-name 'expects)))))
-  (define key-value (if (assq 'key clauses) (argument 'key) (usual-key draft argument)))
+              (of-each 'hint (lambda (parts) (make-hint name parts)))
+              (not (or (has? 'no-practice) (eq? kind 'expects)))))
+  (define key-value (if (has? 'key) (argument 'key) (usual-key draft argument)))
   (define rounds (rounds-of draft))
   (define key (and key-value (clause-datum name 'key key-value rounds)))
-  (when (eq? kind-name 'canonical) (check-moves-something name key names))
+  (when (eq? kind 'canonical) (check-moves-something name key names))
   (struct-copy exercise draft
                [key key]
-               [slips (for/list ([c (in-list clauses)] #:when (eq? (car c) 'slip))
-                        (make-slip name (cdr c) rounds))]))
+               [slips (of-each 'slip (lambda (parts) (make-slip name parts rounds)))]))
 
-;; The equations of motion of a Lagrangian are known.
+;; A Lagrangian determines its equations of motion.
 (define (usual-key e argument)
   (and (eq? (exercise-kind e) 'equations) (argument 'of) (Lagrange-equations (argument 'of))))
 
@@ -49,30 +50,26 @@
 ;; Clauses
 
 (define (settings name names clauses argument)
-  (define system (or (argument 'of-Hamiltonian) (argument 'of)))
-  (define (at-state f)
-    (clause-datum name 'of f (list (list (if (assq 'of-Hamiltonian clauses)
-                                             (state-of names)
-                                             (local-tuple-of names))))))
-  (define entries
-    (list
-     (cons 'system (and system (at-state system)))
-     (cons 'Hamiltonian (and (assq 'of-Hamiltonian clauses) #t))
-     (cons 'force (and (argument 'force) (at-state (argument 'force))))
-     (cons 'becomes (and (argument 'becomes)
-                         (clause-datum name 'becomes (argument 'becomes)
-                                       (list (list (state-of names))))))
-     (cons 'besides (map at-state (rest-of 'besides clauses)))
-     (cons 'starts (and (argument 'starts) (clause-datum name 'starts (argument 'starts) '())))
-     (cons 'arguments (rest-of 'arguments clauses))
-     (cons 'constants (rest-of 'constants clauses))
-     (cons 'assuming (rest-of 'assuming clauses))
-     (cons 'within (argument 'within))
-     (cons 'absolute (memq '#:absolute (rest-of 'within clauses)))
-     (cons 'unit (argument 'unit))
-     (cons 'check (argument 'expects))))
-  (for/hasheq ([entry (in-list entries)] #:unless (memv (cdr entry) '(#f ())))
-    (values (car entry) (cdr entry))))
+  (define Hamiltonian (argument 'of-Hamiltonian))
+  (define (datum clause x . rounds) (and x (clause-datum name clause x rounds)))
+  (define (at-state x)
+    (and x (datum 'of x (list ((if Hamiltonian state-of local-tuple-of) names)))))
+  (define K (argument 'becomes))
+  (define all
+    (hasheq 'system (at-state (or Hamiltonian (argument 'of)))
+            'Hamiltonian (and Hamiltonian #t)
+            'force (at-state (argument 'force))
+            'becomes (and K (datum 'becomes K (list (state-of names))))
+            'besides (map at-state (rest-of 'besides clauses))
+            'starts (datum 'starts (argument 'starts))
+            'arguments (rest-of 'arguments clauses)
+            'constants (rest-of 'constants clauses)
+            'assuming (rest-of 'assuming clauses)
+            'within (argument 'within)
+            'absolute (memq '#:absolute (rest-of 'within clauses))
+            'unit (argument 'unit)
+            'check (argument 'expects)))
+  (for/hasheq ([(key x) (in-hash all)] #:unless (memv x '(#f ()))) (values key x)))
 
 (define (clause-datum name clause x rounds)
   (define d (answer->datum x rounds))
@@ -108,24 +105,19 @@
 
 (define several-times '(hint slip))
 
-(define (check-clauses name kind-name question clauses)
-  (define k (for/first ([k (in-list kinds)] #:when (eq? kind-name (kind-name* k))) k))
+(define (check-clauses name kind question clauses)
+  (define k (find-kind kind))
   (define (has? clause) (assq clause clauses))
   (unless (string? question)
     (complain name "the question is a text, behind the kind of the exercise\n  given: ~a"
               (value->text question)))
   (unless k
-    (complain name "there is no kind of exercise called ~a~a" kind-name
-              (among kind-name (map kind-name* kinds))))
-  (for ([c (in-list clauses)])
-    (unless (memq (car c) clause-names)
-      (complain name "there is no clause called ~a~a" (car c) (among (car c) clause-names))))
+    (complain name "there is no kind of exercise called ~a~a" kind
+              (among kind (map kind-name kinds))))
   (define twice (check-duplicates (remq* several-times (map car clauses))))
   (when twice (complain name "the clause `~a` stands there twice" twice))
   (check-needed name k has?)
   (check-numbers name clauses))
-
-(define kind-name* kind-name)
 
 (define (check-needed name k has?)
   (define (need clause why) (unless (has? clause) (complain name "~a" why)))
@@ -147,13 +139,13 @@
                                   "is: a canonical map is wanted that is not trivial"))))
 
 (define (check-numbers name clauses)
-  (define (refuse c wanted)
-    (complain name "~a\n  given: ~a" wanted (value->text (if (pair? (cdr c)) (cadr c) (cdr c)))))
-  (define (given-to c good?) (and (pair? (cdr c)) (good? (cadr c))))
   (for ([c (in-list clauses)])
+    (define given (if (pair? (cdr c)) (cadr c) '()))
+    (define (check good? text . parts)
+      (unless good?
+        (complain name "~a\n  given: ~a" (apply format text parts) (value->text given))))
     (case (car c)
       [(points within)
-       (unless (given-to c (lambda (x) (and (real? x) (>= x 0))))
-         (refuse c (format "the clause `~a` takes a number that is not negative" (car c))))]
-      [(unit)
-       (unless (given-to c string?) (refuse c "the unit is a text, as in (unit \"s\")"))])))
+       (check (and (real? given) (>= given 0))
+              "the clause `~a` takes a number that is not negative" (car c))]
+      [(unit) (check (string? given) "the unit is a text, as in (unit \"s\")")])))

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; A worksheet made of its parts, and tried: its own keys are judged as answers, and so is
-;; every slip.  What is refused here would have been unjust to a whole class.
+;; every slip.  A wrong key would be unjust to a whole class.
 
 (require racket/list
          "answer-data.rkt" "answer-parts.rkt" "defined-names.rkt" "exercise-kind.rkt"
@@ -34,33 +34,36 @@
 (define (try-exercise e)
   (define key (exercise-key e))
   (when key
-    (try-key e (judge e (list 'answer key)))
-    (when (setting e 'system) (try-with-system e key)))
+    (try-key e key)
+    (when (and (setting e 'system) (eq? (exercise-kind e) 'equations))
+      (try-key (with-key-of-system e) key)))
   (for ([s (in-list (exercise-slips e))]) (try-slip e s)))
 
-(define (try-key e j)
-  (case (judgment-status j)
-    [(right) (void)]
-    [(undecided)
-     (complain (exercise-name e)
-         "its own key cannot be proved right, so no answer could be\n~a" (told e j))]
-    [else (complain (exercise-name e) "its own key is refuted\n~a" (told e j))]))
+(define (judgment-on e datum) (judge e (list 'answer datum)))
 
-;; Equations are given with their Lagrangian: do they go together?
-(define (try-with-system e key)
-  (when (eq? (exercise-kind e) 'equations)
-    (define names (exercise-coordinates e))
-    (define L (value-function (read-expression (setting e 'system)) (local-tuple-of names)))
-    (define right (answer->datum (Lagrange-equations L) (rounds-of e)))
-    (try-key e (judge (struct-copy exercise e [key (cadr right)]) (list 'answer key)))))
+(define (try-key e key)
+  (define j (judgment-on e key))
+  (define problem
+    (case (judgment-status j)
+      [(right) #f]
+      [(undecided) "cannot be proved right, so no answer could be"]
+      [else "is refuted"]))
+  (when problem
+    (complain (exercise-name e) "its own key ~a\n~a" problem
+              (judgment->text (judged e key j) #:whole? #t))))
+
+;; Equations that are given with their Lagrangian must agree with it.
+(define (with-key-of-system e)
+  (define names (exercise-coordinates e))
+  (define L (value-function (read-expression (setting e 'system)) (local-tuple-of names)))
+  (define right (answer->datum (Lagrange-equations L) (rounds-of e)))
+  (struct-copy exercise e [key (cadr right)]))
 
 (define (try-slip e s)
-  (define j (judge (struct-copy exercise e [slips '()]) (list 'answer (slip-datum s))))
+  (define j (judgment-on (struct-copy exercise e [slips '()]) (slip-datum s)))
   (when (eq? (judgment-status j) 'right)
     (complain (exercise-name e) "what is given as a slip is a right answer\n  slip: ~a"
               (value->text (slip-datum s)))))
-
-(define (told e j) (judgment->text e j #:whole? #t))
 
 ;; -> text
 (define (outline w)
@@ -68,7 +71,7 @@
   (joined
    (cons (format "~a: ~a, ~a; all keys hold." (worksheet-title w)
                  (counted (length all) "exercise")
-                 (counted-points (total-points w)))
+                 (counted-points (total-points all)))
          (for/list ([e (in-list all)] [i (in-naturals 1)])
            (format "  ~a. ~a (~a), ~a" i (exercise-name e) (exercise-kind e) (points-of e))))
    "\n"))

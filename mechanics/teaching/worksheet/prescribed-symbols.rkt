@@ -1,6 +1,6 @@
 #lang racket/base
-;; The symbols that answers are applied to: an answer that is a function is known by its value
-;; at these.  With coordinates r and phi they are
+;; The symbols to which answers are applied: a function is known by its value at these.  With
+;; coordinates r and phi they are
 ;;
 ;;   the time         t
 ;;   a local tuple    (up t (up r phi) (up rdot phidot))
@@ -14,7 +14,7 @@
          "../../lagrangian/generic-state.rkt"
          "../../value/structure.rkt")
 
-(provide local-tuple-of long-tuple-of state-of path-of path-derivatives
+(provide local-tuple-of long-tuple-of state-of momenta-of path-of path-derivatives
          as-one)
 
 ;; xs, a list -> its only element, or a tuple of them
@@ -26,13 +26,14 @@
 (define (local-tuple-of names)
   (list->up (for/list ([x (in-list (structure->list (long-tuple-of names)))] [_ (in-range 3)]) x)))
 
-(define (state-of names)
-  (up 't (as-one names)
-      (as-one (for/list ([n (in-list names)]) (string->symbol (format "p_~a" n))) list->down)))
+(define (state-of names) (up 't (as-one names) (as-one (momenta-of names) list->down)))
+
+(define (momenta-of names)
+  (for/list ([n (in-list names)]) (string->symbol (format "p_~a" n))))
 
 (define (path-of names) (as-one (map literal-function names)))
 
-;; What the path and its derivatives are at t, up to the second, each a list of expressions.
+;; The values of the path and of its derivatives at t, up to the second, each a list of expressions.
 (define (path-derivatives names)
   (for/list ([order (in-range 3)])
     (for/list ([n (in-list names)]) (((g:expt D order) (literal-function n)) 't))))

@@ -1,10 +1,10 @@
 #lang racket/base
-;; Data that anybody may have written, read without harm: no reader of another language, no
+;; Reads data that anybody may have written, without harm: no reader of another language, no
 ;; cycles, no compiled code, and no number such as #e1e999999999 that would fill the memory.
 
 (provide read-untrusted)
 
-;; string -> its first datum; what is none raises an error of the reader's
+;; string -> its first datum, or an error of the reader
 (define (read-untrusted text)
   (when (regexp-match? #px"[0-9]{2000,}" text)
     (error 'read-untrusted "a number has more digits than any answer needs"))
@@ -15,7 +15,7 @@
                     [current-readtable without-prefixes])
        (read (open-input-string text))))))
 
-;; No number that is written by `write` has a prefix.
+;; Racket's `write` gives no number a prefix.
 (define without-prefixes
   (for*/fold ([table #f]) ([c (in-string "eixobdEIXOBD")])
     (make-readtable table c 'dispatch-macro

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Exercises as one line of text, for the student's file: compressed, so that the key does not
-;; meet the eye.  That is an envelope and no lock: who wants to can open it.  What must not be
-;; known is left out, by the clause (no-practice).  It may come back changed, by whomever.
+;; meet the eye.  That is an envelope and no lock: anybody can open it.  The clause (no-practice)
+;; leaves out a key that must stay unknown.  Anybody may have changed the text before it returns.
 
 (require file/gunzip
          file/gzip
@@ -27,7 +27,7 @@
     (unless (and (list? found) (andmap exercise? found)) (broken))
     found))
 
-;; A few bytes can be inflated to more than the memory holds.
+;; A few bytes may stand for more text than the memory holds.
 (define (inflated bytes)
   (define out (open-output-bytes))
   (inflate (open-input-bytes bytes) (bounded out))
@@ -45,9 +45,7 @@
      (write-bytes bytes out from to))
    void))
 
-;; Without what only the teacher has.
+;; The exercise without the parts that only the teacher has.
 (define (practised e)
-  (define settings (hash-remove (exercise-settings e) 'check))
-  (if (exercise-practice? e)
-      (struct-copy exercise e [settings settings])
-      (struct-copy exercise e [settings settings] [key #f] [slips '()])))
+  (define safe (struct-copy exercise e [settings (hash-remove (exercise-settings e) 'check)]))
+  (if (exercise-practice? e) safe (struct-copy exercise safe [key #f] [slips '()])))

@@ -1,10 +1,10 @@
 #lang racket/base
-;; The student's file: the questions as comments, what is given as it is, and holes to fill.
-;; It runs as it is, and says that nothing is answered yet.
+;; The student's file: the questions as comments, given definitions as they are, and holes to fill.
+;; Before it is filled it runs, too, and says that nothing is answered yet.
 
-(require racket/list
-         (only-in racket/string string-join string-split)
-         "exercise-kind.rkt" "exercise.rkt" "judgment-words.rkt" "sealed-exercises.rkt")
+(require (only-in racket/string string-append* string-join string-split)
+         "exercise-kind.rkt" "exercise.rkt" "judgment-words.rkt" "sealed-exercises.rkt"
+         "../../show/display/filled-lines.rkt")
 
 (provide worksheet->student-file)
 
@@ -16,7 +16,7 @@
    ";; Name: \n;;\n"
    (comment instructions)
    "\n(require mechanics/answers)\n\n"
-   (string-join (parts->texts (worksheet-parts w)) "\n")
+   (string-join (part-texts w) "\n")
    (closing (exercises-of w))))
 
 (define instructions
@@ -24,10 +24,9 @@
    "Put your answers in place of `unanswered`, and press Run: each is proved, refuted with a "
    "point where it fails, or left to your teacher. Symbols such as 'm stand for any number."))
 
-(define (parts->texts parts)
-  (define numbers (make-hasheq))
-  (for ([e (in-list (filter exercise? parts))] [i (in-naturals 1)]) (hash-set! numbers e i))
-  (for/list ([p (in-list parts)] #:unless (formula? p))
+(define (part-texts w)
+  (define numbers (numbered-exercises w))
+  (for/list ([p (in-list (worksheet-parts w))] #:unless (formula? p))
     (cond [(passage? p) (comment (passage-text p))]
           [(given? p) (string-append (given-source p) "\n")]
           [else (exercise->text p (hash-ref numbers p))])))
@@ -50,26 +49,18 @@
           (string-join (for/list ([part (in-list (pieces (seal exercises) 90))]) (format "~s" part))
                        "\n ")))
 
-(define (pieces text length)
-  (for/list ([start (in-range 0 (string-length text) length)])
-    (substring text start (min (string-length text) (+ start length)))))
+(define (pieces text size)
+  (for/list ([start (in-range 0 (string-length text) size)])
+    (substring text start (min (string-length text) (+ start size)))))
 
 ;; ---------------------------------------------------------------------------
 
-;; Paragraphs as comments of at most so many columns.
 (define columns 92)
 
+;; Paragraphs as comments; an empty line is one, too.
 (define (comment text)
-  (apply string-append
-         (for*/list ([paragraph (in-list (add-between (regexp-split #rx"\n" text) #f))]
-                     #:when paragraph
-                     [line (in-list (filled (string-split paragraph)))])
-           (format ";; ~a\n" line))))
-
-(define (filled words)
-  (let loop ([words words] [line ""])
-    (cond [(null? words) (list line)]
-          [(string=? line "") (loop (cdr words) (car words))]
-          [(> (+ (string-length line) 1 (string-length (car words))) columns)
-           (cons line (loop words ""))]
-          [else (loop (cdr words) (string-append line " " (car words)))])))
+  (string-append*
+   (for*/list ([paragraph (in-list (regexp-split #rx"\n" text))]
+               [words (in-value (string-split paragraph))]
+               [line (in-list (if (null? words) '("") (filled words columns)))])
+     (format ";; ~a\n" line))))

@@ -6,6 +6,7 @@
          mechanics/teaching/class/grade
          mechanics/teaching/class/submission
          mechanics/teaching/worksheet/judge
+         mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
          mechanics/teaching/worksheet/make-worksheet
          racket/file
@@ -29,7 +30,7 @@
                  (for/list ([a (in-list answers)] [i (in-naturals)])
                    (define d (list 'answer a))
                    (graded (submission (format "~a" i) (format "~a" i) "" #f)
-                           (hasheq 'frequency d) (list (judge e d)) #f '())))))
+                           (list (judged e d (judge e d))) #f '())))))
 
 (test-case "what went wrong is counted, and what has no name as well"
   (define page (page-of '(* -1 k) '(* -1 k) '(* 2 k) '(expt k k) 'k))
@@ -40,8 +41,8 @@
 
 (test-case "an answer that fails is told with its reason, and not where the program is at fault"
   (define (page-with d problem)
-    (class->page (class-report w #f (list (graded (submission "a" "a" "" #f) (hasheq 'frequency d)
-                                                  (list (judge e d)) problem '())))))
+    (class->page (class-report w #f (list (graded (submission "a" "a" "" #f)
+                                                  (list (judged e d (judge e d))) problem '())))))
   (check-regexp-match #rx"class=\"judged failed\".*it has no value"
                       (page-with '(failed "it has no value") "it does not run: no"))
   (check-false (regexp-match? #rx"class=\"judged" (page-with '(failed) "it does not run: no"))))

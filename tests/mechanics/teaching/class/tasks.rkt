@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The limit on processes leaves room for those that the user has already.
 
-(require mechanics/teaching/class/tasks
+(require mechanics/teaching/class/process-cost
          rackunit
          "../../support/skip.rkt")
 
