@@ -1,11 +1,10 @@
 #lang racket/base
-;; Application that explains itself: `(f x ...)` where f turns out to be a
-;; number, a symbol or a list says so in the reader's terms; a Racket vector is
-;; applied as the up tuple it stands for.
+;; Application with messages in the reader's terms: `(f x ...)` where f turns out to be a number, a
+;; symbol or a list; a Racket vector is applied as the up tuple it stands for.
 ;;
-;; The test `(procedure? f)` costs nothing where the compiler sees what f is,
-;; which includes every function defined once in the module, provided that f
-;; itself stays in operator position.  So a call of a variable becomes
+;; The test `(procedure? f)` costs nothing where the compiler knows f, which includes every function
+;; defined once in the module, provided that f itself stays in operator position.  So a call of a
+;; variable becomes
 ;;
 ;;     (let ([t argument] ...) (if (procedure? f) (f t ...) (refuse ...)))
 ;;
@@ -15,15 +14,13 @@
 ;; tested on its way: ((callable operator) argument ...).
 ;;
 ;; Where the form looks as if it were meant otherwise (mistake/misread.rkt), that is advice for
-;; the refusal, and for whoever finds a name in it unknown.
+;; the refusal, and for the message on an unknown name in it.
 
-(require (only-in racket/list add-between)
-         (for-syntax racket/base
-                     "imported-name.rkt" "wrong-call/call-parts.rkt" "paper-notation/misread-call.rkt"
-                     "paper-notation/operation-sign.rkt")
+(require (for-syntax racket/base
+                     "imported-name.rkt" "paper-notation/misread-call.rkt" "paper-notation/operation-sign.rkt")
          (only-in "pattern/mismatch.rkt" short-text tuple-advice)
          "paper-notation/expansion-advice.rkt"
-         "../error/complain.rkt"
+         "../error/complain.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          (only-in "../generic/dispatch.rkt" raise-unary-arity)
          (only-meta-in 1 "../generic/elementary.rkt")
@@ -39,14 +36,13 @@
 (define (callable f advice)
   (if (procedure? f) f (stand-in f #f advice)))
 
-;; A procedure to apply in place of f, which is none; `name` is the variable
-;; that holds it, if any; `advice` is a text, or #f.
+;; A procedure to apply in place of f, which is no procedure; `name` is the variable that holds
+;; it, if any; `advice` is a text, or #f.
 (define (stand-in f name advice)
   (if (vector? f)
       (vector->up f)
       (make-keyword-procedure
-       (lambda (keywords values . arguments) (refuse f name advice arguments))
-       (lambda arguments (refuse f name advice arguments)))))
+       (lambda (keywords their-values . arguments) (refuse f name advice arguments)))))
 
 (define (refuse f name advice arguments)
   (define who (or name 'application))
@@ -76,7 +72,7 @@
          (format "; a tuple is ~a" (cons 'up (cons f arguments)))]
         [else ""]))
 
-;; (x * 2), as formulas are written elsewhere
+;; (x * 2), as formulas are written on paper
 
 (define (operation-sign x)
   (for/or ([o (in-list operations)]) (and (eq? (car o) x) (cdr o))))
@@ -86,20 +82,20 @@
         (cons equal-by-proof? '=) (cons g:= '=)
         (cons g:< '<) (cons g:> '>) (cons g:<= '<=) (cons g:>= '>=)))
 
-;; : (* 'x 2), or of a longer formula its beginning
-(define (prefix operation first operands)
+;; "(* 'x 2)", or the beginning of a longer formula
+(define (prefix operation operand others)
   (format "~a (~a ~a ~a)"
-          (if (= (length operands) 1) ":" ", as in")
-          operation first
-          (if (pair? operands) (quoted (car operands)) "...")))
+          (if (= (length others) 1) ":" ", as in")
+          operation operand
+          (if (pair? others) (quoted (car others)) "...")))
 
 (define (quoted x) (string-append (if (symbol? x) "'" "") (short-text x)))
 
 (define (describe-arguments arguments)
-  (define texts (apply string-append (add-between (map short-text arguments) " ")))
-  (cond [(null? arguments) "no arguments"]
-        [(null? (cdr arguments)) (string-append "the argument " texts)]
-        [else (string-append "the arguments " texts)]))
+  (if (null? arguments)
+      "no arguments"
+      (format "the argument~a ~a" (if (null? (cdr arguments)) "" "s")
+              (joined (map short-text arguments) " "))))
 
 ;; ---------------------------------------------------------------------------
 ;; At expansion time
@@ -125,7 +121,7 @@
        (define advised-row (if text (map (lambda (x) (with-advice x text)) row) row))
        (application-of-own stx (car advised-row) (cdr advised-row) advice)]))
 
-  ;; (pi / 2): what may be a number is not trusted to be a procedure.
+  ;; (pi / 2): a name that may hold a number is not trusted to be a procedure.
   (define (number-before-sign? row)
     (and (infix? (map syntax-e row))
          (not (unary? (car row)))
@@ -208,7 +204,7 @@
 
   (define (one? xs) (and (pair? xs) (null? (cdr xs))))
 
-  ;; Is it one of our functions of one argument?
+  ;; Is it a function of one argument of this library?
   (define (unary? id)
     (define own-name (cadr (identifier-binding id)))
     (for/or ([u (in-list (cons #'inverse-of unary-functions))])

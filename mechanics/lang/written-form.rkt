@@ -1,27 +1,32 @@
 #lang racket/base
-;; What forms look like where they were written.
+;; Forms as they were written, and their refusal.
 
-(provide adjacent? prime-before? form->text without-commas)
+(provide refuse adjacent? prime-before? about-prime form->text without-commas)
+
+;; A mistake in the form stx, at a part of it, or #f; the text as `format` takes it
+(define (refuse stx part text . operands)
+  (raise-syntax-error #f (apply format text operands) stx part))
 
 ;; Is there nothing between the two syntaxes?
 (define (adjacent? one other)
-  (and (equal? (syntax-source one) (syntax-source other)) (touch? one other)))
-
-(define (touch? one other)
   (define-values (start span next)
     (values (syntax-position one) (syntax-span one) (syntax-position other)))
-  (and start span next (= (+ start span) next)))
+  (and (equal? (syntax-source one) (syntax-source other))
+       start span next (= (+ start span) next)))
 
 ;; Does the second begin with a quote that touches the first, as in x't?
 (define (prime-before? one other)
   (define d (syntax-e other))
   (and (pair? d) (eq? (syntax-e (car d)) 'quote) (adjacent? one other)))
 
-;; A datum as it is typed, quotes as quotes.
+(define (about-prime name)
+  (format "a prime is read as a quote; the derivative of ~a is (D ~a)" name name))
+
+;; A datum as it is typed, with ' for quote.
 (define (form->text d)
   (parameterize ([print-reader-abbreviations #t]) (format "~s" d)))
 
-;; Data, of which f(x, y) has (x (unquote y)).
+;; The data without commas: f(x, y) is read as f and (x (unquote y)).
 (define (without-commas data)
   (for/list ([d (in-list data)])
     (if (and (list? d) (= (length d) 2) (eq? (car d) 'unquote)) (cadr d) d)))

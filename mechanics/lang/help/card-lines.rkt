@@ -11,11 +11,13 @@
 ;;
 ;;       See also: …
 
-(require racket/list
+(require (only-in racket/format ~a)
+         racket/list
          racket/string
-         "card.rkt" "demonstration.rkt")
+         "card.rkt" "demonstration.rkt"
+         "../../show/display/filled-lines.rkt" "../../error/message-words.rkt")
 
-(provide card-lines call-lines filled indented)
+(provide card-lines call-lines)
 
 (define indentation "  ")
 
@@ -24,20 +26,17 @@
   (define paragraphs
     (list (append (filled (string-split (or (card-sentence c) "")) inside)
                   (library-lines c))
-          (argument-lines (append-map arguments-told (card-signatures c)) inside)
+          (argument-lines (append-map described-arguments (card-signatures c)) inside)
           (example-lines (card-demonstration c) inside)
           (reference-lines c inside)))
   (append (append-map (lambda (s) (call-lines s width)) (card-signatures c))
-          (indented (add-between-lines paragraphs))))
+          (indented (append* (add-between (filter pair? paragraphs) '(""))))))
 
 (define (indented lines [by indentation])
   (for/list ([l (in-list lines)]) (if (string=? l "") l (string-append by l))))
 
-(define (add-between-lines paragraphs)
-  (append* (add-between (filter pair? paragraphs) '(""))))
-
 ;; ---------------------------------------------------------------------------
-;; The call, and what it takes
+;; The call, and its arguments
 
 (define (call-lines s width)
   (define result (signature-result s))
@@ -50,28 +49,27 @@
       '()
       (list (format "(require ~a) provides it." (card-library c)))))
 
-(define (arguments-told s)
-  (filter (lambda (a) (or (argument-default a) (tells? (argument-what a))))
+(define (described-arguments s)
+  (filter (lambda (a) (or (argument-default a) (specific? (argument-what a))))
           (append (signature-needed s) (signature-optional s) (signature-keywords s))))
 
-(define (tells? what) (not (member what '("value" "any value"))))
+(define (specific? what) (not (member what '("value" "any value"))))
 
 ;; A line for each name, in columns.
 (define (argument-lines arguments width)
   (define named (remove-duplicates arguments #:key argument-name))
-  (define room (apply max 0 (map (lambda (a) (string-length (argument-name a))) named)))
+  (define room (+ 3 (apply max 0 (map (lambda (a) (string-length (argument-name a))) named))))
   (append*
    (for/list ([a (in-list named)])
-     (define margin (make-string (+ room 3) #\space))
-     (define name (argument-name a))
-     (define lines (filled (string-split (told a)) (- width room 3)))
-     (cons (string-append (pad name (+ room 3)) (car lines)) (indented (cdr lines) margin)))))
+     (define lines (filled (string-split (description a)) (- width room)))
+     (cons (string-append (~a (argument-name a) #:min-width room) (car lines))
+           (indented (cdr lines) (make-string room #\space))))))
 
-(define (told a)
+(define (description a)
   (define default (argument-default a))
   (cond [(not default) (argument-what a)]
         [(equal? default "#f") (without-false (argument-what a))]
-        [(tells? (argument-what a)) (format "~a; ~a unless given" (argument-what a) default)]
+        [(specific? (argument-what a)) (format "~a; ~a unless given" (argument-what a) default)]
         [else (format "~a unless given" default)]))
 
 ;; "constraint, list or #f" -> "constraint or list"; commas before an arrow are between arguments
@@ -80,8 +78,6 @@
   (if found
       (regexp-replace #rx", ([^,→]*)$" (cadr found) " or \\1")
       what))
-
-(define (pad text n) (string-append text (make-string (- n (string-length text)) #\space)))
 
 ;; ---------------------------------------------------------------------------
 ;; The example
@@ -100,7 +96,7 @@
 (define (lines-of text) (string-split text "\n"))
 
 ;; ---------------------------------------------------------------------------
-;; Where to read on
+;; References
 
 (define (reference-lines c width)
   (define also (card-also c))
@@ -111,18 +107,4 @@
            width)
    (if (null? also)
        '()
-       (filled (cons "See also:" (separated (map symbol->string also))) width))))
-
-(define (separated texts)
-  (append (map (lambda (t) (string-append t ",")) (drop-right texts 1))
-          (list (string-append (last texts) "."))))
-
-;; Words put into lines, of which those after the first begin with `margin`.
-(define (filled words width [margin ""])
-  (for/fold ([lines '()] [line #f]
-             #:result (reverse (if line (cons line lines) lines)))
-            ([word (in-list words)])
-    (cond [(not line) (values lines word)]
-          [(<= (+ (string-length line) 1 (string-length word)) width)
-           (values lines (string-append line " " word))]
-          [else (values (cons line lines) (string-append margin word))])))
+       (filled (string-split (format "See also: ~a." (joined (map symbol->string also)))) width))))

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What is known of a name: an entry of the manual, without its typography.  Prefab, so that
-;; a table of cards can be written into compiled code.
+;; The card of a name: its entry in the manual, without typography.  Prefab, so that a table of
+;; cards can be written into compiled code.
 
 (provide (struct-out card) (struct-out signature) (struct-out argument) (struct-out example)
          takes?)
@@ -9,22 +9,21 @@
 ;; signatures : of one entry, or of all that the manual has for the name
 ;; sentence : text or #f; demonstration : example or #f
 ;; place : text, such as "1.5, p. 33", or #f; also : symbols of related cards
-;; words : of all that the manual says of it, each once, as a text
+;; words : each word of its entry once, as a text
 (struct card (name library page signatures sentence demonstration place also words) #:prefab)
 
 ;; kind : 'procedure, 'form, 'value or 'parameter
-;; call : texts between which there may be a line break: "(evolve" "f" "[#:step h])"
+;; call : texts between which a line may break: "(evolve" "f" "[#:step h])"
 ;; result : text or #f
 ;; needed, optional, keywords : arguments; rest : text such as "f ...", or #f
-;; parameters : of ((f m k) local), how many there are in each inner call: (2)
+;; parameters : the number in each inner call, of ((f m k) local): (2)
 (struct signature (kind call result needed optional keywords rest parameters) #:prefab)
 
 ;; name : text; what : text, "Lagrangian"; default : text or #f; keyword : symbol or #f
 (struct argument (name what default keyword) #:prefab)
 
-;; libraries : modules that the program requires; definitions : texts of what the
-;; expressions stand on; expressions : texts; run : texts of what is evaluated in their
-;; place
+;; libraries : modules that the program requires; definitions : texts of the definitions that the
+;; expressions use; expressions : texts; run : texts of the expressions evaluated in their place
 (struct example (libraries definitions expressions run) #:prefab)
 
 ;; Does a signature take n arguments without keywords?

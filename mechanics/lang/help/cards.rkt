@@ -1,9 +1,9 @@
 #lang racket/base
-;; The table of cards, loaded when it is first asked for.
+;; The table of cards, loaded at its first use.
 ;;
-;; Nothing that is compiled depends on it: it changes with every line of the manual's
-;; reference, and the library, and all that requires it, would be compiled anew each time.
-;; `make` compiles it beside the library, and so does `raco setup`.
+;; No compiled module depends on the table: it changes with every line of the manual's reference,
+;; and the library, and all modules that require it, would be compiled anew each time.  `make`
+;; compiles it beside the library, and so does `raco setup`.
 
 (require racket/runtime-path
          "card.rkt"
@@ -13,13 +13,13 @@
 
 (define-runtime-module-path-index table "table.rkt")
 
-;; In the order of the manual.  A break waits: what is left half loaded stays so.
+;; In the order of the manual.  Breaks wait: a module that is half loaded stays so.
 (define (all-cards)
   (parameterize ([current-namespace (variable-reference->empty-namespace (#%variable-reference))])
     (parameterize-break #f (dynamic-require table 'cards))))
 
 ;; -> card or #f
 (define (card-of name)
-  (for/first ([c (in-list (all-cards))] #:when (eq? (card-name c) name)) c))
+  (findf (lambda (c) (eq? (card-name c) name)) (all-cards)))
 
 (define (card-names) (map card-name (all-cards)))

@@ -1,10 +1,10 @@
 #lang racket/base
-;; Which example of the manual a card shows.  It stands by itself: with the definitions that
-;; it needs, of those that were typed before it on the page.
+;; The example that a card shows, with the definitions that it needs, of those that stand before
+;; it on the manual's page.
 ;;
-;; Of the lines of an entry it is the first expression that mentions the name or stands on a
-;; definition that does; failing that, one of another entry, of the same page if there is one;
-;; failing that an error of the entry's, or a definition with what follows; and in the end its
+;; It is the first expression of the entry that mentions the name, or uses a definition that does;
+;; failing that, an expression of another entry, of the same page if there is one; failing that an
+;; error of the entry's, or a definition with the following expression; and in the end the entry's
 ;; first expression: names that are explained together are shown together.
 
 (require racket/list
@@ -38,8 +38,8 @@
     (cond [(pair? d) (and (not (eq? (car d) 'quote)) (or (look (car d)) (look (cdr d))))]
           [else (eq? d name)])))
 
-;; Drawing shows nothing until the frame is shown: all lines up to that belong to it.  What
-;; declares or sets something is followed by an expression that shows it.
+;; Drawing shows nothing until the frame is shown: all lines up to that belong to the example.  A
+;; line that declares or sets something is followed by an expression that shows it.
 (define (make-example chosen following p context)
   (define shown
     (cond [(calls? chosen #rx"[(](plot|graphics)-") (up-to-frame chosen following)]
@@ -66,9 +66,9 @@
   (if (null? rest) (list chosen) (append drawn (list (car rest)))))
 
 ;; ---------------------------------------------------------------------------
-;; What an expression needs
+;; Lines that an expression needs
 
-;; What was assumed on the page, if the line asks about it or withdraws it.
+;; The assumptions of the page before the line, if it asks about them or withdraws them.
 (define (declared-before l p)
   (if (calls? l #rx"[(](forget-)?assumptions")
       (filter (lambda (other) (and (calls? other #rx"^[(]assume ") (not (line-error? other))))
@@ -77,8 +77,8 @@
 
 (define (lines-before l p) (takef (page-lines p) (lambda (other) (not (eq? other l)))))
 
-;; The definitions of the page that the lines stand on, in the order of the page: of each
-;; name the last before it is used.
+;; The definitions of the page that the lines use, in the order of the page: of each name the last
+;; one before its use.
 (define (needed-by lines p context)
   (define needed
     (for/fold ([needed '()]) ([l (in-list lines)]) (add-needs l needed p context)))

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; The example of a card, run when the card is shown, at a prompt like those of the manual:
-;; the language, its printer, and nothing defined.  So the result is what this library, as
-;; it is, answers; no table of results could be out of date.  Most examples take a few
-;; milliseconds, and a break ends one that takes longer.
+;; the language, its printer, and no definitions.  So no table of results can be out of date.
+;; Most examples take a few milliseconds, and a break ends one that takes longer.
 
 (require racket/port
          racket/string
@@ -11,7 +10,7 @@
 
 (provide (struct-out answer) demonstrate)
 
-;; What is typed, and what is answered: texts, the latter "" where there is nothing to say.
+;; typed, printed : texts, the latter "" for an example that prints nothing
 (struct answer (typed printed))
 
 ;; -> answers
@@ -26,7 +25,7 @@
                   [run (in-list (example-run e))])
          (answer typed (printed (read-form run) width)))))))
 
-;; It shares the modules that are loaded.  Breaks wait while others are being loaded.
+;; A namespace that shares the loaded modules.  Breaks wait while others are being loaded.
 (define (fresh-prompt libraries)
   (define space (variable-reference->empty-namespace (#%variable-reference)))
   (parameterize ([current-namespace space])
@@ -36,7 +35,7 @@
 
 (define (read-form text) (read (open-input-string text)))
 
-;; What is printed by the evaluation, and of its values.  An example may be there to fail.
+;; The output of the evaluation, and its values; of an example that fails, the message.
 (define (printed form width)
   (string-trim
    #:left? #f
@@ -48,7 +47,8 @@
                              (for ([x (in-list results)] #:unless (void? x))
                                (println (simplified-result x width))))))))))
 
-;; What an example declares or sets is the thread's; when the caller is broken off, so is it.
+;; Calls thunk in a thread of its own, which keeps declarations and settings of the example, and
+;; ends when a break ends the caller.
 (define (in-own-thread thunk)
   (define outcome #f)
   (define worker

@@ -1,24 +1,19 @@
 #lang racket/base
-;; Entries of the manual: the forms that say what a name is, `defproc` and its kin, and the
-;; signatures that they give.
+;; Entries of the manual: `defproc` and its kin, and the signatures that they give.
 ;;
-;; The contract of an argument is told in words, as far as the words of the manual reach.
+;; The contract of an argument is told in words, as far as the manual's contracts need.
 
 (require racket/list
          racket/string
-         "card.rkt")
+         "card.rkt"
+         (only-in "../redefinition/heads.rkt" [head-name-in name-at-head]))
 
-(provide entry-form? entry-signatures name-at-head)
+(provide entry-signatures)
 
 ;; ---------------------------------------------------------------------------
 ;; Forms
 
-(define entry-forms
-  '(defproc defproc* defform defform* defthing defparam defboolparam defidform defstruct*))
-
-(define (entry-form? d) (and (pair? d) (memq (car d) (cons 'deftogether entry-forms)) #t))
-
-;; An entry without its text -> ((name . signatures) ...), a name for each time it stands
+;; d : a form of the manual -> ((name . signature) ...), none if the form is no entry
 (define (entry-signatures d)
   (case (car d)
     [(deftogether) (append-map entry-signatures (cadr d))]
@@ -29,7 +24,8 @@
     [(defform*) (for/list ([shape (in-list (car (positional d)))])
                   (form-signature (form-id d) shape))]
     [(defidform) (list (form-signature #f (cadr d)))]
-    [(defthing) (list (value-signature (positional d)))]
+    [(defthing) (let ([parts (positional d)])
+                  (list (value-signature (car parts) (result-text (cadr parts)))))]
     [(defparam) (list (parameter-signature (cadr d) (caddr d) (cadddr d)))]
     [(defboolparam) (list (parameter-signature (cadr d) (caddr d) 'boolean?))]
     [(defstruct*) (structure-signatures (cadr d) (caddr d))]
@@ -46,8 +42,6 @@
   (define found (memq '#:id d))
   (and found (name-at-head (cadr found))))
 
-(define (name-at-head head) (if (pair? head) (name-at-head (car head)) head))
-
 ;; ---------------------------------------------------------------------------
 ;; Signatures
 
@@ -61,33 +55,33 @@
 (define (inner-counts head)
   (if (pair? head) (cons (length (cdr head)) (inner-counts (car head))) '()))
 
+(define (simple-signature kind call result #:needed [needed '()] #:optional [optional '()])
+  (signature kind call result needed optional '() #f '()))
+
 (define (form-signature id shape)
-  (cons (or id (name-at-head shape)) (signature 'form (shape-pieces shape) #f '() '() '() #f '())))
+  (cons (or id (name-at-head shape)) (simple-signature 'form (shape-pieces shape) #f)))
 
 (define (shape-pieces shape)
   (if (list? shape)
       (in-parentheses (map (lambda (part) (format "~s" part)) shape))
       (list (format "~s" shape))))
 
-(define (value-signature parts)
-  (define name (car parts))
-  (cons name (signature 'value (list (symbol->string name)) (result-text (cadr parts))
-                        '() '() '() #f '())))
+(define (value-signature name result)
+  (cons name (simple-signature 'value (list (symbol->string name)) result)))
 
 (define (parameter-signature name argument-name contract)
-  (define value (argument (format "~s" argument-name) (words contract) #f #f))
-  (cons name (signature 'parameter (list (format "(~s" name) (format "[~s])" argument-name)) #f
-                        '() (list value) '() #f '())))
+  (define call (list (format "(~s" name) (format "[~s])" argument-name)))
+  (cons name (simple-signature 'parameter call #f
+                               #:optional (list (slot->argument (list argument-name contract))))))
 
-;; An exception: its name, what tells it, and what its fields are taken out by.
+;; An exception: its structure type, predicate and accessors.
 (define (structure-signatures head fields)
   (define name (name-at-head head))
   (define (of suffix result)
     (define full (string->symbol (format "~s~a" name suffix)))
-    (cons full (signature 'procedure (list (format "(~s" full) "x)") result
-                          (list (argument "x" "any value" #f #f)) '() '() #f '())))
-  (list* (cons name (signature 'value (list (symbol->string name)) "structure type"
-                               '() '() '() #f '()))
+    (cons full (simple-signature 'procedure (list (format "(~s" full) "x)") result
+                                 #:needed (list (slot->argument '(x any/c))))))
+  (list* (value-signature name "structure type")
          (of "?" "boolean")
          (for/list ([field (in-list fields)])
            (of (format "-~s" (car field)) (result-text (cadr field))))))
@@ -111,31 +105,32 @@
         [(pair? (cddr slot)) (format "[~s]" (car slot))]
         [else (format "~s" (car slot))]))
 
-;; -> needed, optional and keyword arguments, and the text of what may be repeated or #f
+;; -> needed, optional and keyword arguments, and the text of the repeated argument or #f
 (define (sort-arguments slots)
-  (for/fold ([needed '()] [optional '()] [keywords '()] [rest #f]
-             #:result (values (reverse needed) (reverse optional) (reverse keywords) rest))
-            ([slot (in-list slots)] [next (in-list (append (drop-first slots) '(#f)))])
-    (cond [(not (pair? slot)) (values needed optional keywords rest)]
-          [(keyword? (car slot)) (values needed optional (cons (keyword-slot slot) keywords) rest)]
-          [(memq next '(...))
-           (values needed optional keywords (format "~s ..." (car slot)))]
-          [(memq next '(...+))
-           (values (cons (positional-slot slot) needed) optional keywords
-                   (format "~s ..." (car slot)))]
-          [(pair? (cddr slot)) (values needed (cons (positional-slot slot) optional) keywords rest)]
-          [else (values (cons (positional-slot slot) needed) optional keywords rest)])))
+  (define sorted                        ; ((sort . slot) ...)
+    (for/list ([slot (in-list slots)] [next (in-list (cdr (append slots '(#f #f))))]
+               #:when (pair? slot))
+      (cons (cond [(keyword? (car slot)) 'keyword]
+                  [(memq next '(... ...+)) next]
+                  [(pair? (cddr slot)) 'optional]
+                  [else 'needed])
+            slot)))
+  (define (of sorts make)
+    (for/list ([s (in-list sorted)] #:when (memq (car s) sorts)) (make (cdr s))))
+  (define repeated (of '(... ...+) (lambda (slot) (format "~s ..." (car slot)))))
+  (values (of '(needed ...+) slot->argument)
+          (of '(optional) slot->argument)
+          (of '(keyword) keyword-slot)
+          (and (pair? repeated) (last repeated))))
 
-(define (drop-first xs) (if (null? xs) '() (cdr xs)))
-
-(define (positional-slot slot)
-  (argument (format "~s" (car slot)) (words (cadr slot)) (default-text (cddr slot)) #f))
+;; slot : [name contract] or [name contract default]
+(define (slot->argument slot [keyword #f])
+  (argument (format "~s" (car slot)) (words (cadr slot)) (default-text (cddr slot)) keyword))
 
 (define (keyword-slot slot)
-  (argument (format "~s" (cadr slot)) (words (caddr slot)) (default-text (cdddr slot))
-            (string->symbol (format "~s" (car slot)))))
+  (slot->argument (cdr slot) (string->symbol (format "~s" (car slot)))))
 
-;; _name is told and no program.
+;; _name stands for an expression that is no program.
 (define (default-text parts)
   (and (pair? parts) (regexp-replace #rx"^_" (format "~s" (car parts)) "")))
 
@@ -144,13 +139,12 @@
 
 (define (result-text contract)
   (case contract
-    [(any any/c) #f]
-    [(void?) #f]
+    [(any any/c void?) #f]
     [else (words contract)]))
 
 (define (words contract)
   (cond [(symbol? contract) (symbol-words contract)]
-        [(not (and (pair? contract) (list? contract))) (format "~s" contract)]
+        [(not (pair? contract)) (format "~s" contract)]
         [else
          (define parts (map words (cdr contract)))
          (case (car contract)
@@ -171,16 +165,14 @@
 (define (move-false-last parts)
   (if (member "#f" parts) (append (remove "#f" parts) '("#f")) parts))
 
+;; pattern of a word, and its plural; the first that fits holds
+(define plurals
+  '((#rx"^any value$" "anything") (#rx"^list of " "lists of ") (#rx"^.*…$" "integers")
+    (#rx"(equilibri|minim)um$" "\\1a") (#rx" or |," "&") (#rx"y$" "ies") (#rx"$" "s")))
+
 (define (plural word)
-  (cond [(regexp-match? #rx"^any value$" word) "anything"]
-        [(regexp-match? #rx"^list of " word)
-         (string-append "lists" (substring word (string-length "list")))]
-        [(regexp-match? #rx"…$" word) "integers"]
-        [(regexp-match? #rx"equilibrium$" word) (regexp-replace #rx"um$" word "a")]
-        [(regexp-match? #rx"minimum$" word) (regexp-replace #rx"um$" word "a")]
-        [(regexp-match? #rx"( or |,)" word) word]
-        [(regexp-match? #rx"y$" word) (regexp-replace #rx"y$" word "ies")]
-        [else (string-append word "s")]))
+  (define p (findf (lambda (p) (regexp-match? (car p) word)) plurals))
+  (regexp-replace (car p) word (cadr p)))
 
 (define (symbol-words name)
   (case name
@@ -188,9 +180,7 @@
     [(procedure?) "function"]
     [(exact-nonnegative-integer?) "0, 1, 2 …"]
     [(exact-positive-integer?) "1, 2, 3 …"]
-    [(exact-integer? integer?) "integer"]
+    [(exact-integer?) "integer"]
     [(real?) "real number"]
-    [(number?) "number"]
-    [(local-tuple) "local tuple"]
     [(void?) "nothing"]
     [else (string-replace (regexp-replace #rx"[?]$" (symbol->string name) "") "-" " ")]))

@@ -1,19 +1,20 @@
 #lang racket/base
-;; What `help` prints: the card of a name, cards that a text finds, or what can be asked.
+;; The output of `help`: the card of a name, cards that a text finds, or the questions there are.
 
-(require racket/list
+(require (only-in racket/format ~a)
+         (only-in racket/list take)
          racket/string
-         "card-lines.rkt" "card.rkt" "cards.rkt" "later.rkt" "search.rkt"
+         "card-lines.rkt" "card.rkt" "cards.rkt" "search.rkt"
          (only-in "../wrong-call/reader-signature.rkt" head->text)
          "../paper-notation/other-notation.rkt" "../paper-notation/typed-formula.rkt"
          "../paper-notation/typographic.rkt"
          (only-in "../unknown-name/other-library.rkt" exports)
          (only-in "../redefinition/prompt.rkt" head-at-prompt)
+         "../../show/display/filled-lines.rkt"
          "../../error/spelling.rkt")
 
 (provide help-about help-lines)
 
-;; Width of a terminal as it always was.
 (define columns 80)
 
 ;; about : symbol, string or #f; prints
@@ -45,7 +46,7 @@
         [(card-of name) (append own (list "" "What it hides:" "") (about-known-name name))]
         [else own]))
 
-;; What the reader defined at the prompt.
+;; About a definition that the reader made at the prompt.
 (define (own-lines name)
   (define head (head-at-prompt name))
   (cond [(not head) '()]
@@ -55,9 +56,7 @@
 
 (define (about-known-name name)
   (cond [(card-of name) => (lambda (c) (card-lines c columns))]
-        [(later-sentence name)
-         => (lambda (sentence) (filled (string-split (format "~s: ~a." name sentence)) columns))]
-        [(rackets? name)
+        [(ormap (lambda (library) (memq name (exports library))) '(racket/base racket/match))
          (list (format "~s is Racket's own, and means here what it means there." name)
                (format "  https://docs.racket-lang.org/search/?q=~s" name))]
         [(otherwise-lines name)]
@@ -77,62 +76,36 @@
       (and formula (format "operations come first, ~a" formula))))
 
 (define (about-unknown name)
-  (define near (likely-names name (append (card-names) later-names)))
+  (define near (likely-names name (card-names)))
   (define found (found-cards (symbol->string name) (all-cards)))
   (cons (format "~s is not a name of mechanics.~a" name
                 (if (null? near) "" (format "  Did you mean ~a?" (alternatives near))))
-        (if (and (null? near) (pair? found))
-            (found-lines found)
-            '())))
-
-(define (rackets? name)
-  (for/or ([library (in-list '(racket/base racket/match))])
-    (and (memq name (exports library)) #t)))
+        (if (null? near) (found-lines found) '())))
 
 ;; ---------------------------------------------------------------------------
 ;; A text
 
 (define (about-text text)
-  (define found (found-cards text (all-cards)))
-  (define later (later-found text))
-  (define otherwise
-    (or (and (regexp-match? #px"^\\S+$" text) (otherwise-lines (string->symbol text))) '()))
-  (cond [(and (null? found) (null? later) (null? otherwise))
-         (list (format "Nothing is found for ~s; (help) tells what can be asked." text))]
-        [else (append otherwise
-                      (if (null? found) '() (found-lines found))
-                      (if (null? later) '() (later-lines later)))]))
-
-(define (later-found text)
-  (define pattern (regexp (regexp-quote text #f)))
-  (if (< (string-length text) 3)
-      '()
-      (filter (lambda (name) (regexp-match? pattern (symbol->string name))) later-names)))
-
-;; The shortest names of chapters to come.
-(define (later-lines names)
-  (define texts (sort (map symbol->string names) < #:key string-length))
-  (define shown (take texts (min most-later (length texts))))
-  (filled (cons "Of chapters to come:" shown) columns))
-
-(define most-later 4)
+  (define otherwise (and (regexp-match? #px"^\\S+$" text) (otherwise-lines (string->symbol text))))
+  (define lines (append (or otherwise '()) (found-lines (found-cards text (all-cards)))))
+  (if (null? lines)
+      (list (format "Nothing is found for ~s; (help) tells what can be asked." text))
+      lines))
 
 (define most-found 10)
 
-;; name, then as much of the sentence as a line has room for
+;; For each card its name, then as much of the sentence as a line has room for.
 (define (found-lines cards)
-  (define shown (take cards (min most-found (length cards))))
-  (define room (apply max 0 (map (lambda (c) (string-length (card-name->text c))) shown)))
+  (define more (- (length cards) most-found))
+  (define shown (if (> more 0) (take cards most-found) cards))
+  (define names (map (lambda (c) (symbol->string (card-name c))) shown))
+  (define room (min 30 (apply max 0 (map string-length names))))
   (append
-   (for/list ([c (in-list shown)])
-     (define name (card-name->text c))
-     (define margin (make-string (- (min room 30) (min 30 (string-length name))) #\space))
-     (shortened (string-append name margin "  " (or (card-sentence c) ""))))
-   (if (> (length cards) most-found)
-       (list (format "... and ~a more; another word finds fewer." (- (length cards) most-found)))
+   (for/list ([c (in-list shown)] [name (in-list names)])
+     (shortened (format "~a  ~a" (~a name #:min-width room) (or (card-sentence c) ""))))
+   (if (> more 0)
+       (list (format "... and ~a more; another word finds fewer." more))
        '())))
-
-(define (card-name->text c) (symbol->string (card-name c)))
 
 (define (shortened line)
   (if (> (string-length line) columns)

@@ -1,8 +1,8 @@
 #lang racket/base
-;; (help name), (help "words") and (help): what the manual says of a name, where one is.
+;; (help name), (help "words") and (help): cards of names, made of the manual.
 ;;
-;; A macro, so that the name need not be quoted, nor have a value; quoted, it is the same.
-;; What it prints, and the table it is taken from, are loaded when help is first asked for.
+;; A macro, so that the name need not be quoted, nor have a value; a quote makes no difference.
+;; The printer of cards and their table are loaded at the first use.
 
 (require (for-syntax racket/base)
          "../../generic/on-demand.rkt")

@@ -1,6 +1,5 @@
 #lang racket/base
-;; Cards of all names that the manual has an entry for.  This runs while the table is
-;; compiled.
+;; Cards of all names that have an entry in the manual, made while the table is compiled.
 
 (require racket/list
          racket/string
@@ -17,8 +16,9 @@
       (make-card name e p pages context)))
   (define known (for/hasheq ([c (in-list all)]) (values (card-name c) #t)))
   (define joined (map join (group-by card-name all)))
-  (for/list ([c (in-list joined)] [i (in-naturals)])
-    (with-relations c joined i known)))
+  (for/list ([c (in-list joined)]
+             [before (in-list (cons #f joined))] [after (in-list (cdr (append joined '(#f))))])
+    (with-relations c (filter values (list after before)) known)))
 
 (define (make-card name e p pages context)
   (define body (entry-body e))
@@ -30,7 +30,7 @@
         (append (map car (entry-names e)) (names-mentioned body))
         (distinct-words body)))
 
-;; Several entries of one name: what the first says, and the signatures of all.
+;; The cards of one name as one: the text of the first, and the signatures of all.
 (define (join same)
   (define c (car same))
   (struct-copy card c
@@ -38,13 +38,10 @@
                [words (string-join (map card-words same))]
                [also (append-map card-also same)]))
 
-;; Names that are explained or mentioned together, then the neighbours on the page.
-(define (with-relations c all i known)
+;; Adds related names: those explained or mentioned together, then the neighbours on the page.
+(define (with-relations c neighbours known)
   (define near
-    (for/list ([j (in-list (list (add1 i) (sub1 i)))]
-               #:when (< -1 j (length all))
-               [other (in-value (list-ref all j))]
-               #:when (equal? (card-page other) (card-page c)))
+    (for/list ([other (in-list neighbours)] #:when (equal? (card-page other) (card-page c)))
       (card-name other)))
   (define-values (failures others) (partition failure? (append (card-also c) near)))
   (define names
@@ -57,7 +54,7 @@
 
 (define (failure? name) (regexp-match? #rx"^exn:" (symbol->string name)))
 
-;; Arithmetic stands in every program.
+;; Is the name a useful reference?  Arithmetic stands in every program.
 (define (telling? name) (not (memq name '(+ - * / = expt square up down define lambda sqrt sin))))
 
 ;; The text of the first @sicm{...}, or #f.

@@ -1,8 +1,8 @@
 #lang racket/base
-;; Pages of the manual as they are written: their entries, and the examples at their prompts.
+;; Sources of the manual's pages: their entries, and the examples at their prompts.
 ;;
 ;; `scribble/reader` reads a page as strings and forms.  It is loaded while the library is
-;; compiled, and never by a program; so it is asked for by name.
+;; compiled, and never by a program: hence the dynamic-require.
 
 (require racket/file
          racket/list
@@ -12,24 +12,24 @@
 (provide (struct-out page) (struct-out entry) (struct-out line)
          manual-pages)
 
-;; library : symbol; requires : data of modules that the prompt requires
-;; lines : all that is typed at the prompt of the page, in its order
-(struct page (file title library requires entries lines))
+;; requires : data of modules that the prompt requires
+;; lines : the lines at the prompt of the page, in its order
+(struct page (file title requires entries lines))
 
-;; names : ((name . signature) ...); library : that has them; body : parts of text; lines : its
-;; own of the page
+;; names : ((name . signature) ...); library : symbol, of the module that provides them;
+;; body : parts of text; lines : those of the entry's examples
 (struct entry (names library body lines))
 
-;; text : as it is written; form, run : data, what is shown and what is evaluated
-;; error? : is it to raise an error
+;; text : as it is written; form, run : data, the form shown and the form evaluated
+;; error? : does the example raise an error?
 (struct line (text form run error?))
 
 ;; The page in that file, then those that it includes, in their order.
 (define (manual-pages file [library 'mechanics])
   (define text (file->string file))
   (define parts (read-parts file text))
-  (define here (or (library-of-page parts) library))
-  (cons (make-page file text parts here library)
+  (define here (or (ormap module-named parts) library))
+  (cons (make-page file text parts library)
         (append-map (lambda (name) (manual-pages (simplify-path (build-path (path-only file) name))
                                                  here))
                     (included parts))))
@@ -42,18 +42,21 @@
   (read-line port)
   (syntax->list (read-inside file port)))
 
-;; library : of the page; outside : of the page that includes it
-(define (make-page file text parts library outside)
+;; library : of the page that includes it
+(define (make-page file text parts library)
   (define lines (map (lambda (part) (lines-in part text)) parts))
   (define entries
-    (for/list ([part (in-list parts)] [own (in-list lines)] [here (libraries-along parts outside)]
-               #:when (entry-form? (syntax->datum part)))
-      (make-entry (syntax->datum part) here own)))
-  (page file (title parts) library (required-at-prompt parts) entries
+    (for*/list ([(part own here) (in-parallel parts lines (libraries-along parts library))]
+                [d (in-value (syntax->datum part))]
+                #:when (pair? d)
+                [names (in-value (entry-signatures d))]
+                #:when (pair? names))
+      (entry names here (body-of d) own)))
+  (page file (title parts) (required-at-prompt parts) entries
         (append (typed-before parts text) (append* lines))))
 
 ;; ---------------------------------------------------------------------------
-;; What stands in a page
+;; Parts of a page
 
 (define (with-head parts heads)
   (for/list ([part (in-list parts)]
@@ -71,29 +74,22 @@
   (define found (with-head (list part) '(defmodule)))
   (and (pair? found) (cadr (car found))))
 
-;; As in @defmodule[mechanics/book].
-(define (library-of-page parts) (ormap module-named parts))
-
-;; For each part the library of what it describes: a module further down begins there, and holds
-;; for the whole of a page that has no entry before it.
+;; For each part its library: that of the last @defmodule[...] before it, or else `library`.
 (define (libraries-along parts library)
-  (define-values (libraries last-one)
-    (for/fold ([libraries '()] [here library]) ([part (in-list parts)])
-      (define next (or (module-named part) here))
-      (values (cons next libraries) next)))
-  (reverse libraries))
+  (cond [(null? parts) '()]
+        [else
+         (define here (or (module-named (car parts)) library))
+         (cons here (libraries-along (cdr parts) here))]))
 
-;; What a prompt is made of: '(require mechanics/book) and '(define plane ...) in
+;; The forms that make a prompt: '(require mechanics/book) and '(define plane ...) in
 ;; @(define session (make-session '(require mechanics/book) '(define plane ...))).
 (define (session-forms parts)
   (for*/list ([part (in-list parts)]
               #:when (pair? (with-head (list part) '(define)))
               [made (in-value (syntax->list (caddr (syntax->list part))))]
-              #:when (and made (session-maker? (syntax-e (car made))))
+              #:when (and made (memq (syntax-e (car made)) '(make-session make-picture-session)))
               [form (in-list (cdr made))])
     (cadr (syntax->list form))))
-
-(define (session-maker? name) (memq name '(make-session make-picture-session)))
 
 (define (requires? form) (eq? (car (syntax->datum form)) 'require))
 
@@ -111,18 +107,9 @@
 ;; ---------------------------------------------------------------------------
 ;; Entries
 
-;; (defproc head result text ...): what follows the signature.  An at-expression puts the
-;; text behind all that is in brackets.
-(define (make-entry d library lines) (entry (entry-signatures d) library (body-of d) lines))
-
+;; The text of (defproc head result text ...): an at-expression puts it behind its brackets.
 (define (body-of d)
-  (define after
-    (case (car d)
-      [(defproc defthing defparam defstruct*) (if (eq? (car d) 'defparam) 4 3)]
-      [(defform) (if (memq '#:id d) 4 2)]
-      [else 2]))
-  (define rest (drop d (min after (length d))))
-  (dropf rest (lambda (x) (not (or (string? x) (and (pair? x) (memq (car x) text-forms)))))))
+  (or (memf (lambda (x) (or (string? x) (and (pair? x) (memq (car x) text-forms)))) (cdr d)) '()))
 
 (define text-forms
   '(racket italic math elem examples bigfloat-examples picture-examples tt emph bold))
@@ -130,7 +117,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Examples
 
-;; All lines of the examples that stand in a part, however deep.
+;; The lines of all examples in a part, however deep.
 (define (lines-in part text)
   (define parts (if (syntax? part) (syntax->list part) part))
   (cond [(not (pair? parts)) '()]

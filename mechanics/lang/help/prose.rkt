@@ -13,18 +13,15 @@
 (define (one-line parts)
   (string-normalize-spaces (typographic (apply string-append (map part->text parts)))))
 
-;; Stops in code end no sentence: until it is known where one ends, they are other letters.
-(define stops '((#\. . #\uE000) (#\? . #\uE001) (#\! . #\uE002) (#\: . #\uE003)))
+;; Stops in code end no sentence: until sentences are found, they are letters for private use.
+(define private #xE000)
 
-(define (disguised text)
-  (exchange text (lambda (c) (cond [(assv c stops) => cdr] [else c]))))
+(define (disguised text) (shifted #rx"[.?!:]" text private))
+(define (bare text) (shifted #px"\\p{Co}" text (- private)))
 
-(define (bare text)
-  (exchange text (lambda (c)
-                   (define found (findf (lambda (s) (char=? (cdr s) c)) stops))
-                   (if found (car found) c))))
-
-(define (exchange text f) (list->string (map f (string->list text))))
+(define (shifted pattern text by)
+  (regexp-replace* pattern text
+                   (lambda (c) (string (integer->char (+ (char->integer (string-ref c 0)) by))))))
 
 (define (part->text part)
   (cond [(string? part) part]
@@ -48,27 +45,31 @@
 
 (define (code-text d) (if (string? d) d (format "~s" (without-escapes d))))
 
-;; _name is how an argument is written in a form.
+;; Without the _ of _name, an argument in a form.
 (define (without-escapes d)
   (cond [(pair? d) (cons (without-escapes (car d)) (without-escapes (cdr d)))]
         [(and (symbol? d) (regexp-match #rx"^_(.+)$" (symbol->string d)))
          => (lambda (found) (string->symbol (cadr found)))]
         [else d]))
 
-(define subscripts (hash #\0 #\₀ #\1 #\₁ #\2 #\₂ #\3 #\₃ #\4 #\₄ #\t #\ₜ #\k #\ₖ #\+ #\₊ #\i #\ᵢ))
-(define superscripts
-  (hash #\0 #\⁰ #\1 #\¹ #\2 #\² #\3 #\³ #\4 #\⁴ #\k #\ᵏ #\+ #\⁺ #\- #\⁻ #\n #\ⁿ))
+;; usual letters, and the small ones
+(define subscripts '("01234tk+i" "₀₁₂₃₄ₜₖ₊ᵢ"))
+(define superscripts '("01234k+-n" "⁰¹²³⁴ᵏ⁺⁻ⁿ"))
 
-(define (in-small parts characters otherwise)
+(define (in-small parts letters otherwise)
   (define text (apply string-append (map part->text parts)))
-  (define found (for/list ([c (in-string text)]) (hash-ref characters c #f)))
+  (define found
+    (for/list ([c (in-string text)])
+      (for/first ([usual (in-string (car letters))] [small (in-string (cadr letters))]
+                  #:when (char=? c usual))
+        small)))
   (if (memq #f found) (string-append otherwise text) (list->string found)))
 
 (define (typographic text)
   (for/fold ([text text]) ([pair (in-list '(("---" . "–") ("``" . "“") ("''" . "”")))])
     (string-replace text (car pair) (cdr pair))))
 
-;; In small letters, in the order in which they come, with spaces between; items of lists, too.
+;; Each word once, in small letters, in their order, with spaces between; items of lists, too.
 (define (distinct-words parts)
   (string-join (remove-duplicates
                 (regexp-match* #px"\\p{L}(?:\\p{L}|-)+" (string-downcase (all-text parts))))))
@@ -82,7 +83,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Sentences
 
-;; The first sentence of a body, or #f.  What a colon announces is left out.
+;; The first sentence of a body, or #f.  It may end with a colon, which becomes a stop.
 (define (first-sentence parts)
   (define text (one-line (first-paragraph parts)))
   (define found (regexp-match sentence-end text))
@@ -94,8 +95,8 @@
 ;; Not the stop of an abbreviation.
 (define sentence-end #px"^.*?(?<!e[.]g)(?<!i[.]e)(?<![ (]p)[.?!:][)”]?(?=\\s|$)")
 
-;; The parts before an empty line or a display, such as a list; those before any text left
-;; out.
+;; The parts before an empty line or a display, such as a list; empty lines at the start are
+;; dropped.
 (define (first-paragraph parts)
   (define begun (dropf parts (lambda (p) (and (string? p) (regexp-match? #px"^\\s*$" p)))))
   (let loop ([parts begun] [broken? #f])

@@ -2,12 +2,11 @@
 ;; Cards that a text is about.  All its words must occur, each in the name, in the sentence, in the
 ;; name of an argument or in the title of the page.
 ;;
-;; What a name says counts more than what a sentence says, and a word more than a part of one.
-;; But a word has many senses: `golden-section-min` is no section of a motion.  So it counts, too,
-;; how much the card's page has to do with the words: a page that is named after them, or on which
-;; many cards have them, is about what is asked for.
+;; A name counts more than a sentence, and a word more than a part of a word.  But a word has many
+;; senses: `golden-section-min` is no section of a motion.  So the card's page counts as well: a
+;; page that is named after the words, or on which many cards have them, is about them.
 ;;
-;; Where few are found, those follow of which the manual says more with the words.
+;; Where few cards are found, cards follow whose whole entry in the manual has the words.
 
 (require racket/list
          racket/string
@@ -32,7 +31,7 @@
 
 (define few 3)
 
-;; Those that only join others are left out, unless there are none but these.
+;; The words of the text without those that only join others, unless it has no more than these.
 (define (telling-words text)
   (define all (string-split text))
   (define telling (filter (lambda (w) (not (member (plain w) joining-words))) all))
@@ -42,8 +41,8 @@
   '("a" "an" "and" "are" "at" "by" "do" "does" "for" "from" "has" "have" "how" "i" "in" "is" "it"
     "my" "of" "on" "or" "that" "the" "there" "this" "to" "what" "where" "which" "with"))
 
-;; What a word begins with, whatever its ending: plurals find what is said in the singular, sine
-;; finds sin, Lagrange's Lagrange, and conservation what is conserved.
+;; The beginning of a word, without its ending: plurals find the singular, sine finds sin,
+;; Lagrange's finds Lagrange, and conservation finds conserved.
 (define (stem word)
   (define owner (regexp-replace #rx"(.)['’]s?$" word "\\1"))
   (define long (regexp-match #rx"^(......*?)(ication|ation|ing|ed)s?$" owner))
@@ -56,23 +55,23 @@
 (define (all-in? words text)
   (for/and ([w (in-list words)]) (string-contains? text w)))
 
-;; Within a word they would be found by chance.
+;; Does each word begin a word of the text?  Within words it would occur by chance.
 (define (all-begin-in? words text [end ""])
   (for/and ([w (in-list words)])
     (regexp-match? (string-append "(^|[^a-z0-9])" (regexp-quote w) end) text)))
 
-;; As words, and not as what longer ones begin with: sin, and not singular
+;; Is each word a word of the text, up to its ending?  sin is, of singular it is not.
 (define (all-words-in? words text)
   (all-begin-in? words text (string-append endings "([^a-z0-9]|$)")))
 
-;; In small letters, without accents and joined letters: Poincaré is found as he is typed.
+;; In small letters, without accents and joined letters: typing poincare finds Poincaré.
 (define (plain text)
   (string-foldcase (regexp-replace* #px"\\p{Mn}" (string-normalize-nfkd text) "")))
 
 ;; ---------------------------------------------------------------------------
 ;; Which come first
 
-;; text : all the words, which may be the name itself
+;; text : the words as they were typed, which may be the name itself
 (define (weight words text c)
   (define name (name-text c))
   (define sentence (plain (or (card-sentence c) "")))
@@ -88,7 +87,7 @@
            [else 0.0])
      (if (eq? (card-library c) 'mechanics) 0.0 for-another-library)))
 
-;; What mechanics itself provides is nearer than the examples of the book.
+;; Names of mechanics itself come before the examples of the book.
 (define for-another-library -0.4)
 
 (define most-for-topic 1.5)
@@ -96,7 +95,7 @@
 ;; A page of few cards is not about all that it names.
 (define cards-of-a-page 5)
 
-;; -> hash, page to a number up to 1: how much of it is about the words
+;; -> hash, page to a number up to 1, the share of the page that is about the words
 (define (topic-of-pages words matching cards)
   (define telling
     (pages-counted (filter (lambda (c) (all-words-in? words (sentence-text c))) matching)))
@@ -111,7 +110,7 @@
     (hash-update counts (card-page c) add1 0)))
 
 ;; ---------------------------------------------------------------------------
-;; What there is to be found in
+;; Texts of a card
 
 (define (name-text c) (plain (symbol->string (card-name c))))
 

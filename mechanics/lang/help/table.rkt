@@ -1,6 +1,6 @@
 #lang racket/base
-;; The cards, made of the manual's reference when this file is compiled.  It is compiled
-;; anew when one of the pages has changed.
+;; The cards, made of the manual's reference when this file is compiled; a change of a page has it
+;; compiled anew.
 
 (require (for-syntax racket/base
                      compiler/cm-accomplice

@@ -1,6 +1,6 @@
 #lang racket/base
-;; x ^ 2 and (^ x 2), as powers are written elsewhere.  At Racket's prompt `^` would be the
-;; last result, which is of no help to whoever means a power.  In a signature it is one:
+;; x ^ 2 and (^ x 2), as other programs write powers.  At Racket's prompt `^` would be the last
+;; result, which does not help a reader who means a power.  In a signature it is a power:
 ;; (^ Real 3) is the domain of a function of three numbers.
 
 (require (for-syntax racket/base)

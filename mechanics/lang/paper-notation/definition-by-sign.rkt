@@ -1,10 +1,9 @@
 #lang racket/base
 ;; Definitions as on paper: x = 3, f(x) = x^2, x(t) = A cos(omega t), L = 1/2 m v^2.
 ;;
-;; What is written behind the sign may have letters that nothing is known of.  Beside the
-;; arguments they are parameters, as the book writes them: ((x A omega) t).  Where there are no
-;; arguments they are symbols; but what has a t is a path, and a Lagrangian, called L and with a
-;; v, wants its local tuple.
+;; The formula behind the sign may have unknown letters.  Beside arguments they become parameters,
+;; as the book writes them: ((x A omega) t).  Without arguments they are symbols; but a formula
+;; with a t is a path, and one with a v and the name L a Lagrangian, a function of the local tuple.
 
 (require racket/list
          "prefix-form.rkt"
@@ -17,7 +16,7 @@
   (define plain (plain-definition data))
   (and plain (with-letters (cadr plain) (caddr plain) known?)))
 
-;; The same without regard to letters.
+;; The same without a change for letters.
 (define (plain-definition data)
   (define spread (append-map signs-apart (without-increment data)))
   (define i (index-where spread (lambda (d) (memq d '(= :=)))))
@@ -87,7 +86,7 @@
         [(memq 't letters) (with-letters (list head 't) value known?)]
         [else (list 'define head (quoted value letters))]))
 
-;; The symbols of a formula, but for what is called.
+;; The symbols of a formula, without those that are called.
 (define (operands d)
   (cond [(symbol? d) (list d)]
         [(and (pair? d) (eq? (car d) 'quote)) '()]
@@ -113,7 +112,7 @@
   (define parameters (remq* local letters))
   `(define ((,name ,@parameters) ,local) ,value))
 
-;; Is it a definition that was made so?
+;; Is it a definition that `Lagrangian` made?
 (define (Lagrangian-by-sign? form)
   (define head (cadr form))
   (and (pair? head) (pair? (car head)) (eq? (caar head) 'L)

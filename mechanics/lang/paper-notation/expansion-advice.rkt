@@ -1,6 +1,6 @@
 #lang racket/base
-;; Advice that is found where a program is expanded, for the message of an error that may or
-;; may not come when it is run: it is left on the stack while a name is looked up.
+;; Advice from the expansion of a program, for the message of an error that may come when it is
+;; run: it is left on the stack while a name is looked up.
 
 (require (for-syntax racket/base))
 
@@ -16,7 +16,7 @@
 ;; marks -> text or #f
 (define (advice-in marks) (continuation-mark-set-first marks key))
 
-;; The identifier carries it to the macro #%top, which meets it if it has no binding.
+;; The identifier carries the advice to the macro #%top, if it has no binding.
 (begin-for-syntax
   (define (with-advice stx text) (if text (syntax-property stx 'mechanics:advice text) stx))
   (define (advice-on stx) (syntax-property stx 'mechanics:advice)))

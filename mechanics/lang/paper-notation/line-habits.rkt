@@ -1,6 +1,6 @@
 #lang racket/base
-;; Lines of several forms that were meant as one, f(3), sin x, x = 3, define m = 3; and lines that
-;; were printed, not typed.
+;; Lines of several forms that were meant as one, f(3), sin x, x = 3, define m = 3; and printed
+;; lines, which were pasted.
 ;;
 ;; Each form would be evaluated by itself: f is printed, and then 3 cannot be applied.
 
@@ -13,7 +13,7 @@
 ;; forms     : of an entry, syntaxes
 ;; known?    : symbol -> is anything known of the name?
 ;; function? : symbol -> is it the name of a function?
-;; -> what to say instead of evaluating them, or #f
+;; -> advice in place of their evaluation, or #f
 (define (meant-as-one forms known? function?)
   (define data (map syntax->datum forms))
   (cond [(null? forms) #f]
@@ -25,23 +25,23 @@
         [(definition-by-word data) => (written "a definition is written ~a")]
         [(definition-by-sign data known?)
          => (lambda (form)
-              (if (Lagrangian-by-sign? form)
-                  ((written "a Lagrangian is a function of (up t q v): ~a") form)
-                  ((written "a definition is written ~a") form)))]
+              ((written (if (Lagrangian-by-sign? form)
+                            "a Lagrangian is a function of (up t q v): ~a"
+                            "a definition is written ~a"))
+               form))]
         [(null? (cdr data)) #f]
         [(keyword? (car data)) (in-parentheses data)]
-        [(and (infix? data) (prefix-form data)) => (written "operations come first: ~a")]
-        [(and (sign-at-end (car data)) (list? (cadr data)) (prefix-form data))
+        [(and (or (infix? data) (and (sign-at-end (car data)) (list? (cadr data))))
+              (prefix-form data))
          => (written "operations come first: ~a")]
         [(component-beside forms)]
         [(call-beside forms)]
-        [(prime? forms)
-         (about-prime (car data))]
-        [(and (pair? (cdr forms)) (symbol? (car data)) (function? (car data)))
+        [(prime? forms) (about-prime (car data))]
+        [(and (symbol? (car data)) (function? (car data)))
          ((written "a call stands in parentheses: ~a") data)]
         [else #f]))
 
-;; Of the forms of a program, the first of a line that was meant as one, and what to say; or #f
+;; forms : of a program -> the first form of a line that was meant as one, and advice; or #f
 (define (misread-line forms known? function?)
   (for/or ([line (in-list (by-line forms))])
     (define text (and (pair? (cdr line)) (meant-as-one line known? function?)))
@@ -96,23 +96,20 @@
        (format "a component is ~a"
                (form->text (list* 'ref (syntax->datum (car forms)) (syntax->datum bracket))))))
 
-;; f(3); of what is no name, as sin^2, how it is written otherwise
+;; f(3); for sin^2 (x) advice on the power
 (define (call-beside forms)
   (for/or ([f (in-list forms)] [next (in-list (if (pair? forms) (cdr forms) '()))])
     (and (call-in-print? f next)
          (let ([advice (notation-sentence (syntax-e f))])
            (if advice (format "~a: ~a" (syntax-e f) advice) (as-called f next))))))
 
-;; text : of an unfinished entry -> what to say of x', or #f
+;; text : of an unfinished entry -> advice on x', or #f
 (define (prime-alone text)
   (define found (regexp-match #px"^\\s*('?)([^\\s()\\[\\]\"';`,#|]+)'+\\s*$" text))
   (cond [(not found) #f]
         [(equal? (cadr found) "'")
          (format "a quote stands before a name, and none behind it: '~a" (caddr found))]
         [else (about-prime (caddr found))]))
-
-(define (about-prime name)
-  (format "a prime is read as a quote; the derivative of ~a is (D ~a)" name name))
 
 (define (prime? forms)
   (and (= (length forms) 2)

@@ -1,7 +1,11 @@
 #lang racket/base
 ;; Calls that were meant otherwise, as far as the program itself shows it: formulas as on
 ;; paper, (m * v) and f(3), and brackets for tuples, [1 2].  All of them may be right, and are
-;; expanded as what they are; what is said here is for the case that they fail.
+;; expanded as calls; the advice is for the case that they fail.
+;;
+;; Some calls can have no meaning, and are refused: keywords without their values,
+;; (evolve-trajectory f state 10 #:tolerance); and quotes that touch the form before them,
+;; (+ 1 2'x) and (x' t), which are read as (+ 1 2 'x) and (x 't).
 
 (require (for-template "expansion-advice.rkt")
          "operation-sign.rkt"
@@ -10,10 +14,44 @@
 
 (require-on-demand ["prefix-form.rkt" prefix-form call-form])
 
-(provide advice-on-call advice-on-product called-beside call-in-print? as-called)
+(provide check-call advice-on-call advice-on-product called-beside call-in-print? as-called)
 
-;; A call, and its operator and arguments, syntaxes -> text or #f.  Within a formula that has
-;; advice on it, that holds for what is written so, too.
+;; ---------------------------------------------------------------------------
+;; Calls without meaning
+
+;; stx : of #%app
+(define (check-call stx)
+  (define row (cdr (or (syntax->list stx) '(#f))))
+  (check-keywords stx (if (null? row) '() (cdr row)))
+  (check-quotes stx row))
+
+(define (refuse-call stx text . operands)
+  (apply refuse (datum->syntax stx (cdr (syntax-e stx)) stx) #f text operands))
+
+(define (check-keywords stx arguments)
+  (define (keyword-argument? stx) (keyword? (syntax-e stx)))
+  (let check ([parts arguments])
+    (cond [(null? parts) (void)]
+          [(not (keyword-argument? (car parts))) (check (cdr parts))]
+          [(or (null? (cdr parts)) (keyword-argument? (cadr parts)))
+           (refuse-call stx "~s has no value: it stands behind the keyword" (syntax-e (car parts)))]
+          [else (check (cddr parts))])))
+
+(define (check-quotes stx row)
+  (for ([one (in-list row)] [next (in-list (if (null? row) '() (cdr row)))])
+    (define d (syntax-e one))
+    (when (and (or (symbol? d) (number? d)) (prime-before? one next))
+      (if (number? d)
+          (refuse-call stx "~a~a is read as two; a product is ~a" d
+                       (form->text (syntax->datum next))
+                       (form->text (list '* d (syntax->datum next))))
+          (refuse-call stx "~a" (about-prime d))))))
+
+;; ---------------------------------------------------------------------------
+;; Advice
+
+;; A call, and its operator and arguments, syntaxes -> text or #f.  Advice on the formula around a
+;; formula holds for it, too.
 (define (advice-on-call stx row)
   (or (syntax-property stx called)
       (and (formula? row) (advice-on stx))
@@ -41,7 +79,7 @@
       (format "; a definition is ~a" (form->text (cons 'define (cdr form))))
       ""))
 
-;; For whoever finds a name in it unknown: where all are known, the refusal shows their values.
+;; For an unknown name in the formula: where all are known, the refusal shows their values.
 (define (advice-on-product row)
   (define form (and (formula? row) (prefix-form (map syntax->datum row))))
   (and form (string-append "a product is " (form->text form))))
@@ -54,12 +92,11 @@
                (form->text (cons 'up (map syntax->datum row))))))
 
 ;; ---------------------------------------------------------------------------
-;; f(x), which is read as f and, beside it, the call (x)
+;; f(x), which is read as f and the call (x) behind it
 
 (define called 'mechanics:called)
 
-;; Syntaxes that stand in a row, each name and list that touch marked with how that call is
-;; written.
+;; Syntaxes in a row: each name and list that touch are marked with the call in prefix form.
 (define (called-beside row)
   (for/list ([stx (in-list row)]
              [before (in-list (cons #f row))]
@@ -86,22 +123,19 @@
 (define (called-form f arguments)
   (call-form (syntax-e f) (argument-forms (syntax->list arguments))))
 
-;; Data of syntaxes in a row, calls among them being taken together.
+;; Data of syntaxes in a row, a name and a list that touch being one call.
 (define (argument-forms row)
   (cond [(null? row) '()]
         [(and (pair? (cdr row)) (call-in-print? (car row) (cadr row)))
          (cons (called-form (car row) (cadr row)) (argument-forms (cddr row)))]
         [else (cons (syntax->datum (car row)) (argument-forms (cdr row)))]))
 
-;; As it stands in the program, but for spaces at the ends.
+;; The text in the program, without spaces at the ends.
 (define (typed-text stx)
   (define parts (syntax->list stx))
   (cond [(not (and parts (parenthesized? stx))) (form->text (syntax->datum stx))]
         [else
-         (apply string-append
-                "("
-                (append (for/list ([p (in-list parts)]
-                                   [before (in-list (cons #f parts))])
-                          (string-append (if (and before (not (adjacent? before p))) " " "")
-                                         (typed-text p)))
-                        '(")")))]))
+         (define texts
+           (for/list ([p (in-list parts)] [before (in-list (cons #f parts))])
+             (string-append (if (and before (not (adjacent? before p))) " " "") (typed-text p))))
+         (format "(~a)" (apply string-append texts))]))

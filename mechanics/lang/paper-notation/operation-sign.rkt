@@ -1,7 +1,11 @@
 #lang racket/base
-;; The signs of operations, which stand between operands on paper.
+;; The signs of operations, which stand between operands on paper, and functions of one argument.
 
-(provide sign? infix?)
+(provide sign? infix? functions)
+
+(define functions
+  '(sin cos tan cot sec csc asin acos atan sinh cosh tanh asinh acosh atanh
+    sqrt exp log abs square cube))
 
 (define (sign? x) (and (memq x '(= < > <= >= + - * / ^ **)) #t))
 

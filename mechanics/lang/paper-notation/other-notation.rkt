@@ -1,7 +1,7 @@
 #lang racket/base
-;; Names that other programs, and books, have for what is called otherwise here.  Letters of
-;; physics (e, i, N) are left out: who writes one means a symbol, mostly.  Of some there are too
-;; many to list: they are known by their pattern, as dx/dt is.
+;; Names that other programs and books have for names of ours.  Letters of physics (e, i, N) are
+;; left out: mostly they are meant for symbols.  Names such as dx/dt, too many to list, are known
+;; by their pattern.
 
 (provide notation-names notation-sentence)
 
@@ -121,7 +121,7 @@
         [(eq? advice about-units) (format "write ~a: ~a" number about-units)]
         [else #f]))
 
-;; :tolerance 1e-9 and m=2, as elsewhere arguments are named
+;; :tolerance 1e-9 and m=2, as other programs name arguments
 (define (sentence-about-argument text)
   (cond [(regexp-match #px"^:(\\p{L}(?:\\p{L}|-)*)$|^--(\\p{L}(?:\\p{L}|-)*)$" text)
          => (lambda (found) (format "a keyword is written #:~a" (or (cadr found) (caddr found))))]

@@ -2,7 +2,8 @@
 ;; A printed result, typed or pasted again at the prompt: (+ (* k (x t)) (* m v)), where k, x and
 ;; t were symbols.
 
-(require (only-in racket/list remove-duplicates)
+(require (only-in racket/list flatten remove-duplicates)
+         "operation-sign.rkt"
          "../written-form.rkt")
 
 (provide pasted-sentence)
@@ -10,21 +11,21 @@
 ;; entry : a form, a datum; known? : symbol -> is anything known of the name? -> text or #f
 (define (pasted-sentence entry known?)
   (define (unknown? name) (not (or (memq name operations) (known? name))))
+  (define (unknown-symbol? d) (and (symbol? d) (unknown? d)))
   (and (pair? entry)
        (memq (car entry) operations)
        (result? entry unknown?)
        (ormap pair? (cdr entry))
-       (or (calls-unknown? entry unknown?) (several? (unknown-in entry unknown?)))
+       (or (calls-unknown? entry unknown?)
+           (> (length (remove-duplicates (filter unknown-symbol? (flatten entry)))) 1))
        (format "a result that was printed is read by (read-expression '~a)" (shortened entry))))
-
-(define (several? names) (> (length (remove-duplicates names)) 1))
 
 (define (shortened form)
   (define text (form->text form))
   (if (> (string-length text) 60) (format "(~s ...)" (car form)) text))
 
-;; Is it made of operations and of names that nothing is known of?  Derivatives are applied in
-;; steps, as in (((expt D 2) x) t).
+;; Is it made of operations and unknown names?  Derivatives are applied in steps, as in
+;; (((expt D 2) x) t).
 (define (result? d unknown?)
   (define (results? ds) (andmap (lambda (d) (result? d unknown?)) ds))
   (define (head? d)
@@ -35,14 +36,7 @@
         [(symbol? d) (or (memq d '(D pi)) (unknown? d) (not (memq d operations)))]
         [else (number? d)]))
 
-(define operations
-  '(+ - * / expt sqrt exp log abs sin cos tan asin acos atan sinh cosh tanh square cube
-    up down D partial))
-
-(define (unknown-in d unknown?)
-  (cond [(pair? d) (append (unknown-in (car d) unknown?) (unknown-in (cdr d) unknown?))]
-        [(and (symbol? d) (unknown? d)) (list d)]
-        [else '()]))
+(define operations (append '(+ - * / expt up down D partial) functions))
 
 (define (calls-unknown? d unknown?)
   (and (pair? d)

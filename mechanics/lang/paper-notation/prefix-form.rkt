@@ -1,20 +1,19 @@
 #lang racket/base
-;; Formulas written with their operations between the operands, as on paper: how they are
-;; written here.
+;; Formulas with their operations between the operands, as on paper, in prefix form.
 ;;
 ;; The forms of a list are read as operands and signs in turn.  Two operands without a sign
 ;; are multiplied, and a name before parentheses is called; powers bind closest, then products,
-;; then sums, then comparisons.  What is left of a sign is taken together first, but for powers.
-;; A function of one argument, as cos, takes all that stands in the parentheses behind it for
-;; that, or else the next operand.
+;; then sums, then comparisons.  Operations associate to the left, powers to the right.
+;; The argument of a function such as cos is the content of the parentheses behind it, or else the
+;; next operand.
 
 (require racket/list
          "operation-sign.rkt" "typed-formula.rkt"
          "../written-form.rkt")
 
-(provide prefix-form call-form one-argument-function? sign-at-end)
+(provide prefix-form call-form sign-at-end)
 
-;; Signs from the loosest to the closest, and how the operation is called here.
+;; Signs from the loosest to the closest, with the names of their operations.
 (define levels
   '(((= . =) (< . <) (> . >) (<= . <=) (>= . >=))
     ((+ . +) (- . -))
@@ -32,21 +31,18 @@
         [(null? (cdr levels)) (power forms (car levels))]
         [else (chain forms (car levels) (cdr levels))]))
 
-;; Split at the last sign of the level; what is left of it is of the level, too.
+;; Splits at the last sign of the level; the part left of it may have signs of the level, too.
 (define (chain forms level closer)
-  (define i (last-index-where forms (lambda (d) (assq d level))))
-  (cond [(not i) (at-level forms closer)]
+  (define places (indexes-where forms (lambda (d) (assq d level))))
+  (cond [(null? places) (at-level forms closer)]
         [else
+         (define i (last places))
          (define name (cdr (assq (list-ref forms i) level)))
          (define left (chain (take forms i) level closer))
          (define right (at-level (drop forms (add1 i)) closer))
          (and left right (operation name left right))]))
 
-(define (last-index-where forms wanted?)
-  (define places (indexes-where forms wanted?))
-  (and (pair? places) (last places)))
-
-;; Split at the first sign.
+;; Splits at the first sign.
 (define (power forms level)
   (define i (index-where forms (lambda (d) (assq d level))))
   (cond [(not i) (product forms)]
@@ -63,10 +59,9 @@
 
 (define (product forms)
   (define operands (map operand forms))
-  (cond [(not (andmap values operands)) #f]
-        [(null? operands) #f]
-        [(null? (cdr operands)) (car operands)]
-        [else (foldl (lambda (next all) (operation '* all next)) (car operands) (cdr operands))]))
+  (and (pair? operands)
+       (andmap values operands)
+       (foldl (lambda (next all) (operation '* all next)) (car operands) (cdr operands))))
 
 ;; Sums, products and comparisons take any number of operands.
 (define (operation name left right)
@@ -99,9 +94,9 @@
 
 ;; A*cos (omega t) is A * cos (omega t), and p/ (2 m) is p / (2 m).
 (define (apart forms)
-  (cond [(or (null? forms) (null? (cdr forms))) forms]
-        [else (append (if (list? (cadr forms)) (function-apart (car forms)) (list (car forms)))
-                      (apart (cdr forms)))]))
+  (append-map (lambda (form next) (if (list? next) (function-apart form) (list form)))
+              forms
+              (cdr (append forms '(#f)))))
 
 (define (function-apart d)
   (define found (and (symbol? d) (regexp-match #px"^(.+)([-+*/])(\\p{L}+)$" (symbol->string d))))
@@ -131,8 +126,8 @@
   (and (symbol? name) (not (sign? name)) (not (memq name '(pi :pi)))
        (list? next) (not (formula? next)) (not (written-call? next))))
 
-;; What stands behind a function, as the list of its arguments: that in parentheses, unless it is
-;; a call as they are written here, (sin (square x)).
+;; The arguments of a function, by the form behind it: its elements, unless the form is a call in
+;; prefix form, as in (sin (square x)).
 (define (behind d) (if (and (list? d) (not (written-call? d))) d (list d)))
 
 (define (written-call? d)
@@ -152,7 +147,3 @@
   (cons name (if whole (list whole) (map (lambda (d) (or (operand d) d)) plain))))
 
 (define (one-argument-function? name) (and (memq name functions) #t))
-
-(define functions
-  '(sin cos tan cot sec csc asin acos atan sinh cosh tanh asinh acosh atanh
-    sqrt exp log abs square cube))

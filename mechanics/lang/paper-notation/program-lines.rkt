@@ -1,7 +1,7 @@
 #lang racket/base
-;; Lines of a program that were meant as one form: m = 3, f(3), or one that was pasted with the
-;; prompt before it.  They are refused before anything is expanded, or each of their forms would
-;; be told to be unknown.  And results that were printed, pasted into a program.
+;; Lines of a program that were meant as one form: m = 3, f(3), or a line pasted with its prompt.
+;; They are refused before the program is expanded, or each of their names would be unknown.  And
+;; printed results that were pasted into a program.
 
 (require (for-template "expansion-advice.rkt")
          "../../generic/on-demand.rkt")
@@ -20,7 +20,7 @@
     (define found (misread-line forms known? (lambda (name) #f)))
     (when found (raise-syntax-error 'line (cdr found) (car found)))))
 
-;; A form of a module; if it looks like a printed result, that is advice on the names in it.
+;; The form of a module; if it looks like a printed result, its names carry that as advice.
 ;; defines? : symbol -> does the module define it?
 (define (as-pasted form defines?)
   (define head (and (pair? (syntax-e form)) (car (syntax-e form))))

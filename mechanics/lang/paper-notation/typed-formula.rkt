@@ -1,6 +1,5 @@
 #lang racket/base
-;; Formulas written as in print, 2x or x^2 or m*v, which Racket reads as one name: how they
-;; are written here.
+;; Formulas written as in print, 2x or x^2 or m*v, which Racket reads as one name, in prefix form.
 ;;
 ;; Loosest first, a formula is a sum, a quotient, a product, a number before a name, a power.
 ;; A hyphen is part of many names: a difference is a letter less a number.
@@ -36,7 +35,7 @@
 (define (real-text? text)
   (and (regexp-match? #px"^[0-9.]+$" text) (string->number text) #t))
 
-;; text -> the operation's two operands, or #f
+;; text -> the operation on its two operands, or #f
 (define ((splitting pattern name) text)
   (define found (regexp-match pattern text))
   (define left (and found (formula (cadr found))))

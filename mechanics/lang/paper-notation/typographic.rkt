@@ -1,12 +1,12 @@
 #lang racket/base
-;; Signs of print, which a program pasted from a page of a PDF may hold where those of the
-;; keyboard belong: Racket takes them for letters of names.
+;; Signs of print, which a program pasted from a page of a PDF may have in place of those of the
+;; keyboard: Racket takes them for letters of names.
 
 (require "../../error/note.rkt")
 
-(provide typographic-sentence typographic-sentences tell-curly-quotes)
+(provide typographic-sentence tell-curly-quotes)
 
-;; character, what it is called, what to type
+;; character, its name, the text to type
 (define signs
   '((#\‘ "a curly quote" "'") (#\’ "a curly quote" "'") (#\′ "a prime" "'")
     (#\´ "an accent" "'")
@@ -20,14 +20,9 @@
 ;; name : symbol -> text or #f
 (define (typographic-sentence name)
   (define text (symbol->string name))
-  (define found (for/first ([c (in-string text)] #:when (assv c signs)) (assv c signs)))
+  (define found (for/or ([c (in-string text)]) (assv c signs)))
   (and found
        (format "~a in it is ~a; type ~a" (car found) (cadr found) (as-typed text))))
-
-;; The same as a list, or #f.
-(define (typographic-sentences name)
-  (define sentence (typographic-sentence name))
-  (and sentence (list sentence)))
 
 ;; The text with the signs of the keyboard.
 (define (as-typed text)
@@ -36,17 +31,11 @@
            (define entry (assv c signs))
            (if entry (caddr entry) (string c)))))
 
-;; Of ‘x’ the symbol 'x was meant, which has no quote at its end.
-(define (without-closing-quote text)
-  (define last (- (string-length text) 1))
-  (if (and (> last 0)
-           (memv (string-ref text 0) '(#\‘ #\’ #\' #\´))
-           (memv (string-ref text last) '(#\‘ #\’ #\´)))
-      (substring text 0 last)
-      text))
+;; ‘x’ was meant for the symbol 'x, which has no quote at its end.
+(define (without-closing-quote text) (regexp-replace #px"^([‘’'´].*)[‘’´]$" text "\\1"))
 
 ;; ---------------------------------------------------------------------------
-;; 'x’ is a symbol, of another name than was meant: nothing fails.
+;; 'x’ is a symbol of another name than x: nothing fails.
 
 (define (tell-curly-quotes stx)
   (syntax-case stx ()

@@ -1,16 +1,16 @@
 #lang racket/base
-;; Definitions and procedures that lack something, or have what is no name where one belongs:
+;; Definitions and procedures that lack a part, or have another form in the place of a name:
 ;; (define x), (define 3 x), (define L (m, k) 3), (lambda (* 2 t)), (define (f x, y) ...).
 
 (require (only-in racket/list first flatten)
          "../written-form.rkt"
-         "../redefinition/heads.rkt")
+         "../paper-notation/operation-sign.rkt" "../redefinition/heads.rkt")
 
 (provide check-complete-definition check-complete-procedure check-names)
 
 ;; stx : a form that begins with `define`
 (define (check-complete-definition stx)
-  (define (fail text . parts) (raise-syntax-error #f (apply format text parts) stx))
+  (define (fail text . parts) (apply refuse stx #f text parts))
   (define d (syntax->datum stx))
   (syntax-case stx ()
     [(_) (fail "a definition is written (define x 3)")]
@@ -32,7 +32,7 @@
      (fail "~a" (several-values d))]
     [_ (void)]))
 
-;; d : (define L (m, k) 3), where (m k) may be meant for arguments, and is with a comma
+;; d : (define L (m, k) 3), where (m k) may be meant for arguments; with a comma it is
 (define (several-values d)
   (define arguments (caddr d))
   (define names (and (pair? arguments) (list? arguments) (without-commas arguments)))
@@ -48,31 +48,23 @@
 ;; stx : a form that begins with `lambda`
 (define (check-complete-procedure stx)
   (syntax-case stx ()
-    [(_ formula)
-     (operation? (syntax->datum #'formula))
-     (raise-syntax-error
-      #f (format "the arguments come first: ~a"
-                 (form->text `(lambda (,(first-letter (cdr (syntax->datum #'formula))))
-                                ,(syntax->datum #'formula))))
-      stx)]
-    [(_ formals)
-     (raise-syntax-error
-      #f (format "no expressions for procedure body; it is written (lambda ~a (* 2 t))"
-                 (form->text (syntax->datum #'formals)))
-      stx)]
+    [(_ form)
+     (let ([d (syntax->datum #'form)])
+       (if (formula? d)
+           (refuse stx #f "the arguments come first: ~a"
+                   (form->text `(lambda (,(first-letter (cdr d))) ,d)))
+           (refuse stx #f "no expressions for procedure body; it is written (lambda ~a (* 2 t))"
+                   (form->text d))))]
     [(_ name . body)
      (and (identifier? #'name) (regexp-match? #rx".:$" (symbol->string (syntax-e #'name))))
-     (raise-syntax-error
-      #f (format "arguments stand in parentheses: (lambda (~a) ...)"
-                 (regexp-replace #rx":$" (symbol->string (syntax-e #'name)) ""))
-      stx)]
-    [(_) (raise-syntax-error #f "a function is written (lambda (t) (* 2 t))" stx)]
+     (refuse stx #f "arguments stand in parentheses: (lambda (~a) ...)"
+             (regexp-replace #rx":$" (symbol->string (syntax-e #'name)) ""))]
+    [(_) (refuse stx #f "a function is written (lambda (t) (* 2 t))")]
     [_ (void)]))
 
-(define (operation? d)
+(define (formula? d)
   (and (list? d) (pair? d) (pair? (cdr d))
-       (memq (car d) '(+ - * / expt sqrt square cube sin cos tan exp log up down))
-       #t))
+       (memq (car d) (append '(+ - * / expt up down) functions))))
 
 ;; The letter that is likeliest the argument: t, or the last one
 (define (first-letter ds)
@@ -89,10 +81,10 @@
 ;; ---------------------------------------------------------------------------
 ;; Argument lists
 
-;; formals : an argument list of stx; head : datum -> the definition or procedure with these
-;; formals, as it is written
+;; formals : an argument list of stx; written : datum -> the definition or procedure with these
+;; formals
 (define (check-names formals stx written)
-  (define (fail at text . parts) (raise-syntax-error #f (apply format text parts) stx at))
+  (define (fail at text . parts) (apply refuse stx at text parts))
   (let check ([formals* formals])
     (syntax-case formals* ()
       [((u name) . _)

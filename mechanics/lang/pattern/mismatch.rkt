@@ -1,10 +1,9 @@
 #lang racket/base
-;; What destructuring does at run time: one check of shape for each pattern,
-;; and a message that says where a value departs from the pattern.
+;; Destructuring at run time: one check of shape for each pattern, and a message that says where a
+;; value departs from the pattern.
 
-(require (only-in racket/list add-between)
-         "../../algebra/expression/write.rkt"
-         "../../error/complain.rkt" "../../error/hint.rkt"
+(require "../../algebra/expression/write.rkt"
+         "../../error/complain.rkt" "../../error/hint.rkt" "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/on-demand.rkt"
          (only-in "../../generic/up-down.rkt" structure? structure-orientation structure-elements
                   up? down?))
@@ -23,7 +22,7 @@
       (structure-elements x)
       (other-components x 'orientation n who what 'pattern whole)))
 
-;; A Racket vector stands for an up tuple; nothing else is left that fits.
+;; A Racket vector stands for an up tuple; other values do not fit.
 (define (other-components x orientation n who what pattern whole)
   (if (and (vector? x) (eq? orientation 'up) (= (vector-length x) n))
       (plain-vector x)
@@ -40,8 +39,8 @@
 ;; ---------------------------------------------------------------------------
 ;; The message
 
-;; A departure is where a value first leaves its pattern: the path there, the
-;; part of the value found there, and the part of the pattern.
+;; The place where a value first departs from its pattern: the path there, and the parts of value
+;; and pattern.
 (struct departure (path part pattern))
 
 (define (find-departure pattern x)
@@ -66,26 +65,25 @@
   (define path (departure-path d))
   (complain who "~a does not match the pattern ~a:~a expected ~a, given ~a~a~a"
             what (datum->text pattern)
-            (if (null? path) "" (string-append " at " (place path) ","))
+            (if (null? path) "" (format " at ~a," (place path)))
             (expectation (departure-pattern d))
-            (given (departure-part d)) (hint (departure-part d))
+            (describe-part (departure-part d)) (hint (departure-part d))
             (if (null? path) (shape-hint pattern whole) (format "\n  in: ~a" (short-text whole)))))
 
-;; The parts are as many, but grouped otherwise.
+;; For a tuple with the right number of parts in other groups.
 (define (shape-hint pattern x)
   (define grouped (and (structure? x) (regrouped pattern x)))
   (if grouped (string-append "\n  " grouped) ""))
 
 ;; "component 0 of component 1", for what (ref x 1 0) selects.
 (define (place path)
-  (define (component i) (format "component ~a" i))
-  (apply string-append (add-between (map component (reverse path)) " of ")))
+  (joined (for/list ([i (in-list (reverse path))]) (format "component ~a" i)) " of "))
 
 (define (expectation pattern)
   (format "~a ~a tuple of ~a"
           (if (eq? (car pattern) 'up) "an" "a") (car pattern) (length (cdr pattern))))
 
-(define (given x) (format "~a (~a)" (short-text x) (describe x)))
+(define (describe-part x) (format "~a (~a)" (short-text x) (describe x)))
 
 (define (hint x)
   (cond [(list? x) (string-append "; " (tuple-advice x))]
@@ -93,7 +91,7 @@
          "; apply the function to its argument first, or use compose"]
         [else ""]))
 
-;; What to write in place of the list x.
+;; Advice to write a tuple in place of the list x.
 (define (tuple-advice x)
   (not-a-tuple (short-text (list->vector x))))
 

@@ -1,6 +1,6 @@
 #lang racket/base
-;; Definitions as on paper, refused with how they are written: (define m = 3),
-;; (define f(t) (* 2 t)), (define (T m v) 1/2 m v^2), (define x' 3).
+;; Definitions as on paper, refused with the correct form: (define m = 3), (define f(t) (* 2 t)),
+;; (define (T m v) 1/2 m v^2), (define x' 3).
 
 (require "../written-form.rkt"
          "../../generic/on-demand.rkt")
@@ -22,7 +22,7 @@
        (check-formula #'head #'body stx))]
     [_ (void)]))
 
-;; A body in a message: itself if it is short; a formula as it is written here.
+;; A body in a message: itself if it is short; a formula in prefix form.
 (define (shown body)
   (define forms (datum body))
   (define form
@@ -33,18 +33,19 @@
   (if (and form (<= (string-length (form->text form)) 50)) form '...))
 
 (define (check-equals stx)
-  (define (fail written)
-    (raise-syntax-error #f (format "a definition is written ~a" (form->text written)) stx))
+  (define (fail head body)
+    (refuse stx #f "a definition is written ~a"
+            (form->text (list 'define (datum head) (shown body)))))
   (syntax-case stx ()
     [(_ head sign . body)
      (and (equals? #'sign) (pair? (syntax-e #'body)))
-     (fail (list 'define (datum #'head) (shown #'body)))]
+     (fail #'head #'body)]
     [(_ name (argument ...) sign . body)
      (and (identifier? #'name) (equals? #'sign))
-     (fail (list 'define (datum #'(name argument ...)) (shown #'body)))]
+     (fail #'(name argument ...) #'body)]
     [(_ name arguments form . body)
      (and (identifier? #'name) (pair? (syntax-e #'arguments)) (adjacent? #'name #'arguments))
-     (fail (list 'define (datum #'(name . arguments)) (shown #'(form . body))))]
+     (fail #'(name . arguments) #'(form . body))]
     [_ (void)]))
 
 (define (equals? stx) (eq? (syntax-e stx) '=))
@@ -54,14 +55,12 @@
   (syntax-case body ()
     [(form . _)
      (and (identifier? head) (prime-before? head #'form))
-     (raise-syntax-error
-      #f (format "a prime is read as a quote; a name is written without, as in (define ~aprime 3)"
-                 (datum head))
-      stx)]
+     (refuse stx #f (string-append "a prime is read as a quote; a name is written without, as in "
+                                   "(define ~aprime 3)")
+             (datum head))]
     [_ (void)]))
 
-;; (define (T m v) 1/2 m v^2), and (define T 1/2 * m * (square v)): a product of forms that are no
-;; calls
+;; Refuses (define (T m v) 1/2 m v^2), and (define T 1/2 * m * (square v)).
 (define (check-formula head body stx)
   (define forms (datum body))
   (when (and (list? forms) (pair? forms) (pair? (cdr forms))
@@ -72,10 +71,8 @@
                  (andmap (lambda (d) (or (number? d) (symbol? d))) forms)))
     (define form (prefix-form forms))
     (when form
-      (raise-syntax-error #f (format "operations come first: ~a~a"
-                                     (form->text (list 'define (datum head) form))
-                                     (about-units forms))
-                          stx))))
+      (refuse stx #f "operations come first: ~a~a" (form->text (list 'define (datum head) form))
+              (about-units forms)))))
 
 ;; (define m 1.5 kg)
 (define (about-units forms)

@@ -14,13 +14,14 @@
 ;; their arrows.
 
 (require (only-in racket/list append* append-map)
+         "../written-form.rkt"
          (for-template racket/base
                        (only-in '#%unsafe unsafe-vector*-ref)
                        "mismatch.rkt" "tuple.rkt"))
 
 (provide pattern? (struct-out bound) destructure
-         head-name
-         has-pattern? rewrite-formals rewrite-bindings
+         head-name argument-lists
+         formal-names fold-formals has-pattern? rewrite-formals rewrite-bindings
          check-arguments check-distinct note-pattern-heads)
 
 ;; ---------------------------------------------------------------------------
@@ -66,7 +67,7 @@
   (cons (car (syntax-e pattern))
         (append-map pattern-heads (filter pattern? (components-of pattern)))))
 
-;; The pattern as messages show it.
+;; The pattern in messages.
 (define (pattern->datum pattern)
   (cons (orientation (car (syntax-e pattern)))
         (for/list ([p (in-list (components-of pattern))])
@@ -75,8 +76,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Compilation
 
-;; A pattern, the identifier that holds the value it takes apart, and what
-;; messages call that value.
+;; A pattern, the identifier of the value it takes apart, and the name of that value in messages.
 (struct bound (pattern value what))
 
 ;; The expression that runs body, a list of forms, with these patterns bound.
@@ -121,8 +121,14 @@
     [(inner . formals) (head-name #'inner)]
     [_ (and (identifier? head) head)]))
 
-;; keyword : keyword, as syntax, or #f.  name : identifier, pattern, or whatever
-;; else was written, for Racket to refuse.  default : expression or #f.
+;; The argument lists of a head, from the inside out.
+(define (argument-lists head)
+  (syntax-case head ()
+    [(inner . formals) (append (argument-lists #'inner) (list #'formals))]
+    [_ '()]))
+
+;; keyword : keyword, as syntax, or #f.  name : identifier, pattern, or any other form, for Racket
+;; to refuse.  default : expression or #f.
 (struct argument (keyword name default))
 
 ;; An argument list as arguments and a tail, () or the name of the rest.
@@ -145,22 +151,28 @@
      (argument keyword #'name #'default)]
     [_ (argument keyword a #f)]))
 
-(define (has-pattern? formals)
+;; step : name, default or #f, and an accumulator -> the next accumulator, along the arguments
+(define (fold-formals step start formals)
   (define-values (arguments tail) (parse-formals formals))
-  (for/or ([a (in-list arguments)]) (pattern? (argument-name a))))
+  (define end
+    (for/fold ([sum start]) ([a (in-list arguments)])
+      (step (argument-name a) (argument-default a) sum)))
+  (if (identifier? tail) (step tail #f end) end))
 
-;; Refuse what is in parentheses but neither a pattern nor an optional argument:
-;; a pattern whose head was forgotten.
+;; The names and patterns of an argument list, with that of the rest.
+(define (formal-names formals)
+  (reverse (fold-formals (lambda (name default names) (cons name names)) '() formals)))
+
+(define (has-pattern? formals) (ormap pattern? (formal-names formals)))
+
+;; Refuses a form in parentheses that is neither a pattern nor an optional argument: a pattern
+;; whose head was forgotten.
 (define (check-arguments formals stx)
-  (define-values (arguments tail) (parse-formals formals))
-  (for ([a (in-list arguments)])
-    (define name (argument-name a))
+  (for ([name (in-list (formal-names formals))])
     (when (and (pair? (syntax-e name)) (not (pattern? name)))
       (define written (syntax->datum name))
-      (raise-syntax-error
-       #f (format "~s is no argument; a structure pattern begins with up or down: ~s"
-                  written (cons 'up written))
-       stx name))))
+      (refuse stx name "~s is no argument; a structure pattern begins with up or down: ~s"
+              written (cons 'up written)))))
 
 ;; An argument list without patterns, the patterns taken out of it, and the
 ;; identifiers it binds.  The default of an optional argument sees the
@@ -173,11 +185,16 @@
                               (cons tail ids)))
             ([a (in-list arguments)]
              [what (in-list (argument-positions arguments))])
-    (define name (argument-name a))
-    (define b (and (pattern? name) (bound name (fresh 'tuple) what)))
+    (define-values (b here) (bind-name (argument-name a) what))
     (values (append (reverse (argument->syntax a b (reverse bounds) who)) new)
             (if b (cons b bounds) bounds)
-            (append (if b (pattern-variables name) (list name)) ids))))
+            (append here ids))))
+
+;; -> bound, or #f if the name is no pattern; and the identifiers that are bound
+(define (bind-name name what)
+  (if (pattern? name)
+      (values (bound name (fresh 'tuple) what) (pattern-variables name))
+      (values #f (list name))))
 
 (define (argument->syntax a b earlier who)
   (define name (if b (bound-value b) (argument-name a)))
@@ -190,7 +207,7 @@
       (list (argument-keyword a) written)
       (list written)))
 
-;; What messages call each argument.
+;; The name of each argument in messages.
 (define (argument-positions arguments)
   (define (positional? a) (not (argument-keyword a)))
   (define alone? (= 1 (length (filter positional? arguments))))
@@ -211,19 +228,17 @@
   (for/fold ([lefts '()] [bounds '()] [ids '()]
              #:result (values (reverse lefts) (reverse bounds) ids))
             ([name (in-list names)] [i (in-naturals 1)])
-    (define what (if loop? (position i alone?) "the value"))
-    (define b (and (pattern? name) (bound name (fresh 'tuple) what)))
+    (define-values (b here) (bind-name name (if loop? (position i alone?) "the value")))
     (values (cons (if b (bound-value b) name) lefts)
             (if b (cons b bounds) bounds)
-            (append ids (if b (pattern-variables name) (list name))))))
+            (append ids here))))
 
 ;; ---------------------------------------------------------------------------
-;; What the expander would have said or noted
+;; Messages and notes of the expander, as if no pattern were there
 
 (define (check-distinct ids kind stx)
   (define twice (check-duplicate-identifier (filter identifier? ids)))
-  (when twice
-    (raise-syntax-error #f (format "duplicate ~a" kind) stx twice)))
+  (when twice (refuse stx twice "duplicate ~a" kind)))
 
 ;; Pattern heads vanish in the expansion; editors are told that they were uses
 ;; of `up` and `down`.

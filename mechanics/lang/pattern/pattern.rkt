@@ -6,7 +6,7 @@
 (require (for-syntax racket/base
                      (only-in racket/list append-map)
                      "incomplete.rkt" "miswritten.rkt" "pattern-syntax.rkt"
-                     "slips.rkt" "../plain-form.rkt")
+                     "slips.rkt" "../written-form.rkt" "../plain-form.rkt")
          "tuple.rkt")
 
 (provide up down
@@ -32,7 +32,7 @@
                   [else `(,(syntax-e id) (t) (* 2 t))]))
      id))
 
-  ;; What a procedure made here will be called, or `other`.
+  ;; The name that a procedure made here will have, or `other`.
   (define (inferred-name stx other)
     (define name (or (syntax-property stx 'inferred-name) (syntax-local-name)))
     (cond [(symbol? name) name]
@@ -40,11 +40,9 @@
           [else other]))
 
   (define (check-body body stx)
-    (when (null? body)
-      (raise-syntax-error #f "no expressions for procedure body" stx)))
+    (when (null? body) (refuse stx #f "no expressions for procedure body")))
 
-  ;; The argument list and the body that do what `stx` asks for, without
-  ;; patterns, and the patterns.
+  ;; An argument list and a body without patterns that mean the same, and the patterns.
   (define (rewrite-procedure formals body who stx)
     (check-body body stx)
     (define-values (new-formals bounds ids) (rewrite-formals formals who))
@@ -56,8 +54,8 @@
 ;; ---------------------------------------------------------------------------
 ;; define
 
-;; A curried head is taken apart from outside in, and every procedure it makes
-;; bears the name that is defined.
+;; A curried head is taken apart from outside in, and every procedure it makes has the name that is
+;; defined.
 (define-syntax (define/pattern stx)
   (check-pattern-in-head stx)
   (check-definition stx)
@@ -84,11 +82,11 @@
     [_ (as #'define stx)]))
 
 (begin-for-syntax
-  ;; Must what is defined be a variable?  Racket's `define` makes a macro of a
-  ;; function with keywords.
+  ;; Must the definition make a variable?  Racket's `define` makes a macro of a function with
+  ;; keywords.
   (define (as-variable? stx) (syntax-property stx 'as-variable))
 
-  ;; Of a curried head those of the first procedure: the others are lambdas.
+  ;; Only the first procedure of a curried head: the others are lambdas.
   (define (tell-slips-of-definition stx)
     (syntax-case stx ()
       [(_ (name . formals) body ...)
@@ -100,12 +98,7 @@
   (define (check-head stx)
     (syntax-case stx ()
       [(_ head . _)
-       (let check ([head #'head])
-         (syntax-case head ()
-           [(inner . formals)
-            (begin (check-arguments #'formals stx)
-                   (check #'inner))]
-           [_ (void)]))]
+       (for ([formals (in-list (reverse (argument-lists #'head)))]) (check-arguments formals stx))]
       [_ (void)])))
 
 ;; ---------------------------------------------------------------------------
@@ -173,14 +166,15 @@
 ;; let
 
 (define-syntax (let/pattern stx)
-  (syntax-case stx ()
-    [(_ ([name value] ...) body0 body ...)
+  (define-values (loop others)
+    (syntax-case stx ()
+      [(_ loop . others) (identifier? #'loop) (values #'loop #'others)]
+      [(_ . others) (values #f #'others)]
+      [_ (values #f stx)]))
+  (syntax-case others ()
+    [(([name value] ...) body0 body ...)
      (ormap pattern? (syntax->list #'(name ...)))
-     (rewrite-let #f (syntax->list #'(name ...)) (syntax->list #'(value ...))
-                  (syntax->list #'(body0 body ...)) stx)]
-    [(_ loop ([name value] ...) body0 body ...)
-     (and (identifier? #'loop) (ormap pattern? (syntax->list #'(name ...))))
-     (rewrite-let #'loop (syntax->list #'(name ...)) (syntax->list #'(value ...))
+     (rewrite-let loop (syntax->list #'(name ...)) (syntax->list #'(value ...))
                   (syntax->list #'(body0 body ...)) stx)]
     [_ (as #'let stx)]))
 

@@ -10,67 +10,41 @@
 
 (provide regrouped)
 
-;; pattern : a datum; x : a tuple -> a sentence that shows the one in the groups of the other,
-;; or #f
+;; pattern : a datum; x : a tuple
+;; -> a sentence that shows the names in the groups of x, or the parts of x in the groups of the
+;; pattern; or #f
 (define (regrouped pattern x)
-  (define names (parts-of-pattern pattern))
-  (define values (parts-of-tuple x))
-  (cond [(not (= (length names) (length values))) #f]
-        [(= (length (cdr pattern)) (vector-length (structure-elements x))) #f]
-        [(flat-pattern? pattern)
-         (format "~a: ~a" (what-it-has x) (datum->text (shaped-as-tuple x names)))]
-        [(= (length values) (vector-length (structure-elements x)))
+  (define groups (tuple->groups x))
+  (define-values (names parts) (values (leaves pattern) (leaves groups)))
+  (define n (length (cdr groups)))
+  (cond [(not (= (length names) (length parts))) #f]
+        [(= (length (cdr pattern)) n) #f]
+        [(not (ormap pair? (cdr pattern)))
+         (format "~a: ~a"
+                 (if (= n 3) "a local tuple has three parts" (format "the tuple has ~a parts" n))
+                 (datum->text (refilled groups names cons)))]
+        [(= (length parts) n)
+         (define (tuple orientation parts) (apply (if (eq? orientation 'up) up down) parts))
          (parameterize ([print-limit 60])
            (format "grouped as in the pattern it is ~a"
-                   (value->text (shaped-as-pattern pattern values))))]
+                   (value->text (refilled pattern parts tuple))))]
         [else #f]))
 
-(define (what-it-has x)
-  (define n (vector-length (structure-elements x)))
-  (if (= n 3) "a local tuple has three parts" (format "the tuple has ~a parts" n)))
-
-;; ---------------------------------------------------------------------------
-;; Parts, in a row
-
-(define (flat-pattern? pattern) (not (ormap pair? (cdr pattern))))
-
-(define (parts-of-pattern p)
-  (if (pair? p) (append-map parts-of-pattern (cdr p)) (list p)))
-
-(define (parts-of-tuple x)
+;; A pattern with the parts of a tuple, each in a box, in the places of names.
+(define (tuple->groups x)
   (if (structure? x)
-      (append-map parts-of-tuple (vector->list (structure-elements x)))
-      (list x)))
+      (cons (structure-orientation x)
+            (map tuple->groups (vector->list (structure-elements x))))
+      (box x)))
 
-;; ---------------------------------------------------------------------------
-;; Grouped
+;; Names, or the contents of boxes, in a row.
+(define (leaves p)
+  (cond [(pair? p) (append-map leaves (cdr p))]
+        [(box? p) (list (unbox p))]
+        [else (list p)]))
 
-;; As a datum, with the names in the places of the parts of x.
-(define (shaped-as-tuple x names)
-  (define-values (shaped rest) (take-tuple x names))
-  shaped)
-
-(define (take-tuple x names)
-  (if (structure? x)
-      (let-values ([(parts rest)
-                    (take-each take-tuple (vector->list (structure-elements x)) names)])
-        (values (cons (structure-orientation x) parts) rest))
-      (values (car names) (cdr names))))
-
-;; A tuple, with the values in the places of the names.
-(define (shaped-as-pattern pattern values)
-  (define-values (shaped rest) (take-pattern pattern values))
-  shaped)
-
-(define (take-pattern p xs)
-  (if (pair? p)
-      (let-values ([(parts rest) (take-each take-pattern (cdr p) xs)])
-        (values (apply (if (eq? (car p) 'up) up down) parts) rest))
-      (values (car xs) (cdr xs))))
-
-;; take : place parts -> what takes its place, the parts that are left
-(define (take-each take places parts)
-  (for/fold ([taken '()] [rest parts] #:result (values (reverse taken) rest))
-            ([p (in-list places)])
-    (define-values (one others) (take p rest))
-    (values (cons one taken) others)))
+;; The pattern with other leaves; make : orientation and parts -> group
+(define (refilled pattern others make)
+  (let fill ([p pattern])
+    (cond [(pair? p) (make (car p) (for/list ([part (in-list (cdr p))]) (fill part)))]
+          [else (begin0 (car others) (set! others (cdr others)))])))

@@ -1,16 +1,18 @@
 #lang racket/base
-;; Definitions that Racket takes without a word, and that hardly mean what they say:
+;; Definitions that Racket accepts, and that are hardly meant so:
 ;;
 ;;     (define (L (up t q v)) (* 'm 'v))       'v is a constant, not the velocity
 ;;     (define (L (up t q v)) (+ ...) (- ...))  the first expression is without effect
 ;;     (define (L (up q v t)) ...)              the time comes first
 ;;     (lambda t (* 2 t))                       t is the list of all arguments
 ;;
-;; They are told where they are expanded, so when a file is compiled.  One of them can mean
-;; nothing, and is refused: (define (L m) (up t q v) ...), where the pattern belongs into
-;; the head.
+;; A note is printed where they are expanded, so when a file is compiled.  One definition has no
+;; meaning, and is refused: (define (L m) (up t q v) ...), where the pattern belongs into the head.
 
 (require (only-in racket/list append-map index-where)
+         "pattern-syntax.rkt"
+         "../written-form.rkt"
+         "../paper-notation/operation-sign.rkt"
          "../../error/note.rkt")
 
 (provide check-pattern-in-head tell-slips)
@@ -23,10 +25,8 @@
   (syntax-case stx ()
     [(_ head pattern form . body)
      (shaped-like-pattern? #'pattern)
-     (raise-syntax-error
-      #f (format "a pattern stands among the arguments: ~s"
-                 `(define (,(syntax->datum #'head) ,(syntax->datum #'pattern)) ...))
-      stx #'pattern)]
+     (refuse stx #'pattern "a pattern stands among the arguments: ~s"
+             (syntax->datum #'(define (head pattern) (... ...))))]
     [_ (void)]))
 
 (define (shaped-like-pattern? stx)
@@ -38,43 +38,31 @@
     [_ #f]))
 
 ;; ---------------------------------------------------------------------------
-;; What is told
+;; Notes
 
 ;; name : of the procedure, a symbol; formals, body : its argument list and its forms
 (define (tell-slips name formals body)
-  (define arguments (arguments-of formals))
+  (define arguments (formal-names formals))
   (for ([form (in-list body)])
     (tell-quoted name (append-map named-in arguments) form))
   (when (identifier? formals) (tell-list name formals body))
   (tell-unused name body)
   (for ([a (in-list arguments)]) (tell-time name a)))
 
-;; Told once: a form may be expanded more often.
-(define told (make-hash))
+;; A form may be expanded several times, and is noted once.
+(define noted (make-hash))
 
 (define (tell name place text)
   (define line (and (path? (syntax-source place)) (syntax-line place)))
   (define whole (format "~a~a: ~a" name (if line (format ", line ~a" line) "") text))
-  (unless (hash-ref told whole #f)
-    (hash-set! told whole #t)
+  (unless (hash-ref noted whole #f)
+    (hash-set! noted whole #t)
     (note whole)))
-
-;; The arguments, without keywords and defaults.
-(define (arguments-of formals)
-  (syntax-case formals ()
-    [(a . more) (keyword? (syntax-e #'a)) (arguments-of #'more)]
-    [(a . more) (cons (without-default #'a) (arguments-of #'more))]
-    [rest (if (identifier? #'rest) (list #'rest) '())]))
-
-(define (without-default a)
-  (syntax-case a ()
-    [(name default) (not (shaped-like-pattern? a)) #'name]
-    [_ a]))
 
 ;; ---------------------------------------------------------------------------
 ;; Quoted arguments
 
-;; symbol : what is bound; pattern : that of which it is a part, as a datum, or #f
+;; symbol : of an argument; pattern : around it, as a datum, or #f
 (struct named (symbol pattern))
 
 (define (named-in argument)
@@ -84,7 +72,7 @@
           [(shaped-like-pattern? a) (append-map names (cdr (syntax->list a)))]
           [else '()])))
 
-;; Among the operands of arithmetic, for elsewhere a symbol may well be meant.
+;; Looks among the operands of arithmetic, for elsewhere a symbol may well be meant.
 (define (tell-quoted name arguments form)
   (let walk ([form form])
     (syntax-case form ()
@@ -118,14 +106,12 @@
   (and (memq (syntax-e head) operations)
        (not (eq? (identifier-binding head) 'lexical))))
 
-(define operations
-  '(+ - * / expt square cube sqrt exp log abs sin cos tan asin acos atan sinh cosh tanh
-    dot-product cross-product magnitude))
+(define operations (append '(+ - * / expt dot-product cross-product magnitude) functions))
 
 ;; ---------------------------------------------------------------------------
 ;; (lambda t ...)
 
-;; all : what the list of arguments is called
+;; all : name of the list of arguments
 (define (tell-list name all body)
   (define symbol (syntax-e all))
   (when (for/or ([form (in-list body)]) (operand-in? symbol form))

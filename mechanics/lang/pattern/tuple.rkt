@@ -1,7 +1,7 @@
 #lang racket/base
-;; `up` and `down` as readers write them: each is one binding that constructs a
-;; tuple in an expression, takes one apart as a `match` pattern, and marks a
-;; structure pattern among the arguments of `define` and its kin.
+;; `up` and `down` in programs: each is one binding that constructs a tuple in an expression, takes
+;; one apart as a `match` pattern, and marks a structure pattern among the arguments of `define`
+;; and its kin.
 
 (require racket/match
          (for-syntax racket/base)

@@ -1,9 +1,9 @@
 #lang racket/base
-;; What is said beneath messages of Racket's own procedures and forms, by the message.
+;; Hints beneath messages of Racket's own procedures and forms.
 
 (provide hint-for-syntax hint-for-value hint-for-module)
 
-;; pattern of the message, lines to add
+;; pattern of the message, hint
 (define for-syntax-errors
   '((#rx"unquote: not in quasiquote"
      "no comma separates arguments, and a decimal has a point: (up 1 2.5)")

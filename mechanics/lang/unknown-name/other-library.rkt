@@ -1,7 +1,7 @@
 #lang racket/base
-;; Names that other libraries of this package define, for whoever forgot to require one.
-;; A library is asked for its exports when a name turns out to be unknown, which loads its
-;; declaration and runs nothing.
+;; Names that other libraries of this package define, which a program may have forgotten to require.
+;; Only for an unknown name their exports are listed, which loads their declarations and runs
+;; nothing.
 
 (provide library-of exports)
 
@@ -9,15 +9,14 @@
 
 ;; -> a library that exports the name, or #f
 (define (library-of name)
-  (for/first ([library (in-list libraries)] #:when (memq name (exports library))) library))
+  (findf (lambda (library) (memq name (exports library))) libraries))
 
-;; None if a library that it stands on is not installed.
+;; The exported names of phase 0; none if a library that it needs is not installed.
 (define (exports library)
   (with-handlers ([exn:fail:filesystem? (lambda (e) '())])
     (module-declared? library #t)
     (define-values (variables syntaxes) (module->exports library))
-    (append (names variables) (names syntaxes))))
-
-;; Of exports as `module->exports` tells them, those of phase 0.
-(define (names exports)
-  (map car (cdr (or (assv 0 exports) '(0)))))
+    (for*/list ([phase (in-list (append variables syntaxes))]
+                #:when (eqv? 0 (car phase))
+                [exported (in-list (cdr phase))])
+      (car exported))))

@@ -1,48 +1,40 @@
 #lang racket/base
-;; What an unknown name was meant for: one that another library of the package defines, one
-;; of the book that is not there yet, one that is called otherwise elsewhere, a formula written
-;; as in print, or a known one that is spelt nearly so.
+;; Suggestions for an unknown name: another library of the package may define it, other programs
+;; may use it for a name of ours, it may be a formula written as in print, or a misspelt name.
 
-(require "other-library.rkt" "../../error/spelling.rkt"
+(require "other-library.rkt" "../paper-notation/typographic.rkt" "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["../help/later.rkt" later-sentence]
-                   ["../paper-notation/other-notation.rkt" notation-sentence]
+(require-on-demand ["../paper-notation/other-notation.rkt" notation-sentence]
                    ["../paper-notation/typed-formula.rkt" typed-formula])
 
 (provide suggestion what-was-meant)
 
-;; name : that is unknown; known : list of symbols; advice : what the form it stands in was
-;; meant for, or #f  -> sentences, what is likelier first
-(define (what-was-meant name known advice)
+;; name : unknown; known : symbols; advice : on the form around the name, or #f;
+;; more : a sentence for the end, or #f
+;; -> sentences, the likeliest first
+(define (what-was-meant name known advice [more #f])
   (define formula (typed-formula name))
-  (define meant (or advice (suggestion name known)))
-  (append (if meant (list meant) '())
-          (if (and formula (or (notation-sentence name) (not (letter-in formula))))
-              '()
-              (list (symbol-sentence name formula)))))
+  (define letter (and formula (letter-in formula)))
+  (define about-symbol
+    (cond [(not formula) (format "as a symbol it is written '~s~a" name (or-number name))]
+          [(or (not letter) (notation-sentence name)) #f]
+          [else (format "a symbol in it is quoted, as '~s" letter)]))
+  (define print (typographic-sentence name))
+  (if print
+      (list print)
+      (filter values (list (or advice (suggestion name known)) about-symbol more))))
 
 ;; -> text or #f
 (define (suggestion name known)
-  (define library (library-of name))
-  (define later (and (not library) (later-sentence name)))
-  (define elsewhere (and (not library) (not later) (notation-sentence name)))
-  (define names (if (or library later elsewhere) '() (likely-names name known)))
-  (cond [library (format "(require ~a) defines it" library)]
-        [later later]
-        [elsewhere elsewhere]
-        [(pair? names) (format "did you mean ~a?" (alternatives names))]
+  (define (near) (likely-names name known))
+  (cond [(library-of name) => (lambda (library) (format "(require ~a) defines it" library))]
+        [(notation-sentence name)]
+        [(pair? (near)) (format "did you mean ~a?" (alternatives (near)))]
         [(typed-formula name) => (lambda (f) (format "operations come first: ~a" f))]
         [else #f]))
 
-;; How a symbol of that name is written; in what looks like a formula, the letters are symbols.
-(define (symbol-sentence name formula)
-  (define letter (and formula (letter-in formula)))
-  (if letter
-      (format "a symbol in it is quoted, as '~s" letter)
-      (format "as a symbol it is written '~s~a" name (or-number name))))
-
-;; Letters that are numbers to mathematicians
+;; About letters that are numbers to mathematicians.
 (define (or-number name)
   (case name
     [(e) "; the number e is (exp 1)"]

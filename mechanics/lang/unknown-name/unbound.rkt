@@ -1,16 +1,15 @@
 #lang racket/base
-;; Names without a definition.  The commonest is a symbol whose quote was
-;; forgotten, as in (L-harmonic m k), so whoever meets one says how a symbol is
-;; written: the expander in a module, the error display at the prompt.  Where a
-;; name that is known is spelt nearly so, or another library of the package defines it,
-;; that is said first.
+;; Names without a definition.  The commonest is a symbol whose quote was forgotten, as in
+;; (L-harmonic m k): so the message says how a symbol is written, that of the expander in a module
+;; and that of the error display at the prompt.  Suggestions of other names come first.
 ;;
-;; What the error display shows beneath a message is where the reader's own program was, not
-;; what went on in libraries.
+;; Beneath a message the error display shows the place in the reader's own program, not calls in
+;; libraries.
 
 (require (for-syntax racket/base
-                     "suggestion.rkt" "../paper-notation/typographic.rkt")
-         "../paper-notation/expansion-advice.rkt" "../wrong-call/call-hint.rkt" "suggestion.rkt" "../paper-notation/typographic.rkt"
+                     "suggestion.rkt")
+         "../paper-notation/expansion-advice.rkt" "../wrong-call/call-hint.rkt" "suggestion.rkt"
+         "../../error/message-words.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["other-hint.rkt" hint-for-syntax hint-for-value hint-for-module]
@@ -44,9 +43,7 @@
 (begin-for-syntax
   (define (raise-unbound id)
     (define name (syntax-e id))
-    (define sentences
-      (or (typographic-sentences name)
-          (what-was-meant name (syntax-bound-symbols id) (advice-on id))))
+    (define sentences (what-was-meant name (syntax-bound-symbols id) (advice-on id)))
     (raise-syntax-error #f (string-append "unbound identifier; " (in-one-line sentences))
                         id #:exn exn:fail:syntax:unbound))
 
@@ -70,31 +67,28 @@
     (define other (hinting-display-other display))
     (define told (explained message e (hinting-display-entry display)))
     (define told-e (if (equal? told message) e (with-message e told)))
-    (if (shows-frames? (current-error-port))
+    ;; DrRacket shows calls in its own way
+    (if (port-writes-special? (current-error-port))
         (other told told-e)
         (parameterize ([error-print-context-length 0])
           (other (string-append told (if (exn:fail? e) (whereabouts e) "")) told-e)))))
 
-;; The message in words of ours, with what there is to add.
+;; The message in our words, with hints.
 (define (explained message e entry)
-  (if (exn:fail:read? e)
-      (let-values ([(line what) (unreadable e)]) (string-append "read: " what))
-      (explained-in-part message e entry)))
+  (cond [(exn:fail:read? e)
+         (define-values (line problem) (unreadable e))
+         (string-append "read: " problem)]
+        [else
+         (string-append (if (exn:fail:contract? e) (in-our-words message e) message)
+                        (or (hint-for message e entry) ""))]))
 
-(define (explained-in-part message e entry)
-  (string-append (if (exn:fail:contract? e) (in-our-words message e) message)
-                 (or (hint-for message e entry) "")))
-
-;; DrRacket has a way of its own to show them.
-(define (shows-frames? port) (port-writes-special? port))
-
-;; Make the current error display ours; again is no harm.
+;; Makes the current error display ours.  Idempotent.
 (define (install-hints!)
   (define display (error-display-handler))
   (unless (hinting-display? display)
     (error-display-handler (hinting-display display #f))))
 
-;; What was typed, for what is said if it fails.
+;; Keeps the form that was typed, for hints if it fails.
 (define (note-entry! form)
   (define display (error-display-handler))
   (when (hinting-display? display) (set-hinting-display-entry! display form)))
@@ -113,30 +107,20 @@
         [(exn:fail:filesystem:missing-module? e) (hint-for-module message)]
         [else (hint-for-value message)]))
 
-;; Of a module whose body failed, others find what it did not come to define.
+;; A module whose body failed lacks definitions that other modules need.
 (define hint-for-half-made
   (string-append "\n  a library that this stands on could not be loaded earlier, and said why;"
                  "\n  when that is mended, start a new session"))
 
-;; Names that the prompt knows nothing of, not those that a module uses too
-;; early: they need no quote.
-;; advice : what the form it stands in was meant for, or #f; entry : the form that was typed
+;; For names unknown at the prompt, not for names that a module uses too early: they need no quote.
+;; advice : on the form around the name, or #f; entry : the form that was typed
 (define (hint-for-unknown id message advice entry)
+  (define pasted (and entry (not advice) (pasted-sentence entry known-name?)))
   (and (or (regexp-match? #rx"in module: top-level$" message)
            (unknown-in-module? id))
-       (on-lines-of-their-own
-        (or (typographic-sentences id)
-            (append (what-was-meant id (namespace-mapped-symbols) advice)
-                    (if advice '() (pasted-sentences entry)))))))
+       (joined (cons "" (what-was-meant id (namespace-mapped-symbols) advice pasted)) "\n  ")))
 
-(define (pasted-sentences entry)
-  (define sentence (and entry (pasted-sentence entry known-name?)))
-  (if sentence (list sentence) '()))
-
-(define (on-lines-of-their-own sentences)
-  (apply string-append (map (lambda (s) (string-append "\n  " s)) sentences)))
-
-;; What a module defines once is built into what it defines besides.
+;; The compiler builds a variable that is defined once into its uses.
 (define (hint-for-constant id)
   (format (string-append
            "\n  the module was compiled with ~s as it is: change it there and run it again, or"

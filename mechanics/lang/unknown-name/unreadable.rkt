@@ -1,12 +1,12 @@
 #lang racket/base
-;; What cannot be read, for a parenthesis or a quote too many or too few: Racket's messages in
-;; the reader's words.
+;; Racket's messages on text that cannot be read, for a parenthesis or a quote too many or too few,
+;; in plain words.
 
 (provide unreadable unclosed)
 
 (define read-message #px"^.*?:([0-9]*):[0-9]*: read(?:-syntax)?: (.*)$")
 
-;; exn:fail:read -> number of the line or #f, and what is wrong there
+;; exn:fail:read -> number of the line or #f, and the mistake there
 (define (unreadable e)
   (define found (regexp-match read-message (exn-message e)))
   (if found
@@ -34,7 +34,7 @@
          "the \" there has no other to close it"]
         [else text]))
 
-;; Of an exn:fail:read:eof: the sign that is missing, ) or \" mostly
+;; The sign that is missing, by an exn:fail:read:eof: ) or \" mostly
 (define (unclosed e)
   (define found (or (regexp-match #px"expected a `(.)` to close" (exn-message e))
                     (regexp-match #px"expected a closing `(\")`" (exn-message e))))

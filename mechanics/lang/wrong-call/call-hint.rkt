@@ -1,10 +1,10 @@
 #lang racket/base
-;; Calls that a procedure does not take.  Racket's message names the procedure and the
-;; keyword it does not know; of a number of arguments it says no more than that another is
-;; expected, where several are.  A procedure of the library is known by its entry in the
-;; manual (signature-hint.rkt), one of the reader's by its definition (reader-signature.rkt).
+;; Hints on calls that a procedure does not take.  Racket's message names the procedure and the
+;; unknown keyword; of a number of arguments it says only that another is expected, where several
+;; are.  The signature of a library's procedure is in the manual (signature-hint.rkt), that of a
+;; reader's procedure in its definition (reader-signature.rkt).
 
-(require "procedure-called.rkt" "../../error/spelling.rkt"
+(require "../unknown-name/known-name.rkt" "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["count-message.rkt" restated]
@@ -13,7 +13,7 @@
 
 (provide hint-for-call in-our-words)
 
-;; e : what was raised, with this message; entry : the form that was typed, a datum, or #f
+;; e : an exception with this message; entry : the form that was typed, a datum, or #f
 ;; -> lines to add, or #f
 (define (hint-for-call message e entry)
   (or (hint-for-keyword message)
@@ -33,7 +33,7 @@
 (define (in-our-words message e)
   (if (about-number? message e) (restated message) message))
 
-;; A number where a Lagrangian belongs, say.
+;; Such as a number in the place of a Lagrangian.
 (define about-order
   (pregexp (string-append "^[^\\s]+: (?:a (?:Lagrangian|path) is a function|expected a final time |"
                           "expected a state of real numbers; the procedure )")))
@@ -65,26 +65,24 @@
   (and (pair? known)
        (keyword-hint (caddr found) known (regexp-match? #rx"its keywords: " message))))
 
-;; In the order of the alphabet, if the prompt knows the procedure.
+;; -> symbols, without #:, in the order of the alphabet if the prompt knows the procedure
 (define (keywords-of name)
   (define f (procedure-called name))
   (define-values (required known) (if f (procedure-keywords f) (values '() '())))
   (if (pair? known)
-      known
-      (map (lambda (k) (string->keyword (substring (symbol->string k) 2)))
+      (map (lambda (k) (string->symbol (keyword->string k))) known)
+      (map (lambda (k) (string->symbol (substring (symbol->string k) 2)))
            (keyword-names (string->symbol name)))))
 
-;; told? : does the message name them already
+;; told? : does the message name them already?
 (define (keyword-hint given known told?)
-  (define likely (likely-names (string->symbol given) (map bare known)))
-  (define beginning
-    (filter (lambda (k) (regexp-match? (regexp (string-append "^" (regexp-quote given)))
-                                       (symbol->string k)))
-            (map bare known)))
-  (define meant (if (null? likely) beginning likely))
-  (cond [(pair? meant) (format "\n  did you mean ~a?" (alternatives (map dressed meant)))]
+  (define likely (likely-names (string->symbol given) known))
+  (define beginning (regexp (string-append "^" (regexp-quote given))))
+  (define meant
+    (if (null? likely)
+        (filter (lambda (k) (regexp-match? beginning (symbol->string k))) known)
+        likely))
+  (define (dressed names) (for/list ([k (in-list names)]) (string->symbol (format "#:~a" k))))
+  (cond [(pair? meant) (format "\n  did you mean ~a?" (alternatives (dressed meant)))]
         [told? #f]
-        [else (format "\n  its keywords: ~s" known)]))
-
-(define (bare k) (string->symbol (keyword->string k)))
-(define (dressed name) (string->symbol (format "#:~a" name)))
+        [else (format "\n  its keywords: ~a" (dressed known))]))

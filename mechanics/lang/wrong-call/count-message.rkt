@@ -9,11 +9,11 @@
 ;; becomes  energy: takes 2 arguments and perhaps #:mass; it was given 1
 
 (require racket/string
-         "procedure-called.rkt"
+         "../unknown-name/known-name.rkt"
          (only-in "../../error/message-words.rkt" counted)
          (only-in "../../generic/function.rkt" arity->text))
 
-(provide restated read-miscount (struct-out miscount))
+(provide restated read-miscount (struct-out miscount) missing)
 
 (define boilerplate
   (pregexp
@@ -29,7 +29,7 @@
 ;; name, expected : text or #f; given : number
 (struct miscount (name expected given))
 
-;; What such a message tells, or #f
+;; The contents of such a message, or #f
 (define (read-miscount message)
   (define found (regexp-match boilerplate message))
   (define other (regexp-match no-case message))
@@ -37,22 +37,25 @@
         [other (miscount (caddr other) #f (string->number (cadr other)))]
         [else #f]))
 
+;; names : texts of the arguments that are needed -> text to add, or ""
+(define (missing names given)
+  (if (< given (length names))
+      (format "\n  missing: ~a" (string-join (list-tail names given) ", "))
+      ""))
+
 ;; -> the message in other words; itself if it is about something else
 (define (restated message)
   (define m (read-miscount message))
   (if m (in-short (miscount-name m) (miscount-expected m) (miscount-given m)) message))
 
 (define (in-short name expected given)
+  (define f (and name (procedure-called name)))
   (format "~a: takes ~a; it was given ~a"
           (or name "application")
           (or (and expected (expected->text expected))
-              (and name (arity-of name))
+              (and f (arity->text f))
               "another number of arguments")
           (if (eqv? given 0) "none" given)))
-
-(define (arity-of name)
-  (define f (procedure-called name))
-  (and f (arity->text f)))
 
 ;; "2 plus an optional argument with keyword #:mass" -> text, or #f if no number is told
 (define (expected->text expected)

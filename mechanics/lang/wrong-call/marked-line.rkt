@@ -1,6 +1,6 @@
 #lang racket/base
-;; Forms of a module leave their line on the stack while they are evaluated, once for each
-;; form: no call is slower for it.
+;; Forms of a module leave their line on the stack while they are evaluated, once for each form:
+;; calls get no slower.
 
 (provide at-line marked-line)
 

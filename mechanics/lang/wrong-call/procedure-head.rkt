@@ -1,35 +1,23 @@
 #lang racket/base
-;; How a procedure of the reader's is called, by the head of its definition: the one typed at
-;; the prompt, or that in the file where it stands.
+;; The head in the definition of a reader's procedure: typed at the prompt, or in a file.
 
 (require (only-in racket/file file->lines)
          (only-in racket/string string-join string-prefix?)
-         "marked-line.rkt" "whereabouts.rkt"
+         "../unknown-name/known-name.rkt" "marked-line.rkt" "whereabouts.rkt"
          "../redefinition/heads.rkt" "../redefinition/prompt.rkt")
 
 (provide own-head form-evaluated)
 
 ;; name : symbol; marks : of the exception -> head such as ((L m k) local), a datum, or #f
 (define (own-head name marks)
-  (define file (or (file-defining name) (file-running marks)))
+  (define line (marked-line marks))
+  (define file (or (own-file (defining-module name)) (and line (own-file (car line)))))
   (define head (or (head-at-prompt name) (and file (head-in-file name file))))
   (and (pair? head) head))
 
-;; Of the module that the prompt has it from.
-(define (file-defining name)
-  (define binding
-    (with-handlers ([exn:fail? (lambda (e) #f)])
-      (identifier-binding (namespace-symbol->identifier name))))
-  (and (pair? binding)
-       (file-of (resolved-module-path-name (module-path-index-resolve (car binding))))))
-
-(define (file-running marks)
-  (define line (marked-line marks))
-  (and line (file-of (car line))))
-
-(define (file-of place)
-  (define file (if (pair? place) (car place) place))
-  (and (path? file) (file-exists? file) (not (of-library? file)) file))
+;; place : of a module -> path of its file, if that is the reader's, or #f
+(define (own-file place)
+  (and (path? place) (file-exists? place) (not (of-library? place)) place))
 
 ;; ---------------------------------------------------------------------------
 ;; Forms of a file
@@ -44,14 +32,14 @@
        (eq? (car d) 'define)
        (eq? (head-name-in (cadr d)) name)))
 
-;; The form that a file was being evaluated at, a datum; or #f
+;; The form that was being evaluated, of a file of the reader's, a datum; or #f
 (define (form-evaluated marks)
   (define line (marked-line marks))
-  (define file (and line (file-of (car line))))
+  (define file (and line (own-file (car line))))
   (define forms (if file (forms-from file (cdr line)) '()))
   (and (pair? forms) (car forms)))
 
-;; As far as they can be read; the line that names the language is none.
+;; The forms from that line on, as far as they can be read, without the line of the language.
 (define (forms-from file line)
   (define lines (with-handlers ([exn:fail:filesystem? (lambda (e) '())]) (file->lines file)))
   (define kept

@@ -1,12 +1,13 @@
 #lang racket/base
-;; What is said beneath a message of a wrong number of arguments, if it is about a procedure of
-;; the reader's: how that is called, which argument is missing, and that a local tuple is one
-;; argument where its parts were given.
+;; Hints beneath a message of a wrong number of arguments for a procedure of the reader's: how it
+;; is called, which argument is missing, and that a local tuple is one argument, where its parts
+;; were given.
 
 (require racket/list
          racket/string
          "count-message.rkt" "procedure-head.rkt"
          "../written-form.rkt"
+         "../help/card.rkt"
          "../redefinition/heads.rkt")
 
 (provide own-count-hint tuple-hint-of-library head->text)
@@ -20,21 +21,22 @@
   (and formals
        (string-append
         (format "\n  it is called as ~a" (head->text head))
-        (missing formals (miscount-given m))
+        (missing (map form->text (signature-needed (formals->signature formals)))
+                 (miscount-given m))
         (tuple-hint formals (miscount-given m)
                     (call-in (or entry (form-evaluated marks)) name (miscount-given m))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Argument lists
 
-;; Of a head ((L m k) local), which of the lists (m k) and (local) the call did not fit; or #f
+;; Of a head ((L m k) local), the one of the lists (m k) and (local) that the call did not fit;
+;; or #f
 (define (list-at-fault m head)
   (define expected (string->number (or (miscount-expected m) "")))
+  (define (fits? formals n) (takes? (formals->signature formals) n))
   (define others
-    (filter (lambda (formals) (not (takes? formals (miscount-given m)))) (argument-lists head)))
-  (or (for/first ([formals (in-list others)]
-                  #:when (and expected (takes? formals expected)))
-        formals)
+    (filter (lambda (formals) (not (fits? formals (miscount-given m)))) (argument-lists head)))
+  (or (and expected (findf (lambda (formals) (fits? formals expected)) others))
       (and (pair? others) (car others))))
 
 (define (argument-lists head)
@@ -42,32 +44,16 @@
       (append (argument-lists (car head)) (list (cdr head)))
       '()))
 
-(define (takes? formals n)
-  (define-values (needed most) (least-and-most (positional formals)))
-  (<= needed n most))
-
-(define (least-and-most formals)
-  (let count ([formals formals] [needed 0] [most 0])
-    (cond [(pair? formals)
-           (count (cdr formals) (if (optional? (car formals)) needed (add1 needed)) (add1 most))]
-          [(null? formals) (values needed most)]
-          [else (values needed +inf.0)])))
+;; As a signature of the manual, without keywords; its arguments are data.
+(define (formals->signature formals)
+  (let loop ([formals formals] [positional '()])
+    (cond [(not (pair? formals))
+           (define-values (optional needed) (partition optional? (reverse positional)))
+           (signature 'procedure '() #f needed optional '() (not (null? formals)) '())]
+          [(and (keyword? (car formals)) (pair? (cdr formals))) (loop (cddr formals) positional)]
+          [else (loop (cdr formals) (cons (car formals) positional))])))
 
 (define (optional? a) (and (pair? a) (not (memq (car a) '(up down)))))
-
-;; Without keywords and what they take.
-(define (positional formals)
-  (cond [(not (pair? formals)) formals]
-        [(and (keyword? (car formals)) (pair? (cdr formals))) (positional (cddr formals))]
-        [else (cons (car formals) (positional (cdr formals)))]))
-
-(define (missing formals given)
-  (define needed (filter (lambda (a) (not (optional? a))) (proper (positional formals))))
-  (if (< given (length needed))
-      (format "\n  missing: ~a" (string-join (map form->text (drop needed given)) ", "))
-      ""))
-
-(define (proper formals) (if (pair? formals) (cons (car formals) (proper (cdr formals))) '()))
 
 ;; ---------------------------------------------------------------------------
 ;; A tuple, given as its parts
@@ -88,8 +74,8 @@
 (define (one-tuple n form)
   (format "\n  one ~atuple: ~a" (if (>= n 3) "local " "") (form->text form)))
 
-;; ((Lagrangian->energy L) 't 'q 'v), and (p->r 't 'q 'v) of which it was said how it is called:
-;; functions of the library that take a local tuple
+;; For functions of the library that take a local tuple: ((Lagrangian->energy L) 't 'q 'v), and
+;; (p->r 't 'q 'v), of which `said` tells the signature.
 (define (tuple-hint-of-library message said marks entry)
   (define made-by
     (regexp-match #px"^\\(*([^\\s()]+) [^\n]*\\): takes 1 argument; it was given ([3-9])" message))
@@ -103,8 +89,8 @@
                   (string->symbol (miscount-name m)) (miscount-given m))))
   (and call (one-tuple (miscount-given m) (list (car call) (cons 'up (cdr call))))))
 
-;; The first call of the procedure, in two steps or more perhaps, with so many arguments that a
-;; form has, a datum; or #f
+;; The first call of the procedure with so many arguments in the form, a datum; or #f.  It may be
+;; called in several steps.
 (define (call-in form name given)
   (cond [(not (pair? form)) #f]
         [(and (list? form) (= (length form) (add1 given)) (eq? (head-name-in form) name)) form]

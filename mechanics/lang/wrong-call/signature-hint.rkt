@@ -1,23 +1,22 @@
 #lang racket/base
-;; What is said beneath a message of a wrong number of arguments, or of a wrong keyword, if it
-;; is about a procedure of the library: how that is called, by the names that the manual has
-;; for its arguments; which one is missing; and which keyword may have been meant by one too
-;; many.  Nothing is wrapped: the message itself tells what was called.
+;; Hints beneath a message of a wrong number of arguments, or of a wrong keyword, for a procedure
+;; of the library: how it is called, with the manual's names of its arguments; which argument is
+;; missing; and which keyword an argument too many may have been meant for.  Nothing is wrapped:
+;; the message itself names the procedure.
 ;;
-;; The reader may have a procedure of that name: then it is said only if that takes other
-;; numbers than the manual's, or the prompt knows it for the reader's.
+;; The reader may have a procedure of that name.  Nothing is said if the prompt knows it for the
+;; reader's, or if the numbers of arguments do not fit the manual's.
 
 (require racket/list
-         racket/runtime-path
          racket/string
+         "count-message.rkt" "../unknown-name/known-name.rkt" "whereabouts.rkt"
          "../../error/spelling.rkt"
-         "../help/card-lines.rkt" "../help/card.rkt" "../help/cards.rkt"
-         (for-syntax racket/base))
+         "../help/card-lines.rkt" "../help/card.rkt" "../help/cards.rkt")
 
 (provide count-hint order-hint keyword-names constraint-hint)
 
-;; The procedures that the manual describes under this name, as signatures; none if another is
-;; meant, or where there is no table and no manual to make it of: a message must not fail.
+;; The manual's signatures of the procedures of this name; none if another is meant, or where
+;; there is no table and no manual to make it of: a message must not fail.
 (define (signatures-of name)
   (define c (with-handlers ([exn:fail:filesystem? (lambda (e) #f)]) (card-of name)))
   (if (and c (in-use? (card-library c)) (not (readers-own? name)))
@@ -31,32 +30,20 @@
                       (variable-reference->empty-namespace (#%variable-reference))])
         (module-declared? library #f))))
 
-(define-runtime-path library-folder "../..")
-
-;; Does the prompt know the name for something that this library does not define?
+;; Does the prompt have the name from elsewhere than this library?
 (define (readers-own? name)
-  (define binding
-    (with-handlers ([exn:fail? (lambda (e) #f)])
-      (identifier-binding (namespace-symbol->identifier name))))
-  (if (pair? binding)
-      (not (ours? (resolved-module-path-name (module-path-index-resolve (car binding)))))
-      (not (eq? (namespace-variable-value name #f (lambda () unknown)) unknown))))
-
-(define unknown (string->uninterned-symbol "unknown"))
-
-(define (ours? place)
-  (define file (if (pair? place) (car place) place))
-  (and (path? file)
-       (string-prefix? (path->string file) (path->string (simplify-path library-folder)))))
+  (define place (defining-module name))
+  (if place
+      (not (and (path? place) (of-mechanics? place)))
+      (variable-name? name)))
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers of arguments
 
 ;; -> text to add, or #f
 (define (count-hint message)
-  (define name (name-in message))
   (define given (number-in message given-patterns))
-  (define signatures (if (and name given) (signatures-of (string->symbol name)) '()))
+  (define signatures (if given (signatures-in message) '()))
   (and (pair? signatures)
        (plausible? signatures (number-in message expected-patterns) given)
        (string-append* (append (map called-as signatures)
@@ -64,19 +51,19 @@
                                    (list (what-differs (car signatures) given message))
                                    '())))))
 
-;; Of a procedure with three arguments and more, which may be in the wrong order: how it is
-;; called, or #f.
+;; How a procedure with three arguments or more is called, which may stand in the wrong order;
+;; or #f.
 (define (order-hint message)
-  (define name (name-in message))
-  (define signatures (if name (signatures-of (string->symbol name)) '()))
+  (define signatures (signatures-in message))
   (and (pair? signatures)
        (andmap (lambda (s) (>= (length (signature-needed s)) 3)) signatures)
        (string-append* (map called-as signatures))))
 
-(define (name-in message)
+;; The signatures of the procedure that a message names.
+(define (signatures-in message)
   (define found (or (regexp-match #rx"^application: [^\n]*\n  procedure: ([^ \n]+)" message)
                     (regexp-match #rx"^([^ \n]+): " message)))
-  (and found (cadr found)))
+  (if found (signatures-of (string->symbol (cadr found))) '()))
 
 (define given-patterns
   '(#rx"\n  given: ([0-9]+)" #rx"it was given ([0-9]+|none)" #rx", given ([0-9]+)(?::|$)"
@@ -105,8 +92,7 @@
   (define needed (map argument-name (signature-needed s)))
   (define most (+ (length needed) (length (signature-optional s))))
   (cond [(pair? (signature-parameters s)) ""]
-        [(< given (length needed))
-         (format "\n  missing: ~a" (string-join (drop needed given) ", "))]
+        [(< given (length needed)) (missing needed given)]
         [(signature-rest s) ""]
         [else
          (string-append
@@ -115,8 +101,7 @@
               (question (likely-keywords s (positional-after most message))))
           (if (and (= given (add1 most)) (gives-function? s)) (applied s needed) ""))]))
 
-;; One too many may be what its value is to be applied to, as the state is to which a state
-;; derivative is.
+;; An argument too many may be meant for the value: so the state for a state derivative.
 (define (gives-function? s)
   (regexp-match? #rx"^(function|operator)$|→" (or (signature-result s) "")))
 
@@ -124,7 +109,7 @@
   (format "\n  its value is a function, which takes what comes next: ((~a ~a) ...)"
           (substring (car (signature-call s)) 1) (string-join needed " ")))
 
-;; Many of them, the call has named already.
+;; The call has already named them, if they are many.
 (define (question keywords)
   (if (<= (length keywords) 3)
       (format "\n  did you mean ~a?" (alternatives keywords))
@@ -137,7 +122,7 @@
   (append* (for/list ([s (in-list (signatures-of name))])
              (map argument-keyword (signature-keywords s)))))
 
-;; Those that take values such as these texts; or else all.
+;; The keywords that take values such as these texts; or else all.
 (define (likely-keywords s texts)
   (define all (signature-keywords s))
   (define fitting
@@ -148,28 +133,22 @@
 (define (positional-after n message)
   (define found (regexp-match #rx"\n  arguments[.][.][.]:\n(.*)$" message))
   (define lines (if found (map string-trim (string-split (cadr found) "\n")) '()))
-  (define values (filter (lambda (l) (not (regexp-match? #rx"^#:" l))) lines))
-  (drop values (min n (length values))))
+  (define positional (filter (lambda (l) (not (regexp-match? #rx"^#:" l))) lines))
+  (drop positional (min n (length positional))))
 
 (define (fits? text what)
   (define (about pattern) (regexp-match? pattern what))
-  (cond [(constraint-text? text) (about #rx"constraint")]
+  (cond [(regexp-match? #rx"^[(](non)?holonomic " text) (about #rx"constraint")]
         [(regexp-match? #rx"^#<procedure" text) (about #rx"function|path|→")]
         [(string->number text) (about #rx"number|integer|1, 2, 3")]
         [else #t]))
 
-(define (constraint-text? text) (regexp-match? #rx"^[(](non)?holonomic " text))
-
-;; A constraint where none is expected: the keyword that takes it.
+;; The keyword that takes a constraint, which was given where none is expected.
 (define (constraint-hint message)
-  (define found
-    (regexp-match #rx"^([^ \n]+): expected [^\n]*\n  given: ([(](non)?holonomic .*)$"
-                  message))
+  (define found (regexp-match #rx"\n  given: ([(](?:non)?holonomic .*)$" message))
   (define wanted
-    (if found
-        (for*/list ([s (in-list (signatures-of (string->symbol (cadr found))))]
-                    [a (in-list (signature-keywords s))]
-                    #:when (fits? (caddr found) (argument-what a)))
-          (argument-keyword a))
-        '()))
+    (for*/list ([s (in-list (if found (signatures-in message) '()))]
+                [a (in-list (signature-keywords s))]
+                #:when (fits? (cadr found) (argument-what a)))
+      (argument-keyword a)))
   (and (pair? wanted) (question wanted)))

@@ -1,18 +1,17 @@
 #lang racket/base
-;; Where in the reader's own program an error happened: the form of the module that was being
-;; evaluated, with its line, and functions of the reader's that were being called.  What lies
-;; between, in libraries, is left out.
+;; The place of an error in the reader's own program: the form of the module that was being
+;; evaluated, with its line, and calls of the reader's functions.  Calls of libraries are left out.
 ;;
-;; The forms of a module leave marks (marked-line.rkt); the functions are those that Racket
-;; finds on the stack, where calls in tail position leave no trace.
+;; The forms of a module leave marks (marked-line.rkt); Racket finds the functions on the stack,
+;; where calls in tail position leave no trace.
 
 (require (only-in racket/file file->lines)
-         (only-in racket/list add-between remove-duplicates take takef)
-         (only-in racket/string string-join string-normalize-spaces)
+         (only-in racket/list add-between filter-map remove-duplicates take takef)
+         (only-in racket/string string-join string-normalize-spaces string-prefix?)
          setup/dirs
          "marked-line.rkt")
 
-(provide whereabouts of-library?)
+(provide whereabouts of-library? of-mechanics?)
 
 ;; exception -> lines to add to its message, or ""
 (define (whereabouts e)
@@ -36,7 +35,7 @@
 
 (define longest-text 60)
 
-;; The line and those that continue it, which are indented, as one that is not too long.
+;; The line and the indented lines after it, as one line, shortened.
 ;; -> text, or #f if the file has changed or gone
 (define (text-from-line file number)
   (define lines (with-handlers ([exn:fail:filesystem? (lambda (e) '())]) (file->lines file)))
@@ -63,10 +62,8 @@
 (define (own-functions marks)
   (define names
     (remove-duplicates
-     (for*/list ([frame (in-list (continuation-mark-set->context marks))]
-                 [text (in-value (own-function (car frame) (cdr frame)))]
-                 #:when text)
-       text)))
+     (filter-map (lambda (frame) (own-function (car frame) (cdr frame)))
+                 (continuation-mark-set->context marks))))
   (add-between (take names (min most-functions (length names))) ", "))
 
 ;; -> text or #f
@@ -79,23 +76,19 @@
          (format "~a (~a, line ~a)" name (short source) (srcloc-line place))]
         [else #f]))
 
-;; Racket calls a function without a name after its place in the file.
+;; Is the name written in the program?  Racket names other functions after their place in the file.
 (define (written? name) (not (regexp-match? #rx"[/:]|^body of" (symbol->string name))))
 
 ;; Does the file belong to this library, or to Racket's?
 (define (of-library? source)
-  (for/or ([folder (in-list (library-folders))])
-    (and folder (within? (path->complete-path source) folder))))
+  (or (of-mechanics? source)
+      (for/or ([folder (in-list (list (find-collects-dir) (find-pkgs-dir) (find-user-pkgs-dir)))])
+        (and folder (within? source folder)))))
 
-(define (library-folders)
-  (list (mechanics-folder) (find-collects-dir) (find-pkgs-dir) (find-user-pkgs-dir)))
+(define (of-mechanics? source)
+  (define here (variable-reference->module-source (#%variable-reference)))
+  (and (path? here) (within? source (build-path here 'up 'up 'up))))
 
 (define (within? file folder)
-  (define prefix (path->bytes (path->directory-path (simplify-path folder))))
-  (define bytes (path->bytes (simplify-path file)))
-  (and (> (bytes-length bytes) (bytes-length prefix))
-       (equal? (subbytes bytes 0 (bytes-length prefix)) prefix)))
-
-(define (mechanics-folder)
-  (define here (variable-reference->module-source (#%variable-reference)))
-  (and (path? here) (simplify-path (build-path here 'up 'up 'up))))
+  (string-prefix? (path->string (simplify-path (path->complete-path file)))
+                  (path->string (path->directory-path (simplify-path folder)))))

@@ -8,7 +8,6 @@
          mechanics/lang/help/card
          mechanics/lang/help/cards
          mechanics/lang/help/demonstration
-         mechanics/lang/help/later
          racket/list
          racket/port
          racket/sandbox
@@ -129,18 +128,3 @@
   (check-equal? (results 'sqrt) before)
   (check-equal? (assumptions 'declared) '((< m 0)))
   (forget-assumptions))
-
-;; ---------------------------------------------------------------------------
-;; Chapters to come
-
-(test-case "no name that is there is said to come later"
-  (check-equal? (filter (lambda (name) (memq name later-names)) (exported)) '()))
-
-(test-case "a name of a later chapter is told with its section, and its page if it has one"
-  (check-equal? (later-sentence 'derivative-of-sine)
-                (string-append "it belongs to section 9 of the book (our notation, p. 511), "
-                               "which is not here yet"))
-  (check-equal? (later-sentence 'pointer-coordinates)
-                (string-append "it belongs to section 3.6 of the book (surfaces of section), "
-                               "which is not here yet"))
-  (check-false (later-sentence 'cube)))
