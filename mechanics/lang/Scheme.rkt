@@ -1,6 +1,6 @@
 #lang racket/base
-;; Procedures of MIT Scheme, the language of the book's programs, that Racket has
-;; under other names or not at all.
+;; Procedures of MIT Scheme, the language of the book's programs, that Racket has under other names
+;; or lacks.
 
 (require (only-in racket/list make-list)
          "../show/display/result.rkt"
@@ -34,19 +34,15 @@
                            "list" xs "number" n))
   (for/list ([x (in-list xs)] [_ (in-range n)]) x))
 
-;; (f (f start x) y): what is gathered comes first, where Racket's foldl has it last.
+;; (f (f start x) y): f takes the accumulator first, in Racket's foldl last.
 (define (fold-left f start xs . more)
   (check-folded 'fold-left f xs more)
-  (apply foldl (lambda arguments (apply f (last-first arguments))) start xs more))
+  (for/fold ([sum start]) ([elements (in-list (apply map list xs more))]) (apply f sum elements)))
 
 ;; (f x (f y start))
 (define (fold-right f start xs . more)
   (check-folded 'fold-right f xs more)
   (apply foldr f start xs more))
-
-(define (last-first xs)
-  (define reversed (reverse xs))
-  (cons (car reversed) (reverse (cdr reversed))))
 
 (define (check-folded who f xs more)
   (check-argument who procedure? f "a procedure")
@@ -57,14 +53,14 @@
 ;; ---------------------------------------------------------------------------
 ;; Output
 
-;; The value as it stands, on one line.
+;; Writes the value on one line, not simplified.
 (define (write-line x [port (current-output-port)])
   (write x port)
   (newline port))
 
 (define line-width 79)
 
-;; The value as it stands, on as many lines as it takes.
+;; Writes the value on as many lines as it needs, not simplified.
 (define (pp x [port (current-output-port)])
   (define shown (plain-result x line-width))
   (cond [(eq? shown x) (pretty-write x port)]
@@ -73,12 +69,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Time
 
-;; Seconds of the processor's time that the program has used, without the time
-;; taken to reclaim memory.
+;; Seconds of the processor's time that the program has used, without those of garbage collections.
 (define (runtime)
   (/ (- (current-process-milliseconds) (current-gc-milliseconds)) 1000.0))
 
-;; The values of (thunk); how long it took is printed.
+;; The values of (thunk), whose time is printed.
 (define (show-time thunk)
   (unless (and (procedure? thunk) (procedure-arity-includes? thunk 0))
     (complain-of-argument 'show-time "a procedure of no arguments" thunk))

@@ -1,8 +1,8 @@
 #lang racket/base
-;; `if` and its kin, which refuse a verdict for a test: it would pass for true whatever it says.
+;; `if` and its kin, which refuse a verdict for a test: any verdict, a refutation too, would count
+;; as true.
 ;;
-;; They are Racket's, around tests that are looked at once more.  A test that is #t or #f, as of
-;; numbers all are, costs nothing by that.
+;; They are Racket's forms around tests that are checked.  The check costs nothing for #t and #f.
 
 (require (for-syntax racket/base
                      "plain-form.rkt")
@@ -11,35 +11,26 @@
 (provide (rename-out [asking-if if] [asking-cond cond] [asking-and and] [asking-or or]
                      [asking-not not] [asking-when when] [asking-unless unless]))
 
-(define-syntax (asking-if stx)
-  (syntax-case stx ()
-    [(_ test then else) (syntax/loc stx (if (truth if test) then else))]
-    [_ (plain-form #'if stx)]))
+(begin-for-syntax
+  ;; A form whose first part is a test: Racket's `form`, of at least so many parts.
+  (define ((one-test form least [most +inf.0]) stx)
+    (syntax-case stx ()
+      [(_ test part ...)
+       (<= least (length (syntax->list #'(part ...))) most)
+       (quasisyntax/loc stx (#,form (truth #,form test) part ...))]
+      [_ (plain-form form stx)]))
 
-(define-syntax (asking-when stx)
-  (syntax-case stx ()
-    [(_ test body0 body ...) (syntax/loc stx (when (truth when test) body0 body ...))]
-    [_ (plain-form #'when stx)]))
+  ;; A form whose parts are tests, but for the last, which is the value.
+  (define ((all-tests form) stx)
+    (syntax-case stx ()
+      [(_ test ... last) (quasisyntax/loc stx (#,form (truth #,form test) ... last))]
+      [_ (plain-form form stx)])))
 
-(define-syntax (asking-unless stx)
-  (syntax-case stx ()
-    [(_ test body0 body ...) (syntax/loc stx (unless (truth unless test) body0 body ...))]
-    [_ (plain-form #'unless stx)]))
-
-;; What comes last is no test, but the value.
-(define-syntax (asking-and stx)
-  (syntax-case stx ()
-    [(_ test ... last)
-     (with-syntax ([(tested ...) #'((truth and test) ...)])
-       (syntax/loc stx (and tested ... last)))]
-    [_ (plain-form #'and stx)]))
-
-(define-syntax (asking-or stx)
-  (syntax-case stx ()
-    [(_ test ... last)
-     (with-syntax ([(tested ...) #'((truth or test) ...)])
-       (syntax/loc stx (or tested ... last)))]
-    [_ (plain-form #'or stx)]))
+(define-syntax asking-if (one-test #'if 2 2))
+(define-syntax asking-when (one-test #'when 1))
+(define-syntax asking-unless (one-test #'unless 1))
+(define-syntax asking-and (all-tests #'and))
+(define-syntax asking-or (all-tests #'or))
 
 (define-syntax (asking-cond stx)
   (syntax-case stx (else)
@@ -48,8 +39,8 @@
     [(_ [test . body] ...) (with-tests stx #'((test . body) ...) #'())]
     [_ (plain-form #'cond stx)]))
 
-;; stx : the form; tail : () or its clause with else.  An else elsewhere Racket will refuse, and
-;; what is wrong behind =>, in the form as it was written.
+;; stx : the form; tail : () or its clause with else.  Racket refuses an else elsewhere, and a wrong
+;; form behind =>, in the form as it was written.
 (define-for-syntax (with-tests stx clauses tail)
   (syntax-case clauses ()
     [([test . body] ...)

@@ -3,7 +3,7 @@
 
 (provide plain-form)
 
-;; stx, with the keyword `form` in place of the one it begins with, or that it is.
+;; stx with `form` in place of its keyword; stx may be the keyword alone.
 (define (plain-form form stx)
   (if (identifier? stx)
       (datum->syntax form (syntax-e form) stx stx)

@@ -2,10 +2,9 @@
 ;; Results at the prompt and at the top level of a `#lang mechanics` module:
 ;; simplified, in the book's notation, broken over lines that fit the window.
 ;;
-;; The printer wraps the one that was current, which writes what is no part of
-;; mechanics (strings, lists, pictures) as ever, and receives the text of what
-;; is as a value that prints as that text; so output keeps the colour, the
-;; value history and the line ends of the editor it appears in.
+;; The printer wraps the current one, which writes other values (strings, lists, pictures) as ever,
+;; and receives the text of ours as a value that prints as that text; so output keeps the colour,
+;; the value history and the line ends of the editor it appears in.
 ;;
 ;; In a terminal a long result ends after a screen.
 
@@ -26,9 +25,8 @@
 ;; ---------------------------------------------------------------------------
 ;; The session's printer
 
-;; A value of `current-print`; `other` is the printer it wraps; `how-to-go-on` says how the
-;; rest of a long result is seen; `rest` is its text, or #f; `last` is the last
-;; result that was something.
+;; A value of `current-print`; `other` is the printer it wraps; `how-to-go-on` says how the rest of
+;; a long result is seen; `rest` is its text, or #f; `last` is the last result that was not void.
 (struct session-printer (other how-to-go-on [rest #:mutable] [last #:mutable])
   #:property prop:procedure
   (lambda (printer x)
@@ -41,14 +39,14 @@
           [else (print-shown shown other)])
     (note-more x)))
 
-;; Make the current printer ours, unless it takes results as they are; again is no harm.
+;; Makes the current printer ours, unless it takes results as they are.  Idempotent.
 (define (install-printer! [how-to-go-on "(print-expression ...) prints all of it"])
   (define printer (current-print))
   (unless (or (session-printer? printer) (result-receiver? printer))
     (current-print (session-printer printer how-to-go-on #f (void)))))
 
-;; Print a result of a module, whatever printer is current, unless it takes results as they
-;; are.  A break is the reader's wish to stop the program and is left to do so.
+;; Prints a result of a module, whatever printer is current, unless it takes results as they are.
+;; A break stops the program.
 (define (print-result x)
   (define printer (current-print))
   (cond [(result-receiver? printer) (printer x)]
@@ -58,8 +56,8 @@
          (when (screen?) (print-advice x))
          (note-more x)]))
 
-;; What is worth a word, once in a session: what a symbol in a result may have been meant to
-;; be, and how the lines of a text are seen.
+;; Notes, once in a session: on a symbol in a result that may be meant for a number, and on texts
+;; of several lines.
 (define (note-more x)
   (cond [(or (symbolic? x) (and (tuple? x) (not (cyclic? x))))
          (for-each note-once (remarks-on-pi x))]
@@ -79,7 +77,7 @@
   (parameterize ([current-output-port port]) (print x))
   (get-output-string port))
 
-;; As much of the text as leaves room for the note and the next prompt.
+;; Prints as much of the text as leaves room for the note and the next prompt.
 (define (print-screen printer text)
   (define size (terminal-size))
   (define-values (shown rest more)
@@ -89,7 +87,7 @@
   (when rest
     (printf "; ~a more lines: ~a\n" more (session-printer-how-to-go-on printer))))
 
-;; The next screen of the last result that was too long for one.
+;; Prints the next screen of the last long result.
 (define (print-more)
   (define printer (current-print))
   (define rest (and (session-printer? printer) (session-printer-rest printer)))
@@ -97,7 +95,7 @@
       (print-screen printer rest)
       (printf "nothing is left of the last result\n")))
 
-;; The last result again, in the style that has been chosen since.  Was there one?
+;; Prints the last result again, in the present style.  Was there a result?
 (define (print-last)
   (define printer (current-print))
   (define last (if (session-printer? printer) (session-printer-last printer) (void)))
@@ -118,7 +116,7 @@
                      (plain-result x (output-width)))])
     (simplify-or-say-why x)))
 
-;; Whatever it is that fails, it is told, and the value is not lost.
+;; A failure is told, and the value is not lost.
 (define (simplify-or-say-why x)
   (with-handlers ([exn:fail?
                    (lambda (e)
@@ -132,8 +130,8 @@
 
 (define default-width 79)
 
-;; Columns there are for a line on the current output: of the terminal, or of
-;; the window where the port is one that shows pictures, as DrRacket's does.
+;; The columns of a line on the current output: of the terminal, or of the window, where the port
+;; shows pictures, as DrRacket's does.
 (define (output-width)
   (define port (current-output-port))
   (positive (cond [(port-writes-special? port) (pretty-print-columns)]

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Files with programs, as they are given to `make run` and `make show`: is there one, in what
+;; Program files, as they are given to `make run` and `make show`: does the file exist, which is its
 ;; language, and can it be read?
 
 (require (only-in racket/file file->bytes)
@@ -38,7 +38,7 @@
                      (format "; the programs in its folder: ~a" (programs-text folder))
                      (format "; did you mean ~a?" (alternatives near))))]))
 
-;; file : that is not there -> symbols, programs in its folder of which one may be meant
+;; file : missing -> symbols, programs in its folder with similar names
 (define (near-programs file)
   (define-values (folder last-part must-be-folder?) (split-path (path->complete-path file)))
   (define name (if (path? last-part) (path->string last-part) ""))
@@ -76,14 +76,14 @@
                      "; did you mean #lang mechanics?"
                      ""))]))
 
-;; Its name; "module" for a module that is written out; #f if the file is no module.
+;; The name of the language; "module" for a module that is written out; #f if the file is no module.
 (define (language-of file)
   (define start (call-with-program file (lambda (port) (regexp-match first-form port))))
   (cond [(not start) #f]
         [(cadr start) (bytes->string/utf-8 (cadr start) #\?)]
         [else "module"]))
 
-;; Behind comments.
+;; Comments, and the beginning of a module behind them.
 (define first-form
   #px#"^(?:\\s+|;[^\n]*|#!/[^\n]*|#\\|.*?\\|#)*(?:#lang +([^\\s]+)|#![a-z]|\\(module\\s)")
 
@@ -102,7 +102,7 @@
        (not (call-with-program file (lambda (port) (regexp-match? #rx#"mechanics" port))))
        language))
 
-;; What is said where such a program fails, which may well be for that.
+;; A note for the failure of such a program, of which that may be the cause.
 (define (about-language name language)
   (format "~a is in #lang ~a, without mechanics: begin it with  #lang mechanics" name language))
 
@@ -111,7 +111,7 @@
 
 (define mark #"\357\273\277")
 
-;; Does it begin with the mark that some editors write, of UTF-8?
+;; Does the file begin with the mark of UTF-8 that some editors write?
 (define (marked? file)
   (call-with-input-file file (lambda (port) (equal? (peek-bytes (bytes-length mark) 0 port) mark))))
 
@@ -129,13 +129,13 @@
   (parameterize ([read-accept-reader #t] [read-accept-lang #t])
     (read-syntax file port)))
 
-;; The same of a program whose errors are told.
+;; The same with messages of ours.
 (define (read-whole-program who name file port)
   (with-handlers ([exn:fail:read? (lambda (e) (raise-unreadable who name e))])
     (parameterize ([current-load-relative-directory (path-only file)])
       (read-program file port))))
 
-;; Its parentheses do not match.
+;; The message where parentheses do not match.
 (define (raise-unreadable who name e)
   (define-values (line what) (unreadable e))
   (if line

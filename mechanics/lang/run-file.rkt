@@ -1,8 +1,8 @@
 #lang racket/base
-;; What `make run FILE=... ARGS="..."` does: `racket -l mechanics/lang/run-file FILE ARGS`.
+;; `make run FILE=... ARGS="..."`, which is `racket -l mechanics/lang/run-file FILE ARGS`.
 ;;
-;; As `racket FILE` would, but for what it says where there is no program in the file, or where
-;; its parentheses do not match; and it reads a file that begins with a mark of its encoding.
+;; Runs a program as `racket FILE` does, with better messages where the file holds no program, or
+;; where its parentheses do not match; and it reads a file that begins with a mark of its encoding.
 
 (require "program-file.rkt"
          (only-in "unknown-name/unbound.rkt" install-hints!)
@@ -28,7 +28,7 @@
   (define submodule `(submod ,file ,name))
   (when (module-declared? submodule #t) (dynamic-require submodule #f)))
 
-;; Racket does not read a program behind the mark.
+;; Racket's own loader does not read a program behind the mark.
 (define (declare-marked file)
   (define stx (call-with-program file (lambda (port) (read-program file port))))
   (parameterize ([current-module-declare-name (make-resolved-module-path file)])

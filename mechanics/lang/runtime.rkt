@@ -1,12 +1,7 @@
 #lang racket/base
-;; What a session of mechanics sets when it starts.  Required by
-;; `configure-runtime` submodules only, never by a library.
+;; Starts a session of mechanics.  Required by `configure-runtime` submodules only, never by a
+;; library.
 
-(require "printer.rkt"
-         "unknown-name/unbound.rkt"
-         "../error/note.rkt")
+(require "session-start.rkt")
 
-(print-as-expression #t)
-(install-printer!)
-(install-hints!)
-(start-session-of-notes!)
+(start-session!)

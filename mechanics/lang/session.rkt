@@ -2,10 +2,9 @@
 ;; The prompt.
 
 (require (for-syntax racket/base)
-         "printer.rkt"
-         "unknown-name/unbound.rkt"
+         (only-in "unknown-name/unbound.rkt" #%top note-entry!)
          "redefinition/prompt.rkt"
-         (only-in "../error/note.rkt" start-session-of-notes!)
+         "session-start.rkt"
          (only-in "../error/progress.rkt" current-reporter terminal-reporter))
 
 (provide (rename-out [top-interaction #%top-interaction])
@@ -20,8 +19,6 @@
     [_ (raise-syntax-error #f "not at top level" stx)]))
 
 (define (begin-entry! form)
-  (install-printer!)
-  (install-hints!)
-  (start-session-of-notes!)
+  (set-handlers!)
   (note-entry! form)
   (current-reporter (terminal-reporter)))

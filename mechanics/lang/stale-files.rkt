@@ -1,6 +1,6 @@
 #lang racket/base
-;; Files of the library that have changed since they were compiled.  Racket loads them from
-;; their sources, beside others that were compiled with what they were before.
+;; Files of the library that have changed since they were compiled.  Racket loads them from their
+;; sources, beside others that were compiled with their earlier versions.
 
 (require compiler/compilation-path
          (only-in racket/list append*)
@@ -9,7 +9,7 @@
 (provide tell-of-stale-files    ; ->
          stale-files)           ; path of a folder -> paths of stale files in it
 
-;; Where nothing is compiled the library says so as it is loaded.
+;; A library that is not compiled at all says so when it is loaded.
 (define (tell-of-stale-files)
   (define folder (simplify-path (collection-path "mechanics")))
   (define first-loaded (build-path folder "error" "uncompiled.rkt"))
@@ -25,7 +25,7 @@
   (append*
    (for/list ([name (in-list (names-in folder))])
      (define path (build-path folder name))
-     (cond [(module-name? name) (if (newer-than-compiled? path) (list path) '())]
+     (cond [(and (module-name? name) (newer-than-compiled? path)) (list path)]
            [(and (not (regexp-match? #rx"[.]|^compiled$" name)) (directory-exists? path))
             (stale-files path)]
            [else '()]))))

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The forms of `#lang mechanics/worksheet`.  Each adds a part to the worksheet of its module,
-;; in the order in which they stand; what is defined between them the teacher keeps.
+;; The forms of `#lang mechanics/worksheet`.  Each adds a part to the worksheet of its module, in
+;; their order; definitions between them stay with the teacher.
 
 (require (for-syntax racket/base racket/file
                      "../error/spelling.rkt" "../teaching/worksheet/clause-names.rkt")
@@ -40,7 +40,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The module
 
-;; The name under which a module has its draft; no reader can write it.
+;; The name of a module's draft, which no program can write.
 (define-for-syntax (draft-id stx) (datum->syntax stx (string->symbol "the worksheet")))
 
 (define-syntax (worksheet-begin stx)
@@ -125,16 +125,16 @@
   (define (clause-expression who clause stx)
     (define head (head-of clause))
     (define parts (syntax->list clause))
-    (define (refuse text) (raise-syntax-error who text stx clause))
+    (define (refuse text . operands)
+      (raise-syntax-error who (apply format text operands) stx clause))
     (cond [(not (and head parts))
            (refuse "a clause is a list that begins with its name, such as (points 3)")]
           [(not (memq head clause-names))
-           (refuse (format "there is no clause called ~a~a" head (among head clause-names)))]
+           (refuse "there is no clause called ~a~a" head (among head clause-names))]
           [(odd-keyword head (cdr parts))
-           => (lambda (k)
-                (refuse (format "the clause `~a` takes no keyword ~a" head (syntax-e k))))]
+           => (lambda (k) (refuse "the clause `~a` takes no keyword ~a" head (syntax-e k)))]
           [(not (clause-fits? head (cdr parts)))
-           (refuse (format "the clause `~a` takes ~a" head (values-wanted head)))]
+           (refuse "the clause `~a` takes ~a" head (values-wanted head))]
           [(names-clause? head) #`'#,clause]
           [else
            (with-syntax ([head (car parts)]
@@ -143,16 +143,14 @@
              #'(list 'head value ...))]))
 
   (define (odd-keyword head parts)
-    (for/first ([p (in-list parts)]
-                #:when (keyword? (syntax-e p))
-                #:unless (memq (syntax-e p) (keywords-of head)))
-      p))
+    (findf (lambda (p) (and (keyword? (syntax-e p)) (not (memq (syntax-e p) (keywords-of head)))))
+           parts))
 
   (define (clause-fits? head parts)
     (and (values-fit? head (length (without-keywords parts)))
          (or (not (names-clause? head)) (andmap identifier? parts))))
 
-  ;; #:absolute stands alone, the others with what belongs to them.
+  ;; #:absolute stands alone, other keywords before their values.
   (define (without-keywords parts)
     (cond [(null? parts) '()]
           [(eq? '#:absolute (syntax-e (car parts))) (without-keywords (cdr parts))]
@@ -162,17 +160,15 @@
 
   ;; The forms as they stand in the file; or as data where there is none.
   (define (source-text forms)
-    (define first-form (car forms))
+    (define-values (first-form last-form) (values (car forms) (car (reverse forms))))
     (define source (syntax-source first-form))
-    (define-values (start end)
-      (let ([last-form (car (reverse forms))])
-        (values (syntax-position first-form)
-                (and (syntax-position last-form)
-                     (+ (syntax-position last-form) (syntax-span last-form))))))
-    (if (and (path? source) (file-exists? source) start end)
+    (define-values (start last-start)
+      (values (syntax-position first-form) (syntax-position last-form)))
+    (if (and (path? source) (file-exists? source) start last-start)
         (let ([text (regexp-replace* #rx"\r\n?" (file->string source) "\n")])
-          (without-indentation (substring text (- start 1) (- end 1))
-                               (syntax-column first-form)))
+          (without-indentation
+           (substring text (- start 1) (+ last-start (syntax-span last-form) -1))
+           (syntax-column first-form)))
         (apply string-append
                (for/list ([f (in-list forms)]) (format "~s\n" (syntax->datum f))))))
 

@@ -1,8 +1,8 @@
 #lang racket/base
-;; Commands of the prompt: what is typed after a comma, and words that are commands elsewhere,
-;; as long as the reader has not defined them: help, ?, quit, exit.
+;; Commands of the prompt: words after a comma, and common commands without one, help, ?, quit,
+;; exit, as long as the reader has not defined them.
 
-(require "help-command.rkt"
+(require "typed-forms.rkt"
          "../printer.rkt"
          "../../show/display/display-style.rkt")
 
@@ -26,6 +26,22 @@
         [(member name '("help" "h" "?")) (help-on argument)]
         [else (print-unknown name) '()]))
 
+;; ,help NAME is the form (help NAME), and ,help SOME WORDS is (help "SOME WORDS"), if the language
+;; has them.  text : after ,help -> forms to evaluate
+(define (help-on text)
+  (cond [(memq 'help (namespace-mapped-symbols))
+         (list (datum->syntax #f (list 'help (or (single-subject text) text))))]
+        [else
+         (printf "there is no help on names here; the manual has it: make docs\n")
+         '()]))
+
+;; -> identifier, a string as (help "words") has it, or #f
+(define (single-subject text)
+  (define forms (with-handlers ([exn:fail:read? (lambda (e) '())]) (forms-in text)))
+  (and (= 1 (length forms))
+       (or (identifier? (car forms)) (string? (syntax-e (car forms))))
+       (car forms)))
+
 ;; quit, quit(), help, help D, ?, ? D, ?D -> the same with a comma, or #f
 (define (as-command text)
   (define found
@@ -45,12 +61,10 @@
 ;; ---------------------------------------------------------------------------
 ;; Styles: the command is the style's name in small letters
 
-;; Results are shown so from now on, the last one at once.
+;; Shows results in that style from now on, the last one at once.
 (define (style-command name)
   (define style
-    (for/first ([s (in-list styles)]
-                #:when (string=? name (string-downcase (symbol->string s))))
-      s))
+    (findf (lambda (s) (string=? name (string-downcase (symbol->string s)))) styles))
   (cond [style
          (display-style style)
          (unless (print-last) (printf "; results are shown so from now on\n"))]

@@ -21,9 +21,9 @@
   (set-completion-function! names-for))
 
 ;; ---------------------------------------------------------------------------
-;; Where a name begins, and how it is written.  Left alone, libedit parts F->C at the arrow,
-;; and completes F- as the shell would, F-\>C: unless the program tries first.  It does here,
-;; and finds nothing.
+;; Completion of Racket's names.  By default libedit splits F->C at the arrow, and completes F- as
+;; the shell would, F-\>C: unless the program's own completion comes first, which here finds
+;; nothing.
 
 (define (read-names-as-racket-does!)
   (set-variable! "rl_basic_word_break_characters" _pointer (immobile #" \t\n\"'`,;()[]{}"))

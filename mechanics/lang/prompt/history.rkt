@@ -1,18 +1,18 @@
 #lang racket/base
-;; What was typed in earlier sessions, in a file among the reader's preferences: a string a
-;; line.  Where the file cannot be read or written there is no history, and no complaint.
+;; The entries of earlier sessions, in a file among the reader's preferences: a string a line.
+;; Where the file cannot be read or written there is no history, and no complaint.
 
 (require (only-in racket/file file->list make-parent-directory*)
          (only-in racket/list take-right))
 
-(provide history-file earlier-entries note-entry)
+(provide earlier-entries note-entry)
 
 (define most-entries 1000)
 
 (define (history-file)
   (build-path (find-system-path 'pref-dir) "mechanics-history.rktd"))
 
-;; -> list of texts, latest last.  A file that has grown to twice what is wanted is cut.
+;; -> list of texts, latest last.  A file of more than twice as many entries is cut.
 (define (earlier-entries [file (history-file)])
   (define entries (filter string? (quietly '() (lambda () (file->list file)))))
   (define wanted (take-right entries (min most-entries (length entries))))
@@ -20,7 +20,7 @@
     (write-entries file wanted 'truncate/replace))
   wanted)
 
-;; At once, so that no way to end a session loses it.
+;; Writes the entry at once, so that no end of a session loses it.
 (define (note-entry text [file (history-file)])
   (write-entries file (list text) 'append))
 

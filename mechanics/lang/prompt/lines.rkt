@@ -1,14 +1,15 @@
 #lang racket/base
-;; Where the lines at the prompt come from: from libedit, at a terminal where it is
-;; installed, with history and completion; elsewhere they are read as they come.
+;; The lines at the prompt: from libedit, at a terminal where it is installed, with history and
+;; completion; elsewhere they are read as they come.
 
-(require "typed-forms.rkt" "history.rkt"
+(require (only-in racket/string string-prefix?)
+         "typed-forms.rkt" "history.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["editor.rkt" edit-line recall! complete-with!])
 
 (provide (struct-out line-source)
-         lines-at-hand plain-lines at-terminal? completions)
+         lines-at-hand completions)
 
 ;; next : prompt -> string or eof; remember : text of an entry -> void
 (struct line-source (next remember))
@@ -19,13 +20,13 @@
         [(editor-starts?) (values (edited-lines) #f)]
         [else (values (plain-lines) #t)]))
 
-;; Nothing but its loading can fail here, in whatever way.
+;; Only the loading of the editor can fail here.
 (define (editor-starts?)
   (with-handlers ([exn:fail? (lambda (e) #f)])
     (complete-with! completions)
     #t))
 
-;; One on which a cursor can be moved.
+;; Is it a terminal whose cursor can be moved?
 (define (at-terminal?)
   (and (terminal-port? (current-input-port))
        (terminal-port? (current-output-port))
@@ -48,10 +49,6 @@
 
 ;; The names known at the prompt that begin so.
 (define (completions beginning)
-  (define n (string-length beginning))
-  (sort (for*/list ([symbol (in-list (namespace-mapped-symbols))]
-                    [name (in-value (symbol->string symbol))]
-                    #:when (and (>= (string-length name) n)
-                                (string=? (substring name 0 n) beginning)))
-          name)
+  (sort (filter (lambda (name) (string-prefix? name beginning))
+                (map symbol->string (namespace-mapped-symbols)))
         string<?))

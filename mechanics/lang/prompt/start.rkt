@@ -4,17 +4,14 @@
 ;; Racket's loop of reading, evaluating and printing, with lines from lines.rkt.
 
 (require "command.rkt" "typed-forms.rkt" "lines.rkt"
-         (only-in "../unknown-name/unbound.rkt" install-hints!)
-         (only-in "../printer.rkt" install-printer!)
+         "../session-start.rkt"
          "../../error/complain.rkt"
-         (only-in "../../error/note.rkt" note start-session-of-notes!)
+         (only-in "../../error/note.rkt" note)
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["../paper-notation/line-habits.rkt" meant-as-one prime-alone]
                    ["../unknown-name/known-name.rkt" known-name? function-name?]
                    ["../unknown-name/unreadable.rkt" unreadable unclosed])
-
-(provide run-prompt read-entry)
 
 (define-namespace-anchor here)
 
@@ -27,10 +24,7 @@
   (define-values (lines libedit-missing?) (lines-at-hand))
   (print-banner libedit-missing?)
   (parameterize ([current-prompt-read (prompt-reader lines)])
-    (print-as-expression #t)
-    (install-printer! ",more shows the next screen")
-    (install-hints!)
-    (start-session-of-notes!)
+    (start-session! ",more shows the next screen")
     (read-eval-print-loop))
   (when (terminal-port? (current-output-port)) (newline)))
 
@@ -55,8 +49,8 @@
     (cond [(eof-object? waiting) (begin0 waiting (set! waiting '()))]
           [else (begin0 (car waiting) (set! waiting (cdr waiting)))])))
 
-;; -> list of forms, at least one, or eof.  A break abandons what was typed; when the terminal
-;; has gone there is nothing more to read.
+;; -> list of forms, at least one, or eof.  A break drops the entry; a closed terminal ends the
+;; input.
 (define (next-forms lines)
   (define forms
     (with-handlers ([gone? (lambda (e) eof)]
@@ -64,13 +58,12 @@
       (read-entry lines)))
   (if (null? forms) (next-forms lines) forms))
 
-;; A terminal that was closed sends a break of its own, and can then be neither read nor
-;; written.
+;; Was the terminal closed?  It sends a break, and can then be neither read nor written.
 (define (gone? e)
   (or (exn:break:hang-up? e) (exn:break:terminate? e) (exn:fail:filesystem:errno? e)))
 
-;; Lines until they are complete forms -> list of forms or eof.  What was written without the
-;; end of a line is seen before the prompt, which does not go through this port.
+;; Reads lines until they are complete forms -> list of forms or eof.  Output without a newline is
+;; flushed first, for the prompt does not go through its port.
 (define (read-entry lines)
   (flush-output)
   (define first-line ((line-source-next lines) prompt))
@@ -80,10 +73,10 @@
          (run-command first-line)]
         [else (read-to-end lines (without-prompt first-line))]))
 
-;; As it is pasted from a session.
+;; The line without a prompt, which comes with lines pasted from a session.
 (define (without-prompt line) (regexp-replace #px"^(?:> +)+(?=\\S)" line ""))
 
-;; told? : was it said that the form is still open?
+;; told? : does the reader know that the form is still open?
 (define (read-to-end lines text [told? #f])
   (define forms (with-handlers ([exn:fail:read? (lambda (e) e)]) (forms-in text)))
   (define open? (exn:fail:read:eof? forms))
@@ -91,7 +84,7 @@
   (when habit
     ((line-source-remember lines) text)
     (complain 'prompt "~a" habit))
-  (define line (if open? ((line-source-next lines) (continuation)) #f))
+  (define line (and open? ((line-source-next lines) (continuation))))
   (cond [(string? line)
          (define tell? (and (not told?) (begins-anew? line)))
          (when tell? (tell-open text forms))
@@ -102,8 +95,8 @@
                [(exn? forms) (raise-unreadable forms)]
                [else forms])]))
 
-;; An empty line within a form, or a definition that is not indented: one may have been
-;; forgotten to be closed.
+;; An empty line within a form, or a definition that is not indented: the form may lack its closing
+;; parenthesis.
 (define (begins-anew? line) (regexp-match? #px"^\\s*$|^[(](?:define|require)\\b" line))
 
 (define (tell-open text e)
@@ -126,7 +119,7 @@
         [(one-of-several? forms) (meant-as-one forms known-name? function-name?)]
         [else #f]))
 
-;; More than one form, or a name that may hold several, as x=3
+;; Is it more than one form, or a name that may hold several, as x=3?
 (define (one-of-several? forms)
   (and (pair? forms)
        (or (pair? (cdr forms))

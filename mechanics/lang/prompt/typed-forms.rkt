@@ -1,31 +1,23 @@
 #lang racket/base
-;; The forms in what was typed.  A text may hold several, or end inside one; then more lines
-;; are to be asked for.
+;; The forms in a typed text, which may hold several, or end inside one: then more lines are read.
 
-(require (only-in racket/list add-between)
-         racket/port)
+(require racket/port
+         (only-in racket/string string-join string-trim))
 
 (provide forms-in one-line)
 
-;; -> list of syntaxes.  A mistake of reading is raised, exn:fail:read:eof if the text ends
-;; inside a form.
+;; -> list of syntaxes, or an error of the reader, exn:fail:read:eof if the text ends inside a form
 (define (forms-in text)
   (define port (open-input-string text))
   (port-count-lines! port)
-  (for/list ([form (in-port read-form port)]) form))
-
-(define (read-form port)
   (parameterize ([read-accept-reader #t])
-    (read-syntax 'prompt port)))
+    (port->list (lambda (port) (read-syntax 'prompt port)) port)))
 
 ;; The lines of a text as one, to be recalled and edited; the text itself where a comment or
 ;; a string does not let them be joined.
 (define (one-line text)
-  (define lines (call-with-input-string text port->lines))
-  (define joined (apply string-append (add-between (map trimmed lines) " ")))
+  (define joined (string-join (map string-trim (call-with-input-string text port->lines))))
   (if (equal? (data-in joined) (data-in text)) joined text))
-
-(define (trimmed line) (regexp-replace* #px"^\\s+|\\s+$" line ""))
 
 (define (data-in text)
   (with-handlers ([exn:fail:read? (lambda (e) text)])

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The definitions of one module, while its forms are expanded one after another.
 
-(require "forms.rkt" "survey.rkt")
+(require "forms.rkt" "survey.rkt" "../written-form.rkt")
 
 (provide make-definitions
          defined? add-variable! add-macro!
@@ -10,9 +10,9 @@
 
 ;; shown : symbol -> names that the text of the module defines; repeated : those
 ;; it defines more than once; early : those it uses before; met : symbol ->
-;; definitions expanded so far; headers : symbol -> how its definition begins; source : where
-;; its text is.  A name is an identifier as its definition binds it, without the scopes of the
-;; expansion that goes on.
+;; definitions expanded already; headers : symbol -> head of its definition; source : file of the
+;; text.  A name is an identifier as its definition binds it, without the scopes of the present
+;; expansion.
 (struct definitions (shown repeated early met headers source))
 
 (struct definition (name macro?))
@@ -33,13 +33,15 @@
   (syntax-local-identifier-as-binding (syntax-local-introduce id)))
 
 ;; ---------------------------------------------------------------------------
-;; Definitions met so far
+;; Definitions that are expanded
 
 (define (defined? ds id) (and (definition-of ds (plain id)) #t))
 
 (define (definition-of ds name)
   (findf (lambda (d) (bound-identifier=? name (definition-name d)))
          (hash-ref (definitions-met ds) (syntax-e name) '())))
+
+(define (line-of-definition d) (syntax-line (definition-name d)))
 
 ;; A variable may be defined again, a macro may not, nor a variable as a macro.
 (define (add-variable! ds id)
@@ -59,13 +61,10 @@
                 (lambda (others) (cons (definition name macro?) others)) '()))
 
 (define (raise-defined-again before id)
-  (define line (syntax-line (definition-name before)))
-  (raise-syntax-error
-   #f
-   (format (string-append "already defined~a; in a module only variables and functions may be"
-                          " defined again, not macros or structure types")
-           (if line (format ", on line ~a" line) ""))
-   id))
+  (define line (line-of-definition before))
+  (refuse id #f (string-append "already defined~a; in a module only variables and functions may be"
+                               " defined again, not macros or structure types")
+          (if line (format ", on line ~a" line) "")))
 
 ;; ---------------------------------------------------------------------------
 ;; Definitions in the text
@@ -79,18 +78,18 @@
   (define name (and (pair? others) (findf (same-name? (plain id)) others)))
   (and name (syntax-local-introduce name)))
 
-;; -> how it is called, by what the text says of it; and its line or #f
+;; -> its first call, by the text of its definition; and its line or #f
 (define (definition-header-and-line ds id)
   (define before (definition-of ds (plain id)))
   (values (hash-ref (definitions-headers ds) (syntax-e id) (syntax-e id))
-          (and before (syntax-line (definition-name before)))))
+          (and before (line-of-definition before))))
 
 ;; Is it used before its definition?
 (define (used-early? ds id)
   (and (findf (same-name? (plain id)) (definitions-early ds)) #t))
 
-;; The form, marked if it is one of several definitions of a name: that is to be
-;; a variable, while Racket makes a macro of a function with keywords.
+;; The form, marked if it is one of several definitions of a name: the name must be a variable,
+;; while Racket makes a macro of a function with keywords.
 (define (mark-variable ds form)
   (define id (defined-by-define form))
   (define name (and id (plain id)))
@@ -102,8 +101,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Lines
 
-;; The line of the module's text where the form is, or the first part of it that is there
-;; where a macro made the rest; or #f.
+;; The line of the form in the module's text; of a form made by a macro, that of its first part
+;; in the text; or #f.
 (define (line-in ds form)
   (let find ([form form])
     (cond [(not (syntax? form)) (and (pair? form) (or (find (car form)) (find (cdr form))))]

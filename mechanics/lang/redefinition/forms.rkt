@@ -1,6 +1,6 @@
 #lang racket/base
-;; Forms as they are written, before they are expanded: which define, which make
-;; procedures, which bind.  A keyword is told by what it means, not by its spelling.
+;; Forms as they are written, before they are expanded: which define, which make procedures, which
+;; bind.  A keyword is recognized by its binding, not by its spelling.
 
 (require "heads.rkt"
          (only-in "../pattern/pattern-syntax.rkt" head-name)
@@ -26,8 +26,8 @@
      (head-name #'head)]
     [_ #f]))
 
-;; How what a `define` defines is called, as a datum: (L m k) where ((L m k) local) is
-;; defined, and the name of what is no procedure.
+;; The first call of the procedure that a `define` defines, as a datum: (L m k) of
+;; ((L m k) local); or the name of a value that is no procedure.
 (define (definition-header form) (head->header (definition-head (syntax->datum form))))
 
 ;; Of a definition (define id expression): is the expression more than a procedure

@@ -1,5 +1,5 @@
 #lang racket/base
-;; How what a definition defines is called, as it is written: ((L m k) local).
+;; Heads of definitions: ((L m k) local) tells how L is called.
 
 (provide definition-head head-name-in head->header)
 
@@ -15,12 +15,12 @@
         (if (null? (cdddr value)) (with-procedure inner (caddr value)) inner))
       head))
 
-;; The name that is defined; #f if there is none
+;; The name that a head defines, or #f
 (define (head-name-in head)
   (cond [(pair? head) (head-name-in (car head))]
         [(symbol? head) head]
         [else #f]))
 
-;; How it is called first: (L m k).
+;; The first call of a curried head: (L m k).
 (define (head->header head)
   (if (and (pair? head) (pair? (car head))) (head->header (car head)) head))

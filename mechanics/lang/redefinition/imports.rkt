@@ -12,11 +12,11 @@
 ;; ---------------------------------------------------------------------------
 ;; From the language, or from the module around a submodule
 
-;; A form that defines a name as what it means outside the module.
+;; A form that defines a name as its meaning outside the module.
 (define (start-as-outside id)
   #`(start-with #,id #,(bound-as (syntax-e id) (identifier-binding id))))
 
-;; An identifier with this binding, whatever else its name may mean.
+;; An identifier with this binding, whatever the binding of its name.
 (define (bound-as name binding)
   (syntax-binding-set->syntax
    (syntax-binding-set-extend (syntax-binding-set) name 0 (car binding)
@@ -26,10 +26,9 @@
 ;; ---------------------------------------------------------------------------
 ;; By `require`
 
-;; Forms for a `require` of names that the module defines: they are not imported, but
-;; those used before get the values that would be, and so do those that were defined before
-;; and are asked for by name.  Others that were defined before stay, which is told.  #f for
-;; all other forms.
+;; Forms for a `require` of names that the module defines: they are not imported.  Names used
+;; before get the imported values, and so do names defined before that are listed one by one.
+;; Other names defined before stay, and a note says so.  #f for all other forms.
 (define (require-without-clashes ds form)
   (syntax-case form ()
     [(keyword spec ...)
@@ -59,7 +58,7 @@
    (for/list ([id (in-list wanted)] [h (in-list hidden)])
      #`(start-with #,(defining-occurrence ds id) #,(as-if-written h)))))
 
-;; On the way to the expanded module, so once for each time it is compiled.
+;; Prints the note during expansion, so once for each time the module is compiled.
 (define (tell-clashes ds spec ids)
   (unless (null? ids)
     (tell-clash (syntax->datum spec)
@@ -67,6 +66,6 @@
                   (define-values (header line) (definition-header-and-line ds id))
                   (clash (syntax-e id) header line)))))
 
-;; For editors, which tell a library that is not used by what is written.
+;; For editors, which find unused libraries by the identifiers that the program writes.
 (define (as-if-written id)
   (syntax-property id 'original-for-check-syntax #t))

@@ -1,7 +1,7 @@
 #lang racket/base
-;; The body of a `#lang mechanics` module, which is read like a session: a name
-;; may be defined again further down, functions defined before see the new
-;; definition, and what the language exports may be used until it is replaced.
+;; The body of a `#lang mechanics` module, which is read like a session: a name may be defined
+;; again further down, functions defined before see the new definition, and names of the language
+;; may be used until they are replaced.
 ;;
 ;; Each form is expanded until it shows what it defines, and the second
 ;; definition of a variable becomes its assignment:
@@ -10,18 +10,18 @@
 ;;     (define (g x) x)     =>   (define-values (g) (lambda (x) x))
 ;;     (define (g x) 'new)       (define-values () (begin (set! g (lambda (x) 'new)) (values)))
 ;;
-;; A variable that is replaced after it was imported and used is first defined
-;; as what was imported.  All other forms stay as they are.  What is evaluated leaves its line
-;; for the message of an error.
+;; A variable that is replaced after it was imported and used is first defined as the imported
+;; value.  All other forms stay as they are.  Expressions leave their line for messages of errors.
 
 (require (prefix-in core: '#%kernel)
          (for-syntax racket/base
-                     "defined-again.rkt" "definitions.rkt" "forms.rkt" "imports.rkt" "survey.rkt"
+                     "definitions.rkt" "forms.rkt" "imports.rkt" "survey.rkt"
                      "../imported-name.rkt" "../paper-notation/program-lines.rkt"
                      (only-in "../paper-notation/typographic.rkt" tell-curly-quotes))
-         "defined-again.rkt" "early-use.rkt"
          "../wrong-call/marked-line.rkt"
-         "../printer.rkt")
+         "../printer.rkt"
+         (only-in "../../error/note.rkt" note-once)
+         (only-in "../../error/message-words.rkt" joined))
 
 (provide (rename-out [module-begin #%module-begin]))
 
@@ -40,8 +40,7 @@
                           '()
                           #'((module configure-runtime '#%kernel
                                (#%require mechanics/lang/runtime))))]
-                     [((again ...) ...)
-                      (lines-of-repeated (survey-defined survey) (survey-repeated survey))]
+                     [((again ...) ...) (lines-of-repeated survey)]
                      [(start ...) (map start-as-outside outside)]
                      [(later ...)
                       (for/list ([ids (in-list (survey-early survey))])
@@ -55,16 +54,22 @@
     [_ (raise-syntax-error #f "bad syntax" stx)]))
 
 (define-for-syntax (configuration? form)
-  (syntax-case form (module module*)
-    [(module name . _) (eq? (syntax-e #'name) 'configure-runtime)]
-    [(module* name . _) (eq? (syntax-e #'name) 'configure-runtime)]
+  (syntax-case form ()
+    [(keyword name . _)
+     (and (among? #'keyword (list #'module #'module*))
+          (eq? (syntax-e #'name) 'configure-runtime))]
     [_ #f]))
+
+;; Each definition of a name holds from its line on, which a reader is told once in a session.
+(define (tell-repeated name . lines)
+  (note-once (format "~a is defined on lines ~a: each definition holds from there on"
+                     name (joined (map number->string lines)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Form by form
 
-;; state : the definitions that are known of; later : ((name . line) ...), what the
-;; form may use before its definition
+;; state : the definitions known; later : ((name . line) ...), names that the form may use before
+;; their definitions
 (define-syntax (module-form stx)
   (syntax-case stx ()
     [(_ state later form)
@@ -123,9 +128,27 @@
 ;; ---------------------------------------------------------------------------
 ;; Definitions
 
+;; An error on a variable that is used before its definition says where that is.
+;; lines : ((name . line or #f) ...), the variables that later forms define
+(define (call-with-later-definitions thunk lines)
+  (call-with-exception-handler
+   (lambda (e)
+     (define later
+       (and (exn:fail:contract:variable? e)
+            (assq (exn:fail:contract:variable-id e) lines)))
+     (if later (early-use e (car later) (cdr later)) e))
+   thunk))
+
+(define (early-use e name line)
+  (exn:fail:contract:variable
+   (format "~a: used before its definition, which is ~a; a module is run from top to bottom"
+           name (if line (format "on line ~a" line) "further down"))
+   (exn-continuation-marks e)
+   name))
+
 (begin-for-syntax
-  ;; e : the definition of ids as the value.  It stands as it is, unless some of
-  ;; them are defined already or it may use what is defined later.
+  ;; e : the definition of ids as the value.  It stands as it is, unless some of them are defined
+  ;; already or it may use names that are defined later.
   (define (expand-variables ds later e ids value)
     (define old (filter (lambda (id) (defined? ds id)) ids))
     (for ([id (in-list ids)]) (add-variable! ds id))
@@ -157,7 +180,7 @@
         (quasisyntax/loc expression (at-line #,line #,expression))
         expression))
 
-  ;; An expression that says so if it uses one of these too early.
+  ;; An expression with a message of its own if it uses one of these too early.
   (define (watched expression later)
     (if (null? (syntax-e later))
         expression

@@ -1,12 +1,11 @@
 #lang racket/base
-;; The names that a form uses, as far as it is seen before expansion: those of a
-;; given table that stand in it, but for quotations and for what the commonest
-;; forms bind, that is arguments, `let` and definitions inside bodies.  Names are
-;; told apart by how they are spelt.
+;; The names that a form uses, as far as it is seen before expansion: those of a given table that
+;; stand in it, without quotations and without names that the commonest forms bind: arguments,
+;; `let` and definitions inside bodies.  Names are compared by their spelling.
 
 (require (for-template racket/base)
          "forms.rkt"
-         (only-in "../pattern/pattern-syntax.rkt" pattern?))
+         (only-in "../pattern/pattern-syntax.rkt" argument-lists fold-formals))
 
 (provide names-in)
 
@@ -53,29 +52,17 @@
   (define inside (bind (filter values (map defined-by-define forms)) local))
   (for ([form (in-list forms)]) (walk form inside note!)))
 
-;; The argument lists of a head, from the inside out.
-(define (argument-lists head)
-  (syntax-case head ()
-    [(inner . formals) (append (argument-lists #'inner) (list #'formals))]
-    [_ '()]))
-
+;; Walks the default values, then the body.
 (define (walk-procedure argument-lists body local note!)
+  (define (walk-argument name default local)
+    (when default (walk default local note!))
+    (bind name local))
   (walk-body body
              (for/fold ([local local]) ([formals (in-list argument-lists)])
-               (walk-arguments formals local note!))
+               (fold-formals walk-argument local formals))
              note!))
 
-;; The names in default values; what is bound after the arguments.
-(define (walk-arguments formals local note!)
-  (syntax-case formals ()
-    [((name default) . more)
-     (and (identifier? #'name) (not (pattern? #'(name default))))
-     (begin (walk #'default local note!)
-            (walk-arguments #'more (bind #'name local) note!))]
-    [(a . more) (walk-arguments #'more (bind #'a local) note!)]
-    [rest (bind #'rest local)]))
-
-;; Add the symbols in stx.
+;; Adds the symbols in stx.
 (define (bind stx local)
   (define d (if (syntax? stx) (syntax-e stx) stx))
   (cond [(symbol? d) (hash-set local d #t)]

@@ -1,10 +1,9 @@
 #lang racket/base
 ;; Definitions and `require` at the prompt.
 ;;
-;; Racket lets a `require` replace what was defined before, without a word; here what the
-;; reader defined stays, and that is said.  Racket also compiles a procedure that names what is
-;; unknown to look for a variable of that name, which no `require` makes: here it does, so that
-;; such a procedure need not be defined again.
+;; Racket's `require` silently replaces earlier definitions; here the reader's definitions stay,
+;; and a note says so.  Racket also compiles an unknown name in a procedure as a variable, which no
+;; `require` defines: here it does, so that the procedure need not be defined again.
 
 (require (for-syntax racket/base
                      "forms.rkt" "heads.rkt" "specification.rkt" "../imported-name.rkt"
@@ -17,7 +16,7 @@
 
 (provide at-prompt head-at-prompt)
 
-;; A form as it is to be evaluated at the prompt.
+;; A form, for evaluation at the prompt.
 (define-syntax (at-prompt stx)
   (tell-curly-quotes stx)
   (syntax-case stx (require)
@@ -37,7 +36,7 @@
            #'form))]))
 
 (begin-for-syntax
-  ;; The library, as `require` names it, from which the prompt has a name; or #f
+  ;; The library that defines a name at the prompt, as `require` names it; or #f
   (define (library-with id)
     (define binding (identifier-binding id))
     (define-values (path base)
@@ -58,8 +57,8 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; What the specification imports, these names, but for those that the reader defined and it
-;; does not list one by one.
+;; Imports the names of the specification, without those that the reader defined and that it does
+;; not list one by one.
 (define (require-beside! spec names)
   (define by-name (named-by spec))
   (define-values (staying others)
@@ -89,7 +88,7 @@
                                       "(require (only-in ~a ~a)) brings that back")
                        name hidden hidden name))))
 
-;; -> how what was defined at the prompt is called, a datum, or #f
+;; -> head of the definition at the prompt, a datum, or #f
 (define (head-at-prompt name)
   (hash-ref (hash-ref heads (current-namespace) hasheq) name #f))
 
@@ -98,7 +97,7 @@
               (for/list ([name (in-list names)])
                 (clash name (head->header (or (head-at-prompt name) name)) #f))))
 
-;; Procedures that were defined before find these names, as variables of the namespace.
+;; Defines these names as variables of the namespace, for procedures that were defined before.
 (define (show-to-procedures! names)
   (for ([name (in-list names)] #:unless (known? (variable-value name #f)))
     (define x (variable-value name #t))
@@ -108,7 +107,7 @@
 ;; ---------------------------------------------------------------------------
 ;; (equal? a b), which knows no algebra
 
-;; What Racket's `who` answers for x and y, with a word on it if it is no.
+;; The answer same? of Racket's `who` for x and y, with a note if it is #f.
 (define (noted-if-unequal who same? x y)
   (unless (or same? (not (or (formula? x) (formula? y) (and (number? x) (number? y)))))
     (note-once (format "~a compares how values are made; (= a b) asks whether they are equal" who)
@@ -123,13 +122,13 @@
 (define (variable-value name mapped?)
   (namespace-variable-value name mapped? (lambda () unknown)))
 
-;; That of a procedure with keywords or with a contract, which is syntax for it.
+;; The value of a procedure with keywords or with a contract, which is syntax.
 (define (value-of-syntax name)
   (eval #`(value-if-procedure #,(namespace-symbol->identifier name))))
 
-;; Of other syntax nothing is evaluated; whatever it does not like in a name that stands alone is
-;; its own affair.  From a contract definitions are lifted, once for each place where they may
-;; be put: where one only looks they are kept apart from those that will be made.
+;; Other syntax is not evaluated, and its errors about a name that stands alone are ignored.  A
+;; contract lifts definitions, once for each place: here they are captured apart from the
+;; definitions that will be made.
 (define-syntax (value-if-procedure stx)
   (define name (cadr (syntax->list stx)))
   (define meant (with-handlers ([exn:fail? (lambda (e) #f)])

@@ -1,7 +1,8 @@
 #lang racket/base
 ;; The specifications of a `require`, before it is expanded.
 
-(require racket/require-transform)
+(require (only-in racket/list remove-duplicates)
+         racket/require-transform)
 
 (provide names-imported distinct-specifications)
 
@@ -13,10 +14,5 @@
     (define-values (imports sources) (expand-import spec))
     (for/list ([i (in-list imports)] #:when (eqv? 0 (import-mode i))) (import-local-id i))))
 
-;; Those written twice once.
-(define (distinct-specifications specs)
-  (define seen (make-hash))
-  (for/list ([spec (in-list specs)]
-             #:unless (hash-ref seen (syntax->datum spec) #f))
-    (hash-set! seen (syntax->datum spec) #t)
-    spec))
+;; Each specification once.
+(define (distinct-specifications specs) (remove-duplicates specs #:key syntax->datum))

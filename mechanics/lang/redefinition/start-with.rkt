@@ -1,7 +1,6 @@
 #lang racket/base
-;; The first definition of a variable that will be replaced: as what is imported
-;; under its name, unless that is a macro without a value.  (A function with
-;; keywords is a macro with a value.)
+;; The first definition of a variable that will be replaced: as the imported value of its name,
+;; unless that is a macro without a value.  (A function with keywords is a macro with a value.)
 
 (require (for-syntax racket/base))
 

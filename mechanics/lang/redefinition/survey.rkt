@@ -1,18 +1,16 @@
 #lang racket/base
-;; What the forms of a module define and use, as far as it is seen before they
-;; are expanded: which names are defined more than once, and which are used too
-;; early.
+;; Definitions and uses in the forms of a module, as far as they are seen before expansion: which
+;; names are defined more than once, and which are used too early.
 ;;
-;; A form is run where it stands, but the body of a function is not: it is run
-;; where the function is called.  So a form that is run uses the names in it, and
-;; with a name of a function or a macro, if that is defined already, the names in
-;; that.  Those that are not defined yet are used too early.
+;; A form is run where it stands, but the body of a function where it is called.  So a form uses
+;; the names in it, and with the name of a function or a macro that is defined already, the names
+;; in that one.  Names that are not defined yet are used too early.
 
 (require (only-in racket/list append* append-map)
          (for-template racket/base)
          "forms.rkt" "names-used.rkt")
 
-(provide (struct-out survey) survey-forms all-early
+(provide (struct-out survey) survey-forms all-early lines-of-repeated
          same-name?)
 
 ;; defined : the identifiers that `define` and `define-values` define, each where
@@ -22,17 +20,24 @@
 (struct survey (defined repeated early headers))
 
 (define (survey-forms forms)
-  (define pieces (for/list ([form (in-list forms)]) (read-pieces form)))
+  (define pieces (map read-pieces forms))
   (define-values (defined repeated)
     (first-and-repeated (append-map variables (append* pieces))))
   (survey defined repeated (early-uses pieces defined) (headers forms)))
 
-;; Of forms at the top, not of those within `begin`.
+;; Of forms at the top level, not of forms within `begin`.
 (define (headers forms)
   (for*/fold ([table (hasheq)]) ([form (in-list forms)]
                                  [id (in-value (defined-by-define form))]
                                  #:when (and id (not (hash-ref table (syntax-e id) #f))))
     (hash-set table (syntax-e id) (definition-header form))))
+
+;; The lines of names that are defined several times -> ((name line line ...) ...)
+(define (lines-of-repeated s)
+  (for*/list ([first-one (in-list (survey-defined s))]
+              [others (in-value (filter (same-name? first-one) (survey-repeated s)))]
+              #:when (and (pair? others) (andmap syntax-line (cons first-one others))))
+    (cons (syntax-e first-one) (sort (map syntax-line (cons first-one others)) <))))
 
 ;; All identifiers that are used early, in the order of their definitions.
 (define (all-early s)
@@ -54,17 +59,17 @@
 ;; ---------------------------------------------------------------------------
 ;; Forms
 
-;; A form that defines or is run.  ids : what it defines; variables? : as
-;; variables, not as macros; run? : is something run where it stands?;
-;; content : syntax with the names it uses.
+;; A form that defines or is run.  ids : identifiers that it defines; variables? : as variables,
+;; not as macros; run? : is a part of it run where it stands?; content : syntax with the names that
+;; it uses.
 (struct piece (ids variables? run? content))
 
 (define (variables p) (if (piece-variables? p) (piece-ids p) '()))
 
-;; A list of the pieces of a form: none if it neither defines what we follow nor is
-;; run, several if it is `begin`.
+;; The pieces of a form: none if it neither defines a name that is followed nor is run, several if
+;; it is `begin`.
 (define (read-pieces form)
-  (syntax-case form (begin define-values define-syntax define-syntax-rule)
+  (syntax-case form (begin define-values)
     [(begin inner ...) (append-map read-pieces (syntax->list #'(inner ...)))]
     [(_ head . body)
      (defined-by-define form)
@@ -73,17 +78,17 @@
     [(define-values (id ...) value)
      (andmap identifier? (syntax->list #'(id ...)))
      (list (piece (syntax->list #'(id ...)) #t (run-by-definition? #'(value)) #'value))]
-    [(define-syntax name . body)
-     (identifier? #'name)
-     (list (piece (list #'name) #f #f #'body))]
-    [(define-syntax (name . _) . body)
-     (identifier? #'name)
-     (list (piece (list #'name) #f #f #'body))]
-    [(define-syntax-rule (name . _) . body)
-     (identifier? #'name)
-     (list (piece (list #'name) #f #f #'body))]
+    [(keyword head . body)
+     (and (among? #'keyword (list #'define-syntax #'define-syntax-rule)) (macro-name #'head))
+     (list (piece (list (macro-name #'head)) #f #f #'body))]
     [(keyword . _) (among? #'keyword not-run) '()]
     [_ (list (piece '() #f #t form))]))
+
+;; name or (name . formals) -> identifier, or #f
+(define (macro-name head)
+  (syntax-case head ()
+    [(name . _) (identifier? #'name) #'name]
+    [_ (and (identifier? head) head)]))
 
 (define not-run
   (list #'require #'provide #'module #'module* #'module+ #'struct #'define-syntaxes
