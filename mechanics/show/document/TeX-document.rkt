@@ -1,9 +1,8 @@
 #lang racket/base
-;; A document for LaTeX, with amsmath.  Pictures are files beside it, in PDF where they can be
-;; had in that.
+;; A document for LaTeX, with amsmath.  Pictures are files beside it, in PDF where possible.
 ;;
-;; The program's text is set line by line, its characters as TeX-prose.rkt has them; so nothing
-;; in it is a command, and none is beyond what pdfLaTeX knows.
+;; The program's text is set line by line, its characters by TeX-prose.rkt: so none of it is a
+;; command, and pdfLaTeX knows all characters.
 
 (require racket/path
          racket/string

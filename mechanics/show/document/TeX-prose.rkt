@@ -1,13 +1,13 @@
 #lang racket/base
-;; Text and programs as TeX: characters that occur in what physicists write, beyond those of
-;; names (../display/formula/TeX-text.rkt).
+;; Text and programs as TeX: characters that physicists use, beyond those of names
+;; (../display/formula/TeX-text.rkt).
 
 (require racket/string
          "../typesetting/TeX-text.rkt")
 
 (provide prose->TeX code->TeX)
 
-;; Letters with a dot are taken together with it.
+;; A letter and its dot are one piece.
 (define pieces #px".[\u307\u308\u20DB]|.")
 
 (define (prose->TeX text)
@@ -35,7 +35,7 @@
            #\° "\\textdegree{}" #\§ "\\S{}" #\u00A0 "~" #\u202F "\\," #\u2009 "\\,"
            #\′ "\\ensuremath{'}"))
 
-;; What formulas in text are drawn with: lines, and pieces of brackets.
+;; The characters of formulas drawn as text: lines, and pieces of brackets.
 (define pieces-of-text
   (for*/hasheqv ([entry (in-list '(("─" . "\\rule[0.55ex]{0.525em}{0.4pt}")
                                    ("│⎜⎟" . "\\textbar{}") ("⎛⎠╱" . "/")

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The colors of a program's text, modestly: comments, constants, and the names of the forms
-;; that define and bind.
+;; The colors of a program's text: of comments, constants, and the names of forms that define and
+;; bind.
 
 (require racket/list
          syntax-color/racket-lexer)

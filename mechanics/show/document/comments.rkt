@@ -1,6 +1,6 @@
 #lang racket/base
-;; What stands between the forms of a program, as prose: comments, in paragraphs, and headings,
-;; which are comments beneath a rule of hyphens.
+;; The text between the forms of a program as prose: comments, in paragraphs, and headings, which
+;; are comments beneath a rule of hyphens.
 
 (require racket/list
          racket/string
@@ -8,8 +8,7 @@
 
 (provide gap->pieces take-title)
 
-;; The text between two forms -> pieces.  What is no comment is a form that a #; leaves out; it
-;; stands as it is written.
+;; The text between two forms -> pieces.  A form that a #; leaves out stays code.
 (define (gap->pieces text)
   (define rest (string-trim text #:right? #f))
   (cond [(string=? rest "") '()]
@@ -27,7 +26,7 @@
 
 (define (uncommented line) (string-trim (regexp-replace #px"^\\s*;+ ?" line "") #:left? #f))
 
-;; Where a comment #| ... |# at the start of the text ends, with all those in it, or #f.
+;; The end of a comment #| ... |# at the start of the text, with all comments in it, or #f.
 (define (block-end text)
   (and (string-prefix? text "#|")
        (let loop ([at 2] [depth 1])
@@ -55,12 +54,12 @@
          (cons (prose (paragraphs block)) (lines->pieces more))]))
 
 (define (paragraphs lines)
-  (define-values (first rest) (splitf-at lines (lambda (l) (not (string=? l "")))))
-  (define more (dropf rest (lambda (l) (string=? l ""))))
-  (cons (meant-lines first) (if (null? more) '() (paragraphs more))))
+  (define-values (paragraph others) (splitf-at lines (lambda (l) (not (string=? l "")))))
+  (define more (dropf others (lambda (l) (string=? l ""))))
+  (cons (meant-lines paragraph) (if (null? more) '() (paragraphs more))))
 
-;; A line that the first word of the next would have fitted on was meant to end there, and so
-;; was one before an item of a list or a label, as in "Units: metres".
+;; A line with room for the first word of the next line was meant to end there, and so was a line
+;; before an item of a list or a label, as in "Units: metres".
 (define (meant-lines lines)
   (define widest (apply max (map string-length lines)))
   (define (meant? line next)
@@ -77,8 +76,8 @@
 
 (define longest-title 120)
 
-;; The first sentence of the opening comment is the title, if it is short; -> it, or the other
-;; text, and the pieces without it.
+;; The first sentence of the opening comment, if it is short, is the title -> the title or
+;; `otherwise`, and the other pieces.
 (define (take-title pieces otherwise)
   (define first-lines
     (and (pair? pieces) (prose? (car pieces)) (car (prose-paragraphs (car pieces)))))

@@ -1,17 +1,17 @@
 #lang racket/base
-;; What a document made of a program consists of: its pieces, in their order.  A page (web-page.rkt)
-;; and LaTeX (TeX-document.rkt) are written from the same.
+;; A document made of a program: its pieces, in their order.  A page (web-page.rkt) and LaTeX
+;; (TeX-document.rkt) are written from the same pieces.
 
 (provide (struct-out document) (struct-out heading) (struct-out prose)
          (struct-out code) (struct-out folded)
          (struct-out output) (struct-out result) (struct-out failure)
          joined-code)
 
-;; title, language : strings, the latter #f of what is no program; pieces : list of the following
+;; title, language : strings, the latter #f if there is no program; pieces : of the kinds below
 (struct document (title language pieces) #:transparent)
 
-;; What the author wrote in comments.  paragraphs : lists of lines, where a line ends only
-;; where the author meant it to
+;; Comments of the author.  paragraphs : lists of lines, which end only where the author meant
+;; them to
 (struct heading (text) #:transparent)
 (struct prose (paragraphs) #:transparent)
 
@@ -19,19 +19,18 @@
 (struct code (text above) #:transparent)
 (struct folded (label text) #:transparent)    ; a submodule, which was not run
 
-;; What came of a form: what it printed, a value of shown-result.rkt, the message of an error
+;; Results of a form: its output, a value of shown-result.rkt, the message of an error
 (struct output (text) #:transparent)
 (struct result (shown) #:transparent)
 (struct failure (text) #:transparent)
 
-;; Forms between which there is nothing to show stand together.
+;; Pieces of code that follow each other become one.
 (define (joined-code pieces)
-  (cond [(or (null? pieces) (null? (cdr pieces))) pieces]
-        [(and (code? (car pieces)) (code? (cadr pieces)))
-         (define-values (a b) (values (car pieces) (cadr pieces)))
-         (joined-code (cons (code (string-append (code-text a)
-                                                 (if (= 0 (code-above b)) "\n" "\n\n")
-                                                 (code-text b))
-                                  (code-above a))
-                            (cddr pieces)))]
-        [else (cons (car pieces) (joined-code (cdr pieces)))]))
+  (for/foldr ([joined '()]) ([p (in-list pieces)])
+    (define next (and (pair? joined) (car joined)))
+    (if (and (code? p) (code? next))
+        (cons (code (string-append (code-text p) (if (= 0 (code-above next)) "\n" "\n\n")
+                                   (code-text next))
+                    (code-above p))
+              (cdr joined))
+        (cons p joined))))

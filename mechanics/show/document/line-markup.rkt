@@ -1,19 +1,18 @@
 #lang racket/base
-;; A result as markup that may stand within a line of a document that others make, as the
-;; manual: spans, and formulas.
+;; A result as markup within a line of another document, such as the manual: spans, and formulas.
 
 (require (only-in xml xexpr->string)
          "page-value.rkt" "shown-result.rkt")
 
 (provide value->line-markup)
 
-;; -> string; or #f for what a prompt shows as well: texts, numbers, pictures, tables
+;; -> string; or #f for texts, numbers, pictures and tables, which a prompt shows as well
 (define (value->line-markup x)
   (define s (and (not (number? x)) (value->shown x)))
   (and (shown-formula? s)
        (xexpr->string `(span ([class "typeset"]) ,@(map within-line (shown->xexprs s void))))))
 
-;; What a paragraph may not hold becomes what it may.
+;; Blocks, which a paragraph may not hold, become spans.
 (define (within-line x)
   (cond [(and (pair? x) (memq (car x) '(div p pre)))
          (define class (assq 'class (cadr x)))

@@ -1,27 +1,30 @@
 #lang racket/base
 ;; A result as elements of a page.
 ;;
-;; A formula that a narrow screen would have to scroll is there a second time, cut for 40
-;; columns; the style sheet shows the one that the screen has room for.  Reports are text with
-;; formulas in it, whose lines break where they must.
+;; A formula too wide for a narrow screen is there a second time, broken for 40 columns; the style
+;; sheet shows the version that fits.  Reports are text with formulas in it, whose lines break as
+;; those of a paragraph.
+;;
+;; A picture is SVG as elements of the page, or else data of an image.  Names that Cairo gives to
+;; parts of a picture, glyph0-1 and the like, are the same in every picture; on one page each
+;; needs its own.
 
-(require racket/list
+(require net/base64
+         racket/list
          (only-in xml cdata)
          "../../algebra/notation/tree.rkt"
          "../typesetting/MathML.rkt" "../typesetting/break.rkt"
-         "picture-markup.rkt" "shown-result.rkt")
+         "shown-result.rkt")
 
-(provide shown->xexprs tree->xexprs inline-xexprs picture-shown? visible raw)
+(provide shown->xexprs tree->xexprs inline-xexprs visible raw)
 
 (define wide 80)
 (define narrow 40)
 
-(define (picture-shown? s) (shown-picture? s))
-
-;; Markup that is known to be well-formed.
+;; text : well-formed markup
 (define (raw text) (cdata #f #f text))
 
-;; number : -> how many pictures the page has before this one
+;; number : -> number of the picture on the page
 (define (shown->xexprs s number)
   (cond [(shown-formula? s)
          (append (tree->xexprs (shown-formula-tree s))
@@ -62,7 +65,7 @@
                 ,@(append-map (lambda (part) (cons " " (inline-xexprs part)))
                               (report-line-parts l))))))
 
-;; Words are the text's, and so is a comma after a formula.
+;; Words stand in the font of the text, and so does a comma after a formula.
 (define (inline-xexprs t)
   (cond [(word? t) (list (visible (word-text t)))]
         [(plain? t) (list `(code ,(visible (plain-text t))))]
@@ -72,11 +75,33 @@
 
 (define (report-class t)
   (define lines (report-lines t))
-  (if (null? lines) "" (verdict-class (report-line-label (first lines)))))
+  (if (null? lines) "" (verdict-class (report-line-label (car lines)))))
 
 (define (verdict-class text)
   (define m (regexp-match #px"^(proved|refuted|undecided)\\b" text))
   (if m (string-append " " (cadr m)) ""))
+
+;; ---------------------------------------------------------------------------
+;; Pictures
+
+;; An SVG of more bytes is replaced by its PNG.
+(define largest-svg 1000000)
+
+(define (picture->markup p number)
+  (define-values (svg png) (values (shown-picture-svg p) (shown-picture-png p)))
+  (if (and svg (or (not png) (< (bytes-length svg) largest-svg)))
+      (svg->markup (bytes->string/utf-8 svg #\?) (format "\\1p~a-" number))
+      (format "<img alt=\"\" src=\"data:image/png;base64,~a\"/>" (base64-encode png #""))))
+
+(define (svg->markup text prefixed)
+  (regexp-replaces text `([#rx"^.*?(?=<svg)" ""]
+                          [#rx"( id=\")" ,prefixed] [#rx"(href=\"#)" ,prefixed]
+                          [#rx"(url[(]#)" ,prefixed]
+                          [#px"^<svg[^>]*>" ,in-pixels])))
+
+;; Points would be a third larger than the size that was asked for.
+(define (in-pixels tag)
+  (regexp-replace* #px" (width|height)=\"([\\d.]+)pt\"" tag " \\1=\"\\2\""))
 
 ;; ---------------------------------------------------------------------------
 ;; Tables

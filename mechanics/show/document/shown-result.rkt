@@ -1,7 +1,6 @@
 #lang racket/base
-;; A result as a document shows it: a formula, a table, a picture, or the text that a prompt
-;; prints.  It is made when the result comes, for a frame may be drawn in later, and what is
-;; assumed may change.
+;; A result in a document: a formula, a table, a picture, or the text that a prompt prints.  It is
+;; made when the result comes, for later a frame may be drawn in, and assumptions may change.
 
 (require racket/list
          file/convertible
@@ -22,7 +21,7 @@
          (struct-out shown-formula) (struct-out shown-table) (struct-out shown-picture)
          (struct-out shown-text))
 
-;; tree : of its notation; notes : trees of what its simplification took for granted
+;; tree : of its notation; notes : trees of the assumptions of its simplification
 (struct shown-formula (tree notes) #:transparent)
 ;; header : strings, or #f; rows : lists of trees
 (struct shown-table (header rows) #:transparent)
@@ -51,12 +50,12 @@
         [(symbol? x) (letter? x)]
         [else (or (number? x) (ours? x))]))
 
-;; Among formulas a word is one, as in (list (acos 5/8) 'stable), and so are quoted data.
+;; Among formulas words count as formulas, as in (list (acos 5/8) 'stable), and so do quoted data.
 (define (typeset-element? x)
   (or (symbol? x) (typeset? x)
       (and (list? x) (andmap typeset-element? x))))
 
-;; Quoted data are none of ours; they are shown as they are quoted, and pictures as pictures.
+;; Is it a value of this library?  Quoted data are not, nor are pictures.
 (define (ours? x)
   (or (node? x) (has-kind? x) (verdict? x)
       (and (has-notation? x) (not (convertible? x)))
@@ -72,7 +71,7 @@
       (shown-text (plain-text tree))
       (shown-formula tree (map note->tree (remove-duplicates grounds)))))
 
-;; What is simplified at a prompt is here.  Whatever cannot be is shown as it is.
+;; Simplified as at a prompt, or as it is, if that fails -> value, and assumptions
 (define (as-result x)
   (with-handlers ([exn:fail? (lambda (e) (values x '()))])
     (cond [(or (pair? x) (vector? x))

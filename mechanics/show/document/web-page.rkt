@@ -3,8 +3,7 @@
 ;; Formulas are MathML; a subset of a font with a MATH table is part of the page, without which
 ;; brackets and roots would not stretch in most browsers (font/README.md).
 ;;
-;; The page is built as XML throughout, so that whatever a name or a string is made of comes
-;; out as text.
+;; The page is built as XML throughout, so that names and strings are always text.
 
 (require net/base64
          racket/file
@@ -48,7 +47,7 @@
      (main (h1 ,(visible title)) ,@body)
      ,@(if footer `((footer ,(visible footer))) '()))))
 
-;; Nothing is fetched and nothing is run, even if something got in.
+;; Nothing is fetched and nothing is run, even if a script got into the page.
 (define policy
   "default-src 'none'; style-src 'unsafe-inline'; font-src data:; img-src data:")
 
@@ -61,10 +60,9 @@
 
 ;; Pictures are numbered from 0.
 (define (pieces->body pieces)
-  (define (picture-count before)
-    (count (lambda (p) (and (result? p) (picture-shown? (result-shown p)))) before))
-  (for/list ([p (in-list pieces)] [i (in-naturals)])
-    (piece->xexpr p (lambda () (picture-count (take pieces i))))))
+  (define pictures 0)
+  (define (next-number) (begin0 pictures (set! pictures (+ pictures 1))))
+  (for/list ([p (in-list pieces)]) (piece->xexpr p next-number)))
 
 (define (piece->xexpr p number)
   (cond [(heading? p) `(h2 ,(visible (heading-text p)))]

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Is a map of phase space canonical?
 ;;
-;; A map (t, q', p') ↦ (t, q, p) is canonical if it leaves Poisson brackets as they are; for
-;; that it is enough that those of the new coordinates and momenta do (SICM 5.3):
+;; A map (t, q', p') ↦ (t, q, p) is canonical if it preserves Poisson brackets; it is enough that it
+;; preserves those of coordinates and momenta (SICM 5.3):
 ;;
 ;;   {qⁱ, qʲ} = 0,   {pᵢ, pⱼ} = 0,   {qⁱ, pⱼ} = δⁱⱼ.
 

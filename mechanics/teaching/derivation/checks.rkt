@@ -1,14 +1,13 @@
 #lang racket/base
 ;; Verdicts as checks of rackunit, for tests and for files of exercises.
 ;;
-;; A check fails unless its verdict is the one it is for; then the failure shows the verdict:
-;; the residual, the point that refutes, the condition under which it would hold.  Each takes
-;; what the question takes that it asks, and, if that is a text, a message at the end.
+;; A check fails unless its verdict is the one it wants; then the failure shows the verdict: the
+;; residual, the point that refutes, the condition under which it would hold.  Each takes the
+;; arguments of its question, and perhaps a text at the end, the message.
 
 (require (for-syntax racket/base)
          rackunit
          "canonical-map.rkt"
-         "../../error/message-words.rkt"
          "../../generic/describe.rkt"
          "../../question/on-demand.rkt"
          "../../verdict/prove-zero.rkt" "../../verdict/verdict.rkt")
@@ -34,11 +33,9 @@
          (with-check-info (['verdict (string-info (verdict->text v))]) (fail-check))]
         [else (void)]))
 
-;; The verdict, its lines one below the other, set off from the word before it.
+;; The verdict on lines of its own, indented.
 (define (verdict->text v)
-  (joined (map (lambda (line) (string-append "\n    " line))
-               (regexp-split #rx"\n" (format "~a" v)))
-          ""))
+  (regexp-replace* #rx"\n" (format "\n~a" v) "\n    "))
 
 ;; Macros, so that a failure is told where it stands; a text at the end is the message.
 (define-syntax-rule (define-verdict-check name wanted question)

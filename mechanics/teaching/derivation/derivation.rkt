@@ -16,10 +16,9 @@
 
 (provide derivation-steps show-derivation)
 
-;; A list of (label . value): the local tuple, the Lagrangian along the path, its
-;; partial derivatives there, the time derivatives of the momenta, the force and
-;; the residual; all simplified.  From Newton's equations on there are the identities
-;; of the way, too, each with its verdict.
+;; A list of (label . value): the local tuple, the Lagrangian along the path, its partial
+;; derivatives there, the time derivatives of the momenta, the force and the residual; all
+;; simplified.  A derivation from Newton's equations has identities, too, each with its verdict.
 (define (derivation-steps equations q [t 't])
   (append (for/list ([s (in-list (steps 'derivation-steps equations q t))])
             (cons (car s) (simplify (cdr s))))
@@ -35,7 +34,7 @@
         [(or format (receiver-here)) (print-as 'show-derivation (as-derivation given q t) format)]
         [else (print-steps given q t)]))
 
-;; The steps as a value.  Each is checked: does it come to what was computed?
+;; The steps as a value.  Each is checked: is the simplified value equal to the computed one?
 (define (as-derivation equations q t)
   (derivation
    (append

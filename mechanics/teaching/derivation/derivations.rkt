@@ -1,5 +1,5 @@
 #lang racket/base
-;; Derivations of what the book defines in words: each step computed as the definition has it,
+;; Derivations of concepts that the book defines in words: each step is computed by the definition,
 ;; and checked in another way.
 
 (require "step-by-step.rkt"
@@ -70,7 +70,7 @@
                   (* ((partial 2) H) (- ((partial 1) H))))
               along (verify-equal along (((partial 0) H) state)))))
 
-;; What a change of coordinates q = F(t, q') does to velocities (SICM 1.6.1).
+;; Velocities under a change of coordinates q = F(t, q') (SICM 1.6.1).
 (define (derive-F->C F local)
   (check-state 'derive-F->C local)
   (define v (velocity local))
@@ -83,8 +83,8 @@
    (make-step '(+ ((partial 0) F) (* ((partial 1) F) v)) moved
               (verify-equal (velocity (C local)) moved))))
 
-;; The force that belongs to the coordinates: its power is that of the forces in the part of
-;; the velocities that the coordinates make.
+;; The force of the coordinates: its power is that of the forces in the part of the velocities that
+;; comes from the rates of the coordinates.
 (define (derive-generalized-force r F local)
   (check-state 'derive-generalized-force local)
   (define-values (t q v) (values (time local) (coordinate local) (velocity local)))
@@ -100,12 +100,13 @@
    (make-step 'F forces)
    (make-step '(* F ((partial 1) r)) Q (verify-equal (g:* Q v) along))))
 
-;; The forces of constraints: accelerations and multipliers, which satisfy Lagrange's
-;; equations and leave the constraints in peace.
+;; The forces of constraints: accelerations and multipliers, which satisfy Lagrange's equations and
+;; the constraints.
 (define (derive-multipliers L constraints local)
   (define who 'derive-multipliers)
   (check-Lagrangian who L)
   (check-state who local)
+  (define set (gather who constraints))
   (define found ((constrained-accelerations L constraints) local))
   (define force ((constraint-forces L constraints) local))
   (define a (ref found 0))
@@ -120,7 +121,7 @@
    (make-step 'lambda (ref found 1))
    (make-step '(* lambda ((partial 1) constraint)) force (verify-equal equations force))))
 
-;; A symmetry and what it conserves (SICM 1.8.5).
+;; A symmetry and its conserved quantity (SICM 1.8.5).
 (define (derive-Noether-integral L F-tilde local)
   (define who 'derive-Noether-integral)
   (check-Lagrangian who L)

@@ -1,8 +1,9 @@
 #lang racket/base
-;; Derivations as values: steps with what each came to, and a verdict on each: was it found in
-;; another way as well, or else, is what is shown what was computed?
+;; Derivations as values: steps with their values, and a verdict on each: was the value found in
+;; another way as well, or else, is the shown value equal to the computed one?
 
-(require (only-in racket/string string-join)
+(require (only-in racket/list append*)
+         (only-in racket/string string-join)
          "../../generic/describe.rkt" "../../generic/notation.rkt" "../../generic/value-struct.rkt"
          "../../value/simplify.rkt"
          "../../verdict/prove-zero.rkt" "../../verdict/verdict.rkt")
@@ -30,16 +31,15 @@
 
 (define (derivation-notation d see)
   (apply statement
-         (apply append
-                (for/list ([s (in-list (derivation-lines d))])
-                  (cons (list 0 "" (tree:relation (tree:datum (step-label s)) "="
-                                                  (see (step-value s))))
-                        (for/list ([g (in-list (grounds s))])
-                          (if (cdr g)
-                              (list 1 "assuming" (tree:datum (cdr g)))
-                              (list 1 (car g)))))))))
+         (append*
+          (for/list ([s (in-list (derivation-lines d))])
+            (cons (list 0 "" (tree:relation (tree:datum (step-label s)) "=" (see (step-value s))))
+                  (for/list ([g (in-list (grounds s))])
+                    (if (cdr g)
+                        (list 1 "assuming" (tree:datum (cdr g)))
+                        (list 1 (car g)))))))))
 
-;; The verdict in a word, and what it rests on: (text . datum), #f for the word.
+;; The verdict in a word, and its assumptions: (text . datum), #f for the word.
 (define (grounds s)
   (define v (step-verdict s))
   (cons (cons (if (proved? v)
