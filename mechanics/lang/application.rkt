@@ -75,7 +75,8 @@
 ;; (x * 2), as formulas are written on paper
 
 (define (operation-sign x)
-  (for/or ([o (in-list operations)]) (and (eq? (car o) x) (cdr o))))
+  (define found (assq x operations))
+  (and found (cdr found)))
 
 (define operations
   (list (cons g:+ '+) (cons g:* '*) (cons g:- '-) (cons quotient-of '/)

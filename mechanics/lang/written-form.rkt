@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Forms as they were written, and their refusal.
 
-(provide refuse adjacent? prime-before? about-prime form->text without-commas)
+(provide refuse adjacent? prime-before? about-prime form->text without-commas before-colon)
 
 ;; A mistake in the form stx, at a part of it, or #f; the text as `format` takes it
 (define (refuse stx part text . operands)
@@ -25,6 +25,11 @@
 ;; A datum as it is typed, with ' for quote.
 (define (form->text d)
   (parameterize ([print-reader-abbreviations #t]) (format "~s" d)))
+
+;; The name before a colon, as x of x: ; or #f
+(define (before-colon name)
+  (define found (regexp-match #rx"^(.+):$" (symbol->string name)))
+  (and found (string->symbol (cadr found))))
 
 ;; The data without commas: f(x, y) is read as f and (x (unquote y)).
 (define (without-commas data)

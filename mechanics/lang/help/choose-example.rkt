@@ -20,12 +20,12 @@
       (for/or ([other (in-list (cons p pages))])
         (first-example (page-lines other) (lambda (l) (mentions? l name)) other context))
       (let ([from (memf (lambda (l) (mentions? l name)) (entry-lines e))])
-        (and from (make-example (car from) from p context)))
+        (and from (make-example from p context)))
       (first-example (entry-lines e) void p context)))
 
 (define (first-example lines fits? p context)
   (define from (memf (lambda (l) (and (shows? l context) (fits? l))) lines))
-  (and from (make-example (car from) from p context)))
+  (and from (make-example from p context)))
 
 (define (shows? l context) (not (or (line-error? l) (defined l context))))
 
@@ -40,11 +40,12 @@
 
 ;; Drawing shows nothing until the frame is shown: all lines up to that belong to the example.  A
 ;; line that declares or sets something is followed by an expression that shows it.
-(define (make-example chosen following p context)
+;; lines : of the page, from the chosen one on
+(define (make-example lines p context)
+  (define chosen (car lines))
   (define shown
-    (cond [(calls? chosen #rx"[(](plot|graphics)-") (up-to-frame chosen following)]
-          [(calls? chosen #rx"^[(](assume|define|set-[^ ]*!) ")
-           (with-next chosen following context)]
+    (cond [(calls? chosen #rx"[(](plot|graphics)-") (up-to-frame lines)]
+          [(calls? chosen #rx"^[(](assume|define|set-[^ ]*!) ") (with-next lines context)]
           [else (list chosen)]))
   (example (page-requires p)
            (map line-text (append (declared-before chosen p) (needed-by shown p context)))
@@ -56,14 +57,14 @@
 
 (define (calls? l pattern) (regexp-match? pattern (format "~s" (line-form l))))
 
-(define (with-next chosen following context)
-  (define next (findf (lambda (l) (shows? l context)) (remq chosen following)))
-  (if next (list chosen next) (list chosen)))
+(define (with-next lines context)
+  (define next (findf (lambda (l) (shows? l context)) (cdr lines)))
+  (cons (car lines) (if next (list next) '())))
 
-(define (up-to-frame chosen following)
-  (define fine (filter (lambda (l) (not (line-error? l))) following))
-  (define-values (drawn rest) (splitf-at fine (lambda (l) (pair? (line-form l)))))
-  (if (null? rest) (list chosen) (append drawn (list (car rest)))))
+(define (up-to-frame lines)
+  (define fine (filter (lambda (l) (not (line-error? l))) lines))
+  (define-values (drawn others) (splitf-at fine (lambda (l) (pair? (line-form l)))))
+  (if (null? others) (list (car lines)) (append drawn (list (car others)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Lines that an expression needs

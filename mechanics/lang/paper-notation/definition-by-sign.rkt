@@ -40,25 +40,19 @@
   (define found
     (and (symbol? d) (regexp-match #px"^([^=<>!:]*)(:?=)([^=?]*)$" (symbol->string d))))
   (if found
-      (filter values
-              (list (part (cadr found)) (string->symbol (caddr found)) (part (cadddr found))))
+      (map operand-in (remove* '("") (cdr found)))
       (list d)))
-
-(define (part text)
-  (and (not (string=? text "")) (or (string->number text) (string->symbol text))))
 
 ;; lambda x, y: x**2 -> ((x y) . (expt x 2)), or #f
 (define (procedure-elsewhere data)
   (define plain (without-commas data))
-  (define i (index-where plain (lambda (d) (and (symbol? d) (ends-with-colon? d)))))
+  (define i (index-where plain (lambda (d) (and (symbol? d) (before-colon d)))))
   (define body (if i (drop plain (add1 i)) '()))
   (and (memq (car plain) '(lambda λ))
        (pair? body)
-       (let ([names (map without-colon (cdr (take plain (add1 i))))] [value (prefix-form body)])
+       (let ([names (append (cdr (take plain i)) (list (before-colon (list-ref plain i))))]
+             [value (prefix-form body)])
          (and value (cons names value)))))
-
-(define (ends-with-colon? s) (regexp-match? #rx".:$" (symbol->string s)))
-(define (without-colon s) (string->symbol (regexp-replace #rx":$" (symbol->string s) "")))
 
 ;; def f(x): return x**2, and define f(x) x**2
 (define (definition-by-word data)

@@ -11,7 +11,7 @@
          "operation-sign.rkt" "typed-formula.rkt"
          "../written-form.rkt")
 
-(provide prefix-form call-form sign-at-end)
+(provide prefix-form call-form sign-at-end operand-in)
 
 ;; Signs from the loosest to the closest, with the names of their operations.
 (define levels

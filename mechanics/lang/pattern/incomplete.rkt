@@ -56,9 +56,9 @@
            (refuse stx #f "no expressions for procedure body; it is written (lambda ~a (* 2 t))"
                    (form->text d))))]
     [(_ name . body)
-     (and (identifier? #'name) (regexp-match? #rx".:$" (symbol->string (syntax-e #'name))))
+     (and (identifier? #'name) (before-colon (syntax-e #'name)))
      (refuse stx #f "arguments stand in parentheses: (lambda (~a) ...)"
-             (regexp-replace #rx":$" (symbol->string (syntax-e #'name)) ""))]
+             (before-colon (syntax-e #'name)))]
     [(_) (refuse stx #f "a function is written (lambda (t) (* 2 t))")]
     [_ (void)]))
 

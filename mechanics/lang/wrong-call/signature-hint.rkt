@@ -78,11 +78,10 @@
 
 ;; May this be about one of the signatures, or about a call within it?
 (define (plausible? signatures expected given)
-  (define inner? (and expected
-                      (for/or ([s (in-list signatures)]) (memv expected (signature-parameters s)))))
-  (or (and inner? #t)
-      (and (not (for/or ([s (in-list signatures)]) (takes? s given)))
-           (or (not expected) (for/or ([s (in-list signatures)]) (takes? s expected))))))
+  (define (taken? n) (ormap (lambda (s) (takes? s n)) signatures))
+  (or (ormap (lambda (s) (memv expected (signature-parameters s))) signatures)
+      (and (not (taken? given))
+           (or (not expected) (taken? expected)))))
 
 (define (called-as s)
   (define lines (call-lines (struct-copy signature s [result #f]) 62))

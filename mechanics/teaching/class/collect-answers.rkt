@@ -32,9 +32,8 @@
 (define (seconds-to-run i) (* 2/3 (isolation-seconds i)))
 
 (define (request->text i exercises text)
-  (define bare (for/list ([e (in-list exercises)]) (without-key e)))
   (format "~s\n" (request (and (not (waits-known?)) (seconds-to-run i))
-                          (isolation-megabytes i) bare text)))
+                          (isolation-megabytes i) (map without-key exercises) text)))
 
 ;; The exercise without all parts but those that tell how an answer is applied.
 (define (without-key e)
