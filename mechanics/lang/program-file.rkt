@@ -102,7 +102,7 @@
        (not (call-with-program file (lambda (port) (regexp-match? #rx#"mechanics" port))))
        language))
 
-;; A note for the failure of such a program, of which that may be the cause.
+;; A note for the failure of a program without mechanics.
 (define (about-language name language)
   (format "~a is in #lang ~a, without mechanics: begin it with  #lang mechanics" name language))
 

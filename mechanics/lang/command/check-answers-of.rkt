@@ -16,16 +16,16 @@
 (provide check-command)
 
 ;; The options.  reports : paths; gradescope : a path, or #f
-(struct wish (path worksheet reports gradescope seconds json?))
+(struct settings (path worksheet reports gradescope seconds json?))
 
 (define (check-command arguments)
-  (define w (wished arguments))
-  (define class? (directory-exists? (wish-path w)))
-  (unless class? (check-there 'check (wish-path w)))
-  (for-each check-report (wish-reports w))
+  (define w (read-settings arguments))
+  (define class? (directory-exists? (settings-path w)))
+  (unless class? (check-there 'check (settings-path w)))
+  (for-each check-report (settings-reports w))
   (if class? (check-class w) (check-file w)))
 
-(define (wished arguments)
+(define (read-settings arguments)
   (define-values (path option)
     (read-arguments 'check arguments #:argument "file-or-folder"
                     #:valued '("--worksheet" "--gradescope" "--seconds")
@@ -33,31 +33,31 @@
   (define seconds (string->number (or (option "--seconds") "10")))
   (unless (and (real? seconds) (<= 1 seconds 3600))
     (complain 'check "--seconds takes a number from 1 to 3600"))
-  (wish path (option "--worksheet") (map simple-form-path (option "--report"))
+  (settings path (option "--worksheet") (map simple-form-path (option "--report"))
         (option "--gradescope") seconds (option "--json")))
 
 ;; ---------------------------------------------------------------------------
 ;; A class
 
 (define (check-class w)
-  (unless (wish-worksheet w)
+  (unless (settings-worksheet w)
     (complain 'check "for a folder the worksheet is needed, as in --worksheet pendulum.rkt"))
-  (define worksheet (load-worksheet 'check (wish-worksheet w)))
-  (define r (grade w worksheet (folder->submissions 'check (wish-path w))))
+  (define worksheet (load-worksheet 'check (settings-worksheet w)))
+  (define r (grade w worksheet (folder->submissions 'check (settings-path w))))
   (write-reports w r)
-  (display (if (wish-json? w) (class->json r) (class->text r)))
+  (display (if (settings-json? w) (class->json r) (class->text r)))
   0)
 
 (define (grade w worksheet submissions)
-  (grade-class worksheet submissions #:seconds (wish-seconds w)))
+  (grade-class worksheet submissions #:seconds (settings-seconds w)))
 
 (define (write-reports w r)
-  (for ([file (in-list (wish-reports w))])
+  (for ([file (in-list (settings-reports w))])
     (write-text 'mechanics file ((report-format file) r)))
-  (when (wish-gradescope w)
-    (define one? (file-exists? (wish-path w)))
+  (when (settings-gradescope w)
+    (define one? (file-exists? (settings-path w)))
     (for ([g (in-list (class-report-graded r))])
-      (write-Gradescope (wish-gradescope w) one? g))))
+      (write-Gradescope (settings-gradescope w) one? g))))
 
 ;; A folder with a folder for each submission; of one submission the file itself.
 (define (write-Gradescope where one? g)
@@ -88,17 +88,17 @@
 ;; One file
 
 (define (check-file w)
-  (define s (file->submission (wish-path w)))
+  (define s (file->submission (settings-path w)))
   (define worksheet
-    (cond [(wish-worksheet w) => (lambda (file) (load-worksheet 'check file))]
-          [(submission-text s) (worksheet-within (wish-path w) (submission-text s))]
-          [else (complain 'check "~a\n  file: ~a" (submission-problem s) (wish-path w))]))
+    (cond [(settings-worksheet w) => (lambda (file) (load-worksheet 'check file))]
+          [(submission-text s) (worksheet-within (settings-path w) (submission-text s))]
+          [else (complain 'check "~a\n  file: ~a" (submission-problem s) (settings-path w))]))
   (define r (grade w worksheet (list s)))
   (define g (first (class-report-graded r)))
   (write-reports w r)
-  (if (wish-json? w)
+  (if (settings-json? w)
       (display (class->json r))
-      (tell g (simple-form-path (wish-path w))))
+      (tell g (simple-form-path (settings-path w))))
   (if (andmap settled? (graded-judgments g)) 0 1))
 
 (define (settled? j) (memq (judgment-status j) '(right kept)))

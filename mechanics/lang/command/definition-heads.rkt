@@ -85,8 +85,8 @@
 
 (define (pattern? x) (and (list? x) (pair? x) (memq (car x) '(up down)) #t))
 
-;; The names of a state's scalars, #f for those without; or #f where the last argument of the
-;; name is no pattern of such a state
+;; The names of a state's scalars, #f for a scalar without a name; or #f if the last argument of
+;; the name is no pattern of the state
 (define (state-names heads name example)
   (define pattern (last-pattern heads name))
   (and pattern (tuple? example)

@@ -54,19 +54,19 @@
                 file (joined (map description all) "\n")))
     (when (option "-o")
       (complain who "-o names one folder, and there are ~a systems\n  systems: ~a"
-                (length chosen) (joined (map found-name chosen)))))
+                (length chosen) (joined (map candidate-name chosen)))))
   chosen)
 
 (define (system-named name file all)
-  (or (findf (lambda (s) (string=? name (found-name s))) all)
+  (or (findf (lambda (s) (string=? name (candidate-name s))) all)
       (complain who "~a has no such system\n  given: ~a\n  its systems: ~a"
-                file name (joined (map found-name all)))))
+                file name (joined (map candidate-name all)))))
 
 (define (print-systems all) (for ([s (in-list all)]) (printf "~a\n" (description s))))
 
 (define (description s)
-  (define e (found-system s))
-  (format "  ~a: ~a\n      ~a" (found-name s) (found-definition s)
+  (define e (candidate-system s))
+  (format "  ~a: ~a\n      ~a" (candidate-name s) (candidate-definition s)
           (if (exported? e)
               (format "variables ~a; parameters ~a" (spaced (exported-variables e))
                       (spaced (exported-parameters e)))
@@ -80,14 +80,14 @@
 
 ;; -> status
 (define (write-systems chosen target option)
-  (define-values (good others) (partition (lambda (s) (exported? (found-system s))) chosen))
+  (define-values (good others) (partition (lambda (s) (exported? (candidate-system s))) chosen))
   (for ([s (in-list others)])
     (eprintf "export: ~a cannot be exported: ~a\n  of: ~a\n"
-             (found-name s) (found-system s) (found-definition s)))
+             (candidate-name s) (candidate-system s) (candidate-definition s)))
   (for ([s (in-list good)])
     (define folder
-      (short-path (write-exported who (found-system s) target
-                                  (or (option "-o") (format "~a-~a" (found-name s) target))
+      (short-path (write-exported who (candidate-system s) target
+                                  (or (option "-o") (format "~a-~a" (candidate-name s) target))
                                   (option "--replace") "--replace")))
     (printf "~a\n~a\n" folder (description s))
     (when (eq? target 'C) (print-first-run s folder)))
@@ -95,10 +95,10 @@
 
 ;; A command for a first run, from the program's own start.
 (define (print-first-run s folder)
-  (when (found-start s)
+  (when (candidate-start s)
     (printf "  cd ~a && make && echo \"~a\" | ./~a 10\n" folder
-            (string-join (map number->string (append (found-start s) (found-values s))) " ")
-            (found-name s))))
+            (string-join (map number->string (append (candidate-start s) (candidate-values s))) " ")
+            (candidate-name s))))
 
 ;; ---------------------------------------------------------------------------
 ;; Nothing to write

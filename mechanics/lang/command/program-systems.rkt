@@ -14,7 +14,7 @@
 
 (provide program-systems (struct-out findings))
 
-;; systems   : found ones, in the order in which they are followed
+;; systems   : candidates, in the order in which they are followed
 ;; shapeless : names of state derivatives of which no state is known
 ;; error     : message of the error that ended the program early, or #f
 ;; exited?   : did it end itself, by `exit`?
@@ -73,7 +73,8 @@
   (define d (value->datum x))
   (and (pair? d) (memq (car d) makers) #t))
 
-;; -> followed, with states that its arguments show, and the names of those that show none
+;; -> followed, with states from the patterns of arguments; and the names of state derivatives
+;; without a pattern
 (define (defined-only all defined k)
   (define makers (map followed-maker all))
   (for/fold ([unfollowed '()] [shapeless '()]

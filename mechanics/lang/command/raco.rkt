@@ -1,5 +1,6 @@
 #lang racket/base
-;; What `raco mechanics` runs (../../info.rkt), and `make show` and `make tex` in a checkout.
+;; The program of `raco mechanics` (../../info.rkt), and of `make show` and `make tex` in a
+;; checkout.
 
 (require "run-command.rkt")
 

@@ -13,7 +13,7 @@
          (only-in "../../motion/system/parametric-system.rkt" derivative-for)
          "../../value/shape.rkt")
 
-(provide (struct-out followed) (struct-out found)
+(provide (struct-out followed) (struct-out candidate)
          make-knowledge state-by-pattern systems-of)
 
 ;; maker : a state derivative; or, with parameters, the procedure that makes one of them
@@ -22,7 +22,7 @@
 ;; name   : string, for the command line, files and functions
 ;; start, values : lists of numbers, of the program's own motion; or #f
 ;; system : exported, or a string that says why there is none
-(struct found (name start values definition system) #:authentic)
+(struct candidate (name start values definition system) #:authentic)
 
 ;; heads : list of (-> hasheq), of the program and of the book; defined : alist of names and
 ;; procedures; file : where the program is
@@ -31,15 +31,15 @@
 (define (make-knowledge stx defined file)
   (knowledge (list (once (lambda () (program-heads stx))) (once book-heads)) defined file))
 
-;; -> found ones, each system once
+;; -> candidates, each system once
 (define (systems-of all k derivatives?)
   (for/fold ([done '()] #:result (reverse done)) ([f (in-list all)])
-    (define name (fresh (system-name f k) (map found-name done)))
-    (define s (followed->found f k name derivatives?))
+    (define name (fresh (system-name f k) (map candidate-name done)))
+    (define s (followed->candidate f k name derivatives?))
     (if (ormap (lambda (other) (same-system? s other)) done) done (cons s done))))
 
 (define (same-system? a b)
-  (define-values (x y) (values (found-system a) (found-system b)))
+  (define-values (x y) (values (candidate-system a) (candidate-system b)))
   (and (exported? x) (exported? y)
        (equal? (exported-slope x) (exported-slope y))
        (equal? (exported-variables x) (exported-variables y))))
@@ -92,13 +92,13 @@
 ;; ---------------------------------------------------------------------------
 ;; Parameters
 
-(define (followed->found f k name derivatives?)
+(define (followed->candidate f k name derivatives?)
   (define ps (followed-parameters f))
   (define symbols (and (pair? ps) (parameter-symbols f k)))
   (define (attempt symbols) (exported-or-reason f k name symbols derivatives?))
   (define general (and symbols (attempt symbols)))
   (define s (if (exported? general) general (attempt #f)))
-  (found name (numbers-of (followed-state f))
+  (candidate name (numbers-of (followed-state f))
          (if (eq? s general) (append* (map numbers-of (filter numeric? ps))) '())
          (definition-of f k symbols) s))
 

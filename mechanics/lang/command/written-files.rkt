@@ -1,5 +1,5 @@
 #lang racket/base
-;; What commands read and write: their arguments, and files, which are written whole or not at all.
+;; The arguments of commands, and the files that they write, whole or not at all.
 
 (require racket/cmdline
          racket/path
@@ -10,7 +10,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Arguments
 
-;; valued, repeated : options with a value; those of the latter may stand several times
+;; valued, repeated : options with a value; a repeated one may stand several times
 ;; argument : name of the one argument that is no option
 ;; -> that argument; and option -> #t or its value, or #f; of a repeated one the list of its values
 (define (read-arguments command arguments #:argument [argument "file"]

@@ -19,7 +19,7 @@
 ;; parameters : the number in each inner call, of ((f m k) local): (2)
 (struct signature (kind call result needed optional keywords rest parameters) #:prefab)
 
-;; name : text; what : text, "Lagrangian"; default : text or #f; keyword : symbol or #f
+;; name : text; what : text on its kind, "Lagrangian"; default : text or #f; keyword : symbol or #f
 (struct argument (name what default keyword) #:prefab)
 
 ;; libraries : modules that the program requires; definitions : texts of the definitions that the

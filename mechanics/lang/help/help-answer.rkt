@@ -68,7 +68,7 @@
   (and advice
        (filled (string-split (format "~s is not a name of mechanics: ~a." name advice)) columns)))
 
-;; What to write for a name of another program, a formula or a sign of print; or #f.
+;; Advice on a name of another program, a formula or a sign of print; or #f.
 (define (written-otherwise name)
   (define formula (typed-formula name))
   (or (notation-sentence name)

@@ -11,7 +11,9 @@
 (define (plain-text parts) (bare (one-line parts)))
 
 (define (one-line parts)
-  (string-normalize-spaces (typographic (apply string-append (map part->text parts)))))
+  (string-normalize-spaces (typographic (parts->text parts))))
+
+(define (parts->text parts) (string-append* (map part->text parts)))
 
 ;; Stops in code end no sentence: until sentences are found, they are letters for private use.
 (define private #xE000)
@@ -32,7 +34,7 @@
            [(racket racketid racketidfont racketmodname racketresult exec tt filepath)
             (disguised (string-join (map code-text parts) " "))]
            [(italic bold emph elem deftech tech math formula onscreen smaller list para)
-            (apply string-append (map part->text parts))]
+            (parts->text parts)]
            [(subscript) (in-small parts subscripts "_")]
            [(superscript) (in-small parts superscripts "^")]
            [(hash-lang) "#lang"]
@@ -57,7 +59,7 @@
 (define superscripts '("01234k+-n" "⁰¹²³⁴ᵏ⁺⁻ⁿ"))
 
 (define (in-small parts letters otherwise)
-  (define text (apply string-append (map part->text parts)))
+  (define text (parts->text parts))
   (define found
     (for/list ([c (in-string text)])
       (for/first ([usual (in-string (car letters))] [small (in-string (cadr letters))]

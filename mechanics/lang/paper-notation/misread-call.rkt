@@ -115,7 +115,7 @@
        (not (memq (if (pair? (syntax-e stx)) (syntax-e (car (syntax-e stx))) #f)
                   '(quote quasiquote unquote)))))
 
-;; f(x + 1), a name and what touches it -> "f(x + 1) is written (f (+ x 1))"
+;; A name and the list that touches it, f(x + 1) -> "f(x + 1) is written (f (+ x 1))"
 (define (as-called f arguments)
   (format "~a~a is written ~a"
           (syntax-e f) (typed-text arguments) (form->text (called-form f arguments))))

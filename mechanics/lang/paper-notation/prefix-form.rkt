@@ -75,7 +75,7 @@
         [(and (list? d) (formula? d)) (prefix-form d)]
         [else d]))
 
-;; A formula in parentheses: with a sign, or a number before what it multiplies.
+;; Is it a formula in parentheses, with a sign, or a number before its factor?
 (define (formula? forms)
   (or (infix? forms)
       (and (pair? forms)

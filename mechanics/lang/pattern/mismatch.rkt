@@ -75,7 +75,7 @@
   (define grouped (and (structure? x) (regrouped pattern x)))
   (if grouped (string-append "\n  " grouped) ""))
 
-;; "component 0 of component 1", for what (ref x 1 0) selects.
+;; "component 0 of component 1", which (ref x 1 0) selects.
 (define (place path)
   (joined (for/list ([i (in-list (reverse path))]) (format "component ~a" i)) " of "))
 

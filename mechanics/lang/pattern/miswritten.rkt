@@ -21,16 +21,18 @@
        (check-quoted unquoted-head #'head stx (lambda (d) (list 'define d (shown #'body))))
        (check-on-paper stx)
        (check-complete-definition stx)
-       (check-names-in-head #'head stx)
-       (check-bare-in-head #'head #'body stx))]
+       (check-head #'head #'body stx))]
     [_ (check-complete-definition stx)]))
 
-(define (check-names-in-head head stx)
+;; Checks all argument lists of a head.
+(define (check-head head body stx)
   (let check ([head head] [written (lambda (d) (list 'define d '...))])
     (syntax-case head ()
       [(inner . formals)
        (begin
          (check-names #'formals stx (lambda (d) (written (cons (datum #'inner) d))))
+         (when (bare-pattern? #'formals body)
+           (raise-bare stx #'formals `(define ,(list (datum #'inner) (datum #'formals)) ...)))
          (check #'inner (lambda (d) (written (cons d (datum #'formals))))))]
       [_ (void)])))
 
@@ -59,7 +61,7 @@
     [(q name) (and (eq? (syntax-e #'q) 'quote) (identifier? #'name))]
     [_ #f]))
 
-;; The name of 'name, which `found!` is told of.
+;; The name of 'name; calls found! with the quotation.
 (define (unquoted-name stx found!)
   (found! stx)
   (cadr (datum stx)))
@@ -107,15 +109,6 @@
         (or (and (pair? (car d)) (used? (car d))) (used-among? name (cdr d)))
         (eq? d name)))
   (and (pair? ds) (or (used? (car ds)) (used-among? name (cdr ds)))))
-
-(define (check-bare-in-head head body stx)
-  (syntax-case head ()
-    [(inner . formals)
-     (begin
-       (when (bare-pattern? #'formals body)
-         (raise-bare stx #'formals `(define ,(list (datum #'inner) (datum #'formals)) ...)))
-       (check-bare-in-head #'inner body stx))]
-    [_ (void)]))
 
 (define (raise-bare stx formals written)
   (refuse stx formals "an argument that is a tuple has parentheses of its own: ~a"

@@ -107,31 +107,17 @@
 (begin-for-syntax
   (define ((expand-lambda plain) stx)
     (check-complete-procedure stx)
-    (check-formals stx)
-    (tell-slips-of-lambda stx)
     (syntax-case stx ()
       [(_ formals body ...)
-       (has-pattern? #'formals)
-       (let-values ([(formals body bounds)
-                     (rewrite-procedure #'formals (syntax->list #'(body ...))
-                                        (inferred-name stx 'lambda) stx)])
-         (note-pattern-heads
-          (quasisyntax/loc stx (#,plain #,formals #,@body))
-          bounds))]
-      [_ (as plain stx)]))
-
-  (define (check-formals stx)
-    (syntax-case stx ()
-      [(_ formals . body)
-       (begin (check-argument-list #'formals #'body stx)
-              (check-arguments #'formals stx))]
-      [_ (void)]))
-
-  (define (tell-slips-of-lambda stx)
-    (syntax-case stx ()
-      [(_ formals body ...)
-       (tell-slips (inferred-name stx 'lambda) #'formals (syntax->list #'(body ...)))]
-      [_ (void)])))
+       (let ([name (inferred-name stx 'lambda)] [forms (syntax->list #'(body ...))])
+         (check-argument-list #'formals #'(body ...) stx)
+         (check-arguments #'formals stx)
+         (tell-slips name #'formals forms)
+         (if (has-pattern? #'formals)
+             (let-values ([(formals forms bounds) (rewrite-procedure #'formals forms name stx)])
+               (note-pattern-heads (quasisyntax/loc stx (#,plain #,formals #,@forms)) bounds))
+             (as plain stx)))]
+      [_ (as plain stx)])))
 
 (begin-for-syntax
   (define (check-cases stx)

@@ -76,8 +76,8 @@
 ;; The line without a prompt, which comes with lines pasted from a session.
 (define (without-prompt line) (regexp-replace #px"^(?:> +)+(?=\\S)" line ""))
 
-;; told? : does the reader know that the form is still open?
-(define (read-to-end lines text [told? #f])
+;; noted? : did a note say that the form is still open?
+(define (read-to-end lines text [noted? #f])
   (define forms (with-handlers ([exn:fail:read? (lambda (e) e)]) (forms-in text)))
   (define open? (exn:fail:read:eof? forms))
   (define habit (other-meaning forms text))
@@ -86,9 +86,9 @@
     (complain 'prompt "~a" habit))
   (define line (and open? ((line-source-next lines) (continuation))))
   (cond [(string? line)
-         (define tell? (and (not told?) (begins-anew? line)))
-         (when tell? (tell-open text forms))
-         (read-to-end lines (string-append text "\n" line) (or told? tell?))]
+         (define note? (and (not noted?) (begins-anew? line)))
+         (when note? (note-open text forms))
+         (read-to-end lines (string-append text "\n" line) (or noted? note?))]
         [else
          (unless (equal? forms '()) ((line-source-remember lines) text))
          (cond [open? (raise-unfinished text)]
@@ -99,7 +99,7 @@
 ;; parenthesis.
 (define (begins-anew? line) (regexp-match? #px"^\\s*$|^[(](?:define|require)\\b" line))
 
-(define (tell-open text e)
+(define (note-open text e)
   (note (format "the form that begins with  ~a  is still open: type ~a~a"
                 (first-line-of text)
                 (or (unclosed e) "what is missing")

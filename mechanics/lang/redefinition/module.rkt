@@ -60,7 +60,7 @@
           (eq? (syntax-e #'name) 'configure-runtime))]
     [_ #f]))
 
-;; Each definition of a name holds from its line on, which a reader is told once in a session.
+;; Each definition of a name holds from its line on; a note says so once in a session.
 (define (tell-repeated name . lines)
   (note-once (format "~a is defined on lines ~a: each definition holds from there on"
                      name (joined (map number->string lines)))))

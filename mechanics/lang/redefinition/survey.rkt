@@ -116,7 +116,7 @@
                             '()))))
   (for/list ([ps (in-list pieces)]) (append-map early-in ps)))
 
-;; The names, those in functions of these names, and so on: name -> #t.
+;; The names, the names in functions of these names, and further on: name -> #t.
 (define (reachable names met)
   (define reached (make-hasheq))
   (let reach ([names names])

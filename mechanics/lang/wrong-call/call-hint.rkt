@@ -33,7 +33,7 @@
 (define (in-our-words message e)
   (if (about-number? message e) (restated message) message))
 
-;; Such as a number in the place of a Lagrangian.
+;; Messages on an argument of a wrong kind, a number in the place of a Lagrangian perhaps.
 (define about-order
   (pregexp (string-append "^[^\\s]+: (?:a (?:Lagrangian|path) is a function|expected a final time |"
                           "expected a state of real numbers; the procedure )")))

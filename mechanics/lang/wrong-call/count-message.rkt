@@ -29,7 +29,7 @@
 ;; name, expected : text or #f; given : number
 (struct miscount (name expected given))
 
-;; The contents of such a message, or #f
+;; The contents of a message on a wrong number of arguments; #f for other messages
 (define (read-miscount message)
   (define found (regexp-match boilerplate message))
   (define other (regexp-match no-case message))
@@ -57,7 +57,7 @@
               "another number of arguments")
           (if (eqv? given 0) "none" given)))
 
-;; "2 plus an optional argument with keyword #:mass" -> text, or #f if no number is told
+;; "2 plus an optional argument with keyword #:mass" -> text, or #f without a number
 (define (expected->text expected)
   (define parts (string-split expected " plus "))
   (define number (number->text (car parts)))

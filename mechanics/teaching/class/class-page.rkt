@@ -74,7 +74,7 @@
 (define (person g) (submission-person (graded-submission g)))
 
 ;; ---------------------------------------------------------------------------
-;; What went wrong
+;; Common mistakes
 
 (define (times n) (if (= n 1) "once" (format "~a times" n)))
 

@@ -161,11 +161,11 @@
         (format "--nproc=~a" (+ 128 (tasks-of (user-of i)))) "--nofile=64" "--fsize=0" "--core=0"
         "--"))
 
-;; The system counts all tasks of a user against the limit, whoever started them.
+;; The system counts all tasks of a user against the limit.
 (define (user-of i) (if (isolation-nobody? i) nobody (owner "/proc/self")))
 
-;; Root makes its own and hands what only root can read to nobody; others, and a root of a
-;; container, make them within a namespace of users.
+;; Root makes the namespaces itself, and so gives nobody access to a library that only root can
+;; read; other users, and root in a container, make them within a namespace of users.
 (define (in-namespaces i command)
   (append (list (find "unshare"))
           (if (isolation-nobody? i) '() '("--user" "--map-root-user"))

@@ -43,7 +43,7 @@
 (define (waits-known?) (positive? (waited "self")))
 
 ;; ---------------------------------------------------------------------------
-;; What Linux tells (man 5 proc)
+;; The files of Linux in /proc (man 5 proc)
 
 ;; Nanoseconds with a processor, nanoseconds without one, times it had one.
 (define (waited id)

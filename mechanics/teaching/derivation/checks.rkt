@@ -37,7 +37,7 @@
 (define (verdict->text v)
   (regexp-replace* #rx"\n" (format "\n~a" v) "\n    "))
 
-;; Macros, so that a failure is told where it stands; a text at the end is the message.
+;; Macros, so that a failure names its place; a text at the end is the message.
 (define-syntax-rule (define-verdict-check name wanted question)
   (define-syntax (name stx)
     (syntax-case stx ()

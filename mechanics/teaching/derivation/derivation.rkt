@@ -24,8 +24,8 @@
             (cons (car s) (simplify (cdr s))))
           (identities equations q)))
 
-;; Prints the steps, each as `label at t`, then its value; in the end what
-;; simplification assumed on the way.
+;; Prints the steps, each as `label at t`, then its value; in the end the assumptions of
+;; simplification.
 (define-plain (show-derivation given [q #f] [t 't] #:as [format #f])
   (cond [(derivation? given) (print-as 'show-derivation given format)]
         [(not q)

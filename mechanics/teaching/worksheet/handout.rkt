@@ -1,5 +1,5 @@
 #lang racket/base
-;; The page to hand out: questions with formulas typeset, what is given, and for the teacher
+;; The page to hand out: questions with formulas typeset, given definitions, and for the teacher
 ;; the key.
 ;;
 ;; In a question, backquotes enclose a formula, written as an answer is: "Show that `(/ g l)` is

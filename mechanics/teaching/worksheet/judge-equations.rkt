@@ -3,9 +3,9 @@
 ;;
 ;; The key's equations M a + b = 0 give the accelerations a of every motion.  An equation of
 ;; the answer is right if it holds with these, whatever the state: no matter by which factor
-;; it was multiplied or to what others it was added.  The answer is right if all of its
-;; equations are, and they fix the accelerations as well.  What is true of every motion and
-;; fixes nothing, as 0 = 0, is trivial.
+;; it was multiplied or to which others it was added.  The answer is right if all of its
+;; equations are, and they fix the accelerations as well.  Equations that are true of every motion
+;; and fix nothing, as 0 = 0, are trivial.
 ;;
 ;; Equations that are not linear in the accelerations may hold for other motions too, as
 ;; (x'' + x)(x'' - x) = 0 does: they are left to a person.

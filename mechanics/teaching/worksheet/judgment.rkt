@@ -10,7 +10,7 @@
 ;; status  : right, partly, wrong, trivial, undecided, unanswered, failed, kept
 ;; share   : of the points, from 0 to 1; #f where a person has to say
 ;; verdict : or #f
-;; words   : strings, what there is to say, first things first
+;; words   : strings, the most important first
 (struct judgment (status share verdict words) #:transparent)
 
 ;; An answer, as data (answer-data.rkt), with the judgment on it.

@@ -24,7 +24,7 @@
   (for-each try-exercise all)
   w)
 
-;; The students' file would define such a name twice.
+;; Given definitions and answers must have different names: the student's file holds both.
 (define (check-names exercises givens)
   (define names (append-map defined-names (map given-source givens)))
   (for ([e (in-list exercises)] #:when (memq (exercise-name e) names))
