@@ -116,7 +116,7 @@
                          (g:* (((partial 2) P) local) a))))
   (define equations (g:- rate (((partial 1) L) local)))
   (derived
-   (make-step 'constraint (constraint-values who (gather who constraints) local))
+   (make-step 'constraint (constraint-values who set local))
    (make-step 'a a)
    (make-step 'lambda (ref found 1))
    (make-step '(* lambda ((partial 1) constraint)) force (verify-equal equations force))))
