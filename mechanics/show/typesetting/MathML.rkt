@@ -1,11 +1,13 @@
 #lang racket/base
 ;; Trees as presentation MathML, of the subset that today's browsers share (MathML Core).
 ;;
-;; The dots of time derivatives stand over their letters as spacing characters: combining ones
-;; browsers misplace, and those of an accent lie on the letter.
+;; The dots of time derivatives stand over their letters as spacing characters: browsers misplace
+;; combining ones, and an accent's dots lie on the letter.
 
-(require "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt"
-         (only-in racket/list add-between append*)
+(require "renderer.rkt"
+         "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt"
+         racket/class
+         (only-in racket/list add-between)
          (only-in xml xexpr->string))
 
 (provide tree->MathML visible)
@@ -15,41 +17,39 @@
   (xexpr->string
    `(math ([xmlns "http://www.w3.org/1998/Math/MathML"]
            [display ,(if block? "block" "inline")])
-          ,(xexpr t))))
+          ,(send (new MathML%) draw t))))
 
-(define (xexpr t)
-  (cond [(name? t) (name->xexpr (name-parts (name-symbol t)))]
-        [(word? t) `(mtext ,(visible (word-text t)))]
-        [(digits? t) `(mn ,(digits-text t))]
-        [(sum? t) (sum->xexpr t)]
-        [(product? t) (row-of (add-between (map xexpr (product-factors t)) thin-space))]
-        [(fraction? t) `(mfrac ,(xexpr (fraction-numerator t)) ,(xexpr (fraction-denominator t)))]
-        [(power? t) `(msup ,(xexpr (power-base t)) ,(xexpr (power-exponent t)))]
-        [(parenthesized? t) (fenced "(" (list (xexpr (parenthesized-body t))) ")"
-                                   (tall? (parenthesized-body t)))]
-        [(application? t) (application->xexpr t)]
-        [(derivative? t) (derivative->xexpr t)]
-        [else (other->xexpr t)]))
+(define MathML%
+  (class typesetter%
+    (super-new)
+    (define/override (prose text) `(mtext ,(visible text)))
+    (define/override (verbatim text) `(mtext ([style "font-family:monospace"]) ,(visible text)))
+    (define/override (number text) `(mn ,text))
+    (define/override (roman text) `(mi ([mathvariant "normal"]) ,text))
+    (define/override (function-name text) (roman text))
+    (define/override (sign text form)
+      (if (eq? form 'relation) `(mo ,(visible text)) `(mo ([form ,(symbol->string form)]) ,text)))
+    (define/override (comma) '(mo ([separator "true"]) ","))
+    (define/override (small-space) (space 0.17))
+    (define/override (part-space unlabelled?) (space 0.5))
+    (define/override (indent n) (space n))
+    (define/override (in-row items) (row-of items))
+    (define/override (in-table rows) (table rows "center" '()))
+    (define/override (in-lines items sort) (table (map list items) "left" left-aligned))
+    (define/override (divided above below) `(mfrac ,above ,below))
+    (define/override (superscripted base exponent) `(msup ,base ,exponent))
+    (define/override (rooted body) `(msqrt ,body))
+    (define/override (enclosed open items close trees) (fenced open items close trees))
+    ;; the invisible sign of an application
+    (define/override (apply-to head items) (row-of (list* head '(mo "\u2061") items)))
+    (define/override (letters p) (with-dots (letters->xexpr p) (parts-dots p)))
+    (define/override (indexed base below above) (with-indices base below above))
+    (define/override (derivative-sign text) `(mi ,text))
+    (define/override (draw-scientific digits exponent)
+      (row-of `((mn ,digits) (mo "×") (msup (mn "10") ,(integer->xexpr exponent)))))))
 
-(define (other->xexpr t)
-  (cond [(scientific? t)
-         (row-of `((mn ,(scientific-digits t)) (mo "×")
-                   (msup (mn "10") ,(integer->xexpr (scientific-exponent t)))))]
-        [(imaginary? t) (imaginary->xexpr (imaginary-coefficient t))]
-        [(radical? t) `(msqrt ,(xexpr (radical-body t)))]
-        [(exponential? t) `(msup (mi ([mathvariant "normal"]) "e")
-                                ,(xexpr (exponential-exponent t)))]
-        [(bars? t) (fenced "|" (list (xexpr (bars-body t))) "|")]
-        [(dotted? t) (name->xexpr (dotted-parts (name-symbol (dotted-base t)) (dotted-dots t)))]
-        [(row? t) (row-of (map xexpr (row-items t)))]
-        [(relation? t) (row-of (list (xexpr (relation-left t)) `(mo ,(visible (relation-sign t)))
-                                     (xexpr (relation-right t))))]
-        [(plain? t) `(mtext ([style "font-family:monospace"]) ,(visible (plain-text t)))]
-        [(omitted? t) `(mtext ,(visible (omitted-count t)))]
-        [else (container->xexpr t)]))
-
+(define (space em) `(mspace ([width ,(format "~aem" em)])))
 (define (row-of items) (if (and (pair? items) (null? (cdr items))) (car items) `(mrow ,@items)))
-(define thin-space '(mspace ([width "0.17em"])))
 
 (define (integer->xexpr n)
   (if (negative? n) `(mrow (mo "−") (mn ,(number->string (- n)))) `(mn ,(number->string n))))
@@ -61,24 +61,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Names
 
-(define (name->xexpr p)
-  (define base
-    (case (parts-sort p)
-      [(letter) `(mi ,(parts-base p))]
-      [(capital word) `(mi ([mathvariant "normal"]) ,(parts-base p))]
-      [else `(mtext ,(visible (parts-base p)))]))
-  (define below (subscripts p))
-  (define above (superscripts p))
-  (define dotted (with-dots base (parts-dots p)))
-  (cond [(and (null? below) (null? above)) dotted]
-        [(null? above) `(msub ,dotted ,(index below))]
-        [(null? below) `(msup ,dotted ,(index above))]
-        [else `(msubsup ,dotted ,(index below) ,(index above))]))
-
-(define (index texts)
-  (row-of (add-between (for/list ([text (in-list texts)])
-                         (if (regexp-match? #px"^[0-9]+$" text) `(mn ,text) `(mi ,text)))
-                       '(mo ([separator "true"]) ","))))
+(define (letters->xexpr p)
+  (case (parts-sort p)
+    [(letter) `(mi ,(parts-base p))]
+    [(capital word) `(mi ([mathvariant "normal"]) ,(parts-base p))]
+    [else `(mtext ,(visible (parts-base p)))]))
 
 (define (with-dots base n)
   (if (= n 0)
@@ -86,94 +73,35 @@
       `(mover ,base
               (mo ([stretchy "false"]) ,(vector-ref (vector "" "˙" "¨" "˙˙˙") n)))))
 
-;; ---------------------------------------------------------------------------
-;; Formulas
+;; below, above : texts
+(define (with-indices base below above)
+  (cond [(and (null? below) (null? above)) base]
+        [(null? above) `(msub ,base ,(index below))]
+        [(null? below) `(msup ,base ,(index above))]
+        [else `(msubsup ,base ,(index below) ,(index above))]))
 
-;; Around what is no taller than a letter they need not stretch, and keep no distance.
-(define (fenced open items close [tall? #t])
-  (define (sign form text)
-    `(mo ([form ,form] [stretchy ,(if tall? "true" "false")]) ,text))
-  `(mrow ,(sign "prefix" open) ,@items ,(sign "postfix" close)))
+(define (index texts)
+  (row-of (add-between (for/list ([text (in-list texts)])
+                         (if (regexp-match? #px"^[0-9]+$" text) `(mn ,text) `(mi ,text)))
+                       '(mo ([separator "true"]) ","))))
+
+;; ---------------------------------------------------------------------------
+;; Fences and tables
+
+;; Fences around trees no taller than a letter do not stretch, and keep no distance.
+(define (fenced open items close trees)
+  (define stretchy (if (or (not trees) (ormap tall? trees)) "true" "false"))
+  (define (fence form text) `(mo ([form ,form] [stretchy ,stretchy]) ,text))
+  `(mrow ,(fence "prefix" open) ,@items ,(fence "postfix" close)))
 
 (define (tall? t)
   (or (fraction? t) (radical? t) (column? t) (grid? t) (broken? t) (across? t)
       (ormap tall? (tree-parts t))))
 
-(define (sum->xexpr t)
-  (define terms (sum-terms t))
-  (define (sign x form) `(mo ([form ,form]) ,(if (term-negative? x) "−" "+")))
-  (row-of
-   (append (if (term-negative? (car terms)) (list (sign (car terms) "prefix")) '())
-           (list (xexpr (term-body (car terms))))
-           (append* (for/list ([x (in-list (cdr terms))])
-                      (list (sign x "infix") (xexpr (term-body x))))))))
-
-(define (imaginary->xexpr coefficient)
-  (define i '(mi ([mathvariant "normal"]) "i"))
-  (if (equal? coefficient (digits "1")) i (row-of (list (xexpr coefficient) thin-space i))))
-
-(define (application->xexpr t)
-  (define f (application-function t))
-  (define head (if (power? f)
-                   `(msup ,(function->xexpr (power-base f)) ,(xexpr (power-exponent f)))
-                   (function->xexpr f)))
-  (define arguments (add-between (map xexpr (application-arguments t)) comma))
-  `(mrow ,head
-         (mo "\u2061")                   ; the invisible sign of an application
-         ,@(cond [(application-bare? t) (cons thin-space arguments)]
-                 [(fenced-itself? (application-arguments t)) arguments]
-                 [else (list (fenced "(" arguments ")" (ormap tall? (application-arguments t))))])))
-
-(define comma '(mo ([separator "true"]) ","))
-
-(define (function->xexpr f) (if (word? f) `(mi ([mathvariant "normal"]) ,(word-text f)) (xexpr f)))
-
-(define (derivative->xexpr t)
-  (row-of (append (map mark->xexpr (derivative-marks t))
-                  (if (derivative-function t) (list (xexpr (derivative-function t))) '()))))
-
-(define (mark->xexpr m)
-  (define path (mark-path m))
-  (define count `(mn ,(number->string (mark-count m))))
-  (define once? (= 1 (mark-count m)))
-  (cond [(not path) (if once? '(mi "D") `(msup (mi "D") ,count))]
-        [else
-         (define below (index (map number->string path)))
-         (if once? `(msub (mi "∂") ,below) `(msubsup (mi "∂") ,below ,count))]))
-
-;; ---------------------------------------------------------------------------
-;; Containers and statements
-
-(define (container->xexpr t)
-  (cond [(column? t) (fenced "(" (list (table (map list (column-items t)) "center")) ")")]
-        [(across? t) (fenced "[" (add-between (map xexpr (across-items t)) comma) "]"
-                             (ormap tall? (across-items t)))]
-        [(grid? t) (fenced "[" (list (table (grid-rows t) "center")) "]")]
-        [(listing? t) (if (of-reports? t)
-                          (table (map list (listing-items t)) "left")
-                          (row-of (add-between (map xexpr (listing-items t)) comma)))]
-        [(broken? t) (table (map list (broken-lines t)) "left")]
-        [(continuation? t)
-         `(mrow (mspace ([width "1em"])) (mo ([form "infix"]) ,(continuation-sign t))
-                ,(xexpr (continuation-body t)))]
-        [(report? t) (stack (map report-line->xexpr (report-lines t)))]
-        [else `(mtext ,(visible (format "~s" t)))]))
-
-(define (table rows alignment)
+(define (table rows alignment cell-attributes)
   `(mtable ([columnalign ,alignment] [displaystyle "true"])
            ,@(for/list ([row (in-list rows)])
-               `(mtr ,@(for/list ([t (in-list row)]) (cell (xexpr t) alignment))))))
+               `(mtr ,@(for/list ([x (in-list row)]) `(mtd ,@cell-attributes ,x))))))
 
-(define (stack items)
-  `(mtable ([columnalign "left"] [displaystyle "true"])
-           ,@(for/list ([i (in-list items)]) `(mtr ,(cell i "left")))))
-
-;; Where the attribute of the table is not known, the style is; centered it is without.
-(define (cell x alignment)
-  (if (string=? alignment "center") `(mtd ,x) `(mtd ([style "text-align:left"]) ,x)))
-
-(define (report-line->xexpr l)
-  (row-of `((mspace ([width ,(format "~aem" (* 2 (report-line-depth l)))]))
-            (mtext ,(visible (report-line-label l)))
-            ,@(append* (for/list ([p (in-list (report-line-parts l))])
-                         (list '(mspace ([width "0.5em"])) (xexpr p)))))))
+;; For browsers that do not know the attribute of the table; they center without it.
+(define left-aligned '(([style "text-align:left"])))

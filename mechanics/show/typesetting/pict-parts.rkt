@@ -153,7 +153,7 @@
 ;; Rows and lines
 
 ;; rows of cells of equal number, each row level, the whole on the axis
-(define (rows g cells aligned)
+(define (rows g cells)
   (define size (glyphs-size g))
   (define columns (if (null? cells) '() (apply map list cells)))
   (define widths (for/list ([c (in-list columns)]) (apply max (map pict-width c))))
