@@ -12,7 +12,7 @@
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
          "../plot/view.rkt")
 
-(provide mechanism make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes
+(provide mechanism drawn make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes
          drawing-sample
          check-state drawing-trail drawn-place trail-points
          sketch diagram
@@ -32,20 +32,25 @@
 ;; ---------------------------------------------------------------------------
 ;; Making them
 
-;; Of a mechanism of this library: its functions take the time and the coordinates, a vector
-;; of flonums; name (argument ...) : the call that makes it.
+;; Each is a procedure without arguments, called when that part is wanted.
+(struct parts (trail marks shapes))
+
+(define-syntax-rule (drawn #:trail trail #:marks marks #:shapes shapes)
+  (parts (lambda () trail) (lambda () marks) (lambda () shapes)))
+
+;; The drawing of a mechanism of this library.
+;; call : what makes it, (name argument ...)
+;; parts-at : the time and the coordinates, a vector of flonums -> parts, made by `drawn`
 (define (mechanism call #:bounds bounds #:width width #:coordinates counts
-                   #:sample sample #:axes axes
-                   #:trail [trail (lambda (t q) '())] #:marks [marks (lambda (t q) '())]
-                   shapes)
+                   #:sample sample #:axes axes parts-at)
   (define who (car call))
   (check-picture-width who width)
-  (define ((of-state f) state)
+  (define ((of-state part) state)
     (define-values (t q) (read-state who state counts))
-    (f t q))
+    ((part (parts-at t q))))
   (new-drawing call (map real->double-flonum bounds) width counts
-               (of-state shapes) (of-state trail) (of-state marks)
-               (up 0.0 (vector->up (list->vector sample)) 0.0) axes))
+               (of-state parts-shapes) (of-state parts-trail) (of-state parts-marks)
+               (up 0.0 (apply up sample) 0.0) axes))
 
 ;; Of a system of the reader's: shapes and trail are functions of the state.
 (define (make-drawing x-min x-max y-min y-max shapes #:trail [trail #f] #:width [width 300])

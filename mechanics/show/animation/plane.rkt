@@ -6,7 +6,9 @@
 
 (require racket/math)
 
-(provide at-x at-y add minus times below turned crosswise span between arc ring)
+(provide origin at-x at-y add minus times below turned direction crosswise span between arc scaled)
+
+(define origin (vector 0.0 0.0))
 
 (define (at-x p) (vector-ref p 0))
 (define (at-y p) (vector-ref p 1))
@@ -22,6 +24,9 @@
 ;; Of this length, at this angle from the x axis.
 (define (turned length angle) (vector (* length (cos angle)) (* length (sin angle))))
 
+;; The angle of a vector from the x axis.
+(define (direction p) (atan (at-y p) (at-x p)))
+
 ;; Turned to the left by a right angle.
 (define (crosswise p) (vector (- (at-y p)) (at-x p)))
 
@@ -36,4 +41,5 @@
   (for/list ([k (in-range (+ pieces 1))])
     (add center (turned radius (+ from (* (- to from) (/ k pieces)))))))
 
-(define (ring center radius) (arc center radius 0.0 (* 2.0 pi)))
+;; A list of numbers, each times a.
+(define (scaled a xs) (for/list ([x (in-list xs)]) (* a x)))

@@ -5,7 +5,7 @@
 (require "plane.rkt" "shapes.rkt"
          "../../numeric/constants.rkt")
 
-(provide in-view nearness space-ring space-axes)
+(provide in-view on-vertical nearness space-ring level-ring space-axes)
 
 ;; Where the eye is: its azimuth, from the x axis, and its height, as angles.
 (define azimuth (* -0.30 pi))
@@ -13,29 +13,38 @@
 
 (define-values (ca sa ch sh) (values (cos azimuth) (sin azimuth) (cos height) (sin height)))
 
-;; A point of space -> of the picture
-(define (in-view x y z)
+;; Points and vectors of space are lists of three numbers.
+
+;; The point of the picture where a point of space is seen.
+(define (in-view p)
+  (define-values (x y z) (apply values p))
   (vector (- (* ca y) (* sa x))
           (- (* ch z) (* sh (+ (* ca x) (* sa y))))))
 
-;; How far towards the eye it is.
-(define (nearness x y z) (+ (* ch (+ (* ca x) (* sa y))) (* sh z)))
+;; The point at this height above the origin, as it is seen.
+(define (on-vertical z) (in-view (list 0.0 0.0 z)))
 
-;; Points of a circle about (x, y, z) through the two vectors u and v, lists of three.
+;; How far towards the eye a point of space is.
+(define (nearness p)
+  (define-values (x y z) (apply values p))
+  (+ (* ch (+ (* ca x) (* sa y))) (* sh z)))
+
+;; Points of the circle about a center that passes through center + u and center + v.
 (define (space-ring center u v)
-  (define (component k c s)
-    (+ (list-ref center k) (* c (list-ref u k)) (* s (list-ref v k))))
   (for/list ([k (in-range 49)])
     (define angle (/ (* 2.0 pi k) 48))
-    (define-values (c s) (values (cos angle) (sin angle)))
-    (in-view (component 0 c s) (component 1 c s) (component 2 c s))))
+    (in-view (map + center (scaled (cos angle) u) (scaled (sin angle) v)))))
+
+;; A horizontal circle about the vertical through the origin.
+(define (level-ring z radius)
+  (space-ring (list 0.0 0.0 z) (list radius 0.0 0.0) (list 0.0 radius 0.0)))
 
 (define (space-axes long)
-  (define origin (in-view 0.0 0.0 0.0))
+  (define center (on-vertical 0.0))
   (for/list ([name (in-list '("x" "y" "z"))]
-             [x '(1.0 0.0 0.0)] [y '(0.0 1.0 0.0)] [z '(0.0 0.0 1.0)])
-    (define end (in-view (* long x) (* long y) (* long z)))
-    (list (polyline (list origin end) #:width 1 #:color faint #:arrows 'end)
-          (label end name #:color faint #:size 13 #:shift (times 10.0 (unit (minus end origin)))))))
+             [axis (in-list '((1.0 0.0 0.0) (0.0 1.0 0.0) (0.0 0.0 1.0)))])
+    (define end (in-view (scaled long axis)))
+    (list (polyline (list center end) #:width 1 #:color faint #:arrows 'end)
+          (label end name #:color faint #:size 13 #:shift (times 10.0 (unit (minus end center)))))))
 
 (define (unit v) (times (/ 1.0 (span v)) v))

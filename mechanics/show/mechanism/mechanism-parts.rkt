@@ -2,13 +2,15 @@
 ;; Parts of mechanisms, made of lines, discs and labels: what drawings are put together
 ;; from, and what labels them.
 
-(require racket/math
+(require (only-in racket/math exact-round)
          "../animation/plane.rkt" "../animation/shapes.rkt"
          "../../generic/wrong-argument.rkt"
+         "../../numeric/constants.rkt"
          "../plot/coordinate.rkt")
 
 (provide rod bob spring wall block vector-arrow angle-mark length-mark
-         pivot)
+         ;; for the mechanisms of the library
+         pivot mount thin dashed name-beside swing-mark numbered numbered-names)
 
 (define (rod p q #:color [color ink] #:width [width 3])
   (polyline (list p q) #:color color #:width width))
@@ -67,6 +69,11 @@
           (define foot (between from to (/ (+ k 1.0) strokes)))
           (polyline (list foot (add foot slant)) #:width 1 #:color faint))))
 
+;; The firm piece above a pivot, so far to either side.
+(define (mount p half depth)
+  (define aside (vector half 0.0))
+  (wall (minus p aside) (add p aside) #:depth depth))
+
 ;; A rectangle about its center, turned by an angle.
 (define (block center width height #:angle [angle 0.0] #:color [color (car accents)])
   (define who 'block)
@@ -89,6 +96,23 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Marks of diagrams
+
+(define (thin p q #:color [color faint] #:arrows [heads 'none])
+  (polyline (list p q) #:width 1 #:color color #:arrows heads))
+
+(define (dashed p q) (polyline (list p q) #:width 1 #:style 'long-dash #:color faint))
+
+;; shift : pixels to the right of the point
+(define (name-beside p text [shift 13])
+  (label p text #:anchor 'right #:shift (vector shift 0)))
+
+;; A name, with its number where there are several.
+(define (numbered letter k count) (if (= count 1) letter (format "~a_~a" letter k)))
+(define (numbered-names letter count)
+  (for/list ([k (in-range 1 (+ count 1))]) (numbered letter k count)))
+
+;; From the vertical to a direction, an angle from the x axis.
+(define (swing-mark p to radius text) (angle-mark p (- :pi/2) to radius text))
 
 ;; An arc between two directions, which are angles from the x axis, and its name beyond its
 ;; middle.
