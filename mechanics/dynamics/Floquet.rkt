@@ -16,11 +16,11 @@
 
 (provide Floquet-multipliers)
 
-;; How far from closed an orbit may be, beside 1 + |x|.
+;; The greatest distance between the ends of a closed orbit, relative to 1 + |x|.
 (define closed 1e-6)
 
-;; The eigenvalues, by falling size, of the derivatives of a state a period later; of a state
-;; (up t q p) those by all but the time.
+;; Returns the eigenvalues, the largest first, of the derivatives of the state one period later by
+;; the state; a state (up t q p) is differentiated by all components but the time.
 (define-plain (Floquet-multipliers derivative state period #:tolerance [tolerance 1e-12])
   (define who 'Floquet-multipliers)
   (when (and (tuple? period) (not (tuple? state)))
@@ -41,7 +41,8 @@
       (list-ref column (+ first i))))
   (sort (or (real-matrix-eigenvalues entries n) '()) > #:key magnitude))
 
-;; -> where the state goes, and where the unit displacements from scalar number `first` on go
+;; Returns the final state, and the final values of the unit displacements of all scalars from
+;; number `first` on.
 (define (displaced who derivative state first duration tolerance)
   (note-followed derivative '() state)
   (define start (apply up state (unit-displacements state first)))
@@ -66,12 +67,11 @@
                              "\n  start: ~a\n  end: ~a")
               gap (value->text start) (value->text end))))
 
-;; Are the rates the same where scalar number k of the state is a turn greater?
+;; Do the rates stay the same when scalar number k of the state grows by a whole turn?
 (define (angle? derivative state k)
-  (define all (list->vector (scalars state)))
-  (define (moved i) (if (= i k) (g:+ :2pi (vector-ref all i)) (vector-ref all i)))
+  (define moved (changed state (lambda (x i) (if (= i k) (g:+ :2pi x) x))))
   (for/and ([a (in-list (scalars (derivative state)))]
-            [b (in-list (scalars (derivative (scalars->structure state moved))))])
+            [b (in-list (scalars (derivative moved)))])
     (define rate (real->double-flonum (comparand a)))
     (fl< (flabs (fl- (real->double-flonum (comparand b)) rate))
          (fl* closed (fl+ 1.0 (flabs rate))))))

@@ -11,6 +11,7 @@
 ;; are 0, and to the fluctuations of what it meets where it is chaotic.
 
 (require racket/flonum
+         (only-in racket/math exact-round)
          "map/compiled-map.rkt" "map/jacobian.rkt" "map/map-of-the-plane.rkt" "period-check.rkt" "map/plane-points.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
@@ -23,7 +24,7 @@
 
 (provide Lyapunov-exponents maximal-Lyapunov-exponent Lyapunov?)
 
-;; values : by falling size; history : of (cons time values)
+;; values : the largest first; history : list of (cons time values)
 (value-struct growth (values history)
   #:text growth->text)
 
@@ -35,7 +36,7 @@
 (define (Lyapunov-values g) (growth-values g))
 (define (Lyapunov-history g) (growth-history g))
 
-;; By how much the exponents have changed over the last half of the time.
+;; Returns the greatest change of an exponent over the last half of the time.
 (define (Lyapunov-change g)
   (define history (growth-history g))
   (define later (list-tail history (quotient (length history) 2)))
@@ -55,7 +56,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Of motions
 
-;; count : how many exponents, the greatest first; interval : between two orthogonalizations
+;; count : number of exponents, #f for all; interval : time between two orthogonalizations
 (define-plain (Lyapunov-exponents derivative state duration
                                   #:count [count #f] #:interval [interval #f]
                                   #:tolerance [tolerance 1e-10])
@@ -63,7 +64,7 @@
   (check-no-map 'Lyapunov-exponents derivative)
   (exponents-of-motion 'Lyapunov-exponents derivative state duration count interval tolerance))
 
-;; The greatest one: of a motion for a duration, or of a map of the plane for n steps.
+;; The greatest exponent of a motion for a duration, or of a map of the plane for n steps.
 (define-plain (maximal-Lyapunov-exponent system start duration
                                          #:interval [interval #f] #:tolerance [tolerance 1e-10])
   (define who 'maximal-Lyapunov-exponent)
@@ -93,7 +94,7 @@
   (call-unwatched
    (lambda () (collect step state (map row (scattered all n)) (fl/ T (->fl steps)) steps))))
 
-;; Arguments in another order are told as such; first, second : what is to be there
+;; Complains of arguments in another order; first, second : names of the arguments expected there
 (define (check-order who first second system start duration)
   (cond [(pointwise? system)
          (when (and (tuple? duration) (not (tuple? start)))
@@ -110,11 +111,11 @@
                              "  of maps there is (maximal-Lyapunov-exponent map point steps)")
               (value->text f))))
 
-(define (exact-round x) (inexact->exact (round x)))
 (define (row v) (for/flvector ([x (in-list (scalars v))]) (real->double-flonum x)))
 (define ((shaped state) v) (flvector->structure state v))
 
-;; Displacements in no special direction, so that none is missed: one alone is in all.
+;; Displacements with a part in every direction, so that no exponent is missed; all units if n is
+;; their number.
 (define (scattered units n)
   (if (= n (length units))
       units
@@ -126,10 +127,10 @@
               (* (list-ref p i) (+ 1.0 (cos (+ j (* 2.0 j k) k)))))))
         (scalars->structure (car units) (lambda (i) (list-ref sum i))))))
 
-;; step : state displacements -> state displacements
+;; step : takes a state and displacements, returns both an interval later
 (define (collect step state vs interval steps)
-  (let loop ([k 0] [x state] [vs (orthonormal vs void)] [sums (map (lambda (v) 0.0) vs)]
-             [history '()])
+  (define-values (start _) (orthonormal vs))
+  (let loop ([k 0] [x state] [vs start] [sums (map (lambda (v) 0.0) vs)] [history '()])
     (define t (fl* interval (->fl k)))
     (define now
       (if (> k 0) (cons (cons t (sort (map (lambda (s) (fl/ s t)) sums) >)) history) history))
@@ -137,30 +138,29 @@
            (growth (cdr (car now)) (reverse now))]
           [else
            (define-values (next moved) (step x vs))
-           (define lengths '())
-           (define turned (orthonormal moved (lambda (l) (set! lengths (cons (fllog l) lengths)))))
-           (loop (+ k 1) next turned (map fl+ sums (reverse lengths)) now)])))
+           (define-values (turned lengths) (orthonormal moved))
+           (loop (+ k 1) next turned (map (lambda (sum l) (fl+ sum (fllog l))) sums lengths) now)])))
 
-;; Gram and Schmidt; (note! length) of each, freed of those before it.  What has shrunk to nothing
-;; stays so, and its exponent is −∞.
-(define (orthonormal vs note!)
-  (reverse
-   (for/fold ([done '()]) ([v (in-list vs)])
-     (define free
-       (for/fold ([v v]) ([u (in-list (reverse done))]) (along v (fl- 0.0 (dot u v)) u)))
-     (define length (norm free))
-     (note! length)
-     (define divisor (if (fl> length 0.0) length 1.0))
-     (cons (for/flvector #:length (flvector-length free) ([x (in-flvector free)])
-             (fl/ x divisor))
-           done))))
+;; Gram and Schmidt -> the unit vectors, and the length of each displacement, freed of those before
+;; it.  A displacement that has shrunk to nothing stays so, and its exponent is −∞.
+(define (orthonormal vs)
+  (for/fold ([units '()] [lengths '()] #:result (values (reverse units) (reverse lengths)))
+            ([v (in-list vs)])
+    (define free
+      (for/fold ([v v]) ([u (in-list (reverse units))]) (along v (fl- 0.0 (dot u v)) u)))
+    (define size (norm free))
+    (define divisor (if (fl> size 0.0) size 1.0))
+    (values (cons (for/flvector #:length (flvector-length free) ([x (in-flvector free)])
+                    (fl/ x divisor))
+                  units)
+            (cons size lengths))))
 
 ;; ---------------------------------------------------------------------------
 ;; Of maps
 
 (define (exponent-of-map who map start n)
-  (check-argument who exact-positive-integer? n "how many steps of the map, a positive integer")
-  (define p (flvector (start-abscissa who start) (start-ordinate who start)))
+  (check-steps who n)
+  (define p (call-with-values (lambda () (start-coordinates who start)) flvector))
   (define run! (tangent-stepper who map p))
   (define interval (max 1 (quotient n 1000)))
   (define v (flvector 0.6 0.8))
@@ -170,7 +170,7 @@
     (values p (list (flvector-copy v))))
   (collect step p (list v) (->fl interval) (quotient n interval)))
 
-;; -> (p v -> void), which moves a point and a displacement of it
+;; Returns a procedure that moves a point p and its displacement v.
 (define (tangent-stepper who map p)
   (define step! (orbit-stepper map (flvector-ref p 0) (flvector-ref p 1)))
   (define derivatives! (jacobian-runner who map (flvector-ref p 0) (flvector-ref p 1)))

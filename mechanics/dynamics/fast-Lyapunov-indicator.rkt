@@ -12,25 +12,21 @@
          "map/jacobian.rkt" "map/compiled-map.rkt" "map/map-of-the-plane.rkt" "map/plane-points.rkt"
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
-         "../error/complain.rkt"
-         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/up-down.rkt"
          (only-in "../value/structure.rkt" ref))
 
 (provide fast-Lyapunov-indicator indicator-grid)
 
-;; Of one orbit; +nan.0 where it ends.
+;; The indicator of one orbit; +nan.0 where it ends.
 (define (fast-Lyapunov-indicator map start [n 1000])
   (define who 'fast-Lyapunov-indicator)
   (check-map who map start)
   (check-steps who n)
-  (define-values (x y) (values (start-abscissa who start) (start-ordinate who start)))
+  (define-values (x y) (start-coordinates who start))
   (define-values (make-step! compiled?) (displacement-stepper who map x y))
   (indicator (make-step!) x y n))
 
-(define (check-steps who n)
-  (check-argument who exact-positive-integer? n "how many steps of the map, a positive integer"))
-
-;; Of a grid of starts, xs by ys, flvectors -> flvector, row by row
+;; The indicators of a grid of starts, xs by ys, flvectors; returns an flvector, row by row.
 (define (indicator-grid who map xs ys n)
   (check-map who map)
   (check-steps who n)
@@ -45,8 +41,8 @@
   (on-cores (if compiled? (processor-count) 1) (flvector-length ys) make-step! row!)
   all)
 
-;; Rows in turn, so that all cores have as much to do.  A procedure of the user's is called by
-;; one alone: what it does, and an error of its own, would only wait in a future.
+;; Core c takes the rows c, c + cores, ..., so that all have the same work.  The user's procedure,
+;; which is not compiled, is called on one core: in a future it would block.
 (define (on-cores most rows make-step! row!)
   (define cores (min rows most))
   (define others
@@ -60,11 +56,11 @@
 ;; ---------------------------------------------------------------------------
 ;; One orbit
 
-;; A length at which a displacement is shortened, and how often it is looked at.
+;; A displacement longer than `long` is shortened; its length is computed every `turn` steps.
 (define long 1e100)
 (define turn 16)
 
-;; step! : p q -> is there an image?  It moves a point with a displacement from p to q.
+;; step! : moves a point with its displacement from p to q; returns #f where there is no image
 (define (indicator step! x y n)
   (let loop ([left n] [p (flvector x y 0.6 0.8)] [q (make-flvector 4)] [sum 0.0] [most 0.0])
     (define now (if (or (eqv? left 0) (eqv? 0 (bitwise-and left (- turn 1))))
@@ -86,13 +82,11 @@
   (flvector-set! p 2 (fl/ (flvector-ref p 2) length))
   (flvector-set! p 3 (fl/ (flvector-ref p 3) length)))
 
-;; -> (-> step!), for one thread each; is it compiled?
+;; Returns a procedure that makes a step! for one thread, and whether that is compiled.
 (define (displacement-stepper who map x y)
-  (define (no-image) (complain who "a point without an image"))       ; a refusal
-  (define (image p) (image-or-else who map (ref p 0) (ref p 1) up no-image))
   (define (moved p)
     (define-values (to change)
-      (value-and-derivative-along image (up (ref p 0) (ref p 1)) (up (ref p 2) (ref p 3))))
+      (value-and-derivative-along (image-at who map) (up (ref p 0) (ref p 1)) (up (ref p 2) (ref p 3))))
     (up (ref to 0) (ref to 1) (ref change 0) (ref change 1)))
   (define code (compile-traced moved (up x y 0.6 0.8) #:name who))
   (values (if code
@@ -108,20 +102,17 @@
   (and (fl< (flabs (flvector-ref q 0)) +inf.0) (fl< (flabs (flvector-ref q 1)) +inf.0)
        (fl< (flabs (flvector-ref q 2)) +inf.0) (fl< (flabs (flvector-ref q 3)) +inf.0)))
 
-;; Of a map that cannot be compiled.
+;; The step! of a map that cannot be compiled.
 (define (called-displacement who map x y)
-  (define (image? x y) (image-or-none who map x y (lambda (x y) #t)))
   (define step! (orbit-stepper map x y who))
   (lambda (p q)
     (define-values (x y) (values (flvector-ref p 0) (flvector-ref p 1)))
     (define-values (u v) (values (flvector-ref p 2) (flvector-ref p 3)))
-    (cond [(image? x y)
+    (cond [(image? who map x y)
            (define J (map-jacobian who map x y))
            (flvector-set! q 0 x)
            (flvector-set! q 1 y)
-           (flvector-set! q 2 (inexact (+ (* (jacobian-a J) u) (* (jacobian-b J) v))))
-           (flvector-set! q 3 (inexact (+ (* (jacobian-c J) u) (* (jacobian-d J) v))))
+           (flvector-set! q 2 (real->double-flonum (+ (* (jacobian-a J) u) (* (jacobian-b J) v))))
+           (flvector-set! q 3 (real->double-flonum (+ (* (jacobian-c J) u) (* (jacobian-d J) v))))
            (step! q)]
           [else #f])))
-
-(define (inexact x) (real->double-flonum x))

@@ -12,7 +12,7 @@
          "../search/implicit-root.rkt"
          "../value/shape.rkt")
 
-(provide check-period timed-state?)
+(provide check-period timed-state? changed)
 
 ;; Is the first scalar of the state the time?
 (define (timed-state? f state)
@@ -27,13 +27,13 @@
       (unless (or (not now) (not later) (same? now later))
         (raise-no-period who period derivative s (after s period))))))
 
-;; -> list of numbers, or #f where there are none
+;; Returns a list of numbers, or #f where the derivative has no value or no number.
 (define (rates derivative state)
   (with-handlers ([refusal? (lambda (e) #f)])
     (define all (map comparand (scalars (derivative state))))
     (and (andmap rational? all) all)))
 
-;; (change x k) of each scalar x, the k-th
+;; The state with (change x k) in place of its k-th scalar x.
 (define (changed state change)
   (define all (list->vector (scalars state)))
   (scalars->structure state (lambda (k) (change (vector-ref all k) k))))

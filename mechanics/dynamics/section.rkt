@@ -24,7 +24,7 @@
 (provide Poincare-map stroboscopic-map)
 
 ;; derivative : state -> its rate
-;; -> (state -> the state where the event happens next)
+;; Returns a function from a state to the state at the next event.
 (define-plain (Poincare-map derivative event
                             #:tolerance [tolerance 1e-12]
                             #:longest-step [longest +inf.0]
@@ -64,7 +64,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Where the motion crosses next
 
-;; -> (state -> (state -> how long it takes, the state there)), compiled once for each shape
+;; Returns a function from a state to a finder, compiled once for each shape of state; a finder
+;; takes a state to the duration until the event and the state there.
 (define (finders derivative e p most)
   (define system-for (system-by-shape 'Poincare-map (lambda () derivative) '()))
   (define known '())                    ; systems and their finders
@@ -102,15 +103,15 @@
   (when (system-clock? s) (flvector-set! there 0 (fl+ start found)))
   (values found (system-state s there)))
 
-;; Of a motion that changes ever more slowly, or not at all, the steps grow without end.
+;; The steps of a motion that comes to rest grow without bound; it is given up after this time.
 (define longest-wait 1e100)
 
-;; A start on the surface may seem to cross it by rounding.
-;; start? : says of a crossing whether it is the start, or #f after the first step
+;; The first crossing that is not the start: by rounding, a start on the surface may seem to cross
+;; it.  start? : crossing -> is it at the start?; #f after the first step
 (define (first-crossing found start?)
   (for/first ([c (in-list found)] #:unless (and start? (start? c))) c))
 
-;; Closer to the start than the motion is followed to?
+;; Is the state as near to the start as the error of the integration?
 (define (near-start? there y tolerance)
   (for/and ([a (in-flvector there)] [b (in-flvector y)])
     (fl<= (flabs (fl- a b)) (fl* (fl* 10.0 tolerance) (fl+ 1.0 (flabs b))))))
@@ -145,7 +146,7 @@
 ;; ---------------------------------------------------------------------------
 ;; A period later
 
-;; -> (state -> the state a period later); a negative period leads back
+;; Returns a function from a state to the state a period later; a negative period leads back.
 (define-plain (stroboscopic-map derivative period #:tolerance [tolerance 1e-12])
   (define who 'stroboscopic-map)
   (when (and (not (pointwise? derivative)) (pointwise? period))

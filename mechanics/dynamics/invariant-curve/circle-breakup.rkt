@@ -8,25 +8,21 @@
 ;; nearer to the end (J. M. Greene, Journal of Mathematical Physics 20, 1979: the golden circle of
 ;; the standard map is the last, and breaks up at K = 0.971635406).
 
-(require "invariant-circle.rkt"
+(require "invariant-circle.rkt" "../map/map-of-the-plane.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
-         "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
-         "../../generic/function.rkt" "../../generic/wrong-argument.rkt"
-         "../../numeric/finite-number.rkt")
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/function.rkt")
 
 (provide invariant-circle-limit)
 
 ;; family : parameter -> map of the plane; low, high : parameters with the limit between them
-;; -> (list found missing): the last parameter that has a circle, and the first that has none
+;; Returns (list found missing): the last parameter with a circle, and the first without one.
 (define-plain (invariant-circle-limit family rotation-number low high
                                       #:tolerance [tolerance 1e-3] #:between [between #f]
                                       #:most-modes [most 4096])
   (define who 'invariant-circle-limit)
   (check-family who family)
   (define-values (from to) (values (parameter who low) (parameter who high)))
-  (define enough (comparand tolerance))
-  (unless (and (finite? enough) (positive? enough))
-    (complain-of-argument who "a tolerance, a positive number" tolerance))
+  (define enough (positive-number who tolerance "a tolerance, a positive number"))
   (define (circle-of k)
     (circle-for who (family k) rotation-number between most))
   (define missed (missed-at circle-of from))
@@ -39,7 +35,7 @@
           [(missed-at circle-of middle) (narrow found middle)]
           [else (narrow middle missing)])))
 
-;; -> the failure to find a circle, or #f
+;; Returns the failure to find a circle, or #f.
 (define (missed-at circle-of k)
   (with-handlers ([exn:fail:mechanics:not-convergent? values])
     (circle-of k)
@@ -52,10 +48,7 @@
                              "standard-map\n  given: ~a")
               (describe-function family))))
 
-(define (parameter who x)
-  (define number (comparand x))
-  (unless (finite? number) (complain-of-argument who "a real number as the parameter" x))
-  number)
+(define (parameter who x) (checked-number who x "a real number as the parameter"))
 
 ;; The failure says why, and what is known of the circle.
 (define (raise-missing who failure from to)

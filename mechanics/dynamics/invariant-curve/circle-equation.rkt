@@ -16,7 +16,7 @@
 (struct equation (image! omega))
 
 (define (circle-equation who map y omega)
-  (define (image p) (image-of who map (structure-ref p 0) (structure-ref p 1) up))
+  (define image (image-at who map))
   (define (both p)
     (define slopes (derivative-at image p))
     (up (image p) slopes))
@@ -26,8 +26,9 @@
 ;; ---------------------------------------------------------------------------
 ;; A curve to begin with: an orbit near the circle, its points in the order of the rotation's.
 
-;; -> (n -> x, y: the curve at n angles), and the greatest distance across between neighbours
-;; The start is not one of the points: a map of the torus may bring it back turns away.
+;; Returns a function from n to x and y of the curve at n angles, and the greatest difference of y
+;; between neighbours.  The start is no point of the curve: a map of the torus may return to it
+;; whole turns away.
 (define (curve-of-orbit map y0 omega)
   (define count 16384)
   (define p (flvector 0.0 y0))
@@ -47,7 +48,7 @@
   (for/fold ([most 0.0]) ([p (in-vector points)] [q (in-vector points 1)])
     (flmax most (flabs (whole-turns-less (fl- (flvector-ref q 1) (flvector-ref p 1)))))))
 
-;; Column k of the points, at n equally distant angles, by straight lines.
+;; Interpolates column k of the points linearly at n equally distant angles.
 (define (interpolated points n k)
   (define count (vector-length points))
   (define column (make-flvector n))
@@ -70,7 +71,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Newton's method
 
-;; -> x, y and the residual, when that does not become less any more
+;; Returns x, y and the residual, once that no longer halves.
 (define (solve-circle q start-x start-y)
   (define n (flvector-length start-x))
   (define-values (x0 y0) (both-smoothed start-x start-y))
@@ -85,8 +86,8 @@
           [(fl< error best) (values x y (flmax error (residual-between q x y n)))]
           [else (values best-x best-y (flmax best (residual-between q best-x best-y n)))])))
 
-;; A residual with which Newton's method ends, and terms of it that are noise: rounding in
-;; the values of the map and in Fourier sums.
+;; Newton's method ends at a residual below `enough`.  Fourier terms below `noise` are the rounding
+;; of the map's values and of sums.
 (define-values (enough noise) (values 5e-15 5e-17))
 
 ;; The residual in the middle between the angles, for which the equation was not solved.
@@ -99,7 +100,7 @@
 (define (plus f g)
   (for/flvector #:length (flvector-length f) ([a (in-flvector f)] [b (in-flvector g)]) (fl+ a b)))
 
-;; By how much the image misses the curve, in both coordinates; a ... d : derivatives of the map
+;; x, y : distance of the image from the curve; a ... d : derivatives of the map
 (struct mismatch-of (x y a b c d))
 
 (define (mismatch q x y n)
@@ -124,7 +125,7 @@
     (define size (flmax (flabs u) (flabs v)))
     (if (fl<= size most) most (if (fl< size +inf.0) size +inf.0))))
 
-;; -> what to add to x and to y
+;; Returns the corrections of x and y.
 (define (correction q m x y)
   (define omega (equation-omega q))
   (define n (flvector-length x))

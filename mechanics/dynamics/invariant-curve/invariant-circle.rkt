@@ -21,9 +21,9 @@
 (require racket/flonum
          "circle-equation.rkt" "invariant-curve.rkt" "../map/jacobian.rkt" "../map/map-of-the-plane.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
-         "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../generic/up-down.rkt" "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
-         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt" "../../numeric/periodic-function.rkt")
+         "../../numeric/constants.rkt" "../../numeric/periodic-function.rkt")
 
 (provide invariant-circle invariant-circle? invariant-circle-error invariant-circle-modes
          invariant-circle-ordinate
@@ -49,10 +49,7 @@
   (define theta (flonum 'invariant-circle angle))
   (up (fl+ theta ((circle-x c) theta)) ((circle-y c) theta)))
 
-(define (flonum who x)
-  (define number (comparand x))
-  (unless (finite? number) (complain-of-argument who "a real number" x))
-  (real->double-flonum number))
+(define (flonum who x) (real->double-flonum (checked-number who x)))
 
 ;; The ordinate of the circle at an abscissa, by the secant method.
 (define (invariant-circle-ordinate c abscissa)
@@ -75,14 +72,14 @@
 ;; The residual that rounding leaves of a map that is computed to rounding.
 (define small 1e-14)
 
-;; And with as many terms as are allowed, of which each brings some.
+;; The same with the greatest number of terms, each of which adds to the rounding.
 (define small-at-last 1e-12)
 
-;; One that twice as many terms hardly improve has the errors of the map itself, as those of a
-;; motion, if it is below this.
+;; A residual below this, which twice as many terms hardly improve, is the error of the map itself,
+;; as that of an integrated motion.
 (define plausible 1e-9)
 
-;; A curve is refined by more terms if its residual is less; else the orbit is the better start.
+;; Below this residual the next search with more terms starts from the curve, else from the orbit.
 (define worth-refining 1e-5)
 
 ;; An orbit of many thousand points leaves gaps of some 0.05 on a circle that is about to break up,

@@ -16,24 +16,23 @@
          "../../error/complain.rkt"
          "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../generic/wrong-argument.rkt"
-         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt" "../../numeric/whole-turns.rkt"
+         "../../numeric/constants.rkt" "../../numeric/whole-turns.rkt"
          "../../search/find-root.rkt")
 
 (provide find-invariant-curve which-way?
          ;; for invariant circles
          curve-between)
 
-;; -> the action at the angle theta0
+;; Returns the action of the curve at the angle theta0.
 (define (find-invariant-curve map rotation-number theta0 Jmin Jmax eps)
   (curve-between 'find-invariant-curve map rotation-number theta0 Jmin Jmax eps))
 
-;; hint : what else may be done where there is none
+;; hint : end of the message where there is no curve
 (define (curve-between who map rotation-number theta0 Jmin Jmax eps [hint ""])
   (check-map who map rotation-number theta0 Jmin Jmax)
   (check-numbers who (list rotation-number theta0 Jmin Jmax)
                  '("rotation number" "angle" "least action" "greatest action"))
-  (unless (and (finite? (comparand eps)) (positive? (comparand eps)))
-    (complain-of-argument who "a positive tolerance" eps))
+  (positive-number who eps "a positive tolerance")
   (define (ahead J) (which-way? rotation-number theta0 J map))
   (define-values (low high) (values (ahead Jmin) (ahead Jmax)))
   (when (= low high (if (= low 0) 1 low)) (raise-no-bracket who rotation-number Jmin Jmax low hint))
@@ -47,8 +46,8 @@
             (if (> way 0) "ahead of" "behind") (value->text rotation-number)
             (value->text Jmin) (value->text Jmax) hint))
 
-;; 1 if the orbit from (x0, y0) is found ahead of the rotation, -1 if behind, 0 if neither
-;; within so many steps
+;; Returns 1 if the orbit from (x0, y0) is ahead of the rotation, -1 if it is behind, 0 if neither
+;; shows within most-steps.
 (define-plain (which-way? rotation-number x0 y0 map [most-steps 20000000])
   (when (ormap map? (list rotation-number x0 y0))
     (complain 'which-way? "the map comes last: (which-way? rotation-number x0 y0 map)"))
@@ -61,22 +60,23 @@
   (define low (fl- start pi))
   (define orbit (flvector start (real->double-flonum (comparand y0))))
   (define step! (orbit-stepper map start (flvector-ref orbit 1)))
-  (define (next)
+  ;; -> the angle at the next step
+  (define (later)
     (define-values (x y) (values (flvector-ref orbit 0) (flvector-ref orbit 1)))
     (unless (step! orbit) (raise-no-image 'which-way? map x y))
-    (flvector-set! orbit 0 (wrapped (flvector-ref orbit 0) low)))
-  (define (later)
-    (next)
-    (flvector-ref orbit 0))
+    (define angle (wrapped (flvector-ref orbit 0) low))
+    (flvector-set! orbit 0 angle)
+    angle)
   (define period (denominator (inexact->exact (comparand rotation-number))))
   (if (<= period longest-period)
       (compare-after period start turn later)
       (compare-order start turn low later most-steps)))
 
-;; A rotation by so many parts of a turn is back soon, and no nearer ever after.
+;; A rotation by a fraction with at most this denominator is compared after one period: it never
+;; comes nearer to its start than then.
 (define longest-period 100)
 
-;; How much further than the rotation the orbit has turned in a period
+;; Compares the orbit with the rotation after a period.
 (define (compare-after period start turn later)
   (define-values (excess _x)
     (for/fold ([excess 0.0] [x start]) ([_ (in-range period)])

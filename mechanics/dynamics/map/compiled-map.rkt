@@ -7,26 +7,24 @@
 (require racket/flonum
          "map-of-the-plane.rkt"
          "../../compile/compile-function.rkt"
-         "../../error/complain.rkt"
          "../../generic/compare.rkt"
          "../../generic/up-down.rkt"
-         "../../numeric/flvector.rkt"
-         (only-in "../../value/structure.rkt" ref))
+         "../../numeric/flvector.rkt")
 
-(provide compile-map orbit-stepper)
+(provide compile-map orbit-stepper stepper-at)
 
-;; -> the map as a compiled function from (up x y) to (up x y), or #f
+;; Returns the map as a compiled function from (up x y) to (up x y), or #f.
 (define (compile-map map x y)
-  (define (no-image) (complain 'map "a point without an image"))      ; a refusal
-  (define (image point)
-    (image-or-else 'map map (ref point 0) (ref point 1) up no-image))
-  (compile-traced image (up x y) #:name 'iterated-map))
+  (compile-traced (image-at 'map map) (up x y) #:name 'iterated-map))
 
-;; -> (p -> is there an image?), which moves the point in the flvector p to its image, a point
-;; that is finite.  One for each orbit.  Who complains of a map that is written wrongly
+;; Returns a procedure that moves the point in the flvector p to its image, and returns #f where
+;; there is no finite one.  Each orbit needs its own.  who : complains of a map written wrongly
 (define (orbit-stepper map x y [who 'map])
   (define code (compile-map map x y))
   (if code (compiled-stepper code) (calling-stepper who map)))
+
+;; The same, or #f where the map has no image of the start.
+(define (stepper-at who map x y) (and (image? who map x y) (orbit-stepper map x y who)))
 
 (define (compiled-stepper code)
   (define run! (compiled-function-runner code))

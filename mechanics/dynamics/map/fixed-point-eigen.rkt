@@ -4,22 +4,17 @@
 
 (require "jacobian.rkt" "map-of-the-plane.rkt"
          "../../error/complain.rkt"
-         "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
-         "../../generic/wrong-argument.rkt"
-         "../../numeric/finite-number.rkt")
+         "../../generic/describe.rkt" "../../generic/function.rkt")
 
 (provide fixed-point-eigen)
 
-;; continue : multiplier, direction x, y, the other multiplier, direction x, y
-;; eps      : the greatest step of differences, where they are needed
+;; continue : takes a multiplier, its direction x, y, the other multiplier, its direction x, y
+;; eps      : the greatest step of finite differences, for maps without derivatives
 (define (fixed-point-eigen map xe ye eps continue)
   (define who 'fixed-point-eigen)
   (check-map who map)
-  (define-values (x y step) (apply values (for/list ([z (in-list (list xe ye eps))])
-                                            (define number (comparand z))
-                                            (unless (finite? number)
-                                              (complain-of-argument who "a real number" z))
-                                            number)))
+  (define-values (x y step)
+    (values (checked-number who xe) (checked-number who ye) (checked-number who eps)))
   (unless (and (procedure? continue) (accepts? continue 6))
     (complain who "expected a procedure of two multipliers, each with a direction~a\n  given: ~a"
               ": (lambda (A dx dy B dx dy) ...)" (describe-with-value continue)))

@@ -19,13 +19,14 @@
 
 (provide find-fixed-point fixed-point?
          ;; for those who look for many, or go on from one
-         fixed-point-near fixed-point-map fixed-point-angles fixed-point-matrix)
+         fixed-point-near fixed-point-angles fixed-point-matrix)
 
 ;; coordinates : a point or a state; multipliers : by falling size; determinant : of the matrix
 ;; error : how far off the point may be; matrix : a vector of rows; angles : list of booleans
 (value-struct fixed-point
-              (coordinates period multipliers kind determinant error matrix angles map)
+              (coordinates period multipliers kind determinant error matrix angles)
   #:text fixed-point->text)
+
 
 (provide-parts fixed-point? "a fixed point, as find-fixed-point finds one"
   fixed-point-coordinates fixed-point-period fixed-point-multipliers fixed-point-kind
@@ -37,7 +38,7 @@
   (define-values (p z) (fixed-point-of 'find-fixed-point map m tolerance))
   (or (of-lesser-period map m z tolerance) p))
 
-;; The same point z with the least period, or #f if that is the one it has.
+;; Returns the point z with a lesser period, or #f if its period is the least.
 (define (of-lesser-period map m z tolerance)
   (define (back? d) (short? d z comes-back))
   (define (found k)
@@ -46,7 +47,7 @@
   (for/or ([k (in-list (returns-after m z back?))])
     (with-handlers ([refusal? (lambda (e) #f)]) (found k))))
 
-;; How near a point comes back to itself that is taken to come back, beside 1 + |x|.
+;; A point comes back if it returns within this, relative to 1 + |x|.
 (define comes-back 1e-9)
 
 (define (short? v x tolerance)
@@ -60,7 +61,7 @@
 
 ;; Newton's method for the displacement, the derivatives being exact where the map can be
 ;; differentiated, as those made of motions can.
-;; -> the fixed point of m, which does the map so many times, and its numbers
+;; Returns the fixed point of m, an iterate of the map, and its coordinates as an flvector.
 (define (fixed-point-of who map m tolerance [limit 100])
   (define (less-unit rows)
     (for/vector ([row (in-vector rows)] [i (in-naturals)])
@@ -80,7 +81,7 @@
   (define determinant (apply * multipliers))
   (values (fixed-point ((map-on-tuples-point m) z) (map-on-tuples-times m) multipliers
                        (kind-of multipliers (real-part determinant))
-                       (real-part determinant) (max error lost) M (map-on-tuples-angles m) map)
+                       (real-part determinant) (max error lost) M (map-on-tuples-angles m))
           z))
 
 ;; An image is rounded: where it differs from z by nothing, z may be off by A⁻¹ ε z all the same,
@@ -94,7 +95,7 @@
                       (fl+ sum (flabs (fl* (fl* a y) (fl* 0.5 epsilon)))))))
       0.0))
 
-;; By more, beside 1 + |x|, the point is none.
+;; A point with a greater error, relative to 1 + |x|, is none.
 (define most-lost 1e-2)
 
 ;; Where the energy is kept the fixed points of a section are a curve, one for each energy, along
@@ -122,17 +123,12 @@
 ;; By falling size.
 (define (multipliers-of M)
   (define n (vector-length M))
-  (define (entry i j) (vector-ref (vector-ref M i) j))
-  (cond [(= n 2)
-         (define-values (a b)
-           (eigenvalues (jacobian (entry 0 0) (entry 0 1) (entry 1 0) (entry 1 1))))
-         (list a b)]
+  (cond [(= n 2) (call-with-values (lambda () (eigenvalues (matrix->jacobian M))) list)]
         [else
-         (define all (for*/flvector #:length (* n n) ([i (in-range n)] [j (in-range n)])
-                       (entry i j)))
+         (define all (for*/flvector #:length (* n n) ([row (in-vector M)] [x (in-vector row)]) x))
          (sort (or (real-matrix-eigenvalues all n) '()) > #:key magnitude)]))
 
-;; How near to 1 a size is taken for 1.
+;; A size within this of 1 is taken for 1.
 (define near 1e-6)
 
 (define (kind-of multipliers determinant)
@@ -148,7 +144,7 @@
          'reflection-hyperbolic]
         [else 'hyperbolic]))
 
-;; By which neighbours of an elliptic point turn about it in a period; #f of others
+;; The angle by which neighbours turn about an elliptic point in a period; #f of other points.
 (define (fixed-point-rotation-angle p)
   (and (eq? (fixed-point-kind p) 'elliptic)
        (abs (angle (car (fixed-point-multipliers p))))))

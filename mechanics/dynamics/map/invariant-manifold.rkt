@@ -16,7 +16,7 @@
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/define-plain.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
-         "../../numeric/finite-number.rkt" "../../numeric/whole-turns.rkt"
+         "../../numeric/whole-turns.rkt"
          "../../search/find-root.rkt"
          (only-in "../../value/structure.rkt" ref))
 
@@ -25,14 +25,14 @@
 ;; curve : parameter -> point; points : of (vector s x y), by rising size of s
 (struct branch (curve points))
 
-;; -> the points of a branch, no two neighbours farther apart than `gap`
+;; Returns the points of a branch; neighbours are at most `gap` apart.
 (define-plain (invariant-manifold map p #:stable? [stable? #f] #:inverse [inverse #f]
                                   #:branch [side 1] #:length [length 5.0] #:gap [gap 0.05])
   (define who 'invariant-manifold)
   (define b (follow who map p stable? inverse side length gap))
   (for/list ([v (in-list (branch-points b))]) (make-point (vector-ref v 1) (vector-ref v 2))))
 
-;; Where the unstable branch crosses the stable one, within so much of both.
+;; Returns the points where the unstable branch crosses the stable one, within `length` of both.
 (define-plain (homoclinic-points map p #:inverse [inverse #f]
                                  #:branch [side 1] #:stable-branch [stable-side side]
                                  #:length [length 5.0] #:gap [gap 0.05])
@@ -40,13 +40,13 @@
   (define u (follow who map p #f inverse side length gap))
   (define s (follow who map p #t inverse stable-side length gap))
   (define angles (fixed-point-angles p))
-  (distinct-points
+  (remove-duplicates
    (filter values
            (for*/list ([a (in-list (pieces (branch-points u)))]
                        [b (in-list (pieces (branch-points s)))]
                        #:when (cross? a b angles))
              (crossing u s a b angles)))
-   angles))
+   (nearness-by-angles angles 1e-8)))
 
 ;; ---------------------------------------------------------------------------
 ;; Following a branch
@@ -63,26 +63,24 @@
                        (fl/ (fl* sign dx) size) (fl/ (fl* sign dy) size) A straight))
   (branch curve (march who curve (fixed-point-angles p) (comparand length) (comparand gap))))
 
-;; How near the point the curve is taken for straight.  What it is off by, the square of this, is
-;; contracted as the curve is stretched; what rounding moves along it is not.
+;; Within this distance of the fixed point the curve is taken for straight.  The error across the
+;; curve, the square of this, shrinks as the curve is stretched; that of rounding along it does not.
 (define straight 3e-5)
 
-;; The multiplier by which the branch is stretched, and its direction.
+;; Returns the multiplier by which the branch is stretched, and its direction x, y.
 (define (stretched p stable?)
-  (define rows (fixed-point-matrix p))
-  (define (entry i j) (vector-ref (vector-ref rows i) j))
-  (define J (jacobian (entry 0 0) (entry 0 1) (entry 1 0) (entry 1 1)))
+  (define J (matrix->jacobian (fixed-point-matrix p)))
   (define-values (greater less) (eigenvalues J))
   (define-values (dx dy) (eigenvector J (if stable? less greater) (not stable?)))
   (values (if stable? (/ 1.0 less) greater) (real->double-flonum dx) (real->double-flonum dy)))
 
-;; How many points a branch may have.
+;; The greatest number of points of a branch.
 (define most-points 200000)
 
 (define (march who curve angles length gap)
   (define (at s)
-    (define p (curve s))
-    (vector s (start-abscissa who p) (start-ordinate who p)))
+    (define-values (x y) (start-coordinates who (curve s)))
+    (vector s x y))
   (define first (* 0.5 gap))
   (let loop ([last (at (min first 1e-3))] [h 0.1] [far 0.0] [points '()] [count 0])
     (define next (at (* (vector-ref last 0) (+ 1 h))))
@@ -128,7 +126,7 @@
     (fl- (fl* x w) (fl* y u)))
   (fl< (fl* (side (piece-from b)) (side (piece-to b))) 0.0))
 
-;; -> a point, or #f where Newton's method does not find it between these points
+;; Returns the crossing, or #f where Newton's method finds none between these points.
 (define (crossing u s a b angles)
   (define-values (low high) (values (vector-ref (piece-from a) 0) (vector-ref (piece-to a) 0)))
   (define-values (low* high*) (values (vector-ref (piece-from b) 0) (vector-ref (piece-to b) 0)))
@@ -151,14 +149,9 @@
         (g:- d (- number (whole-turns-less number))))
       d))
 
-(define (distinct-points points angles)
-  (define near?
-    ((cond [(cadr angles) torus-near?] [(car angles) cylinder-near?] [else plane-near?]) 1e-8))
-  (remove-duplicates points near?))
-
 ;; ---------------------------------------------------------------------------
 
-;; Near the point the one is to undo the other.
+;; Complains unless the inverse undoes the map near the fixed point.
 (define (check-inverse who map inverse at)
   (define-values (x y) (values (+ 1e-3 (ref at 0)) (+ 2e-3 (ref at 1))))
   (define back
@@ -185,9 +178,8 @@
     (check-map who inverse)
     (check-inverse who map inverse (fixed-point-coordinates p)))
   (unless (memv side '(1 -1)) (complain-of-argument who "one of the branches 1 and -1" side))
-  (for ([x (in-list (list length gap))] [what (in-list '("length" "gap"))])
-    (unless (and (finite? (comparand x)) (positive? (comparand x)))
-      (complain-of-argument who (format "a positive ~a" what) x))))
+  (positive-number who length "a positive length")
+  (positive-number who gap "a positive gap"))
 
 (define (raise-too-long who far count)
   (raise-not-convergent who "the branch has more points than allowed" far #f #:show? #f

@@ -14,7 +14,7 @@
 
 (provide iterated-map)
 
-;; From so many times on compilation, a few milliseconds, does not matter.
+;; From this number of iterations on, the few milliseconds of compilation do not matter.
 (define worthwhile 10000)
 
 (define (iterated-map map n)
@@ -58,7 +58,7 @@
       (return x y)
       (image-or-else 'iterated-map map x y (lambda (x y) (loop (- n 1) x y)) fail)))
 
-;; -> an flvector, or #f if a coordinate is not a number
+;; Returns the image as an flvector, or #f if a coordinate is not finite.
 (define (compiled-image code n x y)
   (define run! (compiled-function-runner code))
   (let loop ([n n]

@@ -19,16 +19,20 @@
          "../../numeric/optimization/differences.rkt"
          "../../value/shape.rkt")
 
-(provide map-jacobian (struct-out jacobian) jacobian-trace jacobian-determinant
+(provide map-jacobian (struct-out jacobian) matrix->jacobian
          check-keeps-areas eigenvalues eigenvector jacobian-runner)
 
 (struct jacobian (a b c d) #:transparent)
+
+;; M : vector of rows
+(define (matrix->jacobian M)
+  (apply jacobian (for*/list ([row (in-vector M)] [x (in-vector row)]) x)))
 
 (define (jacobian-trace J) (+ (jacobian-a J) (jacobian-d J)))
 (define (jacobian-determinant J)
   (- (* (jacobian-a J) (jacobian-d J)) (* (jacobian-b J) (jacobian-c J))))
 
-;; step : the greatest for differences
+;; step : the greatest step of finite differences
 (define (map-jacobian who map x y [step 1e-3])
   (define (image p) (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
   (define at (up x y))
@@ -38,7 +42,7 @@
     (apply jacobian (for/list ([k (in-list '(0 2 1 3))])
                       (number-or-refuse (list-ref slopes k))))))
 
-;; points : lists of two coordinates; what : the sort of thing that needs it
+;; points : lists of two coordinates; what : the things that need it, in the plural
 (define (check-keeps-areas who map points what)
   (for ([p (in-list points)])
     (define determinant (jacobian-determinant (apply map-jacobian who map p)))
@@ -73,10 +77,10 @@
 (define (numbers p) (structure->flvector p (lambda (x) (comparand (innermost x)))))
 
 ;; ---------------------------------------------------------------------------
-;; What stretches, and where to
+;; Eigenvalues and their directions
 
-;; λ² - trace λ + determinant = 0: the greater in size first; of two complex ones the one with
-;; the positive imaginary part.
+;; Solves λ² - trace λ + determinant = 0; returns the root greater in size first, of two complex
+;; ones that with the positive imaginary part.
 (define (eigenvalues J)
   (define half (* 1/2 (jacobian-trace J)))
   (define discriminant (- (* half half) (jacobian-determinant J)))
@@ -87,8 +91,8 @@
          (values greater
                  (if (= greater 0) greater (/ (jacobian-determinant J) greater)))]))
 
-;; -> a direction (x, y) that J multiplies by the eigenvalue; of all directions, any other than
-;; that of `taken`
+;; Returns a direction x, y that J multiplies by the eigenvalue.  Where every direction is one, the
+;; second call, with first? #f, returns another.
 (define (eigenvector J eigenvalue [first? #t])
   (define-values (a b c d)
     (values (jacobian-a J) (jacobian-b J) (jacobian-c J) (jacobian-d J)))
@@ -101,10 +105,10 @@
 ;; ---------------------------------------------------------------------------
 ;; For many points
 
-;; -> (p J -> void), between flvectors: the derivatives of both coordinates by x, then by y.
-;; The image is looked at once, in numbers: compiled code asks of no value what it is.
+;; Returns a procedure that stores the derivatives at p in J, both flvectors: those of both
+;; coordinates by x, then by y.  Only one image is checked: compiled code checks none.
 (define (jacobian-runner who map x y)
   (point-image-of who map x y)
-  (define (image p) (image-of who map (structure-ref p 0) (structure-ref p 1) up))
+  (define image (image-at who map))
   (compiled-function-runner
    (compile-function (lambda (p) (derivative-at image p)) (up x y) #:name who)))

@@ -12,10 +12,12 @@
          "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
          "../../numeric/finite-number.rkt")
 
-(provide check-map check-numbers map? map-hint called-energy? energy-hint
-         image-of point-image-of check-image raise-no-image image-or-none image-or-else)
+(provide check-map map? map-hint called-energy? energy-hint
+         check-numbers checked-number positive-number check-steps
+         image-of image-at image? point-image-of check-image raise-no-image image-or-none
+         image-or-else)
 
-;; others : the arguments behind it, one of which may be the map
+;; others : the arguments after it, one of which may be the map
 (define (check-map who map . others)
   (unless (map? map)
     (when (ormap map? others)
@@ -29,7 +31,7 @@
 ;; Tuples answer `procedure?`, and take any number of arguments.
 (define (map? x) (and (pointwise? x) (accepts? x 4)))
 
-;; What may have been meant by what is no map.
+;; The last lines of a complaint about a value that is no map.
 (define (map-hint f)
   (cond [(not (pointwise? f)) (quoted-name-hint f)]
         [(called-energy? f) (energy-hint f)]
@@ -43,7 +45,7 @@
           "(let ((s (f (up 0 q p)))) (return (coordinate s) (momentum s))))")]
         [else ""]))
 
-;; A Hamiltonian, or what is called one or a Lagrangian
+;; Is it a Hamiltonian, or does its name say Hamiltonian or Lagrangian?
 (define (called-energy? f)
   (or (of-momenta? f) (called-Hamiltonian? f) (called-Lagrangian? f)))
 
@@ -67,7 +69,10 @@
        (with-handlers ([refusal? (lambda (e) #f)])
          (pointwise? (apply f (for/list ([_ (in-range n)]) 1))))))
 
-;; -> (up x' y'), of real numbers, which may be being differentiated
+;; Returns a function from points to their images, tuples of two.
+(define ((image-at who map) p) (image-of who map (structure-ref p 0) (structure-ref p 1) up))
+
+;; Returns (up x' y'); the coordinates are real numbers, perhaps with perturbations.
 (define (point-image-of who map x y)
   (define image (image-of who map x y up))
   (check-image who map (vector->list (structure-elements image)))
@@ -80,7 +85,7 @@
       (complain who "the image is not one of real numbers\n  map: ~a\n  in the image: ~a"
                 (value->text map) (describe-with-value x)))))
 
-;; -> (receive x' y'), where the map has an image
+;; Returns the value of (receive x' y'); complains where the map has no image.
 (define (image-of who map x y receive)
   (image-or-else who map x y receive (lambda () (raise-no-image who map x y))))
 
@@ -91,7 +96,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Maps that may be written wrongly
 
-;; -> (receive x' y'), or #f where the map has no image, which is one of numbers
+;; Returns the value of (receive x' y') with numbers, or #f where the map has no image.
 (define (image-or-none who map x y receive)
   (image-or-else who map x y
                  (lambda (x* y*)
@@ -100,13 +105,15 @@
                    (receive x* y*))
                  (lambda () #f)))
 
+(define (image? who map x y) (image-or-none who map x y (lambda (x y) #t)))
+
 (define no-coordinates
   "the map calls `return` with other things than the coordinates of an image")
 
 (define nowhere (string->uninterned-symbol "nowhere"))
 
-;; -> (receive x' y'), or (none); who complains of a map that does not end by calling one of its
-;; procedures, once and as it should
+;; Returns the value of (receive x' y'), or of (none).  Complains of a map that does not end by
+;; calling one of its two procedures once.
 (define (image-or-else who map x y receive none)
   (define calls 0)
   (define answer #f)
@@ -148,8 +155,25 @@
                        (format "\n  parameters are supplied first: (~a ...)" (value->text map))]
                       [else ""])))
 
-;; xs : to be real numbers; names : what each is called
+;; ---------------------------------------------------------------------------
+;; Numbers that are given
+
+;; names : what each of the xs is called
 (define (check-numbers who xs names)
-  (for ([x (in-list xs)] [what (in-list names)])
-    (unless (finite? (comparand x))
-      (complain-of-argument who (format "a real number as ~a" what) x))))
+  (for ([x (in-list xs)] [name (in-list names)])
+    (checked-number who x (string-append "a real number as " name))))
+
+;; Returns the finite number that x is; `expected` is the message's word for it.
+(define (checked-number who x [expected "a real number"])
+  (define number (comparand x))
+  (unless (finite? number) (complain-of-argument who expected x))
+  number)
+
+(define (positive-number who x expected)
+  (define number (checked-number who x expected))
+  (unless (positive? number) (complain-of-argument who expected x))
+  number)
+
+(define (check-steps who n)
+  (unless (exact-positive-integer? n)
+    (complain-of-argument who "how many steps of the map, a positive integer" n)))

@@ -9,7 +9,7 @@
 
 (require racket/flonum
          (only-in racket/list range remove-duplicates)
-         "map-of-the-plane.rkt"
+         "map-of-the-plane.rkt" "../period-check.rkt"
          "../../calculus/derivative.rkt" "../../calculus/perturbed-value.rkt"
          "../../error/complain.rkt" "../../error/refusal.rkt"
          "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
@@ -22,11 +22,11 @@
 (provide make-map-on-tuples (struct-out map-on-tuples) done-times
          displacement returns-after slopes-of-image)
 
-;; once : (up z ...) -> (up z' ...), of the numbers that come back; it is done so many times
-;; point : flvector -> what the user calls a point; start : flvector; angles : list of booleans
+;; once : (up z ...) -> (up z' ...), of the numbers that come back; times : number of iterations
+;; point : flvector -> the user's point or state; start : flvector; angles : list of booleans
 (struct map-on-tuples (once times point start angles))
 
-;; The same map done so many times instead, from another start.
+;; The same map with another number of iterations, from another start.
 (define (done-times m times start) (struct-copy map-on-tuples m [times times] [start start]))
 
 (define ((image-by m) p) (for/fold ([p p]) ([_ (in-range (map-on-tuples-times m))])
@@ -68,10 +68,8 @@
     (raise-rates who map))
   (apply up (if (timed? at) (cdr image) image)))
 
-;; The rate of the time is 1 at any time.
-(define (later state)
-  (define all (list->vector (scalars state)))
-  (scalars->structure state (lambda (k) (if (= k 0) (+ 1 (vector-ref all 0)) (vector-ref all k)))))
+;; The state at another time: there, too, the rate of the time is 1.
+(define (later state) (changed state (lambda (x k) (if (= k 0) (+ 1 x) x))))
 
 ;; An energy makes a number of a state, and what is called one may not take a point (up x y).
 (define (check-no-energy who map at)
@@ -94,14 +92,12 @@
 ;; Tuples answer `procedure?`, too.
 (define (plain-procedure? x) (and (procedure? x) (not (tuple? x))))
 
-;; A state, of which the first scalar is the time.
+;; Is it a state, whose first scalar is the time?
 (define (timed? at) (and (tuple? at) (>= (structure-length (adopt at)) 3)))
 
 (define (with-time at p)
-  (define all (row (if (timed? at) (list (car (scalars at))) '()) p))
-  (scalars->structure at (lambda (k) (vector-ref all k))))
-
-(define (row before p) (list->vector (append before (scalars p))))
+  (define time (if (timed? at) (list (car (scalars at))) '()))
+  (vector->structure at (list->vector (append time (scalars p)))))
 
 (define (point-numbers who at plane?)
   (define all (map comparand (scalars at)))
@@ -119,8 +115,8 @@
 
 (define (up-of-numbers v) (apply up (flvector->list v)))
 
-;; -> list of booleans: the most coordinates that are angles together.  One that moves another by
-;; whole turns, where that one is none, is none itself.
+;; Returns a list of booleans: the largest set of coordinates that are angles together.  A
+;; coordinate that moves another one, not an angle, by whole turns is no angle itself.
 (define (angles-of image start)
   (define (at v) (numbers (image (up-of-numbers v))))
   (define all (range (flvector-length start)))
@@ -128,17 +124,15 @@
   (define moves (for/list ([k (in-list all)]) (moved-by-a-turn at start here k)))
   (define (angle? k among)
     (define those (list-ref moves k))
-    (and those (subset? those among)))
+    (and those (for/and ([k (in-list those)]) (memv k among))))
   (let settle ([among all])
     (define left (filter (lambda (k) (angle? k among)) among))
     (if (equal? left among)
         (for/list ([k (in-list all)]) (and (memv k left) #t))
         (settle left))))
 
-(define (subset? some all) (for/and ([k (in-list some)]) (memv k all)))
-
-;; -> which numbers of the image a whole turn of number k moves, all of them by whole turns; or
-;; #f.  Seen at two places, for at one it may be chance.
+;; If a whole turn of coordinate k moves coordinates of the image by whole turns only, returns
+;; their indices, else #f.  Two places are tried: at one alone it may be chance.
 (define (moved-by-a-turn at start here k)
   (define (at-or-not v) (with-handlers ([refusal? (lambda (e) #f)]) (at v)))
   (define (moved v image)
@@ -156,7 +150,7 @@
   (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals 1)])
     (fl+ x (fl/ 0.1 (->fl k)))))
 
-;; -> where b is whole turns from a, if it is so everywhere, or #f
+;; Returns the indices where b is whole turns from a, or #f if a difference is no whole turn.
 (define (turned a b)
   (let loop ([k 0] [those '()])
     (define off (and (< k (flvector-length a)) (fl- (flvector-ref b k) (flvector-ref a k))))
@@ -164,19 +158,19 @@
           [(not (whole-turns? off)) #f]
           [else (loop (+ k 1) (if (fl< (flabs off) 1.0) those (cons k those)))])))
 
-;; So large a number is whole turns by rounding.
+;; Numbers of 1e8 and more are whole turns by rounding alone.
 (define (whole-turns? x)
   (and (fl< (flabs x) 1e8) (fl< (flabs (whole-turns-less x)) 1e-6)))
 
-;; How far the image of z is from z.
+;; Returns the displacement from z to its image.
 (define (displacement m z [image (numbers ((image-by m) (up-of-numbers z)))])
   (for/flvector #:length (flvector-length z)
                 ([a (in-flvector z)] [b (in-flvector image)]
                  [angle? (in-list (map-on-tuples-angles m))])
     (if angle? (whole-turns-less (fl- b a)) (fl- b a))))
 
-;; -> the proper divisors of the times, least first, after which z is back already, as (back? v)
-;; tells of its displacement; the map is done once for all of them
+;; Returns the proper divisors of the times after which z is back, the least first.
+;; back? : displacement -> boolean.  The orbit is followed once for all divisors.
 (define (returns-after m z back?)
   (let loop ([divisors (proper-divisors (map-on-tuples-times m))] [k 0] [p (up-of-numbers z)])
     (cond [(null? divisors) '()]
@@ -187,12 +181,9 @@
 (define (proper-divisors n)
   (for/list ([k (in-range 1 n)] #:when (zero? (remainder n k))) k))
 
-;; -> the derivatives of the image, a vector of rows
+;; Returns the derivatives of the image, a vector of rows.
 (define (slopes-of-image m z)
   (define n (flvector-length z))
-  (define all
-    (list->vector
-     (for/list ([x (in-list (scalars (derivative-at (image-by m) (up-of-numbers z))))])
-       (real->double-flonum (comparand (innermost x))))))
+  (define all (numbers (derivative-at (image-by m) (up-of-numbers z))))
   (for/vector #:length n ([i (in-range n)])
-    (for/vector #:length n ([j (in-range n)]) (vector-ref all (+ i (* j n))))))
+    (for/vector #:length n ([j (in-range n)]) (flvector-ref all (+ i (* j n))))))

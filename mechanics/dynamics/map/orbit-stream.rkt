@@ -31,8 +31,8 @@
     (stream-cons (list x y)
                  (image-or-else 'orbit-stream map x y orbit (lambda () empty-stream)))))
 
-;; For each point of the orbit how many points before it have a lesser angle, angles being
-;; between cut - 2 pi and cut.  before : the angles of points before the first one, rising
+;; Streams for each point of the orbit the number of earlier points with a lesser angle, all
+;; angles between cut - 2 pi and cut.  before : the rising angles of points before the first
 (define (position-stream cut orbit before)
   (check-stream 'position-stream orbit)
   (define wrapped (principal-value cut))
@@ -43,15 +43,15 @@
            (define-values (position after) (insert angle before))
            (stream-cons position (positions (stream-rest orbit) after))])))
 
-;; -> how many are less, and all of them with x
+;; Returns the number of lesser ones, and the sorted list with x in it.
 (define (insert x sorted)
   (let loop ([count 0] [less '()] [rest sorted])
     (if (and (pair? rest) (< (car rest) x))
         (loop (+ count 1) (cons (car rest) less) (cdr rest))
         (values count (append (reverse less) (cons x rest))))))
 
-;; How many numbers agree, more than `count`; negative if the first one that does not is
-;; less in the second stream.  0 where a stream ends before.
+;; Returns count plus the number of leading elements that agree, negative if the first other
+;; element is less in the second stream; 0 if a stream ends before.
 (define (compare-streams s1 s2 count)
   (check-stream 'compare-streams s1)
   (check-stream 'compare-streams s2)

@@ -35,7 +35,7 @@
           found)))
   (sort all before?))
 
-;; A fixed point, or the refusal that was met on the way there
+;; Returns a fixed point, or the refusal of the map or of Newton's method.
 (define (point-near who map n guess)
   (with-handlers ([refusal? values])
     (fixed-point-near who map guess n 1e-13 30)))
@@ -45,13 +45,13 @@
   (when (for/and ([p (in-list near)]) (and (exn:fail:contract? p) (not (no-value? p))))
     (raise (car near))))
 
-;; By abscissas, and by ordinates where these are equal.
+;; Orders points by abscissas, those with equal abscissas by ordinates.
 (define (before? p q)
   (define-values (a b) (values (fixed-point-coordinates p) (fixed-point-coordinates q)))
   (or (< (abscissa a) (- (abscissa b) 1e-9))
       (and (<= (abs (- (abscissa a) (abscissa b))) 1e-9) (< (ordinate a) (ordinate b)))))
 
-;; On the edge counts; of two edges a turn apart, the first does.
+;; Points on an edge are inside; of two edges a turn apart, only the first counts.
 (define (inside? p x-min x-max y-min y-max)
   (define at (fixed-point-coordinates p))
   (define (within? low z high)
@@ -62,15 +62,7 @@
 (define (same-point? p q) (near? p (fixed-point-coordinates q)))
 
 (define (near? p at)
-  (define-values (near? here) (values (nearness-of p) (fixed-point-coordinates p)))
-  (near? here at))
-
-(define (nearness-of p)
-  (define angles (fixed-point-angles p))
-  ((cond [(and (car angles) (cadr angles)) torus-near?]
-         [(car angles) cylinder-near?]
-         [else plane-near?])
-   1e-7))
+  ((nearness-by-angles (fixed-point-angles p) 1e-7) (fixed-point-coordinates p) at))
 
 (define (lesser-period? map p n)
   (let loop ([k 1] [at (fixed-point-coordinates p)])

@@ -2,24 +2,26 @@
 ;; Points of the plane, as maps and pictures take them, and when two are near each other
 ;; (SICM 4.3, pp. 308 and 309).
 
-(require "../../error/complain.rkt"
+(require "map-of-the-plane.rkt"
+         "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/up-down.rkt"
          "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
          "../../value/principal-value.rkt")
 
 (provide make-point abscissa ordinate plane-near? cylinder-near? torus-near?
-         ;; for what orbits are followed from
-         start-abscissa start-ordinate)
+         ;; for the maps
+         start-coordinates nearness-by-angles)
 
 (define (make-point x y) (up x y))
 
 (define (abscissa p) (component-of 'abscissa p 0 car))
 (define (ordinate p) (component-of 'ordinate p 1 cdr))
 
-;; As flonums.
-(define (start-abscissa who p) (start-number who p (component-of who p 0 car)))
-(define (start-ordinate who p) (start-number who p (component-of who p 1 cdr)))
+;; Returns both coordinates of the start of an orbit, as flonums.
+(define (start-coordinates who p)
+  (values (start-number who p (component-of who p 0 car))
+          (start-number who p (component-of who p 1 cdr))))
 
 (define (start-number who p x)
   (define value (comparand x))
@@ -28,7 +30,7 @@
               (describe-with-value p)))
   (real->double-flonum value))
 
-;; Of a tuple of two, or of what cons made, as pictures take it.
+;; Takes a tuple of two, or a pair made by cons, as pictures do.
 (define (component-of who p k of-pair)
   (cond [(and (tuple? p) (= (structure-length (adopt p)) 2)) (vector-ref (tuple-elements p) k)]
         [(and (pair? p) (not (list? p))) (of-pair p)]
@@ -50,11 +52,14 @@
 
 (define half-turn (principal-value :pi))
 
-;; across, up : what a difference of abscissas, and one of ordinates, amounts to
+;; angles : list of two booleans: is that coordinate an angle?
+(define (nearness-by-angles angles eps)
+  (define-values (across up) (apply values (for/list ([a (in-list angles)]) (if a half-turn values))))
+  (nearness 'near? eps across up))
+
+;; across, up : map a difference of abscissas, or of ordinates, to a distance
 (define (nearness who eps across up)
-  (define distance (comparand eps))
-  (unless (and (finite? distance) (positive? distance))
-    (complain-of-argument who "a distance, a positive number" eps))
+  (define distance (positive-number who eps "a distance, a positive number"))
   (define greatest (* distance distance))
   (procedure-rename
    (lambda (p q)

@@ -4,20 +4,19 @@
 (require "map-of-the-plane.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt"
          "../../search/find-root.rkt"
          "../../value/principal-value.rkt")
 
 (provide radially-mapping-points)
 
-;; -> the action between Jmin and Jmax where the angle phi is mapped to itself
+;; Returns the action between Jmin and Jmax at which the map leaves the angle phi.
 (define (radially-mapping-points map Jmin Jmax phi eps)
   (define who 'radially-mapping-points)
   (check-map who map)
   (check-numbers who (list Jmin Jmax phi eps)
                  '("least action" "greatest action" "angle" "tolerance"))
-  (unless (positive? (comparand eps)) (complain-of-argument who "a positive tolerance" eps))
+  (positive-number who eps "a positive tolerance")
   (define (turned J)
     (define image (image-of who map phi J (lambda (angle action) angle)))
     (half-turn (g:- phi image)))

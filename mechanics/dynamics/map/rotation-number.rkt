@@ -13,7 +13,7 @@
 ;; lengths are looked at, too.
 
 (require racket/flonum
-         (only-in racket/math exact-floor)
+         (only-in racket/math exact-floor exact-round)
          "compiled-map.rkt" "map-of-the-plane.rkt" "map-on-tuples.rkt" "plane-points.rkt"
          "../../error/complain.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
@@ -23,9 +23,9 @@
 
 (provide rotation-number rotation?)
 
-;; value : turns for each step; error : how much the means over parts of the orbit differ; steps :
-;; of the orbit; steps-needed : with how many the halves agree, or #f if that was not seen;
-;; of-abscissa? : was the first coordinate taken for an angle?
+;; value : turns for each step; error : difference between the means over parts of the orbit
+;; steps : length of the orbit; steps-needed : length at which both halves agree, or #f if they
+;; never did; of-abscissa? : is the angle the first coordinate?
 (value-struct rotation (value error steps steps-needed of-abscissa?)
   #:text rotation->text)
 
@@ -34,10 +34,10 @@
 
 (define (rotation-regular? r) (and (rotation-steps-needed r) #t))
 
-;; Means that differ by more are not those of a regular orbit.
+;; Means over parts of a regular orbit differ by less.
 (define least-irregular 1e-5)
 
-;; The steps are kept, and a million of them are no better than rounding.
+;; All steps are kept in memory; beyond a million they bring nothing but rounding.
 (define longest-orbit 10000000)
 
 ;; about : the point around which angles are taken, or #f if the first coordinate is one
@@ -59,10 +59,11 @@
   (define-values (value error apart) (means steps (not about)))
   (rotation value error n (steps-to-agree steps apart next-step! (not about)) (not about)))
 
-;; How many times as many steps are taken to see whether an orbit is regular, up to so many.
+;; To see whether an orbit is regular, it is followed for up to 8 times as many steps, at most
+;; 10000.
 (define-values (times-as-many most-steps) (values 8 10000))
 
-;; -> the number of steps with which the halves agree, doubled from those there are, or #f
+;; Doubles the number of steps until both halves agree; returns that number, or #f.
 (define (steps-to-agree steps apart next-step! forwards?)
   (define most (min most-steps (* times-as-many (flvector-length steps))))
   (let look ([steps steps] [apart apart])
@@ -75,8 +76,8 @@
                 (look more apart))]
           [else #f])))
 
-;; -> turns for each step, how far that is to be believed, and how much the halves differ.
-;; Rounding leaves something in any case.
+;; Returns turns for each step, the error of that, at least the one of rounding, and the
+;; difference between both halves.
 (define (means steps forwards?)
   (define n (flvector-length steps))
   (define turned (within-half-a-turn steps (mean-direction steps forwards?)))
@@ -89,10 +90,9 @@
           (flmax (flmax halves others) (flmax (flabs (fl- whole (mean 0 half))) rounded))
           halves))
 
-(define (point who p)
-  (flvector (start-abscissa who p) (start-ordinate who p)))
+(define (point who p) (call-with-values (lambda () (start-coordinates who p)) flvector))
 
-;; From a point itself there is no direction.
+;; A point has no direction from itself.
 (define (check-goes-around who about p)
   (when (and about (fl= (distance p (point who about)) 0.0))
     (complain who
@@ -101,7 +101,8 @@
                              "by which neighbours turn")
               (value->text about))))
 
-;; Counterclockwise.  Coordinates of the map that are angles are taken by the shorter way.
+;; Angles grow counterclockwise.  A coordinate that is an angle differs from the center's by at
+;; most half a turn.
 (define (angle-about who map center)
   (define angles
     (map-on-tuples-angles
@@ -111,7 +112,8 @@
     (if angle? (whole-turns-less d) d))
   (lambda (p) (atan (off p 1 (cadr angles)) (off p 0 (car angles)))))
 
-;; -> (-> how much the angle changes as p goes to its image, or #f where that has none)
+;; Returns a procedure that moves p to its image and returns the change of the angle, or #f
+;; where p has no image.
 (define (angle-stepper map p angle)
   (define step! (orbit-stepper map (flvector-ref p 0) (flvector-ref p 1)))
   (define q (flvector-copy p))
@@ -123,7 +125,7 @@
            (begin0 (fl- after before)
                    (set! before after))))))
 
-;; -> the steps and those after them, n in all; what (missing) gives where an image is missing
+;; Continues the steps to a number of n; returns the value of (missing) where an image is missing.
 (define (followed steps n next-step! missing)
   (define all (make-flvector n))
   (flvector-copy! all steps)
@@ -135,13 +137,13 @@
            (loop (+ k 1))]
           [else (missing)])))
 
-;; Each step by as many turns more or less as bring it within half a turn of the mean direction.
+;; Changes each step by whole turns, until it is within half a turn of the mean direction.
 (define (within-half-a-turn steps middle)
   (for/flvector #:length (flvector-length steps) ([step (in-flvector steps)])
     (define off (fl- step middle))
     (fl+ middle (fl- off (fl* :2pi (flround (fl/ off :2pi)))))))
 
-;; From 0 to a turn, or to half a turn on both sides.
+;; Between 0 and a turn if all steps go forwards, else within half a turn on both sides of 0.
 (define (mean-direction steps forwards?)
   (define-values (c s)
     (for/fold ([c 0.0] [s 0.0]) ([x (in-flvector steps)])
@@ -179,10 +181,10 @@
 
 (define (two-digits x) (/ (round (* 100 x)) 100))
 
-;; To one digit, as 3e-14
+;; Rounds to one digit, as 3e-14.
 (define (rounded x)
   (cond [(= x 0) 0]
         [else
-         (define power (inexact->exact (floor (/ (log (abs x)) (log 10)))))
-         (define digit (inexact->exact (round (/ x (expt 10.0 power)))))
+         (define power (exact-floor (/ (log (abs x)) (log 10))))
+         (define digit (exact-round (/ x (expt 10.0 power))))
          (real->double-flonum (* digit (expt 10 power)))]))

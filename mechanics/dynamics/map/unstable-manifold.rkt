@@ -5,26 +5,23 @@
 ;; parameter s of the curve is the n-th image of the one at s/Aⁿ, and with n so great that this
 ;; is about eps, the latter is on the straight line.
 
-(require "iterated-map.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
+(require (only-in racket/math exact-floor)
+         "iterated-map.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
          "../../calculus/perturbed-value.rkt"
          "../../error/complain.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/function.rkt" "../../generic/wrong-argument.rkt"
-         "../../numeric/finite-number.rkt")
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/function.rkt")
 
 (provide unstable-manifold)
 
-;; -> (parameter -> point); negative parameters are those of the other branch
+;; Returns a function parameter -> point; negative parameters belong to the other branch.
 (define (unstable-manifold T xe ye dx dy A eps)
   (check-map 'unstable-manifold T)
   (define-values (x y across up stretch nearest)
-    (apply values (for/list ([given (in-list (list xe ye dx dy A eps))])
-                    (finite-number given))))
+    (apply values (map finite-number (list xe ye dx dy A eps))))
   (check-stretch stretch A)
   (when (and (zero? across) (zero? up))
     (complain 'unstable-manifold "the direction (dx, dy) is 0; it may be of any length but that"))
-  (unless (positive? nearest)
-    (complain-of-argument 'unstable-manifold "a positive distance from the fixed point" eps))
+  (positive-number 'unstable-manifold eps "a positive distance from the fixed point")
   (unary-function (lambda () (list 'unstable-manifold (value->datum T) xe ye dx dy A eps)) (s)
     (define n (times-stretched (finite-number (innermost s)) stretch nearest))
     (define start (g:/ s (expt stretch n)))
@@ -35,13 +32,9 @@
 (define (times-stretched s A eps)
   (if (= s 0)
       0
-      (max 0 (inexact->exact (floor (/ (log (/ (abs s) eps)) (log (abs A))))))))
+      (max 0 (exact-floor (/ (log (/ (abs s) eps)) (log (abs A)))))))
 
-(define (finite-number given)
-  (define x (comparand given))
-  (unless (finite? x)
-    (complain-of-argument 'unstable-manifold "a real number" given))
-  x)
+(define (finite-number x) (checked-number 'unstable-manifold x))
 
 (define (check-stretch A given)
   (unless (> (abs A) 1)

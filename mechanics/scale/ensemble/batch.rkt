@@ -1,5 +1,5 @@
 #lang racket/base
-;; Starts in batches: what is handed out, what comes back, and how both travel between processes.
+;; Batches of starts, their outcomes, and the messages that carry both between processes.
 
 (require racket/fasl
          "task.rkt")
@@ -10,7 +10,7 @@
 ;; index : of its first start; starts, parameters : lists of vectors of flonums
 (struct batch (index starts parameters) #:prefab)
 
-;; What a worker says of an error that is no failure of a motion.
+;; A worker's report of an error that is no failure of a motion.
 (struct trouble (message) #:prefab)
 
 ;; outcomes : in the order of the starts
@@ -30,11 +30,13 @@
   (write-bytes (message x) out)
   (flush-output out))
 
-;; -> a message, or eof where there is none whole, of so many bytes at most
-(define (receive in [longest +inf.0])
-  (define head (read-bytes 8 in))
-  (cond [(and (bytes? head) (= 8 (bytes-length head)))
-         (define length (integer-bytes->integer head #f))
-         (define bytes (if (<= length longest) (read-bytes length in) eof))
-         (if (and (bytes? bytes) (= length (bytes-length bytes))) (fasl->s-exp bytes) eof)]
-        [else eof]))
+;; -> the next message, or eof where the input ends before it is whole
+(define (receive in)
+  (define head (read-whole 8 in))
+  (define content (and head (read-whole (integer-bytes->integer head #f) in)))
+  (if content (fasl->s-exp content) eof))
+
+;; -> so many bytes, or #f
+(define (read-whole count in)
+  (define bytes (read-bytes count in))
+  (and (bytes? bytes) (= count (bytes-length bytes)) bytes))

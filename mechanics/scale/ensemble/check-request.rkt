@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is wanted of an ensemble, checked before the first start is looked at.
+;; Checks the arguments of evolve-ensemble before the first start is taken.
 
 (require (only-in racket/path path-only)
          "../../error/complain.rkt"

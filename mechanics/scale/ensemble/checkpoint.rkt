@@ -1,11 +1,11 @@
 #lang racket/base
-;; What is finished of an ensemble, in a file, batch by batch, so that an interrupted run goes on
-;; where it was.
+;; The finished batches of an ensemble in a file, so that an interrupted run goes on where it
+;; ended.
 ;;
 ;; The file begins with a line that says what it is, and a fingerprint of the task.  A batch is
 ;; kept with one of its starts; what was being written when the process ended is dropped.  Each
 ;; has a checksum (record-file.rkt): a batch that the disk has damaged is done again, and the
-;; others are used.  Files of the first version have none; they are read, and go on as they are.
+;; others are used.
 
 (require file/sha1
          racket/fasl
@@ -14,23 +14,22 @@
 
 (provide open-checkpoint checkpointed keep! close-checkpoint)
 
-;; found : hash, index of a batch -> (cons fingerprint finished); port : where to go on;
-;; bytes-of : what is written of a record
-(struct checkpoint (who file found port bytes-of) #:authentic)
+;; found : hash, index of a batch -> (cons fingerprint finished); port : where to go on
+(struct checkpoint (who file found port) #:authentic)
 
 (define title #"mechanics: an ensemble, version 2\n")
-(define first-title #"mechanics: an ensemble, version 1\n")
 
 (define (task-fingerprint t) (fingerprint (task->datum t)))
 (define (fingerprint x) (sha1 (open-input-bytes (s-exp->fasl x))))
 
-;; file : a path; fresh ones begin here
+;; Opens the file at that path, or begins it.
 (define (open-checkpoint who file t)
   (define print (task-fingerprint t))
-  (define-values (found good bytes-of)
+  (define found (make-hasheqv))
+  (define good
     (if (and (file-exists? file) (positive? (file-size file)))
-        (call-with-input-file file (lambda (in) (read-checkpoint who file print in)))
-        (values (make-hasheqv) 0 record-bytes)))
+        (call-with-input-file file (lambda (in) (read-checkpoint who file print in found)))
+        0))
   (writing who file ""
     (define port (open-output-file file #:exists 'can-update))
     (file-truncate port good)
@@ -38,9 +37,9 @@
     (when (= good 0)
       (write-bytes (beginning print) port)
       (flush-output port))
-    (checkpoint who file found port bytes-of)))
+    (checkpoint who file found port)))
 
-;; What a file of that task begins with
+;; The bytes with which a file of that task begins.
 (define (beginning print) (bytes-append title (record-bytes print)))
 
 (define-syntax-rule (writing who file effect body ...)
@@ -50,38 +49,34 @@
   (raise-unwritable who "the checkpoint cannot be written~a\n  file: ~a\n  reason: ~a"
                     effect file (exn-message e)))
 
-;; -> the batches found, how long the file is as far as it is good, and how to go on
-(define (read-checkpoint who file print in)
+;; Adds the batches to `found`; -> the length of the file as far as it is good
+(define (read-checkpoint who file print in found)
   (define first-line (read-bytes (bytes-length title) in))
-  (cond [(equal? first-line title) (read-checked who file print in)]
-        [(equal? first-line first-title) (read-first-version who file print in)]
-        [(just-begun? file print) (values (make-hasheqv) 0 record-bytes)]
+  (cond [(equal? first-line title) (read-batches who file print in found)]
+        [(just-begun? file print) 0]
         [else
          (complain who "this file is no checkpoint of an ensemble; it is left as it is\n  file: ~a"
                    file)]))
 
-;; Did the process end while it wrote the beginning?
+;; Is the file the first part of the beginning, because a process ended while it wrote that?
 (define (just-begun? file print)
   (define whole (beginning print))
   (define there (call-with-input-file file (lambda (in) (read-bytes (bytes-length whole) in))))
   (and (< (file-size file) (bytes-length whole))
        (equal? there (subbytes whole 0 (bytes-length there)))))
 
-(define (read-checked who file print in)
+(define (read-batches who file print in found)
   (define size (file-size file))
-  (define found (make-hasheqv))
+  (define (add! record) (hash-set! found (finished-index (cdr record)) record))
   (define-values (whose _) (read-record in (bytes-length title) size))
   (define after (file-position in))
   (cond [whose
          (check-same who file whose print)
-         (define-values (good damaged)
-           (read-records in after size (lambda (record) (add-record! found record))))
+         (define-values (good damaged) (read-records in after size add!))
          (when (> damaged 0) (note-damage who file damaged))
-         (values found good record-bytes)]
-        [(just-begun? file print) (values found 0 record-bytes)]
+         good]
+        [(just-begun? file print) 0]
         [else (raise-unknown-owner who file)]))
-
-(define (add-record! found record) (hash-set! found (finished-index (cdr record)) record))
 
 (define (check-same who file whose print)
   (unless (equal? whose print)
@@ -103,21 +98,8 @@
                            "left as it is\n  file: ~a\n  another name for #:checkpoint begins anew")
             file))
 
-;; Without checksums; what is no batch ends it.
-(define (read-first-version who file print in)
-  (define size (file-size file))
-  (define (next) (with-handlers ([exn:fail? (lambda (e) eof)]) (receive in size)))
-  (define found (make-hasheqv))
-  (check-same who file (next) print)
-  (let loop ([good (file-position in)])
-    (define record (next))
-    (cond [(and (pair? record) (finished? (cdr record)))
-           (add-record! found record)
-           (loop (file-position in))]
-          [else (values found good message)])))
-
-;; -> finished, if the batch was.  One that was the last, and is longer or shorter now that there
-;; are more starts or fewer, is done again.
+;; Returns the finished batch, or #f.  The last batch is performed again if there are more starts now,
+;; or fewer, so that its length has changed.
 (define (checkpointed c b)
   (define record (hash-ref (checkpoint-found c) (batch-index b) #f))
   (define f (and record (cdr record)))
@@ -140,7 +122,7 @@
 
 (define (keep! c b f)
   (writing (checkpoint-who c) (checkpoint-file c) "; the batches that are in it stay there"
-    (write-bytes ((checkpoint-bytes-of c) (cons (fingerprint b) f)) (checkpoint-port c))
+    (write-bytes (record-bytes (cons (fingerprint b) f)) (checkpoint-port c))
     (flush-output (checkpoint-port c))))
 
 (define (close-checkpoint c) (close-output-port (checkpoint-port c)))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Motions followed with an eye on events, whose functions have come as programs.
+;; Follows motions and watches for events, whose functions were sent as programs.
 
 (require racket/flonum
          "task.rkt"
@@ -10,7 +10,7 @@
 
 (provide watching)
 
-;; -> (system start end -> the last state, an flvector, and what happened)
+;; Returns a function from system, start and end to the last state, an flvector, and the events.
 (define (watching plan t)
   (define new-watch (watches-for-task t))
   (lambda (s start end)
@@ -31,7 +31,7 @@
     (values (or stopped (structure->flvector last values))
             (map occurrence->happened (recorded-occurrences r)))))
 
-;; The events are known by their places.
+;; Each event is named by its place in the list.
 (define (watches-for-task t)
   (define watches (task-watches t))
   (define events

@@ -21,8 +21,7 @@
 
 (define who 'evolve-ensemble)
 
-;; In place of the value of a start that could not be followed to the end.
-;; state : the last that was good, or #f
+;; The value of a start that could not be followed to the end.  state : the last good one, or #f
 (value-struct ensemble-failure (index message state)
   #:datum (lambda (f) (list 'ensemble-failure (ensemble-failure-index f)
                             (ensemble-failure-message f))))
@@ -53,7 +52,7 @@
                       (lambda (note!) (run t (next note!) perform (useful jobs) add! file)))
   (if fold (result) (reverse (result))))
 
-;; More workers than that would share the cores, and need memory each.
+;; More workers would only share the cores, and each needs memory.
 (define (useful jobs) (min jobs (* 4 (processor-count))))
 
 ;; -> (note! -> (-> batch or #f)), task or #f, (start parameters -> outcome),
@@ -70,14 +69,14 @@
           (if t (performer-here t) (make generically))
           (outcome->value example events collect shape)))
 
-;; Where the derivative has no value at the first start, that start fails like any other.
+;; A first start at which the derivative has no value fails like any other.
 (define (check-first maker ps example)
   (with-handlers ([no-value? void])
     (check-derivative who (derivative-for maker ps) example)))
 
 (define (number x) (real->double-flonum (real-number x)))
 
-;; Code is made when it is first needed: workers make their own.
+;; The code is made when it is first needed; workers make their own.
 (define (performer-here t)
   (define perform (once (lambda () (performer who t))))
   (lambda (y p) ((perform) y p)))

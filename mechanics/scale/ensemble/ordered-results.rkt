@@ -1,13 +1,12 @@
 #lang racket/base
-;; What is finished in any order, put into that of the starts.
+;; Puts batches that are finished in any order into the order of the starts.
 
 (require "batch.rkt")
 
 (provide in-order)
 
-;; fold : value, what was made of those before -> the next; value-of : index outcome -> value
-;; on-each : index value -> void
-;; -> (finished -> void), and (-> what was made of all)
+;; fold : value result -> result; value-of : index outcome -> value; on-each : index value -> void
+;; Returns a procedure that adds a finished batch, and one that returns the final result.
 (define (in-order fold from on-each value-of)
   (define made from)
   (define next 0)

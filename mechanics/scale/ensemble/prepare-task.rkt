@@ -1,6 +1,6 @@
 #lang racket/base
-;; A state derivative made ready to be sent to workers, as a task, or, where it has no code, to
-;; be followed here by the generic arithmetic.
+;; Makes a task of a state derivative, to be sent to workers; a derivative without code is followed
+;; here, by the generic arithmetic.
 
 (require (only-in racket/list index-of)
          "task.rkt"
@@ -15,9 +15,9 @@
 
 (provide make-task generically)
 
-;; example : a state; parameters : list of scalars and tuples of them, an example; collect : state
-;; -> value, or #f.  -> task, or #f if the derivative or an event has no code; and the shape of
-;; what collect gives, or #f if it is to be applied to the states that come back
+;; example : a state; parameters : an example, list of scalars and tuples of them; collect : state
+;; -> value, or #f.  Returns the task, or #f if the derivative or an event has no code; and the shape
+;; of the value of collect, or #f if collect is to be applied to the final states here.
 (define (make-task who maker example parameters events collect end tolerance method)
   (define watches (watches-of who events example))
   (define code (and watches (code-of who maker example parameters)))
@@ -34,7 +34,7 @@
                      end tolerance method))
           (and collecting (compiled-function-value-shape collecting))))
 
-;; -> watches, or #f if the function of an event has no code
+;; Returns the watches, or #f if the function of an event has no code.
 (define (watches-of who events example)
   (define codes
     (for/list ([e (in-list events)])
@@ -52,11 +52,11 @@
       (compile-traced (derivative-for maker '()) example #:name who)
       (compile-traced rates (up example (apply up parameters)) #:name who)))
 
-;; Implicit methods do; for others it is not worked out.
+;; Only implicit methods need the jacobian.
 (define (asks-for-jacobian? who method) (eq? 'jacobian (method-asks (method-of who method))))
 
-;; (start parameters -> outcome) by the generic arithmetic; example, parameters : for their shapes;
-;; what is collected is left to others
+;; Returns a function from start and parameters to the outcome, by the generic arithmetic.
+;; example, parameters : for their shapes.  collect is not applied.
 (define (generically who maker example parameters events collect end tolerance method)
   (define shapes (apply up parameters))
   (lambda (y p)

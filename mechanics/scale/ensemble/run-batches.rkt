@@ -1,6 +1,6 @@
 #lang racket/base
-;; Batches done by workers (worker-pool.rkt), or here where there is but one job or the system has no
-;; code; with a checkpoint what it has is not done again.
+;; Has batches performed by workers (worker-pool.rkt), or here if there is only one job or the system has
+;; no code.  Batches that are in the checkpoint are not performed again.
 
 (require "batch.rkt" "checkpoint.rkt" "worker-pool.rkt" "task.rkt"
          "../../error/complain.rkt")
@@ -16,7 +16,7 @@
       (run-kept t file next perform jobs add!)
       (run-all t next perform jobs add! add!)))
 
-;; add-unkept! : as add!, of what is to be tried again another time
+;; add-unkept! : add! for batches that are to be tried again in another run
 (define (run-all t next perform jobs add! add-unkept!)
   (define first (next))
   (define second (and first (next)))
@@ -25,7 +25,7 @@
           [second (begin0 second (set! second #f))]
           [else (next)]))
   (if (and t (> jobs 1) second)
-      (perform-by-crew t jobs next-of-all add! (lambda (b) (add-unkept! (given-up b))))
+      (perform-by-workers t jobs next-of-all add! (lambda (b) (add-unkept! (given-up b))))
       (let loop ()
         (define b (next-of-all))
         (when b
@@ -37,7 +37,7 @@
             (for/list ([_ (in-list (batch-starts b))])
               (outcome #f "the processes that followed it have died, several times" #f '()))))
 
-;; The same with a checkpoint: what it has is not done again.
+;; The same with a checkpoint.
 (define (run-kept t file next perform jobs add!)
   (unless t
     (complain who "a checkpoint is for systems that have code; this one does not\n  file: ~a" file))

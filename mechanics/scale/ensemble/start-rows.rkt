@@ -1,5 +1,5 @@
 #lang racket/base
-;; Starts and parameters as they are given, taken one after the other, checked, and put into
+;; Takes the given starts and parameters one after the other, checks them, and puts them into
 ;; batches.
 
 (require racket/flonum
@@ -31,15 +31,15 @@
     (and more? (cons (next-start) (next-parameters))))
   (rows next #f))
 
-;; Numbers, texts and hashes are sequences, too, but not of these.
+;; Numbers, texts and hashes are sequences as well, but not of states.
 (define (check-rows x expected)
   (when (or (not (sequence? x)) (tuple? x) (number? x) (string? x) (bytes? x) (hash? x))
     (complain who "~a\n  given: ~a" expected (describe-with-value x))))
 
-;; next : k -> (cons state parameters) or #f; ahead : one that was looked at, or #f
+;; next : k -> (cons state parameters) or #f; ahead : the row that was taken already, or #f
 (struct rows (next [ahead #:mutable]) #:authentic)
 
-;; -> a state and its parameters
+;; Returns the first state and its parameters.
 (define (first-row r)
   (define row ((rows-next r) 0))
   (unless row (complain who "there are no starts"))
@@ -49,13 +49,13 @@
   (state-vector who (car row))
   (values (car row) (as-flonums (cdr row))))
 
-;; A number of the first start that is none is told with its index, as of the others.
+;; A number that is not finite is told with the index of its start, 0.
 (define (check-finite state)
   (when (tuple? state)
     (define numbers (filter number? (scalars state)))
     (unless (andmap finite? numbers) (raise-bad-start 0 state))))
 
-;; As workers have them.
+;; The parameters as workers receive them.
 (define (as-flonums ps)
   (define all (apply up ps))
   (structure->list (flvector->structure all (structure->flvector all values))))
@@ -65,7 +65,7 @@
   (cond [ahead (set-rows-ahead! r #f) ahead]
         [else ((rows-next r) k)]))
 
-;; -> (-> batch or #f)
+;; Returns a procedure that returns the next batch, or #f.
 (define (batches r example parameters size note!)
   (define k 0)
   (define shape (apply up parameters))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is done for each start of an ensemble, as data that another process can be sent.
+;; The task that is performed for each start of an ensemble, as data for other processes.
 ;;
 ;; A closure cannot leave its process; the list of instructions that is compiled there can.
 
@@ -53,8 +53,8 @@
 (define (operand->datum x) (if (place? x) (box (place-index x)) x))
 (define (datum->operand x) (if (box? x) (place (unbox x)) x))
 
-;; What came of a start: values, a vector; or, if it failed, #f, with the message and the last
-;; state that was good, a vector, if there is one.  events : what happened on the way
+;; The outcome of a start: values is a vector; or, if it failed, #f, with the message and the last
+;; good state, a vector or #f.  events : list of `happened`
 (struct outcome (values message state events) #:prefab)
 
 ;; event : its place in the list of events; state : a vector

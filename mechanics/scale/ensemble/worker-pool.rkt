@@ -1,8 +1,8 @@
 #lang racket/base
-;; A crew of workers, processes all, that batches are handed to.
+;; A pool of worker processes, which batches are handed to.
 ;;
-;; Each has two batches at a time, so that none waits for the next.  Those of a worker that dies
-;; are handed out again, to another; a batch that sees several deaths is given up.
+;; Each worker has two batches at a time, so that it never waits for the next.  The batches of a
+;; worker that dies are handed out again; a batch during which several workers died is given up.
 
 (require compiler/find-exe
          racket/list
@@ -11,7 +11,7 @@
          "batch.rkt" "task.rkt"
          "../../error/failure.rkt")
 
-(provide perform-by-crew)
+(provide perform-by-workers)
 
 (define-runtime-path worker-file "worker.rkt")
 
@@ -20,78 +20,79 @@
 (define at-a-time 2)
 (define most-deaths 3)
 
-;; out : of the worker's process; writer : a thread that writes what it is sent to the process,
-;; who may be writing himself; handed : batches, the one it works at first
+;; out : the port of the process's output; writer : the thread that owns the pipe to it, as a direct
+;; write could deadlock while the process blocks on its own output; handed : its batches, the
+;; present one first
 (struct worker (out writer [handed #:mutable]) #:authentic)
 
-;; next-batch : -> batch or #f; done! : finished -> void, in whatever order
-;; gave-up! : batch -> void, for one whose workers die
-(define (perform-by-crew t jobs next-batch done! gave-up!)
+;; next-batch : returns a batch or #f; done! : finished -> void, called in any order
+;; gave-up! : batch -> void, called for a batch whose workers die
+(define (perform-by-workers t jobs next-batch done! gave-up!)
   (define custodian (make-custodian))
-  (define d (desk next-batch '() (make-hasheqv) done! gave-up!))
+  (define pool (worker-pool next-batch '() (make-hasheqv) done! gave-up!))
   (dynamic-wind
    void
    (lambda ()
      (parameterize ([current-custodian custodian]
                     [current-subprocess-custodian-mode 'kill])
-       (direct d '() jobs (task->datum t))))
+       (run-pool pool '() jobs (task->datum t))))
    (lambda () (custodian-shutdown-all custodian))))
 
-;; again : batches to be handed out again; deaths : index of a batch -> how many it saw
-(struct desk (next-batch [again #:mutable] deaths done! gave-up!) #:authentic)
+;; again : batches to be handed out again; deaths : index of a batch -> number of workers that died
+(struct worker-pool (next-batch [again #:mutable] deaths done! gave-up!) #:authentic)
 
-(define (take-batch! d)
-  (define again (desk-again d))
-  (cond [(pair? again) (set-desk-again! d (cdr again)) (car again)]
-        [else ((desk-next-batch d))]))
+(define (take-batch! pool)
+  (define again (worker-pool-again pool))
+  (cond [(pair? again) (set-worker-pool-again! pool (cdr again)) (car again)]
+        [else ((worker-pool-next-batch pool))]))
 
-;; Until nothing is left to be done.
-(define (direct d crew jobs datum)
-  (define full (hire d crew jobs datum))
-  (for ([w (in-list full)]) (supply! d w))
+;; Hands out batches and receives outcomes until no batch is left.
+(define (run-pool pool crew jobs datum)
+  (define full (start-workers pool workers jobs datum))
+  (for ([w (in-list full)]) (supply! pool w))
   (define busy (filter (lambda (w) (pair? (worker-handed w))) full))
   (unless (null? busy)
     (define w (apply sync (for/list ([w (in-list busy)])
                             (wrap-evt (worker-out w) (lambda (_) w)))))
-    (direct d (if (hear! d w) full (remq w full)) jobs datum)))
+    (run-pool pool (if (receive-outcome! pool w) full (remq w full)) jobs datum)))
 
-;; As many workers as there are jobs, if there are batches for them.
-(define (hire d crew jobs datum)
-  (define b (and (< (length crew) jobs) (take-batch! d)))
+;; Returns the workers and new ones, as many as there are jobs and batches.
+(define (start-workers pool workers jobs datum)
+  (define b (and (< (length workers) jobs) (take-batch! pool)))
   (cond [b (define w (start-worker datum))
            (hand! w b)
-           (hire d (cons w crew) jobs datum)]
-        [else crew]))
+           (start-workers pool (cons w workers) jobs datum)]
+        [else workers]))
 
-(define (supply! d w)
-  (define b (and (< (length (worker-handed w)) at-a-time) (take-batch! d)))
+(define (supply! pool w)
+  (define b (and (< (length (worker-handed w)) at-a-time) (take-batch! pool)))
   (when b
     (hand! w b)
-    (supply! d w)))
+    (supply! pool w)))
 
 (define (hand! w b)
   (set-worker-handed! w (append (worker-handed w) (list b)))
   (say! w b))
 
-;; -> is the worker alive?
-(define (hear! d w)
+;; Returns #f if the worker has died.
+(define (receive-outcome! pool w)
   (define f (with-handlers ([exn:fail? (lambda (e) eof)]) (receive (worker-out w))))
-  (cond [(eof-object? f) (bury! d w) #f]
+  (cond [(eof-object? f) (return-batches! pool w) #f]
         [(trouble? f) (raise-no-answer who "a worker failed\n  ~a" (trouble-message f))]
         [else
          (set-worker-handed! w (remf (lambda (b) (= (batch-index b) (finished-index f)))
                                      (worker-handed w)))
-         ((desk-done! d) f)
+         ((worker-pool-done! pool) f)
          #t]))
 
-(define (bury! d w)
+(define (return-batches! pool w)
   (define handed (worker-handed w))
-  (define deaths (desk-deaths d))
+  (define deaths (worker-pool-deaths pool))
   (hash-update! deaths (batch-index (car handed)) add1 0)
   (define (hopeless? b) (>= (hash-ref deaths (batch-index b) 0) most-deaths))
   (define-values (hopeless others) (partition hopeless? handed))
-  (set-desk-again! d (append others (desk-again d)))
-  (for-each (desk-gave-up! d) hopeless))
+  (set-worker-pool-again! pool (append others (worker-pool-again pool)))
+  (for-each (worker-pool-gave-up! pool) hopeless))
 
 ;; ---------------------------------------------------------------------------
 
@@ -106,7 +107,7 @@
 
 (define (say! w x) (thread-send (worker-writer w) (message x) void))
 
-;; To one that has died nothing can be said: that is seen when it is heard.
+;; A write to a dead process fails; its death is noticed when its output ends.
 (define (write-all in)
   (with-handlers ([exn:fail? void])
     (let loop ()

@@ -1,7 +1,7 @@
 #lang racket/base
-;; A worker: a process of its own, which is sent a task and then batches of starts, and sends
-;; back what came of them.  It ends when its input does, or is killed: what interrupts us, as
-;; Ctrl-C does at a terminal, reaches it as well, and is not its affair.
+;; A worker: a process that is sent a task and then batches of starts, and sends back their
+;; outcomes.  It ends when its input ends, or is killed; breaks are off in it, for Ctrl-C at a terminal
+;; reaches every process.
 
 (require "batch.rkt" "perform-task.rkt" "task.rkt")
 
@@ -9,7 +9,7 @@
 
 (define (work in out)
   (define perform (performer 'evolve-ensemble (datum->task (receive in))))
-  ;; What is printed by chance must not meet the messages.
+  ;; Text that a user's function prints must not come between the messages.
   (parameterize ([current-output-port (current-error-port)])
     (let loop ()
       (define b (receive in))

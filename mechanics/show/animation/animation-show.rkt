@@ -2,7 +2,8 @@
 ;; Animations on the screen, where there is one.  The window and the libraries for it are
 ;; loaded when the first is opened.
 
-(require "animation.rkt" "drawing.rkt" "film.rkt" "pictures-on-demand.rkt" "schedule.rkt"
+(require (only-in racket/math exact-ceiling exact-round)
+         "animation.rkt" "drawing.rkt" "film.rkt" "pictures-on-demand.rkt" "schedule.rkt"
          "../../generic/on-demand.rkt"
          "../plot/window-screen.rkt")
 
@@ -29,7 +30,7 @@
   (define pictures ((animation-pictures a)))
   (define (time share) (time-after s (* share seconds)))
   (define-values (width height) (scenery-size pictures))
-  (define pause (inexact->exact (ceiling (/ 1000 (schedule-rate s)))))
+  (define pause (exact-ceiling (/ 1000 (schedule-rate s))))
   (open-player (make-performance (film-title f) width height seconds pause
                                  (lambda (share) (scenery->pict pictures (time share)))
                                  (lambda (share) (time->text s share)))
@@ -37,6 +38,6 @@
 
 (define (time->text s share)
   (define t (+ (schedule-start s) (* share (schedule-span s))))
-  (define hundredths (inexact->exact (round (* 100 (abs t)))))
+  (define hundredths (exact-round (* 100 (abs t))))
   (define-values (whole part) (quotient/remainder hundredths 100))
   (format "t = ~a~a.~a~a" (if (< t 0.0) "-" "") whole (quotient part 10) (remainder part 10)))

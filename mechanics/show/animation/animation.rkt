@@ -49,8 +49,10 @@
                  #:phase-portrait [portrait #f] #:title [title "Motion"])
   (define who 'animate)
   (check-motion who motion from to)
-  (check-drawing who drawing)
+  (check-function who drawing 1
+                  "a drawing, a function from states to picts, such as (draw-pendulum)")
   (check-argument who string? title "a string as title")
+
   (when trail-time
     (unless (> (check-number who "the time of the trail" trail-time) 0.0)
       (complain-of-argument who "a positive time of the trail, or #f" trail-time)))
@@ -75,11 +77,6 @@
                    (describe-with-value motion))]
         [(not (and from to))
          (complain who "a function of the time has no beginning and no end; say #:from and #:to")]))
-
-(define (check-drawing who drawing)
-  (unless (and (procedure? drawing) (accepts? drawing 1))
-    (raise-other-function
-     who "a drawing, a function from states to picts, such as (draw-pendulum)" drawing)))
 
 ;; A drawing of the library says what states it draws; of another one its picture is made.
 (define (check-first who drawing state)

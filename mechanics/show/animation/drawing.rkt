@@ -6,11 +6,11 @@
 ;; which of its points leave a trail, and the marks that make a diagram of it.
 
 (require "extent.rkt" "on-demand.rkt" "shapes.rkt" "system-state.rkt"
+         "../display/drawing-library.rkt"
          "../../error/complain.rkt"
-         "../../error/machine-limits.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
-         "../plot/view.rkt")
+         "../plot/coordinate.rkt" "../plot/view.rkt")
 
 (provide mechanism drawn make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes
          drawing-sample
@@ -32,7 +32,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Making them
 
-;; Each is a procedure without arguments, called when that part is wanted.
+;; trail, marks, shapes : procedures without arguments, called when that part is needed
 (struct parts (trail marks shapes))
 
 (define-syntax-rule (drawn #:trail trail #:marks marks #:shapes shapes)
@@ -65,10 +65,6 @@
                shapes (and trail (lambda (state) (trail-points who (trail state))))
                #f #f '()))
 
-(define (check-function-of-state who f)
-  (unless (and (procedure? f) (accepts? f 1))
-    (raise-other-function who "a function of the state" f)))
-
 (define (check-picture-width who width)
   (unless (and (exact-positive-integer? width) (<= 50 width 4000))
     (complain-of-argument who "a width of 50 to 4000 pixels" width)))
@@ -91,10 +87,7 @@
 ;; Complains unless the state is one that this draws.
 (define (check-state d state) (read-state (name-of d) state (drawing-counts d)))
 
-(define (check-drawing-library who)
-  (define reason (why-no-pictures))
-  (when reason
-    (raise-unavailable who "pictures cannot be drawn on this machine\n  reason: ~a" reason)))
+(define (check-drawing-library who) (check-drawing who why-no-pictures))
 
 ;; A point of the plane that is drawn -> pixels from the upper left corner
 (define (drawn-place d p)

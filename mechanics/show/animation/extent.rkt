@@ -27,7 +27,7 @@
 (define (box p shift wide high)
   (list (add (add p shift) (vector wide high)) (minus (add p shift) (vector wide high))))
 
-;; As wide as letters usually are.
+;; The letters' width is estimated.
 (define (lettering-corners s scale)
   (define size (/ (lettering-size s) scale))
   (define wide (* 0.31 size (+ 1 (string-length (lettering-text s)))))

@@ -1,10 +1,10 @@
 #lang racket/base
-;; What is shown in an animation, and when.
+;; A film: the motion that an animation shows, its drawing and its schedule.
 
 (provide (struct-out film) film-state)
 
 ;; motion : time -> state; drawing : state -> pict
-;; trail : state -> points, or #f; trail-time : how much of it is seen, or #f for all
+;; trail : state -> points, or #f; trail-time : its duration on the picture, or #f for all of it
 ;; plane : phase-plane or #f; title : string
 (struct film (motion drawing schedule trail trail-time plane title))
 

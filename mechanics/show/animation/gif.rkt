@@ -28,12 +28,12 @@
     now)
   (gif-end gif))
 
-;; Which of n pictures the palette is made of.
+;; Returns the indices of the pictures from which the palette is made.
 (define (sample n)
   (define count (min n 12))
   (for/list ([k (in-range count)]) (quotient (* k (- n 1)) (max 1 (- count 1)))))
 
-;; On white paper, as ARGB.
+;; Returns the ARGB bytes of a picture on white paper.
 (define (pixels-of picture width height)
   (define bitmap (make-object bitmap% width height #f #f))
   (define canvas (new bitmap-dc% [bitmap bitmap]))
@@ -52,8 +52,8 @@
 ;; ---------------------------------------------------------------------------
 ;; What changes
 
-;; The least rectangle outside of which both are equal, of one pixel at least.
-;; -> left, top, right, bottom; the last two are beyond it
+;; Finds the smallest rectangle, of one pixel at least, outside of which both are equal.
+;; Returns left, top, right, bottom; the last two are just beyond it.
 (define (changed before now width height)
   (cond [(not before) (values 0 0 width height)]
         [else

@@ -10,7 +10,7 @@
 
 (provide loaded? paint)
 
-;; For those who load this module lazily and want to know whether they can.
+;; A call of it loads this module: so a caller learns whether that is possible.
 (define (loaded?) #t)
 
 ;; bounds : (list x-min x-max y-min y-max); width : pixels; the height follows.
@@ -60,8 +60,8 @@
 (define head-length 9.0)         ; pixels
 (define head-angle (/ pi 8))
 
-;; An arrow whose tip is the first of the points.  Of a curve that begins with short pieces it
-;; takes the direction from a point as far away as the head is long.
+;; Draws an arrow head with its tip at the first point.  Its direction comes from the first point
+;; that is about as far away as the head is long: a curve may begin with short pieces.
 (define (paint-head canvas s points)
   (define tip (car points))
   (define (away p) (magnitude (make-rectangular (- (car p) (car tip)) (- (cdr p) (cdr tip)))))
@@ -135,7 +135,7 @@
   (make-font #:size (* share (lettering-size s)) #:size-in-pixels? #t #:family 'roman
              #:style (if (lettering-italic? s) 'italic 'normal)))
 
-;; From the point to the upper left corner of the text.
+;; Returns the offset from the point to the upper left corner of the text.
 (define (corner-of anchor width height)
   (case anchor
     [(left) (values (- (+ width gap)) (* -0.5 height))]

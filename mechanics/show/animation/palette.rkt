@@ -11,7 +11,7 @@
 (provide make-palette palette-colors palette-index)
 
 ;; colors : vectors of three bytes, as many as a power of 2
-;; indices : bytes and #f, by bins; those unknown are found when asked for
+;; indices : for each bin the index of its color, or #f until it is first asked for
 (struct palette (colors indices))
 
 (define bins 32768)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What the picture beside the mechanism shows: one function of the state against another.
+;; The phase portrait beside a mechanism shows one function of the state against another.
 
 (require "system-state.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"
@@ -19,9 +19,7 @@
   #:omit-define-syntaxes)
 
 (define (phase-plane x y #:x-label [x-label "x"] #:y-label [y-label "y"])
-  (for ([f (in-list (list x y))])
-    (unless (and (procedure? f) (accepts? f 1))
-      (raise-other-function 'phase-plane "a function of the state" f)))
+  (for ([f (in-list (list x y))]) (check-function-of-state 'phase-plane f))
   (for ([text (in-list (list x-label y-label))])
     (check-argument 'phase-plane string? text "a string as label"))
   (new-phase-plane x y x-label y-label))
@@ -50,7 +48,7 @@
   (define v (vector-ref (tuple-elements (adopt state)) 2))
   (and (tuple? v) (down? v)))
 
-;; -> vector of two flonums
+;; Returns a vector of two flonums.
 (define (plane-point-at p who state)
   (define (number f axis)
     (coordinate-of who (lambda () (format "the ~a of the phase portrait" axis)) (f state)))

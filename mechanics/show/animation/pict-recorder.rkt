@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a pict draws, as elements of SVG.
+;; The drawing of a pict as elements of SVG.
 ;;
 ;; A pict draws on a canvas; this one keeps a record in place of making a picture.  Each line,
 ;; disc and text becomes an element by itself, in pixels, so that elements that stay the same
@@ -21,7 +21,7 @@
   (draw-pict p recorder 0 0)
   (send recorder recorded))
 
-;; What is common to all that is drawn.
+;; Recorded elements, and the present pen, brush and transformation.
 (define canvas%
   (class bitmap-dc%
     (super-new [bitmap (make-object bitmap% 1 1 #f #t)])
@@ -113,7 +113,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Looks
 
-;; As a pen and a brush draw under a transformation; #f if that is nothing.
+;; The look of lines and areas under a transformation; #f if they are invisible.
 (define (look-of pen brush alpha m rule)
   (define stroke? (not (eq? (send pen get-style) 'transparent)))
   (define fill (fill-color brush))

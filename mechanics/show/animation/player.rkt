@@ -13,12 +13,12 @@
 
 (provide loaded? open-player make-performance)
 
-;; What is played.  picture : share of the whole, from 0 to 1, -> pict; caption : share -> text
-;; seconds : how long it takes; pause : milliseconds between pictures
+;; The animation that is played.  picture : share of the whole, from 0 to 1, -> pict
+;; caption : share -> text; seconds : duration; pause : milliseconds between pictures
 (struct performance (title width height seconds pause picture caption)
   #:constructor-name make-performance)
 
-;; share : how far it is; then : when that was, in milliseconds
+;; share : of the whole that has been played; then : the clock at that share, in milliseconds
 (struct player (performance canvas controls timer
                 [share #:mutable] [playing? #:mutable] [then #:mutable]))
 (struct controls (button slider status choice))
@@ -88,7 +88,7 @@
   (set-player-share! p (max 0.0 (min 1.0 (exact->inexact share))))
   (show-now p))
 
-;; After the end it begins anew.
+;; Advances to the share that the clock says; after the end it begins anew.
 (define (tick! p)
   (when (player-playing? p)
     (define work (player-performance p))

@@ -13,7 +13,7 @@
 ;; Between the edge and the axes.
 (define-values (left right bottom top) (values 52.0 12.0 40.0 14.0))
 
-;; x, y : ranges, what the axes show; shapes : all that stands
+;; x, y : ranges of the axes; shapes : axes and curve
 (struct portrait (x y shapes))
 (struct range (low high))
 
@@ -36,7 +36,7 @@
                   #:fill (cadr accents) #:color #f))
       '()))
 
-;; A little more than there is; an interval even where there is no variation.
+;; Returns the range of the numbers with a margin; never an empty interval.
 (define (range-of xs)
   (define low (if (null? xs) 0.0 (apply min xs)))
   (define high (if (null? xs) 0.0 (apply max xs)))

@@ -4,18 +4,18 @@
 
 (require racket/flonum
          racket/list
-         (only-in racket/math exact-ceiling)
+         (only-in racket/math exact-ceiling exact-floor)
          (only-in pict pict? pict-width pict-height blank lt-superimpose hc-append)
          "drawing.rkt" "film.rkt" "paint.rkt" "phase-plane.rkt" "portrait.rkt"
          "schedule.rkt" "shapes.rkt"
-         "../../error/complain.rkt"
+         "../../error/complain.rkt" "../../error/computed-once.rkt"
          "../../generic/describe.rkt"
          "../../numeric/finite-number.rkt")
 
 (provide make-scenery check-picture scenery->pict scenery-size
          scenery-film scenery-panels
-         panel-width panel-height panel-picture panel-trails panel-trail-at
-         trail-detail trail-range)
+         panel-width panel-height panel-picture panel-trails
+         trail-detail)
 
 ;; panels : one or two
 (struct scenery (film panels))
@@ -33,7 +33,7 @@
   (define mechanism (mechanism-panel f))
   (scenery f (if (film-plane f) (list mechanism (portrait-panel f)) (list mechanism))))
 
-;; The whole picture at a time.
+;; Returns the whole picture at time t.
 (define (scenery->pict s t)
   (define pictures
     (for/list ([p (in-list (scenery-panels s))])
@@ -45,7 +45,7 @@
 
 (define gap 10)
 
-;; -> width and height of all pictures, exact
+;; Returns width and height of all pictures, exact integers.
 (define (scenery-size s)
   (define panels (scenery-panels s))
   (values (exact-ceiling (+ (* gap (- (length panels) 1)) (apply + (map panel-width panels))))
@@ -59,10 +59,7 @@
   (define (picture t) (picture-of drawing (film-state f t)))
   (define-values (width height) (largest f picture))
   (define place (if (drawing? drawing) (lambda (p) (drawn-place drawing p)) values))
-  (define curves (box #f))
-  (define (trails)
-    (unless (unbox curves) (set-box! curves (trail-curves f place)))
-    (unbox curves))
+  (define trails (once (lambda () (trail-curves f place))))
   (panel width height picture trails (lambda (t) (trail->pict f (trails) t width height))))
 
 (define (picture-of drawing state) (check-picture 'animation (drawing state) state))
@@ -73,7 +70,7 @@
               (value->text state) (describe-with-value x)))
   x)
 
-;; Pictures of this library are all of one size; of others some are looked at.
+;; The pictures of a drawing of this library have one size; of other drawings some are measured.
 (define sample-size 25)
 
 (define (largest f picture)
@@ -105,13 +102,13 @@
                                                        [part (in-vector (list-ref all i))])
           part))))
 
-;; Indices of the first and the last point that is seen at a time.
+;; Returns the indices of the first and the last visible point of the trails at time t.
 (define (trail-range f t)
   (define s (film-schedule f))
   (define last (- (detailed s) 1))
   (define (index time)
     (define share (/ (- time (schedule-start s)) (schedule-span s)))
-    (max 0 (min last (inexact->exact (floor (+ 1e-9 (* last share)))))))
+    (max 0 (min last (exact-floor (+ 1e-9 (* last share))))))
   (define back (film-trail-time f))
   (define forward (if (> (schedule-span s) 0.0) 1.0 -1.0))
   (define now (exact->inexact t))

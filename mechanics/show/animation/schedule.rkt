@@ -26,7 +26,7 @@
 (define (schedule-span s) (- (schedule-end s) (schedule-start s)))
 (define (schedule-seconds s) (/ (abs (schedule-span s)) (schedule-speed s)))
 
-;; Pictures at that rate, the first and the last among them.
+;; The number of pictures, the first and the last included.
 (define (schedule-count s)
   (+ 1 (max 1 (inexact->exact (ceiling (- (* (schedule-seconds s) (schedule-rate s)) 1e-6))))))
 
@@ -37,17 +37,17 @@
         [(>= i last) (schedule-to s)]
         [else (+ (schedule-start s) (* (schedule-span s) (/ i (exact->inexact last))))]))
 
-;; With another number of pictures in a second.
+;; The same schedule with another rate.
 (define (schedule-at-rate s rate) (struct-copy schedule s [rate rate]))
 
-;; So many seconds after the start.
+;; The time shown a number of seconds after the start.
 (define (time-after s seconds)
   (define share (/ seconds (schedule-seconds s)))
   (cond [(<= share 0.0) (schedule-from s)]
         [(>= share 1.0) (schedule-to s)]
         [else (+ (schedule-start s) (* (schedule-span s) share))]))
 
-;; A time that somebody asks for, which must be within.
+;; Returns t if it is a time within the schedule; else complains.
 (define (check-time-within who s t)
   (define x (check-number who "the time" t))
   (define-values (low high)

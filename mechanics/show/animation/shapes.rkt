@@ -13,7 +13,7 @@
 (provide polyline disc label flat-shapes
          (struct-out stroke) (struct-out spot) (struct-out lettering)
          ink faint accents
-         point-of check-length check-color)
+         point-of check-length)
 
 ;; Colors that can be read on white paper and on a dark page: the first turns white there.
 (define ink "black")

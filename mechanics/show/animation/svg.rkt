@@ -16,19 +16,27 @@
 ;; stroke, fill : as CSS has colors, or #f; dashes : in widths of the line, or #f
 (struct look (stroke width dashes fill even-odd?) #:transparent)
 
-;; head : such as "path d=\"M0 0\""; look : look, or #f if the head says all
-;; body : what is inside, as markup
-(struct element (head look body) #:transparent)
+;; tag : as "path"; attributes : text; look : look, or #f if the attributes say all
+;; body : the markup or the element inside
+(struct element (tag attributes look body) #:transparent)
+
+;; name, value : in turn; a number as SVG has them, or a text
+(define (attributes . names-and-values)
+  (let loop ([rest names-and-values])
+    (if (null? rest)
+        ""
+        (string-append (format " ~a=\"~a\"" (car rest)
+                               (if (real? (cadr rest)) (number->svg (cadr rest)) (cadr rest)))
+                       (loop (cddr rest))))))
 
 ;; class-of : look -> name of its class
 (define (element->markup e class-of)
-  (define style (if (element-look e) (format " class=\"~a\"" (class-of (element-look e))) ""))
-  (define tag (car (string-split (element-head e) " ")))
+  (define style (if (element-look e) (attributes 'class (class-of (element-look e))) ""))
+  (define tag (element-tag e))
+  (define head (string-append "<" tag (element-attributes e) style))
   (define body (element-body e))
   (define inside (if (element? body) (element->markup body class-of) body))
-  (if (string=? inside "")
-      (format "<~a~a/>" (element-head e) style)
-      (format "<~a~a>~a</~a>" (element-head e) style inside tag)))
+  (if (string=? inside "") (string-append head "/>") (format "~a>~a</~a>" head inside tag)))
 
 (define (look->css l)
   (define width (number->svg (look-width l)))
@@ -51,7 +59,7 @@
   (define pieces
     (append (for/list ([points (in-list closed)]) (string-append (piece points) "Z"))
             (if (null? open) '() (list (piece open)))))
-  (element (format "path d=\"~a\"" (string-append* pieces)) look ""))
+  (element "path" (attributes 'd (string-append* pieces)) look ""))
 
 ;; Points, of which those with six numbers end curves.
 (define (piece points)
@@ -63,10 +71,7 @@
 (define (numbers xs) (string-join (map number->svg xs) " "))
 
 (define (ellipse-element center rx ry look)
-  (element (format "ellipse cx=\"~a\" cy=\"~a\" rx=\"~a\" ry=\"~a\""
-                   (number->svg (at-x center)) (number->svg (at-y center))
-                   (number->svg rx) (number->svg ry))
-           look ""))
+  (element "ellipse" (attributes 'cx (at-x center) 'cy (at-y center) 'rx rx 'ry ry) look ""))
 
 ;; x, y : upper left corner; ascent : from there down to the line
 (define (text-element text x y width ascent angle font color alpha m)
@@ -74,26 +79,25 @@
   (define turn
     (if (zero? angle)
         ""
-        (format " rotate(~a ~a ~a)" (number->svg (- (radians->degrees angle)))
-                (number->svg x) (number->svg y))))
-  (element
-   (format (string-append "text x=\"~a\" y=\"~a\" textLength=\"~a\" transform=\"matrix(~a)~a\" "
-                          "style=\"~afill:~a\"")
-           (number->svg x) (number->svg base) (number->svg (max 0.1 width))
-           (numbers (vector->list m)) turn (font->css font) (color->css color alpha))
-   #f
-   (xexpr->string text)))
+        (format " rotate(~a)" (numbers (list (- (radians->degrees angle)) x y)))))
+  (element "text"
+           (attributes 'x x 'y base 'textLength (max 0.1 width)
+                       'transform (string-append (matrix->svg m) turn)
+                       'style (format "~afill:~a" (font->css font) (color->css color alpha)))
+           #f
+           (xexpr->string text)))
+
+(define (matrix->svg m) (format "matrix(~a)" (numbers (vector->list m))))
 
 (define (image-element bitmap x y width height alpha m)
   (define port (open-output-bytes))
   (send bitmap save-file port 'png)
-  (element
-   (format (string-append "image x=\"~a\" y=\"~a\" width=\"~a\" height=\"~a\" opacity=\"~a\" "
-                          "transform=\"matrix(~a)\" href=\"data:image/png;base64,~a\"")
-           (number->svg x) (number->svg y) (number->svg width) (number->svg height)
-           (number->svg alpha) (numbers (vector->list m))
-           (bytes->string/latin-1 (base64-encode (get-output-bytes port) #"")))
-   #f ""))
+  (define content (bytes->string/latin-1 (base64-encode (get-output-bytes port) #"")))
+  (element "image"
+           (attributes 'x x 'y y 'width width 'height height 'opacity alpha
+                       'transform (matrix->svg m)
+                       'href (string-append "data:image/png;base64," content))
+           #f ""))
 
 ;; A picture within a picture shows nothing outside of itself.  box : left, top, width, height
 (define (clipped e box m)
@@ -104,9 +108,8 @@
     (values (min (at-x corner) (at-x opposite)) (min (at-y corner) (at-y opposite))))
   (define-values (w h)
     (values (abs (- (at-x opposite) (at-x corner))) (abs (- (at-y opposite) (at-y corner)))))
-  (define place (numbers (list x y w h)))
-  (element (format "svg x=\"~a\" y=\"~a\" width=\"~a\" height=\"~a\" viewBox=\"~a\""
-                   (number->svg x) (number->svg y) (number->svg w) (number->svg h) place)
+  (element "svg"
+           (attributes 'x x 'y y 'width w 'height h 'viewBox (numbers (list x y w h)))
            #f e))
 
 ;; A point under a transformation, as racket/draw's vectors have it.

@@ -8,8 +8,8 @@
 
 (provide read-state slot-components)
 
-;; counts : how many coordinates there may be, a list, or #f for any number
-;; -> two values, a flonum and a vector of flonums
+;; counts : list of allowed numbers of coordinates, or #f for any number
+;; Returns the time, a flonum, and the coordinates, a vector of flonums.
 (define (read-state who state counts)
   (unless (local-tuple? state)
     (complain who "expected a state, such as (up t q v)\n  given: ~a~a"

@@ -1,12 +1,13 @@
 #lang racket/base
 ;; Are the shared libraries there that racket/draw calls?
 
-(provide reason-not-to-load)
+(require "../../error/machine-limits.rkt")
 
-;; load : -> any, loads what needs them
-;; -> a procedure that gives the reason why they cannot be loaded, a string which ends with
-;; what to install, or #f.  A library that is missing is looked for once; nothing but the
-;; loading can fail here, in whatever way.
+(provide reason-not-to-load check-drawing)
+
+;; load : loads a module that needs them
+;; Returns a procedure that returns #f, or the reason why they cannot be loaded: a string that ends
+;; with what to install.  Loading is tried once; every failure in it counts as a missing library.
 (define ((reason-not-to-load load [reason (box 'unknown)]))
   (when (eq? (unbox reason) 'unknown)
     (set-box! reason
@@ -14,6 +15,12 @@
                 (load)
                 #f)))
   (unbox reason))
+
+;; reason : a procedure made by reason-not-to-load
+(define (check-drawing who reason)
+  (define text (reason))
+  (when text
+    (raise-unavailable who "pictures cannot be drawn on this machine\n  reason: ~a" text)))
 
 ;; Cairo and the other libraries come with these.
 (define remedy

@@ -39,7 +39,8 @@
 (define step 16)
 (define (steps y) (quotient (inexact->exact (ceiling y)) step))
 
-;; boxes, as many as are asked for: width, height, descent, space above, left, right; or #f
+;; boxes : up to six, for width, height, descent and the spaces above, left and right; #f for one
+;; that is not wanted
 (define (give-extent d boxes)
   (define extent (list (drawing-width d) (drawing-height d) (drawing-descent d) 0 0 0))
   (for ([b (in-list boxes)] [value (in-list extent)])

@@ -36,7 +36,7 @@
   (define (line s) (text s 'modern (max 1 (inexact->exact (round size)))))
   (apply vl-append (map line (string-split program "\n"))))
 
-;; In a color, for which the pens and letters of the dc are set and put back.
+;; Draws in a color; pen, brush and letters of the dc are restored.
 (define (draw-drawing d dc x y color)
   (define pen (send dc get-pen))
   (define brush (send dc get-brush))
@@ -57,7 +57,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; Of letters in a picture that stands alone.
+;; The size of letters in a picture that stands alone.
 (define page-size 16)
 
 ;; request : as `convert` names it, 'png-bytes and so on

@@ -27,27 +27,15 @@
 ;; Nothing that could be simplified, at a glance.
 (define (plain? x) (or (number? x) (string? x) (symbol? x) (boolean? x) (null? x) (char? x)))
 
-(define-named show:display display
-  (case-lambda
-    [(x) (display (shown x))]
-    [(x port) (display (shown x) port)]))
+;; (define-shown name print (argument ...) ...): for each list of further arguments a clause
+(define-syntax-rule (define-shown name print (argument ...) ...)
+  (define-named name print
+    (case-lambda [(x argument ...) (print (shown x) argument ...)] ...)))
 
-(define-named show:displayln displayln
-  (case-lambda
-    [(x) (displayln (shown x))]
-    [(x port) (displayln (shown x) port)]))
-
-(define-named show:print print
-  (case-lambda
-    [(x) (print (shown x))]
-    [(x port) (print (shown x) port)]
-    [(x port depth) (print (shown x) port depth)]))
-
-(define-named show:println println
-  (case-lambda
-    [(x) (println (shown x))]
-    [(x port) (println (shown x) port)]
-    [(x port depth) (println (shown x) port depth)]))
+(define-shown show:display display () (port))
+(define-shown show:displayln displayln () (port))
+(define-shown show:print print () (port) (port depth))
+(define-shown show:println println () (port) (port depth))
 
 ;; ---------------------------------------------------------------------------
 ;; Values within a text

@@ -32,11 +32,8 @@
 (define (formula-size tree)
   (define known (make-hasheq))
   (let size ([t tree])
-    (or (hash-ref known t #f)
-        (let* ([parts (tree-parts t)]
-               [n (if (null? parts) 1 (apply + (map size parts)))])
-          (hash-set! known t n)
-          n))))
+    (define parts (tree-parts t))
+    (hash-ref! known t (lambda () (if (null? parts) 1 (apply + (map size parts)))))))
 
 ;; ---------------------------------------------------------------------------
 ;; In files

@@ -35,7 +35,7 @@
                     (lambda () (result-text x width see))
                     laid-out))))
 
-;; As an S-expression.  The elements of a list or vector are simplified though Racket prints it.
+;; The result as an S-expression.  Racket prints a list or vector; its elements are simplified.
 (define (expression-result x width see)
   (cond [(in-notation? x)
          (define s (see x))
@@ -55,7 +55,7 @@
         [(vector? x) (notes-within (vector->list x) see)]
         [else '()]))
 
-;; -> the text, and the part of it that is no remark
+;; Returns the text with its remarks, and without them.
 (define (result-text x width see)
   (define text (format "~v" (expression-result x width see)))
   (values text
@@ -66,7 +66,7 @@
 
 (struct seen (value notes) #:authentic)
 
-;; -> a procedure from a value in our notation to what is seen of it
+;; Returns a function from a value in our notation to its `seen`, computed once.
 (define (seen-once)
   (define known (make-hasheq))
   (lambda (x)
@@ -75,7 +75,7 @@
       (seen shown notes))
     (hash-ref! known x look)))
 
-;; The value with all its elements simplified, and the notes of all
+;; Returns the value with all elements simplified, and the notes of all.
 (define (shown-throughout x see)
   (cond [(in-notation? x)
          (define s (see x))

@@ -16,7 +16,7 @@
 (require-on-demand ["formula-snip.rkt" formula->snip]
                    ["formula-picture.rkt" formula->picture])
 
-(provide styled-result most-drawn)
+(provide styled-result)
 
 ;; Numbers and names that are drawn in one picture at most.
 (define most-drawn 2000)

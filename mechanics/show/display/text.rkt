@@ -36,8 +36,8 @@
                    label
                    (layout-content (or (caddr line) '()) (string-length label) width))))
 
-;; Parts one after the other; one that does not fit begins a line of its own, except the
-;; first, which is broken where it stands.  The sides of an equation stay together.
+;; Puts parts one after the other; a part that does not fit begins a line of its own, but the first
+;; is broken where it stands.  The sides of an equation stay together.
 (define (layout-content parts column width)
   (define start (+ column 1))
   (let loop ([parts parts] [at column] [stays? #t] [pieces '()])

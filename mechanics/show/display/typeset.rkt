@@ -32,7 +32,7 @@
   (when (regexp-match? #px"\\p{L}\\^[0-9]" text) (note-superscript))
   (read-expression (infix->datum text)))
 
-;; So is the component x^2 of a literal tuple written.
+;; x^2 is also the name of a component of a literal tuple.
 (define (note-superscript)
   (note-once "read-infix: x^2 is a name with a superscript; the square of x is x² or x**2"))
 

@@ -7,7 +7,7 @@
 
 ;; source : the expression of the map, a datum, or #f if it is not known
 ;; picture : the name of the file that the program writes
-;; missing : names in the source that the program does not know, or why the source is none
+;; missing : names in the source that the program lacks, or a string: why the source is no expression
 (define (write-exploration e v source picture port #:missing [missing '()])
   (define frame (frame-expression v (exploration-bounds e)))
   (for ([text (list opening (orbits->text e) (format redrawing frame)
@@ -16,7 +16,7 @@
 
 (define modules '(mechanics mechanics/book mechanics/plot))
 
-;; -> list of symbols, or a string
+;; Returns a list of symbols, or a string, as unknown-names does.
 (define (names-missing source namespace)
   (if source (unknown-names source modules namespace) '()))
 

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What has been explored of a map: its orbits, the part of the plane that is shown, and what was
-;; done, so that it can be undone.  No window yet.
+;; The state of an exploration of a map: its orbits, the part of the plane on view, and the steps
+;; that can be undone.  It knows no window.
 
 (require racket/flonum
          "../plot/orbit-worker.rkt" "../plot/pixels.rkt" "../plot/points.rkt")
@@ -8,26 +8,30 @@
 (provide make-exploration exploration-bounds exploration-orbits exploration-map exploration-n
          traced-orbit traced-count exploration->dots
          add-orbit! add-points! zoom! whole! clear! undo!
-         next-color each-orbit-marked)
+         each-orbit-marked)
 
-;; bounds : what is shown; whole : what was shown first; orbits : latest first; past : what
-;; brings back each earlier state, latest first
+;; bounds : the view; whole : the first view; orbits : the latest first; past : procedures that
+;; restore the earlier states, the latest first
 (struct exploration (map n whole [bounds #:mutable] [orbits #:mutable] [past #:mutable])
   #:authentic)
 
-;; An orbit with the points received of it.
+;; An orbit with the points received from the worker.
 (struct traced (orbit points) #:authentic)
 
-;; How many points of it there are.
+;; The number of points of a traced orbit.
 (define (traced-count t) (snapshot-count (take-snapshot (traced-points t))))
 
 ;; (visit color x y) for each point, orbit by orbit
 (define (exploration->dots e visit)
+  (for-each-orbit e
+    (lambda (color xs ys count)
+      (for ([x (in-flvector xs 0 count)] [y (in-flvector ys 0 count)]) (visit color x y)))))
+
+;; (visit color xs ys count), the earliest first; the first `count` of both flvectors are points
+(define (for-each-orbit e visit)
   (for ([t (in-list (reverse (exploration-orbits e)))])
     (define s (take-snapshot (traced-points t)))
-    (define color (orbit-color (traced-orbit t)))
-    (for ([k (in-range (snapshot-count s))])
-      (visit color (flvector-ref (snapshot-xs s) k) (flvector-ref (snapshot-ys s) k)))))
+    (visit (orbit-color (traced-orbit t)) (snapshot-xs s) (snapshot-ys s) (snapshot-count s))))
 
 (define (make-exploration map n bounds) (exploration map n bounds bounds '() '()))
 
@@ -50,7 +54,7 @@
   (set-exploration-orbits! e (cons (traced o (make-points)) (exploration-orbits e)))
   o)
 
-;; -> is the orbit still there?
+;; Returns #f if the orbit has been removed meanwhile.
 (define (add-points! e o xs ys count)
   (define t (for/first ([t (in-list (exploration-orbits e))] #:when (eq? o (traced-orbit t))) t))
   (when t
@@ -70,16 +74,13 @@
   (for ([t (in-list (exploration-orbits e))]) (stop-orbit! (traced-orbit t)))
   (set-exploration-orbits! e '()))
 
-;; The last of these that has not been undone yet.
+;; Undoes the last step that has not been undone yet.
 (define (undo! e)
   (unless (null? (exploration-past e))
     (define bring-back (car (exploration-past e)))
     (set-exploration-past! e (cdr (exploration-past e)))
     (bring-back)))
 
-;; All again, on pixels of another part of the plane.  color->bytes : number -> three bytes
+;; Marks all orbits on the pixels p.  color->bytes : number -> three bytes
 (define (each-orbit-marked e p color->bytes)
-  (for ([t (in-list (reverse (exploration-orbits e)))])
-    (define s (take-snapshot (traced-points t)))
-    (mark! p (snapshot-xs s) (snapshot-ys s) 0 (snapshot-count s)
-           (color->bytes (orbit-color (traced-orbit t))))))
+  (for-each-orbit e (lambda (color xs ys count) (mark! p xs ys count (color->bytes color)))))

@@ -14,7 +14,7 @@
          ;; for tests: -> the explorer
          open-exploration)
 
-;; Waits until the window is closed; what was explored is in the frame then.
+;; Waits until the window is closed; then the frame has the explored orbits.
 (define (explore-in-window who f map n starts source)
   (wait-until-closed (open-exploration who f map n starts source)))
 
@@ -38,7 +38,7 @@
 (define (draw-explored who e f)
   (exploration->dots e (lambda (color x y) (add-dot! who f color 1.0 #f x y))))
 
-;; What was in the frame before, in grey.
+;; Draws the earlier contents of the frame in grey.
 (define ((background f) dc point->pixel)
   (send dc set-pen "gray" 1 'solid)
   (for ([c (in-list (frame-curves f))])
@@ -52,8 +52,8 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; missing : what the source needs beside what the program knows (exploration-program.rkt)
-;; -> what was written, or why not
+;; missing : as write-exploration takes it (exploration-program.rkt)
+;; Returns a text: the files that were written, or the reason of the failure.
 (define (save e v source missing picture)
   (define name (free-name 1))
   (define-values (image program) (values (string-append name ".png") (string-append name ".rkt")))

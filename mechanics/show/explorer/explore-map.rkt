@@ -9,7 +9,7 @@
          "../../dynamics/map/map-of-the-plane.rkt"
          "../../numeric/finite-number.rkt")
 
-(require-on-demand ["../../dynamics/map/compiled-map.rkt" orbit-stepper]
+(require-on-demand ["../../dynamics/map/compiled-map.rkt" stepper-at]
                    ["explore-in-window.rkt" explore-in-window])
 
 (provide explore-map display-map)
@@ -36,7 +36,7 @@
                (draw-orbit who f map n (car p) (cdr p) k size)))])
   f)
 
-;; A collector goes where it is sent; starts of a grid may have no image.
+;; A collector complains of given starts without an image; starts of a grid may have none.
 (define (collect-orbits who f collector given grid window?)
   (when window?
     (complain who
@@ -70,11 +70,6 @@
         (draw)
         (loop (- n 1))))))
 
-;; #f where the map has no image at once.
-(define (stepper-at who map x y) (and (image? who map x y) (orbit-stepper map x y who)))
-
-(define (image? who map x y) (image-or-none who map x y (lambda (x y) #t)))
-
 ;; ---------------------------------------------------------------------------
 ;; Where orbits start
 
@@ -101,8 +96,8 @@
     (complain who "the map has no image of the start ~a\n  map: ~a~a"
               (value->text (up x y)) (value->text map) (where-allowed who f map y))))
 
-;; The abscissas at that ordinate, within the frame, where there are images: those a section of
-;; that energy has, say.
+;; Names the abscissas in the frame where, at that ordinate, the map has images: for a section, those
+;; that the energy allows.
 (define (where-allowed who f map y)
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
   (define (at k) (+ x-min (* (- x-max x-min) (/ k 200.0))))
@@ -119,7 +114,7 @@
                 (if (= first 0) x-min (edge (at first) (at (- first 1))))
                 (if (= last 200) x-max (edge (at last) (at (+ last 1))))))))
 
-;; The middles of as many equal parts of the frame; those without an image start no orbit.
+;; Returns the middles of equal parts of the frame, (list across up) of them.
 (define (grid-starts who f grid)
   (unless (and (list? grid) (= (length grid) 2) (andmap exact-positive-integer? grid))
     (complain who "#:grid is a list of two numbers of starts, across and up; given ~a"

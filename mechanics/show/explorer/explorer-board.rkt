@@ -1,6 +1,6 @@
 #lang racket/base
-;; The canvas of an exploration: points on a byte string of pixels, with what was drawn in the
-;; frame before beneath, and axes around.
+;; The canvas of an exploration: points on a byte string of pixels, above the earlier contents of the
+;; frame, with axes around.
 
 (require racket/class
          racket/gui/base
@@ -17,7 +17,7 @@
 
 ;; background : device context, (x y -> pixel) -> any; on-point : x y -> any;
 ;; on-zoom : bounds -> any
-;; pixels, bitmap : what is shown, or #f; fresh? : does the bitmap show the pixels?
+;; pixels, bitmap : the contents, or #f; fresh? : does the bitmap show the pixels?
 ;; from, to : where the button went down, and where the mouse is now, pairs or #f
 (struct board (exploration background on-point on-zoom
                [canvas #:mutable] [pixels #:mutable] [bitmap #:mutable] [fresh? #:mutable]
@@ -41,9 +41,9 @@
     (define/override (on-char event) (on-key (send event get-key-code)))))
 
 ;; ---------------------------------------------------------------------------
-;; What is on it
+;; Contents
 
-;; All again, as after a change of what is shown or of the size.
+;; Draws everything again, after a change of the view or of the size.
 (define (redraw-board! b)
   (define-values (width height) (send (board-canvas b) get-client-size))
   (define p
@@ -51,7 +51,7 @@
                  (max 20 (- width left right)) (max 20 (- height top bottom))))
   (define bitmap (make-bitmap (pixels-width p) (pixels-height p)))
   (put-background! b bitmap p)
-  (each-orbit-marked (board-exploration b) p color->bytes)
+  (each-orbit-marked (board-exploration b) p ->pen-color)
   (set-board-pixels! b p)
   (set-board-bitmap! b bitmap)
   (changed! b))
@@ -67,13 +67,13 @@
   ((board-background b) dc (lambda (x y) (point->pixel p x y)))
   (send bitmap get-argb-pixels 0 0 (pixels-width p) (pixels-height p) (pixels-bytes p)))
 
-;; Points that have come.
+;; Marks new points of an orbit.
 (define (mark-on-board! b xs ys count color)
   (unless (board-pixels b) (redraw-board! b))
-  (mark! (board-pixels b) xs ys 0 count (color->bytes color))
+  (mark! (board-pixels b) xs ys count (->pen-color color))
   (changed! b))
 
-;; -> a bitmap of all that is seen
+;; Returns a bitmap of the whole canvas.
 (define (board-picture b)
   (define-values (width height) (send (board-canvas b) get-client-size))
   (define all (make-bitmap width height))
@@ -128,8 +128,6 @@
   (define-values (i j) (point->pixel (board-pixels b) x y))
   (values (+ left i) (+ top j)))
 
-(define (color->bytes k) (->pen-color k))
-
 ;; ---------------------------------------------------------------------------
 
 (define (draw-axes dc p)
@@ -139,26 +137,25 @@
   (send dc set-pen "black" 1 'solid)
   (send dc set-brush "white" 'transparent)
   (send dc draw-rectangle (- left 1) (- top 1) (+ width 2) (+ height 2))
-  (define (text-size text)
-    (define-values (w h descent space) (send dc get-text-extent text))
-    (values w h))
   (for ([t (in-list (ticks-between x-min x-max))])
-    (define-values (i j) (point->pixel p (car t) y-min))
-    (define-values (w h) (text-size (cdr t)))
+    (define-values (i j) (point->pixel p (tick-at t) y-min))
+    (define-values (w h descent space) (send dc get-text-extent (tick-text t)))
     (send dc draw-line (+ left i) (+ top height) (+ left i) (+ top height 4))
-    (send dc draw-text (cdr t) (- (+ left i) (/ w 2)) (+ top height 6)))
+    (send dc draw-text (tick-text t) (- (+ left i) (/ w 2)) (+ top height 6)))
   (for ([t (in-list (ticks-between y-min y-max))])
-    (define-values (i j) (point->pixel p x-min (car t)))
-    (define-values (w h) (text-size (cdr t)))
+    (define-values (i j) (point->pixel p x-min (tick-at t)))
+    (define-values (w h descent space) (send dc get-text-extent (tick-text t)))
     (send dc draw-line (- left 5) (+ top j) (- left 1) (+ top j))
-    (send dc draw-text (cdr t) (- left 8 w) (- (+ top j) (/ h 2)))))
+    (send dc draw-text (tick-text t) (- left 8 w) (- (+ top j) (/ h 2)))))
 
 (define small (make-font #:size 8))
+
+(struct tick (at text))
 
 (define (ticks-between low high)
   (for/list ([t (in-list (ticks-generate (linear-ticks) low high))]
              #:when (<= low (pre-tick-value t) high))
-    (cons (real->double-flonum (pre-tick-value t)) (tick-label t))))
+    (tick (real->double-flonum (pre-tick-value t)) (tick-label t))))
 
 (define (draw-box dc from to)
   (send dc set-pen "gray" 1 'short-dash)

@@ -17,7 +17,7 @@
 
 (define (explorer-loaded?) #t)
 
-;; message : what the line below says; save : exploration -> text
+;; message : the text of the line below; save : exploration bitmap -> text
 (struct explorer (exploration window board status save
                   [worker #:mutable] [message #:mutable] closed)
   #:authentic)
@@ -52,7 +52,7 @@
     it))
 
 ;; ---------------------------------------------------------------------------
-;; What the reader does
+;; Actions of the reader
 
 (define (on-key it code)
   (define action
@@ -106,7 +106,7 @@
     (void (yield (explorer-closed it)))))
 
 ;; ---------------------------------------------------------------------------
-;; What the worker has
+;; Points from the worker
 
 ;; The worker waits until its points are drawn.
 (define ((receiver it) o xs ys count why)
@@ -122,7 +122,7 @@
      #f))
   (semaphore-wait done))
 
-;; what : a text, or #f for how much there is
+;; what : a text, or #f for the numbers of orbits and points
 (define (say! it what)
   (define orbits (exploration-orbits (explorer-exploration it)))
   (define text

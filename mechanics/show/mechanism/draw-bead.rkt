@@ -4,7 +4,7 @@
 (require (only-in racket/list take)
          "mechanism-parts.rkt"
          "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt" "../animation/shapes.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/describe.rkt"
          "../../numeric/constants.rkt"
          "../plot/coordinate.rkt")
 
@@ -63,8 +63,7 @@
 ;; With two coordinates the bead is where they say, and may leave the track.
 (define (draw-bead-on-track curve from to #:width [width 360])
   (define who 'draw-bead-on-track)
-  (unless (and (procedure? curve) (accepts? curve 1))
-    (raise-other-function who "a function from a number to points, as track" curve))
+  (check-function who curve 1 "a function from a number to points, as track")
   (define-values (a b) (values (check-number who "the start" from) (check-number who "the end" to)))
   (define (at s) (point-of who (lambda () (format "the track at ~a" s)) (curve s)))
   (define track (for/list ([k (in-range 201)]) (at (+ a (* (- b a) (/ k 200.0))))))

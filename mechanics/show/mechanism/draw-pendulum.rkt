@@ -3,7 +3,7 @@
 
 (require "mechanism-parts.rkt"
          "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/describe.rkt"
          "../plot/coordinate.rkt")
 
 (provide draw-pendulum draw-driven-pendulum)
@@ -25,8 +25,7 @@
 (define (draw-driven-pendulum #:length [length 1] #:support support #:width [width 300])
   (define who 'draw-driven-pendulum)
   (define l (check-length who "the length" length))
-  (unless (and (procedure? support) (accepts? support 1))
-    (raise-other-function who "a function of the time as support" support))
+  (check-function who support 1 "a function of the time as support")
   (mechanism
    `(draw-driven-pendulum #:length ,length #:support ,(procedure-datum support))
    #:bounds (scaled l '(-1.4 1.4 -1.5 1.5))

@@ -2,6 +2,7 @@
 ;; Where orbits of a map are chaotic: the fast Lyapunov indicator of a grid of starts, in colours.
 
 (require racket/flonum
+         (only-in racket/math exact-floor exact-round)
          "frame.rkt" "layer.rkt" "style.rkt"
          "../../generic/on-demand.rkt" "../../generic/wrong-argument.rkt"
          "../../dynamics/map/map-of-the-plane.rkt")
@@ -10,8 +11,8 @@
 
 (provide chaos-map)
 
-;; n : steps of each orbit; samples : how many starts, across and up, or (list across up)
-;; -> the frame
+;; n : steps of each orbit; samples : number of starts to a side, or (list across up)
+;; Returns the frame.
 (define (chaos-map f map [n 1000] #:samples [samples 200])
   (define who 'chaos-map)
   (check-open who f)
@@ -34,7 +35,7 @@
          (complain-of-argument
           who "how many starts to a side, from 1 to 5000, or a list of two such numbers" samples)]))
 
-;; The middles of equal parts.
+;; Returns the middles of n equal parts of the interval.
 (define (middles from to n)
   (for/flvector #:length n ([k (in-range n)]) (+ from (* (- to from) (/ (+ k 0.5) n)))))
 
@@ -58,6 +59,6 @@
   (cond [(not (= share share)) nowhere]
         [else
          (define at (* (max 0.0 (min 1.0 share)) (- (length stops) 1)))
-         (define k (min (- (length stops) 2) (inexact->exact (floor at))))
+         (define k (min (- (length stops) 2) (exact-floor at)))
          (for/list ([a (in-list (list-ref stops k))] [b (in-list (list-ref stops (+ k 1)))])
-           (inexact->exact (round (+ a (* (- at k) (- b a))))))]))
+           (exact-round (+ a (* (- at k) (- b a)))))]))

@@ -12,7 +12,7 @@
          "../../generic/wrong-argument.rkt"
          "../../numeric/finite-number.rkt")
 
-(provide coordinate-of plane-point check-number check-function parameters)
+(provide coordinate-of plane-point check-number check-function check-function-of-state parameters)
 
 ;; what : -> string, such as "y" or "the value at 0.5"
 (define (coordinate-of who what x)
@@ -34,7 +34,7 @@
         [(tuple? x) "\n  draw its components one by one, as with (component 0)"]
         [else (multiplied-hint x)]))
 
-;; Of a tuple of two, or as the book makes it by cons.
+;; Returns both coordinates of a tuple of two, or of a pair, as the book makes points by cons.
 (define (plane-point who what p)
   (define-values (x y)
     (cond [(and (tuple? p) (= (structure-length (adopt p)) 2))
@@ -54,15 +54,18 @@
     (complain-of-argument who (format "a finite number as ~a" what) x))
   number)
 
-(define (check-function who f count)
-  (unless (and (procedure? f) (accepts? f count))
-    (raise-other-function
-     who (if (= count 1) "a function of one number" "a function of two numbers") f)))
+(define (check-function who f count [expected (if (= count 1)
+                                                  "a function of one number"
+                                                  "a function of two numbers")])
+  (unless (and (procedure? f) (accepts? f count)) (raise-other-function who expected f)))
 
-;; More than these are a slip in the step, and would fill the memory.
+(define (check-function-of-state who f [such-as ""])
+  (check-function who f 1 (string-append "a function of the state" such-as)))
+
+;; More parameters come from a slip in the step, and would fill the memory.
 (define most-parameters 10000000)
 
-;; From one number to another in steps; the last may be shorter.
+;; Returns the numbers from one to another in steps; the last step may be shorter.
 (define (parameters who from to step)
   (unless (> step 0.0)
     (complain-of-argument who "a positive step" step))

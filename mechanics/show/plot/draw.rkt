@@ -43,7 +43,7 @@
               (range 'plot-parametric from to step)
               (lambda (t what) (plane-point 'plot-parametric what (curve t)))))
 
-;; Where no step is given there are 500.
+;; Without a step there are 500 steps.
 (define (range who from to step)
   (define a (check-number who "the start" from))
   (define b (check-number who "the end" to))
@@ -52,7 +52,8 @@
                     [(= a b) 1.0]
                     [else (/ (abs (- b a)) 500)])))
 
-;; at : number, -> string  ->  two flonums.  All is computed before any of it is drawn.
+;; at : takes a number and a thunk of its description, returns two flonums.  All points are computed
+;; before the first is drawn.
 (define (draw-curve who f style numbers at)
   (check-open who f)
   (define points (make-points))
@@ -90,7 +91,7 @@
         (fill a at-a m at-m)
         (fill m at-m b at-b)))))
 
-;; More than these are asked for by a nearness that no two points have, and would fill the memory.
+;; A nearness that no two points have asks for more points, which would fill the memory.
 (define most-points 1000000)
 
 (define (raise-never-near who near?)

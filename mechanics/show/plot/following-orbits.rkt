@@ -13,7 +13,7 @@
 
 (provide default-collector default-monitor)
 
-;; monitor : x y -> any, shows a point
+;; monitor : x y -> any; shows a point
 (define ((default-collector monitor map n) x y done fail)
   (unless (and (procedure? monitor) (accepts? monitor 2))
     (complain 'default-collector "what shows points is a procedure of two coordinates; given ~a"

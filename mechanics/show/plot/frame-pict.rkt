@@ -2,17 +2,14 @@
 ;; Frames as picts: their picture now, which later drawing does not change.
 
 (require "frame.rkt" "on-demand.rkt" "view.rkt"
-         "../../error/machine-limits.rkt"
+         "../display/drawing-library.rkt"
          "../../generic/define-plain.rkt")
 
 (provide frame->pict frame->pict/size)
 
 (define-plain (frame->pict f)
   (check-frame 'frame->pict f)
-  (define reason (why-not))
-  (when reason
-    (raise-unavailable 'frame->pict "pictures cannot be drawn on this machine\n  reason: ~a"
-                       reason))
+  (check-drawing 'frame->pict why-not)
   (make-picture (frame-view f) (frame-now f)))
 
 ;; For a window that has another size.

@@ -54,7 +54,7 @@
 (define (check-frame who f)
   (check-argument who frame? f "a frame, such as (frame 0 1 -1 1)"))
 
-;; Complains before anything is computed for a frame that is closed.
+;; Complains of a closed frame, before anything is computed for it.
 (define (check-open who f)
   (check-frame who f)
   (when (frame-closed? f) (raise-closed who f)))
@@ -84,7 +84,7 @@
 (define-plain (graphics-clear f)
   (change! 'graphics-clear f (set-frame-layers! f '())))
 
-;; What was drawn stays; nothing more can be.
+;; The picture stays; nothing more can be drawn.
 (define-plain (graphics-close f)
   (check-frame 'graphics-close f)
   (set-frame-closed?! f #t)
@@ -95,7 +95,7 @@
 (define (add-layer! who f style data)
   (change! who f (set-frame-layers! f (cons (layer style data) (frame-layers f)))))
 
-;; Points of one style are one layer, and so are lines.  What lies outside is no dot.
+;; Points of one style are one layer, and so are lines.  Points outside the frame are dropped.
 (define (add-dot! who f color size label x y)
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
   (change! who f
@@ -124,7 +124,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The present picture
 
-;; Layers from below to above, which later drawing does not change.  No lock is needed.
+;; Returns the layers, the lowest first; later drawing does not change them.  No lock is needed.
 (define (frame-now f) (layers-now (reverse (frame-layers f))))
 
 (define-plain (frame-points f)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a picture is made of: layers, one above the other, each drawn in one style.
+;; The layers of a picture, one above the other, each drawn in one style.
 
 (require "points.rkt"
          "../../error/message-words.rkt")

@@ -6,15 +6,14 @@
 ;; grow side by side, and a window that is slow to draw is not flooded.
 
 (require racket/flonum
-         "../../generic/on-demand.rkt"
-         "../../dynamics/map/map-of-the-plane.rkt")
+         "../../generic/on-demand.rkt")
 
-(require-on-demand ["../../dynamics/map/compiled-map.rkt" orbit-stepper])
+(require-on-demand ["../../dynamics/map/compiled-map.rkt" stepper-at])
 
 (provide start-worker ask-worker stop-worker
-         make-orbit orbit-color orbit-start orbit-stopped? stop-orbit!)
+         make-orbit orbit-color orbit-start stop-orbit!)
 
-;; color : a number; start : (cons x y); at : where it is, an flvector; step! : what moves that,
+;; color : a number; start : (cons x y); at : the present point, an flvector; step! : moves `at`;
 ;; made by the worker
 (struct orbit (color start at [step! #:mutable] [stopped? #:mutable])
   #:authentic)
@@ -52,7 +51,7 @@
 (define turn 30.0)               ; milliseconds
 (define most 8192)               ; points in a turn
 
-;; -> the rest of the job, or #f.  Whatever the reader's map raises ends its orbit.
+;; Returns the rest of the job, or #f.  An exception raised by the reader's map ends its orbit.
 (define (take-turn map j receive)
   (define o (job-orbit j))
   (define-values (xs ys) (values (make-flvector most) (make-flvector most)))
@@ -75,16 +74,13 @@
            (finish (and ended? "no further image")
                    (and (> left 0) (not ended?) (not (orbit-stopped? o)) (job o left)))])))
 
-;; #f if the map has no image of the start
+;; Returns step!, or #f if the map has no image of the start.
 (define (begin-orbit map o)
-  (define-values (x y) (values (car (orbit-start o)) (cdr (orbit-start o))))
-  (define step!
-    (and (image-or-none 'explore-map map x y (lambda (x y) #t))
-         (orbit-stepper map x y 'explore-map)))
+  (define step! (stepper-at 'explore-map map (car (orbit-start o)) (cdr (orbit-start o))))
   (set-orbit-step!! o step!)
   step!)
 
-;; -> how many points are left when the turn is over, and whether there is none to come
+;; Returns the number of points left when the turn is over, and whether the orbit has ended.
 (define (advance o step! n add!)
   (define end (+ (current-inexact-milliseconds) turn))
   (let loop ([left n] [room (- most 1)])

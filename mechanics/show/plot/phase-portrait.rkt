@@ -29,7 +29,7 @@
                              #:color [color 'gray] #:separatrix-color [separatrix-color 'red])
   (define who 'plot-phase-portrait)
   (check-open who f)
-  (check-function-of-state who energy)
+  (check-energy-function who energy)
   (unless (and (exact-nonnegative-integer? orbits) (<= orbits 500))
     (complain-of-argument who "how many orbits, from 0 to 500" orbits))
   (define bounds (frame-bounds f))
@@ -43,11 +43,9 @@
     (add-dot! who f (if (saddle? r) separatrix-color 'black) 5 #f (place-q r) (place-p r)))
   f)
 
-(define (check-function-of-state who energy)
+(define (check-energy-function who energy)
   (unless (and (procedure? energy) (accepts? energy 1))
-    (complain who
-              (string-append "expected the energy of a system of one degree of freedom, a function "
-                             "of a state (up t q p)\n  given: ~a~a")
+    (complain who (string-append expected-energy "\n  given: ~a~a")
               (describe-function energy)
               (if (pointwise? energy)
                   (format "\n  parameters are supplied first: (~a ...)" (value->text energy))
@@ -60,12 +58,15 @@
                              "\n  over velocities: (plot-phase-portrait f (Lagrangian->energy L))")
               (value->text energy))))
 
+(define expected-energy
+  (string-append "expected the energy of a system of one degree of freedom, a function of a state "
+                 "(up t q p)"))
+
 ;; -> (q p -> energy), compiled
 (define (energy-on-plane who energy bounds)
   (define middle (middle-of bounds))
-  (define (at-time t) (lambda (v) (energy (up t (ref v 0) (ref v 1)))))
-  (check-energy who energy ((at-time 0) middle) ((at-time 0.7) middle))
-  (define run! (compiled-function-runner (compile-function (at-time 0) middle #:name who)))
+  (check-energy who ((at-time energy 0) middle) ((at-time energy 0.7) middle))
+  (define run! (compiled-function-runner (compile-function (at-time energy 0) middle #:name who)))
   (define-values (from to) (values (make-flvector 2) (make-flvector 1)))
   (lambda (q p)
     (flvector-set! from 0 q)
@@ -73,15 +74,16 @@
     (run! from to)
     (flvector-ref to 0)))
 
+;; The energy as a function of the point (up q p), at a time.
+(define ((at-time energy t) v) (energy (up t (ref v 0) (ref v 1))))
+
 (define (middle-of bounds)
   (define-values (q-min q-max p-min p-max) (apply values bounds))
   (up (+ q-min (* 0.51 (- q-max q-min))) (+ p-min (* 0.52 (- p-max p-min)))))
 
-(define (check-energy who energy now later)
+(define (check-energy who now later)
   (unless (real? now)
-    (complain who
-              (string-append "expected the energy of a system of one degree of freedom, a function "
-                             "of a state (up t q p)\n  its value: ~a~a")
+    (complain who (string-append expected-energy "\n  its value: ~a~a")
               (describe-with-value now)
               (if (symbolic? now) symbols-hint "")))
   (unless (< (abs (- now later)) (* 1e-9 (+ 1.0 (abs now))))
@@ -122,13 +124,12 @@
 
 ;; -> (from to -> void): both derivatives of the energy, then the four second ones
 (define (slopes-runner who energy bounds)
-  (define (h v) (energy (up 0 (ref v 0) (ref v 1))))
-  (define (slope v) (derivative-at h v))
+  (define (slope v) (derivative-at (at-time energy 0) v))
   (compiled-function-runner
    (compile-function (lambda (v) (up (slope v) (derivative-at slope v))) (middle-of bounds)
                      #:name who)))
 
-;; By Newton's method, or #f
+;; Returns the place of rest that Newton's method finds from (q, p), or #f.
 (define (rest-near slopes! h q p)
   (define-values (from s) (values (flvector q p) (make-flvector 6)))
   (let loop ([left most-steps])
@@ -157,7 +158,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Energies
 
-;; Between n + 1 equal areas of the frame.
+;; Returns n energies that divide the frame into n + 1 strips of equal areas.
 (define (levels-between h bounds n)
   (define-values (q-min q-max p-min p-max) (apply values bounds))
   (define energies

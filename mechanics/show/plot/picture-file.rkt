@@ -22,7 +22,7 @@
           who (format "the name of the file says no format; it ends in ~a" listed)
           "file" file)]))
 
-;; Complains before anything is computed; why-not : -> string or #f, if nothing can be drawn
+;; Complains before anything is computed.  why-not : returns why nothing can be drawn, or #f
 (define (check-file who file [why-not (lambda () #f)])
   (define folder (path-only (path->complete-path file)))
   (unless (directory-exists? folder)

@@ -7,11 +7,12 @@
          plot/no-gui
          (only-in racket/class send)
          (only-in racket/draw the-color-database)
+         (only-in racket/math exact-round)
          "layer.rkt" "plot-images.rkt" "points.rkt" "view.rkt")
 
 (provide loaded? color-name? make-picture picture-bytes)
 
-;; For those who load this module lazily and want to know whether they can.
+;; A call of it loads this module: so a caller learns whether that is possible.
 (define (loaded?) #t)
 
 (define (color-name? name)
@@ -66,7 +67,7 @@
 
 (define (alone l) (if (dense? l) (first-point l) l))
 
-;; From so many in a layer on they are not drawn one by one.
+;; A layer with more points is drawn as an image, not point by point.
 (define many-points 20000)
 
 (define (dense? l)
@@ -102,10 +103,10 @@
             #:color (style-color s) #:width (style-size s) #:style (style-dash s)
             #:label (style-label s))]))
 
-;; The sampled function at the nodes, where the library asks for it again.
+;; The sampled function: the plot library asks for it at the nodes again.
 (define ((field-function f bounds) x y)
   (define-values (x-min x-max y-min y-max) (apply values bounds))
   (define last (- (field-count f) 1))
   (define (index x low high)
-    (max 0 (min last (inexact->exact (round (* last (/ (- x low) (- high low))))))))
+    (max 0 (min last (exact-round (* last (/ (- x low) (- high low)))))))
   (vector-ref (vector-ref (field-rows f) (index y y-min y-max)) (index x x-min x-max)))

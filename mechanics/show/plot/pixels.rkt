@@ -16,28 +16,28 @@
 (define (make-pixels bounds width height)
   (pixels bounds width height (make-bytes (* 4 width height) 0)))
 
-;; -> the point in the middle of a pixel
+;; Returns the point in the middle of a pixel.
 (define (pixel->point p i j)
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
   (values (+ x-min (* (- x-max x-min) (/ (+ i 0.5) (pixels-width p))))
           (- y-max (* (- y-max y-min) (/ (+ j 0.5) (pixels-height p))))))
 
-;; -> the pixel, perhaps outside
+;; Returns the pixel of a point, perhaps outside of the picture.
 (define (point->pixel p x y)
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
   (values (exact-floor (* (pixels-width p) (/ (- x x-min) (- x-max x-min))))
           (exact-floor (* (pixels-height p) (/ (- y-max y) (- y-max y-min))))))
 
-;; Points of two flvectors, from index `from` to `to`, in a colour of three bytes.  A dot is two
+;; Marks the first `count` points of two flvectors, in a colour of three bytes.  A dot is two
 ;; pixels wide.
-(define (mark! p xs ys from to color)
+(define (mark! p xs ys count color)
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
   (define-values (width height) (values (pixels-width p) (pixels-height p)))
   (define-values (x-scale y-scale)
     (values (/ width (- x-max x-min)) (/ height (- y-max y-min))))
   (define dot! (dot-marker p color))
-  (let loop ([k from])
-    (when (unsafe-fx< k to)
+  (let loop ([k 0])
+    (when (unsafe-fx< k count)
       (define-values (x y) (values (unsafe-flvector-ref xs k) (unsafe-flvector-ref ys k)))
       (when (and (unsafe-fl<= x-min x) (unsafe-fl<= x x-max)
                  (unsafe-fl<= y-min y) (unsafe-fl<= y y-max))
@@ -49,7 +49,7 @@
         (dot! (unsafe-fx+ i 1) (unsafe-fx+ j 1)))
       (loop (unsafe-fx+ k 1)))))
 
-;; -> (i j -> void), for pixels that are not left of the others or above them
+;; Returns a procedure that marks pixel i, j, unless it is to the right of the picture or below.
 (define (dot-marker p color)
   (define-values (red green blue) (apply values color))
   (define-values (width height bytes) (values (pixels-width p) (pixels-height p) (pixels-bytes p)))

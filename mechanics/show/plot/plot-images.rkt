@@ -8,11 +8,12 @@
          (only-in plot/utils ->pen-color)
          (only-in racket/class send)
          (only-in racket/draw make-bitmap the-color-database)
+         (only-in racket/math exact-round)
          "layer.rkt" "pixels.rkt" "points.rkt")
 
 (provide with-dense-points with-images-beneath)
 
-;; Of the image in each pixel of the plot, so that it looks well on paper, too.
+;; Pixels of the image in each pixel of the plot, so that it looks well on paper, too.
 (define fineness 2)
 
 ;; p : a plot as a pict; layers : of points
@@ -21,13 +22,13 @@
   (define image (make-pixels bounds (pixels-along width) (pixels-along height)))
   (for ([l (in-list layers)])
     (define s (layer-data l))
-    (mark! image (snapshot-xs s) (snapshot-ys s) 0 (snapshot-count s)
+    (mark! image (snapshot-xs s) (snapshot-ys s) (snapshot-count s)
            (color->bytes (style-color (layer-style l)))))
   (pin-over p x y
             (scale (bytes->pict (pixels-width image) (pixels-height image) (pixels-bytes image))
                    (/ 1.0 fineness))))
 
-(define (pixels-along length) (max 1 (inexact->exact (round (* fineness length)))))
+(define (pixels-along length) (max 1 (exact-round (* fineness length))))
 
 ;; p : a plot without a background; layers : of rasters
 (define (with-images-beneath p bounds layers)
@@ -42,7 +43,7 @@
              (colorize (filled-rectangle (pict-width p) (pict-height p) #:draw-border? #f)
                        "white")))
 
-;; -> the corner above on the left, the width and the height of the part with the axes
+;; Returns x and y of the upper left corner, width and height of the area between the axes.
 (define (plot-area p bounds)
   (define-values (x-min x-max y-min y-max) (apply values bounds))
   (define place (plot-pict-plot->dc p))
@@ -57,7 +58,7 @@
   (send b set-argb-pixels 0 0 width height bytes)
   (bitmap b))
 
-;; A number, a name or three bytes, as plot has colours.
+;; c : a colour as plot takes it: a number, a name or three bytes
 (define (color->bytes c)
   (define named (and (or (symbol? c) (string? c))
                      (send the-color-database find-color (if (symbol? c) (symbol->string c) c))))

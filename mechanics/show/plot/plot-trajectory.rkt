@@ -2,14 +2,14 @@
 ;; Motions drawn: one function of the state against another, or against the time.
 
 (require "coordinate.rkt" "draw.rkt" "frame.rkt" "style.rkt"
-         "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/function.rkt"
+         "../../generic/compare.rkt" "../../generic/define-plain.rkt"
          "../../generic/wrong-argument.rkt"
          "../../motion/on-demand.rkt")
 
 (provide plot-trajectory)
 
-;; Points for each step of the integration, which is itself as long as the motion is
-;; smooth; and their least and greatest number.
+;; Points for each step of the integration, which is longer where the motion is smoother; and the
+;; least and greatest number of points.
 (define points-per-step 16)
 (define least-points 200)
 (define most-points 50000)
@@ -22,8 +22,7 @@
   (check-frame who f)
   (check-argument who trajectory? tr "a trajectory, such as evolve-trajectory gives")
   (for ([f (in-list (if b (list a b) (list a)))])
-    (unless (and (procedure? f) (accepts? f 1))
-      (raise-other-function who "a function of the state, such as coordinate" f)))
+    (check-function-of-state who f ", such as coordinate"))
   (define x (if b (lambda (t state) (a state)) (lambda (t state) t)))
   (define y (or b a))
   (draw-curve who f (make-style who 'curve color width dash label) (sample-times tr)

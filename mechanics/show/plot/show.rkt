@@ -9,7 +9,7 @@
 
 (provide graphics-show)
 
-;; At once; the window follows what is drawn from then on.
+;; Opens a window at once; it follows later drawing.
 (define-plain (graphics-show f)
   (check-open 'graphics-show f)
   (unless (frame-on-close f)

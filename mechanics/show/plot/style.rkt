@@ -1,5 +1,5 @@
 #lang racket/base
-;; How something is drawn, checked once, when it is.
+;; Styles of layers, checked once.
 
 (require "layer.rkt" "on-demand.rkt"
          "../../generic/wrong-argument.rkt")
@@ -27,7 +27,7 @@
        (eq? (style-dash s) dash)
        (equal? (style-label s) label)))
 
-;; Names are looked up in the drawing library's table, where there is one.
+;; Names of colors are looked up in the drawing library, if it can be loaded.
 (define (color? x)
   (cond [(or (symbol? x) (string? x)) (or (not (can-draw?)) (color-name? x))]
         [(list? x) (and (= (length x) 3) (andmap byte? x))]

@@ -6,7 +6,7 @@
 
 ;; source : a datum; modules : what the program requires, besides racket/base
 ;; namespace : where these modules are loaded or can be
-;; -> list of symbols, sorted, or a string that says why the expression is none
+;; Returns a sorted list of symbols, or a string that says why the source is no expression.
 (define (unknown-names source modules namespace)
   (let look ([found '()])
     (define next (first-unknown source modules namespace found))
@@ -14,7 +14,7 @@
           [(or (not next) (memq next found)) (sort found symbol<?)]
           [else (look (cons next found))])))
 
-;; The expander says one at a time: those found are given a meaning, and it is asked again.
+;; The expander reports one name at a time: names found so far are bound, and it runs again.
 (define (first-unknown source modules namespace known)
   (define program
     (list #'module 'program 'racket/base

@@ -6,7 +6,7 @@
 (provide check-screen)
 
 ;; Racket's library of windows asks for the screen when it is loaded.
-;; load : -> any, loads it; instead : what does without; whither : what that is good for
+;; load : loads it; instead : a call that needs no screen; whither : words before that call
 (define (check-screen who load instead [whither "to a file it goes with "])
   (with-handlers ([exn:fail? (lambda (e) (raise-no-screen who e (string-append whither instead)))])
     (load)))

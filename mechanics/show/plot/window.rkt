@@ -14,7 +14,7 @@
          ;; for other windows
          show-at-size)
 
-;; For those who load this module lazily and want to know whether they can.
+;; A call of it loads this module: so a caller learns whether that is possible.
 (define (loaded?) #t)
 
 (define least-pause 40)          ; milliseconds between two looks
@@ -48,7 +48,7 @@
            (send timer stop)
            (send window show #f)))))))
 
-;; The picture as large as asked for at first; the reader may change that.
+;; The window opens at this size; the reader may change it.
 (define (show-at-size window canvas width height)
   (send canvas min-client-width width)
   (send canvas min-client-height height)

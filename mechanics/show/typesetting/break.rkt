@@ -6,7 +6,8 @@
 ;; Widths are in columns of text, which serves the other ways of drawing well enough.
 
 (require "width.rkt"
-         "../../algebra/notation/tree.rkt")
+         "../../algebra/notation/tree.rkt"
+         (only-in racket/list argmax))
 
 (provide fit)
 
@@ -14,22 +15,15 @@
 (define least-room 12)
 
 ;; width : columns, or #f for a line of any length
-(define (fit t width)
-  (cond [(not width) t]
-        [else
-         (define wide (make-meter))
-         (fitted t (max width least-room) wide)]))
+(define (fit t width) (if width (fitted t (max width least-room) (make-meter)) t))
 
 (define (fitted t width wide)
   (define (inner x [less 0]) (fitted x (max least-room (- width less)) wide))
   (cond [(or (<= (wide t) width) (< width least-room)) t]
         [(sum? t) (fit-sum t width wide)]
         [(product? t) (fit-product t width wide)]
-        [(parenthesized? t) (parenthesized (inner (parenthesized-body t) 2))]
-        [(fraction? t) (fraction (inner (fraction-numerator t) 2)
-                                 (inner (fraction-denominator t) 2))]
-        [(radical? t) (radical (inner (radical-body t) 2))]
-        [(bars? t) (bars (inner (bars-body t) 2))]
+        [(or (parenthesized? t) (fraction? t) (radical? t) (bars? t))
+         (with-parts t (for/list ([part (in-list (tree-parts t))]) (inner part 2)))]
         [(power? t) (power (inner (power-base t) (wide (power-exponent t))) (power-exponent t))]
         [(relation? t) (fit-relation t width wide)]
         [(application? t) (fit-application t width wide)]
@@ -49,6 +43,9 @@
         [(report? t) (report (for/list ([l (in-list (report-lines t))]) (fit-line l width wide)))]
         [else t]))
 
+;; The same tree with other parts, where its fields are its parts.
+(define (with-parts t parts) (apply make-prefab-struct (prefab-struct-key t) parts))
+
 ;; ---------------------------------------------------------------------------
 
 ;; Terms are put on a line as long as they fit.  A line after the first goes on with a sign.
@@ -66,13 +63,15 @@
           (for/list ([terms (in-list (map fit-terms (cdr rows)))])
             (continuation (if (term-negative? (car terms)) "−" "+")
                           (first-line (cons (term #f (term-body (car terms))) (cdr terms)))))))
-  (if (null? (cdr lines)) (car lines) (broken lines)))
+  (in-one lines broken))
+
+;; A single part itself, or (whole parts) of several.
+(define (in-one parts whole) (if (null? (cdr parts)) (car parts) (whole parts)))
 
 ;; One long factor is cut within, if the others leave it room.
 (define (fit-product t width wide)
   (define factors (product-factors t))
-  (define longest (for/fold ([best (car factors)]) ([f (in-list (cdr factors))])
-                    (if (> (wide f) (wide best)) f best)))
+  (define longest (argmax wide factors))
   (define room (- width (- (wide t) (wide longest))))
   (if (>= room (quotient width 2))
       (product (for/list ([f (in-list factors)]) (if (eq? f longest) (fitted f room wide) f)))
@@ -82,11 +81,10 @@
   (define rows (packed factors (lambda (f) (+ 1 (wide f))) (- width 2)))
   (define lines
     (for/list ([row (in-list rows)])
-      (define fs (for/list ([f (in-list row)]) (fitted f (max least-room (- width 4)) wide)))
-      (if (null? (cdr fs)) (car fs) (product fs))))
-  (if (null? (cdr lines))
-      (car lines)
-      (broken (cons (car lines) (for/list ([l (in-list (cdr lines))]) (continuation "·" l))))))
+      (in-one (for/list ([f (in-list row)]) (fitted f (max least-room (- width 4)) wide)) product)))
+  (define (continued lines)
+    (broken (cons (car lines) (for/list ([l (in-list (cdr lines))]) (continuation "·" l)))))
+  (in-one lines continued))
 
 (define (fit-relation t width wide)
   (define left (relation-left t))
@@ -100,12 +98,12 @@
 
 (define (fit-application t width wide)
   (define f (application-function t))
-  (define room (- width (wide f) 2))
+  (define room (max least-room (- width (wide f) 2)))
   (define arguments (application-arguments t))
   (application f
-               (if (and (pair? arguments) (null? (cdr arguments)))
-                   (list (fitted (car arguments) (max least-room room) wide))
-                   (list (in-lines arguments (max least-room room) wide)))
+               (list (if (and (pair? arguments) (null? (cdr arguments)))
+                         (fitted (car arguments) room wide)
+                         (in-lines arguments room wide)))
                #f))
 
 ;; Items with commas, as many on a line as there is room for.
@@ -114,8 +112,7 @@
     (for/list ([x (in-list items)] [left (in-range (length items) 0 -1)])
       (define y (fitted x width wide))
       (if (= left 1) y (row (list y (word ", "))))))
-  (broken (for/list ([xs (in-list (packed with-commas wide width))])
-            (if (null? (cdr xs)) (car xs) (row xs)))))
+  (broken (for/list ([xs (in-list (packed with-commas wide width))]) (in-one xs row))))
 
 ;; The items in rows as long as there is room.
 (define (packed items size width)

@@ -1,9 +1,10 @@
 #lang racket/base
 ;; The letters of formulas as picts, and the measures of a line of them.
 
-(require (only-in pict blank text))
+(require (only-in pict blank text)
+         (only-in racket/math exact-round))
 
-(provide make-glyphs smaller glyphs-size
+(provide make-glyphs smaller glyphs-size ems
          italic upright typewriter thin-space spaced-sign indentation axis rule)
 
 ;; size : of the letters; known : text pict by style and text, each made once
@@ -18,7 +19,7 @@
 
 (define (glyph g style string)
   (define styles (hash-ref! (glyphs-known g) style make-hash))
-  (define size (max 1 (inexact->exact (round (glyphs-size g)))))
+  (define size (max 1 (exact-round (glyphs-size g))))
   (hash-ref! styles string (lambda () (text string style size))))
 
 (define (italic g string) (glyph g '(italic . roman) string))
@@ -29,11 +30,11 @@
       (glyph g 'roman string)))
 (define (typewriter g string) (glyph g 'modern string))
 
-(define (em g) (glyphs-size g))
-(define (thin-space g) (* 0.15 (em g)))
-(define (indentation g n) (blank (* n (em g)) 0))
+(define (ems g n) (* n (glyphs-size g)))
+(define (thin-space g) (ems g 0.15))
+(define (indentation g n) (blank (ems g n) 0))
 (define (spaced-sign g sign) (upright g (string-append " " sign " ")))
 
 ;; How high above the base line fraction bars are, and how thick.
-(define (axis g) (* 0.33 (em g)))
-(define (rule g) (max 0.75 (* 0.05 (em g))))
+(define (axis g) (ems g 0.33))
+(define (rule g) (max 0.75 (ems g 0.05)))

@@ -23,30 +23,30 @@
 ;; ---------------------------------------------------------------------------
 
 (define (over g above below)
-  (define gap (* 0.1 (glyphs-size g)))
-  (define width (+ (* 0.25 (glyphs-size g)) (max (pict-width above) (pict-width below))))
+  (define gap (ems g 0.1))
+  (define width (+ (ems g 0.25) (max (pict-width above) (pict-width below))))
   (define whole (vc-append gap above (bar g width) below))
-  (define margin (* 0.08 (glyphs-size g)))
+  (define margin (ems g 0.08))
   (hbl-append (blank margin 0)
               (with-base-line whole (- (+ gap (pict-height below) (/ (rule g) 2)) (axis g)))
               (blank margin 0)))
 
 ;; An exponent beside a base of one line.
-(define (raised g exponent) (lifted exponent (* 0.4 (glyphs-size g))))
+(define (raised g exponent) (lifted exponent (ems g 0.4)))
 
 (define (lifted p by) (with-base-line p (- (pict-descent p) by)))
 
-;; Its base line well above the middle of the base.
+;; An exponent with its base line well above the middle of the base.
 (define (with-exponent g base exponent)
-  (define by (max (* 0.4 (glyphs-size g))
-                  (- (base-ascent base) (* 0.45 (glyphs-size g)))))
+  (define by (max (ems g 0.4)
+                  (- (base-ascent base) (ems g 0.45))))
   (level base (lifted exponent by)))
 
 (define (base-ascent p) (- (pict-height p) (pict-descent p)))
 
 (define (with-indices g base below above)
-  (define low (and below (lifted below (* -0.2 (glyphs-size g)))))
-  (define high (and above (lifted above (* 0.4 (glyphs-size g)))))
+  (define low (and below (lifted below (ems g -0.2))))
+  (define high (and above (lifted above (ems g 0.4))))
   (cond [(and low high)
          (define width (max (pict-width low) (pict-width high)))
          (level base (level high (blank (- width (pict-width high)) 0)
@@ -54,7 +54,7 @@
         [(or low high) => (lambda (one) (level base one))]
         [else base]))
 
-;; Drawn so far to the right of where it is, with no width of its own beyond.
+;; Draws p shifted to the right by dx, in a pict without width.
 (define (shifted p dx)
   (with-base-line (pin-over (blank 0 (pict-height p)) dx 0 p) (pict-descent p)))
 
@@ -113,7 +113,7 @@
          (level (sign open) (blank (* 0.08 size) 0) p (blank (* 0.08 size) 0) (sign close))]))
 
 (define (tall g sign h)
-  (define w (* 0.35 (glyphs-size g)))
+  (define w (ems g 0.35))
   (define (curve from to)
     (lambda (path)
       (send path move-to from 0)
@@ -166,4 +166,4 @@
                       (list (blank (+ free (if (= i 0) 0 (* 0.8 size))) 0) p (blank free 0)))))))
   (on-axis g (apply vl-append (* 0.2 size) drawn)))
 
-(define (lines g ps) (on-axis g (apply vl-append (* 0.25 (glyphs-size g)) ps)))
+(define (lines g ps) (on-axis g (apply vl-append (ems g 0.25) ps)))

@@ -22,7 +22,7 @@
 (define (columns-wide text)
   (for/sum ([c (in-string text)]) (if (memq (char-general-category c) '(mn me)) 0 1)))
 
-;; Without the blanks at the ends of lines.
+;; The text of a box, without blanks at the ends of lines.
 (define (box-text b)
   (string-join (for/list ([l (in-list (box2-lines b))]) (regexp-replace #rx" +$" l "")) "\n"))
 
@@ -55,7 +55,7 @@
   (define middle (quotient (max 0 (sub1 (length lines))) 2))
   (box2 (if (null? lines) (list "") lines) width (or base middle)))
 
-;; With its last line so many above the base line.
+;; Raises the box, so that its last line is n lines above the base line.
 (define (raise-box b n)
   (define lines (append (box2-lines b) (make-list n (blank (box2-width b)))))
   (box2 lines (box2-width b) (sub1 (length lines))))

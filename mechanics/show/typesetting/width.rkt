@@ -3,22 +3,18 @@
 
 (require "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt")
 
-(provide make-meter name-width)
+(provide make-meter)
 
 ;; -> (tree -> columns), which looks at each tree once
 (define (make-meter)
   (define known (make-hasheq))
-  (define (wide t)
-    (or (hash-ref known t #f)
-        (let ([w (measure t wide)])
-          (hash-set! known t w)
-          w)))
+  (define (wide t) (hash-ref! known t (lambda () (measure t wide))))
   wide)
 
 (define (total wide ts [gap 0])
-  (for/fold ([w (* gap (max 0 (- (length ts) 1)))]) ([t (in-list ts)]) (+ w (wide t))))
+  (+ (* gap (max 0 (- (length ts) 1))) (for/sum ([t (in-list ts)]) (wide t))))
 
-(define (widest wide ts) (for/fold ([w 0]) ([t (in-list ts)]) (max w (wide t))))
+(define (widest wide ts) (apply max 0 (map wide ts)))
 
 (define (measure t wide)
   (cond [(name? t) (name-width (name-parts (name-symbol t)))]
@@ -43,25 +39,23 @@
         [(or (across? t) (listing? t)) (+ 2 (total wide parts 2))]
         [(grid? t) (+ 2 (grid-width t wide))]
         [(relation? t) (total wide parts 3)]
-        [(report? t) (for/fold ([w 0]) ([l (in-list (report-lines t))])
-                       (max w (+ (* 2 (report-line-depth l))
-                                 (string-length (report-line-label l))
-                                 1
-                                 (total wide (report-line-parts l) 1))))]
-        [(row? t) (total wide parts)]
-        [(power? t) (total wide parts)]
+        [(report? t)
+         (define (line-width l)
+           (+ (* 2 (report-line-depth l)) (string-length (report-line-label l)) 1
+              (total wide (report-line-parts l) 1)))
+         (widest line-width (report-lines t))]
+        [(or (row? t) (power? t)) (total wide parts)]
         [else (+ 2 (total wide parts))]))
 
 (define (name-width p)
   (+ (string-length (parts-base p))
      (string-length (parts-digits p))
-     (for/fold ([w 0]) ([m (in-list (parts-marks p))]) (+ w (string-length (cdr m))))))
+     (for/sum ([m (in-list (parts-marks p))]) (string-length (cdr m)))))
 
 (define (marks-width t)
-  (for/fold ([w 0]) ([m (in-list (derivative-marks t))])
-    (+ w 1 (* 2 (length (or (mark-path m) '()))) (if (= 1 (mark-count m)) 0 1))))
+  (for/sum ([m (in-list (derivative-marks t))])
+    (+ 1 (* 2 (length (or (mark-path m) '()))) (if (= 1 (mark-count m)) 0 1))))
 
 (define (grid-width t wide)
   (define columns (apply map list (grid-rows t)))
-  (for/fold ([w (* 2 (max 0 (- (length columns) 1)))]) ([c (in-list columns)])
-    (+ w (widest wide c))))
+  (total (lambda (c) (widest wide c)) columns 2))

@@ -82,7 +82,7 @@ one of other starts, of another system, or of batches of another size, is refuse
 is. Where the disk is full the run ends with an error, and what was written stays good.
 Batches have checksums: those that the disk has damaged are told of on the error port and done
 again. Where the beginning of the file is damaged, so that nobody knows whose it is, it is an
-error. Files of versions without checksums are read, and go on without.
+error.
 
 A start that cannot be followed to the end has an @racket[ensemble-failure?] as its value; the
 others go on. No starts at all, starts or parameters of different shapes, and what is no finite
