@@ -139,7 +139,9 @@
           [else
            (define-values (next moved) (step x vs))
            (define-values (turned lengths) (orthonormal moved))
-           (loop (+ k 1) next turned (map (lambda (sum l) (fl+ sum (fllog l))) sums lengths) now)])))
+           (define grown
+             (for/list ([sum (in-list sums)] [l (in-list lengths)]) (fl+ sum (fllog l))))
+           (loop (+ k 1) next turned grown now)])))
 
 ;; Gram and Schmidt -> the unit vectors, and the length of each displacement, freed of those before
 ;; it.  A displacement that has shrunk to nothing stays so, and its exponent is −∞.

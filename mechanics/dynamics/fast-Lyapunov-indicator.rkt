@@ -86,7 +86,8 @@
 (define (displacement-stepper who map x y)
   (define (moved p)
     (define-values (to change)
-      (value-and-derivative-along (image-at who map) (up (ref p 0) (ref p 1)) (up (ref p 2) (ref p 3))))
+      (value-and-derivative-along (image-at who map)
+                                  (up (ref p 0) (ref p 1)) (up (ref p 2) (ref p 3))))
     (up (ref to 0) (ref to 1) (ref change 0) (ref change 1)))
   (define code (compile-traced moved (up x y 0.6 0.8) #:name who))
   (values (if code
@@ -112,7 +113,8 @@
            (define J (map-jacobian who map x y))
            (flvector-set! q 0 x)
            (flvector-set! q 1 y)
-           (flvector-set! q 2 (real->double-flonum (+ (* (jacobian-a J) u) (* (jacobian-b J) v))))
-           (flvector-set! q 3 (real->double-flonum (+ (* (jacobian-c J) u) (* (jacobian-d J) v))))
+           (define (change a b) (real->double-flonum (+ (* a u) (* b v))))
+           (flvector-set! q 2 (change (jacobian-a J) (jacobian-b J)))
+           (flvector-set! q 3 (change (jacobian-c J) (jacobian-d J)))
            (step! q)]
           [else #f])))

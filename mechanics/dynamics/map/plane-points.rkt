@@ -54,8 +54,8 @@
 
 ;; angles : list of two booleans: is that coordinate an angle?
 (define (nearness-by-angles angles eps)
-  (define-values (across up) (apply values (for/list ([a (in-list angles)]) (if a half-turn values))))
-  (nearness 'near? eps across up))
+  (define (part angle?) (if angle? half-turn values))
+  (nearness 'near? eps (part (car angles)) (part (cadr angles))))
 
 ;; across, up : map a difference of abscissas, or of ordinates, to a distance
 (define (nearness who eps across up)

@@ -16,8 +16,8 @@
 (provide make-task generically)
 
 ;; example : a state; parameters : an example, list of scalars and tuples of them; collect : state
-;; -> value, or #f.  Returns the task, or #f if the derivative or an event has no code; and the shape
-;; of the value of collect, or #f if collect is to be applied to the final states here.
+;; -> value, or #f.  Returns the task, or #f if the derivative or an event has no code; and the
+;; shape of the value of collect, or #f if collect is to be applied to the final states here.
 (define (make-task who maker example parameters events collect end tolerance method)
   (define watches (watches-of who events example))
   (define code (and watches (code-of who maker example parameters)))

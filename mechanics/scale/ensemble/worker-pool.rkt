@@ -47,7 +47,7 @@
         [else ((worker-pool-next-batch pool))]))
 
 ;; Hands out batches and receives outcomes until no batch is left.
-(define (run-pool pool crew jobs datum)
+(define (run-pool pool workers jobs datum)
   (define full (start-workers pool workers jobs datum))
   (for ([w (in-list full)]) (supply! pool w))
   (define busy (filter (lambda (w) (pair? (worker-handed w))) full))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; A worker: a process that is sent a task and then batches of starts, and sends back their
-;; outcomes.  It ends when its input ends, or is killed; breaks are off in it, for Ctrl-C at a terminal
-;; reaches every process.
+;; outcomes.  It ends when its input ends, or is killed; breaks are off in it, for Ctrl-C at a
+;; terminal reaches every process.
 
 (require "batch.rkt" "perform-task.rkt" "task.rkt")
 

@@ -12,8 +12,8 @@
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
          "../plot/coordinate.rkt" "../plot/view.rkt")
 
-(provide mechanism drawn make-drawing drawing? drawing-datum drawing-bounds drawing-width drawing-axes
-         drawing-sample
+(provide mechanism drawn make-drawing drawing? drawing-datum drawing-bounds drawing-width
+         drawing-axes drawing-sample
          check-state drawing-trail drawn-place trail-points
          sketch diagram
          check-drawing-library)

@@ -6,6 +6,7 @@
          racket/draw
          racket/math
          "shapes.rkt"
+         "../display/drawing-state.rkt"
          "../../error/complain.rkt")
 
 (provide loaded? paint)
@@ -22,17 +23,11 @@
     (define (place p)
       (values (+ dx (* scale (- (vector-ref p 0) x-min)))
               (+ dy (* scale (- y-max (vector-ref p 1))))))
-    (define-values (pen brush color font smoothing)
-      (values (send canvas get-pen) (send canvas get-brush)
-              (send canvas get-text-foreground) (send canvas get-font)
-              (send canvas get-smoothing)))
-    (send canvas set-smoothing 'smoothed)
-    (for ([s (in-list shapes)]) (paint-shape s canvas place scale))
-    (send canvas set-pen pen)
-    (send canvas set-brush brush)
-    (send canvas set-text-foreground color)
-    (send canvas set-font font)
-    (send canvas set-smoothing smoothing))
+    (call-restoring-state
+     canvas
+     (lambda ()
+       (send canvas set-smoothing 'smoothed)
+       (for ([s (in-list shapes)]) (paint-shape s canvas place scale)))))
   (unsafe-dc draw width height))
 
 (define (paint-shape s canvas place scale)

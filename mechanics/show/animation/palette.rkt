@@ -16,11 +16,6 @@
 
 (define bins 32768)
 
-(define (bin-of red green blue)
-  (bitwise-ior (arithmetic-shift (arithmetic-shift red -3) 10)
-               (arithmetic-shift (arithmetic-shift green -3) 5)
-               (arithmetic-shift blue -3)))
-
 ;; samples : ARGB bytes, one after the other
 (define (make-palette samples)
   (define counts (make-vector bins 0))
@@ -48,20 +43,21 @@
   (append colors (make-list (- size (length colors)) (vector 0 0 0))))
 
 (define (bin-at pixels i)
-  (bin-of (bytes-ref pixels (+ i 1)) (bytes-ref pixels (+ i 2)) (bytes-ref pixels (+ i 3))))
+  (define (leading-bits k) (arithmetic-shift (bytes-ref pixels (+ i k)) -3))
+  (bitwise-ior (arithmetic-shift (leading-bits 1) 10) (arithmetic-shift (leading-bits 2) 5)
+               (leading-bits 3)))
 
 ;; The number of the color of the pixel that begins at i.
 (define (palette-index p pixels i)
   (define bin (bin-at pixels i))
   (define indices (palette-indices p))
   (or (vector-ref indices bin)
-      (let ([found (nearest p (bytes-ref pixels (+ i 1)) (bytes-ref pixels (+ i 2))
-                            (bytes-ref pixels (+ i 3)))])
+      (let ([found (nearest (palette-colors p) (subbytes pixels (+ i 1) (+ i 4)))])
         (vector-set! indices bin found)
         found)))
 
-(define (nearest p red green blue)
+;; Returns the index of the color nearest to three bytes.
+(define (nearest colors rgb)
   (define (distance color)
-    (for/sum ([a (in-vector color)] [b (in-list (list red green blue))]) (* (- a b) (- a b))))
-  (define distances (list->vector (map distance (palette-colors p))))
-  (argmin (lambda (i) (vector-ref distances i)) (range (vector-length distances))))
+    (for/sum ([a (in-vector color)] [b (in-bytes rgb)]) (* (- a b) (- a b))))
+  (index-of colors (argmin distance colors) eq?))

@@ -22,10 +22,7 @@
   (define fine (filter finite-point? points))
   (define-values (x y) (values (range-of (map at-x fine)) (range-of (map at-y fine))))
   (define places (for/list ([p (in-list fine)]) (place x y p)))
-  (define curve
-    (if (pair? (if (pair? places) (cdr places) '()))
-        (polyline places #:color faint #:width 1.5)
-        '()))
+  (define curve (if (> (length places) 1) (polyline places #:color faint #:width 1.5) '()))
   (portrait x y (flat-shapes 'phase-portrait (list (axes x y x-label y-label) curve))))
 
 (define (finite-point? p) (and (finite? (at-x p)) (finite? (at-y p))))
@@ -38,8 +35,8 @@
 
 ;; Returns the range of the numbers with a margin; never an empty interval.
 (define (range-of xs)
-  (define low (if (null? xs) 0.0 (apply min xs)))
-  (define high (if (null? xs) 0.0 (apply max xs)))
+  (define-values (low high)
+    (if (null? xs) (values 0.0 0.0) (values (apply min xs) (apply max xs))))
   (define least (* 1e-9 (max 1.0 (abs low) (abs high))))
   (define margin (if (< (- high low) least) (max 0.5 (* 0.1 (abs high))) (* 0.06 (- high low))))
   (range (- low margin) (+ high margin)))
@@ -60,15 +57,16 @@
   (list (polyline (list (vector l b) (vector r b) (vector r t) (vector l t))
                   #:closed? #t #:color faint #:width 1)
         (for/list ([tick (in-list (ticks x))])
-          (define at (along x tick l r))
-          (list (polyline (list (vector at b) (vector at (- b 4))) #:color faint #:width 1)
-                (label (vector at b) (tick->text tick) #:anchor 'below #:size 11 #:italic? #f)))
+          (tick-mark tick (vector (along x tick l r) b) (vector 0 -4) 'below))
         (for/list ([tick (in-list (ticks y))])
-          (define at (along y tick b t))
-          (list (polyline (list (vector l at) (vector (- l 4) at)) #:color faint #:width 1)
-                (label (vector l at) (tick->text tick) #:anchor 'left #:size 11 #:italic? #f)))
+          (tick-mark tick (vector l (along y tick b t)) (vector -4 0) 'left))
         (label (vector (/ (+ l r) 2) 14.0) x-label #:size 14)
         (label (vector (+ l 3.0) (- t 10.0)) y-label #:anchor 'right #:size 14)))
+
+;; A short line from a point of an axis outwards, with its number.
+(define (tick-mark tick at outwards anchor)
+  (list (polyline (list at (add at outwards)) #:color faint #:width 1)
+        (label at (tick->text tick) #:anchor anchor #:size 11 #:italic? #f)))
 
 ;; Two to five round numbers: multiples of 1, 2 or 5 times a power of 10.
 (define (ticks r)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Formulas drawn: for snips, and for whatever asks for bytes of a picture.
 
-(require "../typesetting/formula-pict.rkt" "result-formula.rkt"
+(require "drawing-state.rkt" "../typesetting/formula-pict.rkt" "result-formula.rkt"
          file/convertible
          (only-in pict colorize inset make-pict-drawer pict-descent pict-height pict-width
                   text vl-append)
@@ -38,22 +38,13 @@
 
 ;; Draws in a color; pen, brush and letters of the dc are restored.
 (define (draw-drawing d dc x y color)
-  (define pen (send dc get-pen))
-  (define brush (send dc get-brush))
-  (define foreground (send dc get-text-foreground))
-  (define mode (send dc get-text-mode))
-  (define smoothing (send dc get-smoothing))
-  (send dc set-pen color 1 'solid)
-  (send dc set-brush color 'solid)
-  (send dc set-text-foreground color)
-  (send dc set-text-mode 'transparent)
-  (send dc set-smoothing 'smoothed)
-  ((drawing-draw! d) dc x y)
-  (send dc set-smoothing smoothing)
-  (send dc set-text-mode mode)
-  (send dc set-text-foreground foreground)
-  (send dc set-brush brush)
-  (send dc set-pen pen))
+  (call-restoring-state
+   dc
+   (lambda ()
+     (send* dc
+       (set-pen color 1 'solid) (set-brush color 'solid)
+       (set-text-foreground color) (set-text-mode 'transparent) (set-smoothing 'smoothed))
+     ((drawing-draw! d) dc x y))))
 
 ;; ---------------------------------------------------------------------------
 

@@ -1,13 +1,13 @@
 #lang racket/base
 ;; An exploration written as a program that draws it again.
 
-(require "exploration.rkt" "../plot/orbit-worker.rkt" "../plot/unknown-names.rkt" "../plot/view.rkt")
+(require "exploration.rkt" "../plot/orbit-worker.rkt" "../plot/view.rkt")
 
 (provide write-exploration names-missing)
 
 ;; source : the expression of the map, a datum, or #f if it is not known
 ;; picture : the name of the file that the program writes
-;; missing : names in the source that the program lacks, or a string: why the source is no expression
+;; missing : names in the source that the program lacks, or why the source is no expression
 (define (write-exploration e v source picture port #:missing [missing '()])
   (define frame (frame-expression v (exploration-bounds e)))
   (for ([text (list opening (orbits->text e) (format redrawing frame)
@@ -72,3 +72,34 @@
           ,@(given '#:title (view-title v)) ,@(given '#:x-label (view-x-label v))
           ,@(given '#:y-label (view-y-label v))
           #:width ,(view-width v) #:height ,(view-height v)))
+
+;; ---------------------------------------------------------------------------
+;; The names of an expression that a program would not know, as Racket's own expander sees it: those
+;; that the expression binds itself are known.
+
+;; source : a datum; modules : what the program requires, besides racket/base
+;; namespace : where these modules are loaded or can be
+;; Returns a sorted list of symbols, or a string that says why the source is no expression.
+(define (unknown-names source modules namespace)
+  (let look ([found '()])
+    (define next (first-unknown source modules namespace found))
+    (cond [(string? next) next]
+          [(or (not next) (memq next found)) (sort found symbol<?)]
+          [else (look (cons next found))])))
+
+;; The expander reports one name at a time: names found so far are bound, and it runs again.
+(define (first-unknown source modules namespace known)
+  (define program
+    (list #'module 'program 'racket/base
+          (cons '#%require modules)
+          (list 'lambda known (list 'lambda '() source))))
+  (with-handlers ([exn:fail:syntax:unbound? name-of] [exn:fail:syntax? exn-message])
+    (parameterize ([current-namespace namespace]
+                   [current-load-relative-directory #f])
+      (expand (datum->syntax #f program)))
+    #f))
+
+(define (name-of e)
+  (define exprs (exn:fail:syntax-exprs e))
+  (define name (and (pair? exprs) (syntax-e (car exprs))))
+  (if (symbol? name) name (exn-message e)))

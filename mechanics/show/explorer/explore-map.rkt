@@ -96,8 +96,8 @@
     (complain who "the map has no image of the start ~a\n  map: ~a~a"
               (value->text (up x y)) (value->text map) (where-allowed who f map y))))
 
-;; Names the abscissas in the frame where, at that ordinate, the map has images: for a section, those
-;; that the energy allows.
+;; Names the abscissas in the frame where, at that ordinate, the map has images: for a section,
+;; those that the energy allows.
 (define (where-allowed who f map y)
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
   (define (at k) (+ x-min (* (- x-max x-min) (/ k 200.0))))

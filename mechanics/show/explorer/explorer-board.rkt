@@ -1,6 +1,6 @@
 #lang racket/base
-;; The canvas of an exploration: points on a byte string of pixels, above the earlier contents of the
-;; frame, with axes around.
+;; The canvas of an exploration: points on a byte string of pixels, above the earlier contents of
+;; the frame, with axes around.
 
 (require racket/class
          racket/gui/base

@@ -34,8 +34,8 @@
              (super-new [label title])
              (define/augment (on-close) (finish! it closed)))))
     (define row (new horizontal-panel% [parent window] [stretchable-height #f] [border 2]))
-    (for ([label (in-list '("Undo" "More" "Whole" "Clear" "Save" "Close"))]
-          [action (in-list '(undo more whole clear save close))])
+    (for ([action (in-list '(undo more whole clear save close))])
+      (define label (string-titlecase (symbol->string action)))
       (new button% [parent row] [label label] [callback (lambda (b event) (act! it action))]))
     (define board
       (make-board window e background

@@ -44,8 +44,8 @@
     (super-new)
     (inherit draw draw-all enclosed)
     (define/override (letters p)
-      (with-dots (if (eq? (parts-sort p) 'odd) (upright (parts-base p)) (letters->TeX (parts-base p)))
-                 (parts-dots p)))
+      (define base (parts-base p))
+      (with-dots (if (eq? (parts-sort p) 'odd) (upright base) (letters->TeX base)) (parts-dots p)))
     (define/override (indexed base below above)
       (string-append base (index "_" below) (index "^" above)))
     (define/override (derivative-sign text) (if (string=? text "∂") "\\partial" text))
@@ -75,8 +75,8 @@
 
 ;; Fences around what is no taller than a letter do not stretch, and keep to their distance.
 (define (fenced open body close)
-  (format (if (regexp-match? #rx"frac|sqrt|begin|left|ddot|[|]" body) "\\left~a~a\\right~a" "~a~a~a")
-          open body close))
+  (define tall? (regexp-match? #rx"frac|sqrt|begin|left|ddot|[|]" body))
+  (format (if tall? "\\left~a~a\\right~a" "~a~a~a") open body close))
 
 (define (environment name columns lines)
   (format "\\begin{~a}~a~a\\end{~a}" name columns (string-join lines "\\\\") name))
@@ -85,5 +85,6 @@
 (define (array rows sign)
   (define columns (if (null? rows) 1 (max 1 (length (car rows)))))
   (format "\\begin{array}{~a}~a\\end{array}" (make-string columns #\c)
-          (string-join (for/list ([row (in-list rows)]) (string-join row (string-append sign " & ")))
+          (string-join (for/list ([row (in-list rows)])
+                         (string-join row (string-append sign " & ")))
                        " \\\\ ")))

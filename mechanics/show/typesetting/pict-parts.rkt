@@ -4,8 +4,8 @@
 (require (only-in pict blank filled-ellipse filled-rectangle hbl-append hc-append
                   pict pict-ascent pict-descent pict-height pict-width
                   pin-over unsafe-dc vc-append vl-append)
-         "pict-glyphs.rkt"
-         (only-in racket/class new send)
+         "../display/drawing-state.rkt" "pict-glyphs.rkt"
+         (only-in racket/class new send send*)
          (only-in racket/draw dc-path%))
 
 (provide over raised with-exponent with-indices with-dots under-root fenced rows lines)
@@ -140,13 +140,12 @@
   (draw-path path)
   (unsafe-dc
    (lambda (dc x y)
-     (define pen (send dc get-pen))
-     (define brush (send dc get-brush))
-     (send dc set-pen (send pen get-color) (rule g) 'solid)
-     (send dc set-brush "black" 'transparent)
-     (send dc draw-path path x y)
-     (send dc set-pen pen)
-     (send dc set-brush brush))
+     (define color (send (send dc get-pen) get-color))
+     (call-restoring-state
+      dc
+      (lambda ()
+        (send* dc (set-pen color (rule g) 'solid) (set-brush "black" 'transparent)
+          (draw-path path x y)))))
    w h))
 
 ;; ---------------------------------------------------------------------------

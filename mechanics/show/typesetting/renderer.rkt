@@ -86,7 +86,8 @@
 (define container-renderer%
   (class application-renderer%
     (super-new)
-    (inherit draw draw-all draw-leaf with-commas in-row in-table in-lines enclosed prose sign indent)
+    (inherit draw draw-all draw-leaf with-commas in-row in-table in-lines enclosed prose sign
+             indent)
     (define/public (draw-across items) (enclosed "[" (with-commas items) "]" items))
     (define/public (draw-list items) (in-row (with-commas items)))
     (define/public (draw-continuation text body)
