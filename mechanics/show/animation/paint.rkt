@@ -6,7 +6,7 @@
          racket/draw
          racket/math
          "shapes.rkt"
-         "../display/drawing-state.rkt"
+         "../typesetting/drawing-state.rkt"
          "../../error/complain.rkt")
 
 (provide loaded? paint)

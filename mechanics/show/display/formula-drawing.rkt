@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Formulas drawn: for snips, and for whatever asks for bytes of a picture.
 
-(require "drawing-state.rkt" "../typesetting/formula-pict.rkt" "result-formula.rkt"
+(require "../typesetting/drawing-state.rkt" "../typesetting/formula-pict.rkt" "result-formula.rkt"
          file/convertible
          (only-in pict colorize inset make-pict-drawer pict-descent pict-height pict-width
                   text vl-append)

@@ -4,7 +4,7 @@
 (require (only-in pict blank filled-ellipse filled-rectangle hbl-append hc-append
                   pict pict-ascent pict-descent pict-height pict-width
                   pin-over unsafe-dc vc-append vl-append)
-         "../display/drawing-state.rkt" "pict-glyphs.rkt"
+         "drawing-state.rkt" "pict-glyphs.rkt"
          (only-in racket/class new send send*)
          (only-in racket/draw dc-path%))
 
