@@ -17,7 +17,7 @@
 (provide Floquet-multipliers)
 
 ;; The greatest distance between the ends of a closed orbit, relative to 1 + |x|.
-(define closed 1e-6)
+(define closure-tolerance 1e-6)
 
 ;; Returns the eigenvalues, the largest first, of the derivatives of the state one period later by
 ;; the state; a state (up t q p) is differentiated by all components but the time.
@@ -60,8 +60,9 @@
       (define moved (fl- (real->double-flonum (comparand b)) x))
       (define (beside d) (fl/ (flabs d) (fl+ 1.0 (flabs x))))
       (define-values (all part) (values (beside moved) (beside (whole-turns-less moved))))
-      (flmax most (if (and (fl< part closed all) (angle? derivative start k)) part all))))
-  (unless (fl< gap closed)
+      (define angular? (and (fl< part closure-tolerance all) (angle? derivative start k)))
+      (flmax most (if angular? part all))))
+  (unless (fl< gap closure-tolerance)
     (complain who
               (string-append "the orbit is not closed after that period; its ends are ~a apart"
                              "\n  start: ~a\n  end: ~a")
@@ -74,4 +75,4 @@
             [b (in-list (scalars (derivative moved)))])
     (define rate (real->double-flonum (comparand a)))
     (fl< (flabs (fl- (real->double-flonum (comparand b)) rate))
-         (fl* closed (fl+ 1.0 (flabs rate))))))
+         (fl* closure-tolerance (fl+ 1.0 (flabs rate))))))

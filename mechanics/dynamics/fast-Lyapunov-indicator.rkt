@@ -56,19 +56,19 @@
 ;; ---------------------------------------------------------------------------
 ;; One orbit
 
-;; A displacement longer than `long` is shortened; its length is computed every `turn` steps.
-(define long 1e100)
-(define turn 16)
+;; A longer displacement is shortened; its length is computed after every interval of steps.
+(define longest-displacement 1e100)
+(define length-interval 16)
 
 ;; step! : moves a point with its displacement from p to q; returns #f where there is no image
 (define (indicator step! x y n)
   (let loop ([left n] [p (flvector x y 0.6 0.8)] [q (make-flvector 4)] [sum 0.0] [most 0.0])
-    (define now (if (or (eqv? left 0) (eqv? 0 (bitwise-and left (- turn 1))))
+    (define now (if (or (eqv? left 0) (eqv? 0 (bitwise-and left (- length-interval 1))))
                     (length-of p)
                     0.0))
     (define total (if (fl> now 0.0) (flmax most (fl+ sum (fllog now))) most))
     (cond [(eqv? left 0) (fl/ total (fllog 10.0))]
-          [(fl> now long)
+          [(fl> now longest-displacement)
            (shorten! p now)
            (loop left p q (fl+ sum (fllog now)) total)]
           [(step! p q) (loop (- left 1) q p sum total)]

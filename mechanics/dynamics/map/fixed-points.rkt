@@ -40,7 +40,7 @@
 
 ;; Returns the point z with a lesser period, or #f if its period is the least.
 (define (of-lesser-period map m z tolerance)
-  (define (back? d) (short? d z comes-back))
+  (define (back? d) (short? d z return-tolerance))
   (define (found k)
     (define-values (p at) (fixed-point-of 'find-fixed-point map (done-times m k z) tolerance))
     p)
@@ -48,7 +48,7 @@
     (with-handlers ([refusal? (lambda (e) #f)]) (found k))))
 
 ;; A point comes back if it returns within this, relative to 1 + |x|.
-(define comes-back 1e-9)
+(define return-tolerance 1e-9)
 
 (define (short? v x tolerance)
   (for/and ([d (in-flvector v)] [c (in-flvector x)])
@@ -73,8 +73,8 @@
   (define-values (z error)
     (if (of-section? map) (call-for-section who search) (search)))
   (define M (slopes-of-image m z))
-  (define lost (left-by-rounding (less-unit M) z))
-  (unless (fl< lost (fl* most-lost (fl+ 1.0 (greatest z))))
+  (define lost (rounding-error (less-unit M) z))
+  (unless (fl< lost (fl* greatest-rounding-error (fl+ 1.0 (greatest z))))
     (raise-not-convergent who "no fixed point found: there it only moves by less than rounding"
                           ((map-on-tuples-point m) z) lost))
   (define multipliers (multipliers-of M))
@@ -87,7 +87,7 @@
 ;; An image is rounded: where it differs from z by nothing, z may be off by A⁻¹ ε z all the same,
 ;; with A the derivatives of the displacement.  Where A has no inverse there is a whole line of
 ;; fixed points, or nothing is known.  Of the components the greatest.
-(define (left-by-rounding A z)
+(define (rounding-error A z)
   (define inverse (floating-solutions A (unit-rows (vector-length A) 1.0 0.0)))
   (if (vector? inverse)
       (for/fold ([most 0.0]) ([row (in-vector inverse)])
@@ -96,7 +96,7 @@
       0.0))
 
 ;; A point with a greater error, relative to 1 + |x|, is none.
-(define most-lost 1e-2)
+(define greatest-rounding-error 1e-2)
 
 ;; Where the energy is kept the fixed points of a section are a curve, one for each energy, along
 ;; which the derivatives of the displacement have no inverse.
@@ -129,12 +129,12 @@
          (sort (or (real-matrix-eigenvalues all n) '()) > #:key magnitude)]))
 
 ;; A size within this of 1 is taken for 1.
-(define near 1e-6)
+(define unit-tolerance 1e-6)
 
 (define (kind-of multipliers determinant)
   (define sizes (map magnitude multipliers))
-  (define (on-circle? s) (<= (abs (- s 1)) near))
-  (define (unit? l) (<= (magnitude (- (* l l) 1)) near))
+  (define (on-circle? s) (<= (abs (- s 1)) unit-tolerance))
+  (define (unit? l) (<= (magnitude (- (* l l) 1)) unit-tolerance))
   (cond [(ormap unit? multipliers) 'parabolic]
         [(andmap on-circle? sizes) 'elliptic]
         [(andmap (lambda (s) (< s 1)) sizes) 'attracting]
@@ -157,6 +157,6 @@
            (value->text (fixed-point-coordinates p)))
    (format "\n  multipliers: ~a" (value->text (fixed-point-multipliers p)))
    (if turn (format "\n  rotation angle: ~a" turn) "")
-   (if (> (abs excess) near)
+   (if (> (abs excess) unit-tolerance)
        (format "\n  areas are not kept: the determinant is ~a" (fixed-point-determinant p))
        "")))

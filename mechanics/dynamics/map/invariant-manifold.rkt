@@ -60,12 +60,12 @@
   (define sign (real->double-flonum side))
   (define curve
     (unstable-manifold T (abscissa at) (ordinate at)
-                       (fl/ (fl* sign dx) size) (fl/ (fl* sign dy) size) A straight))
+                       (fl/ (fl* sign dx) size) (fl/ (fl* sign dy) size) A straight-distance))
   (branch curve (march who curve (fixed-point-angles p) (comparand length) (comparand gap))))
 
 ;; Within this distance of the fixed point the curve is taken for straight.  The error across the
 ;; curve, the square of this, shrinks as the curve is stretched; that of rounding along it does not.
-(define straight 3e-5)
+(define straight-distance 3e-5)
 
 ;; Returns the multiplier by which the branch is stretched, and its direction x, y.
 (define (stretched p stable?)

@@ -15,7 +15,7 @@
 (provide iterated-map)
 
 ;; From this number of iterations on, the few milliseconds of compilation do not matter.
-(define worthwhile 10000)
+(define compilation-threshold 10000)
 
 (define (iterated-map map n)
   (check-map 'iterated-map map n)
@@ -32,7 +32,7 @@
         (image-by-calls map n x y return fail)))
   ;; The first call shows whether exact numbers stay exact.
   (define (iterated x y return fail)
-    (if (< n worthwhile)
+    (if (< n compilation-threshold)
         (image-by-calls map n x y return fail)
         (image-or-else 'iterated-map map x y
                        (lambda (x y) (further (- n 1) x y return fail)) fail)))

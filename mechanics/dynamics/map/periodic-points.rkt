@@ -17,14 +17,11 @@
   (check-map who map n region)
   (check-argument who exact-positive-integer? n "a period, a positive integer")
   (define-values (x-min x-max y-min y-max) (checked-region who region))
-  (unless (and (list? grid) (= (length grid) 2) (andmap exact-positive-integer? grid))
-    (complain who "#:grid is a list of two numbers of starts, across and up; given ~a"
-              (describe-with-value grid)))
-  (define (node low high k count) (+ low (* (- high low) (/ (+ k 0.5) count))))
+  (check-grid who grid)
   (define near
     (for*/list ([i (in-range (car grid))] [j (in-range (cadr grid))])
-      (point-near who map n (up (node x-min x-max i (car grid))
-                                (node y-min y-max j (cadr grid))))))
+      (point-near who map n (up (part-middle x-min x-max i (car grid))
+                                (part-middle y-min y-max j (cadr grid))))))
   (check-some-map near)
   (define all
     (for/fold ([found '()]) ([p (in-list near)])

@@ -10,8 +10,8 @@
          "../../value/principal-value.rkt")
 
 (provide make-point abscissa ordinate plane-near? cylinder-near? torus-near?
-         ;; for the maps
-         start-coordinates nearness-by-angles)
+         ;; for maps and their pictures
+         start-coordinates nearness-by-angles check-grid part-middle)
 
 (define (make-point x y) (up x y))
 
@@ -29,6 +29,19 @@
     (complain who "expected a point of real numbers, such as (up 0.1 0.2)\n  given: ~a"
               (describe-with-value p)))
   (real->double-flonum value))
+
+;; ---------------------------------------------------------------------------
+;; Grids of starts
+
+(define (check-grid who grid)
+  (unless (and (list? grid) (= (length grid) 2) (andmap exact-positive-integer? grid))
+    (complain who "#:grid is a list of two numbers of starts, across and up; given ~a"
+              (describe-with-value grid))))
+
+;; The middle of part k of n equal parts of an interval.
+(define (part-middle low high k n) (+ low (* (- high low) (/ (+ k 0.5) n))))
+
+;; ---------------------------------------------------------------------------
 
 ;; Takes a tuple of two, or a pair made by cons, as pictures do.
 (define (component-of who p k of-pair)

@@ -72,7 +72,7 @@
 ;; One point, or a list of them -> vectors of two flonums
 (define (trail-points who x)
   (for/list ([p (in-list (if (list? x) x (list x)))])
-    (point-of who (lambda () "a point of the trail") p)))
+    (point-of who "a point of the trail" p)))
 
 ;; ---------------------------------------------------------------------------
 ;; Drawing

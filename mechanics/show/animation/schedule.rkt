@@ -32,17 +32,16 @@
 
 ;; The time of picture i; the first and the last are those that were given.
 (define (schedule-time s i)
-  (define last (- (schedule-count s) 1))
-  (cond [(<= i 0) (schedule-from s)]
-        [(>= i last) (schedule-to s)]
-        [else (+ (schedule-start s) (* (schedule-span s) (/ i (exact->inexact last))))]))
+  (time-at-share s (/ i (- (schedule-count s) 1.0))))
 
 ;; The same schedule with another rate.
 (define (schedule-at-rate s rate) (struct-copy schedule s [rate rate]))
 
 ;; The time shown a number of seconds after the start.
-(define (time-after s seconds)
-  (define share (/ seconds (schedule-seconds s)))
+(define (time-after s seconds) (time-at-share s (/ seconds (schedule-seconds s))))
+
+;; share : of the whole time
+(define (time-at-share s share)
   (cond [(<= share 0.0) (schedule-from s)]
         [(>= share 1.0) (schedule-to s)]
         [else (+ (schedule-start s) (* (schedule-span s) share))]))

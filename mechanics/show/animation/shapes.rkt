@@ -58,7 +58,7 @@
   (check-color who color)
   (check-color who fill)
   (check-width who width)
-  (spot (point-of who (lambda () "the center") center)
+  (spot (point-of who "the center" center)
          (check-length who "the radius" radius) color width fill))
 
 (define anchors '(center left right above below))
@@ -73,8 +73,8 @@
     (complain-of-argument who "a size of letters from 4 to 200 pixels" size))
   (unless (memq anchor anchors)
     (complain-of-argument who "where the text is, one of (center left right above below)" anchor))
-  (lettering (point-of who (lambda () "the place") at) text color size anchor (and italic? #t)
-             (point-of who (lambda () "the shift") shift)))
+  (lettering (point-of who "the place" at) text color size anchor (and italic? #t)
+             (point-of who "the shift" shift)))
 
 ;; ---------------------------------------------------------------------------
 ;; Checks

@@ -1,7 +1,8 @@
 #lang racket/base
 ;; States as drawings read them: the time, and all coordinates in a row, as flonums.
 
-(require "../../error/complain.rkt" "../../error/hint.rkt" "../../error/message-words.rkt"
+(require (only-in racket/list split-at-right)
+         "../../error/complain.rkt" "../../error/hint.rkt" "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../plot/coordinate.rkt")
@@ -18,14 +19,13 @@
   (unless (or (not counts) (memv (vector-length q) counts))
     (complain who "draws a system of ~a; this state has ~a\n  state: ~a"
               (counted-coordinates counts) (vector-length q) (value->text state)))
-  (values (coordinate-of who (lambda () "the time of the state") (time state)) q))
+  (values (coordinate-of who "the time of the state" (time state)) q))
 
 ;; "1 coordinate", "1 or 2 coordinates"
 (define (counted-coordinates counts)
-  (define last-one (car (reverse counts)))
-  (define others (reverse (cdr (reverse counts))))
+  (define-values (others greatest) (split-at-right counts 1))
   (string-append (if (null? others) "" (format "~a or " (joined (map number->string others))))
-                 (counted last-one "coordinate")))
+                 (counted (car greatest) "coordinate")))
 
 ;; The components of a part of the state, whatever tuples they are in.
 (define (slot-components who state slot)

@@ -45,16 +45,13 @@
         [(or (node? x) (has-kind? x) (vector? x))
          (define-values (simple assumptions)
            (parameterize ([automatic-assumptions #f]) (as-shown x)))
-         (if (unprintable-alone? simple) (shown simple) simple)]
+         (if (unprintable? simple) (shown simple) simple)]
         [(pair? x) (cons (within-text (car x)) (within-text (cdr x)))]
-        [(unprintable-alone? x) (shown x)]
+        [(unprintable? x) (shown x)]
         [else x]))
 
 ;; For `format` and its kin.
 (define (as-text x) (if (cyclic? x) x (within-text x)))
-
-;; A procedure that Racket would print as #<procedure:its-name>.
-(define (unprintable-alone? x) (and (procedure? x) (not (custom-write? x))))
 
 (define-named show:format format
   (lambda (text . xs) (apply format text (map as-text xs))))

@@ -15,7 +15,7 @@
 
 (require-on-demand ["styled-result.rkt" styled-result])
 
-(provide simplified-result plain-result)
+(provide simplified-result plain-result unprintable?)
 
 ;; What to print in place of x; ours takes lines of at most `width` columns.  manner : one of
 ;; those of manner-here (display-style.rkt); a special (print-shown.rkt) where that is 'snip

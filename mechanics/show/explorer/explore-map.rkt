@@ -10,6 +10,7 @@
          "../../numeric/finite-number.rkt")
 
 (require-on-demand ["../../dynamics/map/compiled-map.rkt" stepper-at]
+                   ["../../dynamics/map/plane-points.rkt" check-grid part-middle]
                    ["explore-in-window.rkt" explore-in-window])
 
 (provide explore-map display-map)
@@ -116,10 +117,7 @@
 
 ;; Returns the middles of equal parts of the frame, (list across up) of them.
 (define (grid-starts who f grid)
-  (unless (and (list? grid) (= (length grid) 2) (andmap exact-positive-integer? grid))
-    (complain who "#:grid is a list of two numbers of starts, across and up; given ~a"
-              (describe-with-value grid)))
+  (check-grid who grid)
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
-  (define (middle low high k n) (+ low (* (- high low) (/ (+ k 0.5) n))))
   (for*/list ([j (in-range (cadr grid))] [i (in-range (car grid))])
-    (cons (middle x-min x-max i (car grid)) (middle y-min y-max j (cadr grid)))))
+    (cons (part-middle x-min x-max i (car grid)) (part-middle y-min y-max j (cadr grid)))))

@@ -44,7 +44,7 @@
 (define (support-point who x)
   (if (real? x)
       (vector 0.0 (check-number who "the height of the support" x))
-      (point-of who (lambda () "the support") x)))
+      (point-of who "the support" x)))
 
 ;; ---------------------------------------------------------------------------
 

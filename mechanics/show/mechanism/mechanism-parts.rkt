@@ -18,7 +18,7 @@
 ;; A body that is small, with its name beside it.
 (define (bob center radius #:color [color (car accents)] #:label [text #f] #:anchor [anchor 'right])
   (define body (disc center radius #:fill color #:color ink #:width 1))
-  (if text (list body (beside (point-of 'bob (lambda () "the center") center) radius text anchor))
+  (if text (list body (beside (point-of 'bob "the center" center) radius text anchor))
       body))
 
 (define (beside center radius text anchor)
@@ -40,8 +40,8 @@
   (define who 'spring)
   (unless (and (exact-positive-integer? coils) (<= coils 100))
     (complain-of-argument who "a number of coils from 1 to 100" coils))
-  (define from (point-of who (lambda () "the first end") p))
-  (define to (point-of who (lambda () "the second end") q))
+  (define from (point-of who "the first end" p))
+  (define to (point-of who "the second end" q))
   (define along (minus to from))
   (define aside
     (times (/ (check-length who "the width" width) 2.0 (max 1e-9 (span along))) (crosswise along)))
@@ -57,8 +57,8 @@
 ;; What stands firm: a line with hatches to its left, as one goes from p to q.
 (define (wall p q #:depth [depth 0.08])
   (define who 'wall)
-  (define from (point-of who (lambda () "the first end") p))
-  (define to (point-of who (lambda () "the second end") q))
+  (define from (point-of who "the first end" p))
+  (define to (point-of who "the second end" q))
   (define deep (check-length who "the depth" depth))
   (define way (minus to from))
   (define long (span way))
@@ -77,7 +77,7 @@
 ;; A rectangle about its center, turned by an angle.
 (define (block center width height #:angle [angle 0.0] #:color [color (car accents)])
   (define who 'block)
-  (define middle (point-of who (lambda () "the center") center))
+  (define middle (point-of who "the center" center))
   (define a (times 0.5 (turned (check-length who "the width" width) angle)))
   (define b (times 0.5 (crosswise (turned (check-length who "the height" height) angle))))
   (polyline (list (minus (minus middle a) b) (minus (add middle a) b)
@@ -91,7 +91,7 @@
       line))
 
 (define (leftwards? p q)
-  (define (x-of p) (at-x (point-of 'vector-arrow (lambda () "an end") p)))
+  (define (x-of p) (at-x (point-of 'vector-arrow "an end" p)))
   (< (x-of q) (x-of p)))
 
 ;; ---------------------------------------------------------------------------
@@ -118,7 +118,7 @@
 ;; middle.
 (define (angle-mark vertex from to radius text)
   (define who 'angle-mark)
-  (define center (point-of who (lambda () "the vertex") vertex))
+  (define center (point-of who "the vertex" vertex))
   (define a (check-number who "the first angle" from))
   (define b (check-number who "the second angle" to))
   (define r (check-length who "the radius" radius))
@@ -130,8 +130,8 @@
 ;; The distance of two points, measured beside them: to their left by `offset`.
 (define (length-mark p q text #:offset [offset 0.0])
   (define who 'length-mark)
-  (define from (point-of who (lambda () "the first point") p))
-  (define to (point-of who (lambda () "the second point") q))
+  (define from (point-of who "the first point" p))
+  (define to (point-of who "the second point" q))
   (define left (crosswise (times (/ 1.0 (max 1e-9 (span (minus to from)))) (minus to from))))
   (define away (times (check-number who "the offset" offset) left))
   (define side (if (< offset 0.0) -1.0 1.0))

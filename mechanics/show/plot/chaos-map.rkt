@@ -7,7 +7,7 @@
          "../../generic/on-demand.rkt" "../../generic/wrong-argument.rkt"
          "../../dynamics/map/map-of-the-plane.rkt")
 
-(require-on-demand ["../../dynamics/fast-Lyapunov-indicator.rkt" indicator-grid])
+(require-on-demand ["../../dynamics/fast-Lyapunov-indicator.rkt" indicator-grid] ["../../dynamics/map/plane-points.rkt" part-middle])
 
 (provide chaos-map)
 
@@ -37,7 +37,7 @@
 
 ;; Returns the middles of n equal parts of the interval.
 (define (middles from to n)
-  (for/flvector #:length n ([k (in-range n)]) (+ from (* (- to from) (/ (+ k 0.5) n)))))
+  (for/flvector #:length n ([k (in-range n)]) (part-middle from to k n)))
 
 ;; ---------------------------------------------------------------------------
 ;; Colours

@@ -6,7 +6,7 @@
 
 (require "../../algebra/expression/constant-value.rkt" "../../algebra/expression/expression.rkt"
          "../../algebra/expression/symbols.rkt"
-         "../../error/complain.rkt" "../../error/hint.rkt" "../../error/message-words.rkt"
+         "../../error/complain.rkt" "../../error/hint.rkt" "../../error/computed-once.rkt" "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt"
          "../../generic/kind.rkt" "../../generic/multiplied-function.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
@@ -14,7 +14,7 @@
 
 (provide coordinate-of plane-point check-number check-function check-function-of-state parameters)
 
-;; what : -> string, such as "y" or "the value at 0.5"
+;; what : a string, such as "y", or a procedure that returns it
 (define (coordinate-of who what x)
   (cond [(flonum? x) x]
         [(real? x) (real->double-flonum x)]
@@ -23,7 +23,7 @@
         [(and (symbolic? x) (constant-value x))]
         [else
          (complain who "~a is no number\n  given: ~a~a"
-                   (what) (describe-with-value x) (advice x))]))
+                   (at-last what) (describe-with-value x) (advice x))]))
 
 (define (advice x)
   (cond [(symbolic? x)
@@ -43,13 +43,13 @@
           [(and (pair? p) (not (list? p))) (values (car p) (cdr p))]
           [else
            (complain who "~a is no point of the plane, such as (up x y) or (cons x y)\n  given: ~a"
-                     (what) (describe-with-value p))]))
-  (values (coordinate-of who (lambda () (string-append (what) ", its first component,")) x)
-          (coordinate-of who (lambda () (string-append (what) ", its second component,")) y)))
+                     (at-last what) (describe-with-value p))]))
+  (define ((component which)) (format "~a, its ~a component," (at-last what) which))
+  (values (coordinate-of who (component "first") x) (coordinate-of who (component "second") y)))
 
 ;; An argument that must be a finite number.
 (define (check-number who what x)
-  (define number (coordinate-of who (lambda () what) x))
+  (define number (coordinate-of who what x))
   (unless (finite? number)
     (complain-of-argument who (format "a finite number as ~a" what) x))
   number)

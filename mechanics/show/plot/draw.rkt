@@ -13,8 +13,8 @@
 (define-plain (plot-point f x y #:color [color 0] #:size [size 1.5] #:label [label #f])
   (check-frame 'plot-point f)
   (add-dot! 'plot-point f color size label
-            (coordinate-of 'plot-point (lambda () "x") x)
-            (coordinate-of 'plot-point (lambda () "y") y)))
+            (coordinate-of 'plot-point "x" x)
+            (coordinate-of 'plot-point "y" y)))
 
 (define-plain (plot-line f x1 y1 x2 y2
                          #:color [color 0] #:width [width 1] #:style [dash 'solid]
@@ -22,7 +22,7 @@
   (check-frame 'plot-line f)
   (define ends
     (for/list ([x (in-list (list x1 y1 x2 y2))] [what (in-list '("x1" "y1" "x2" "y2"))])
-      (coordinate-of 'plot-line (lambda () what) x)))
+      (coordinate-of 'plot-line what x)))
   (apply add-line! 'plot-line f color width dash label ends))
 
 (define-plain (plot-function f function from to [step #f]
@@ -107,7 +107,7 @@
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
   (define dx (/ (- x-max x-min) 300))
   (define dy (/ (- y-max y-min) 300))
-  (define (point p) (plane-point 'plot-parametric-fill (lambda () "a point") p))
+  (define (point p) (plane-point 'plot-parametric-fill "a point" p))
   (lambda (p q)
     (define-values (x1 y1) (point p))
     (define-values (x2 y2) (point q))
