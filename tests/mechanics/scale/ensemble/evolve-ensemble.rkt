@@ -174,7 +174,7 @@
   (define (next) (and (pair? left) (begin0 (car left) (set! left (cdr left)))))
   (define given-up '())
   (parameterize ([current-error-port (open-output-nowhere)])
-    (perform-by-crew t 1 next
-                     (lambda (f) (error "nothing was to be done"))
-                     (lambda (b) (set! given-up (cons (batch-index b) given-up)))))
+    (perform-by-workers t 1 next
+                        (lambda (f) (error "nothing was to be done"))
+                        (lambda (b) (set! given-up (cons (batch-index b) given-up)))))
   (check-equal? (sort given-up <) '(0 1)))
