@@ -175,5 +175,4 @@
   number)
 
 (define (check-steps who n)
-  (unless (exact-positive-integer? n)
-    (complain-of-argument who "how many steps of the map, a positive integer" n)))
+  (check-argument who exact-positive-integer? n "how many steps of the map, a positive integer"))
