@@ -61,12 +61,12 @@
              [g:for*/sum for*/sum] [g:for*/product for*/product])
  ;; structures
  up down up? down? structure? structure-orientation
- ref component s:ref s:length s:dimension dimension
+ ref component s:length dimension
  (rename-out [tuple-vector-ref vector-ref] [tuple-vector-length vector-length]
              [tuple-vector->list vector->list] [tuple-vector-map vector-map])
  structure->vector structure->list vector->up vector->down list->up list->down
- s:generate s:map s:map/r s:fold flip s:same s:opposite
- compatible-shape compatible-zero dual-zero typical-object zero-like
+ s:generate s:map s:map/r s:fold flip
+ compatible-shape compatible-zero typical-object zero-like
  dot-product inner-product outer-product cross-product euclidean-norm unequal-contraction
  ;; matrices and linear algebra
  matrix? matrix-by-rows matrix-by-columns m:generate identity-matrix

@@ -27,7 +27,6 @@
          "lagrangian/on-demand.rkt"
          "lagrangian/state-derivative.rkt" "lagrangian/total-derivative.rkt"
          "lang/application.rkt" "lang/help/help.rkt" "lang/paper-notation/caret.rkt" "lang/Scheme.rkt"
-         "lang/scmutils.rkt"
          "lang/session.rkt"
          "lang/redefinition/module.rkt"
          "dynamics/on-demand.rkt"
@@ -44,26 +43,20 @@
  ;; the language
  #%app #%top #%module-begin #%top-interaction ^ help
  ;; names of MIT Scheme
+ floor->exact close-enuf? *machine-epsilon*
  1+ -1+ iota list-head make-list fold-left fold-right write-line pp runtime show-time
- ;; names of scmutils
- (all-from-out "lang/scmutils.rkt")
  ;; local tuples
- Gamma path->state-path ->local ->state ->L-state
- time coordinate velocity acceleration
- coordinates velocities accelerations
- coordinate-tuple velocity-tuple acceleration-tuple momentum-tuple
- state->t state->q state->qdot state->qddot state->n-dof Q Qdot Qdotdot
- literal-Lagrangian-state
+ Gamma ->local literal-Lagrangian-state
+ time coordinate velocity acceleration coordinates velocities accelerations
  ;; actions
  Lagrangian-action make-path make-eta parametric-path-action
  linear-interpolants Lagrange-interpolation-function
  ;; integrals, minima and roots
- definite-integral definite-integral-with-tolerance integral-conditions verify-integral
+ definite-integral integral-conditions verify-integral
  find-minimum minimum? minimum-argument minimum-value minimum-kind
  minimum-gradient minimum-curvature minimum-evaluations
- minimize brent-min golden-section-min multidimensional-minimize nelder-mead
- find-root newton-search bisect zbrent
- D-numeric richardson-derivative
+ minima minimize multidimensional-minimize nelder-mead
+ find-root bisect D-numeric
  ;; elliptic functions
  first-elliptic-integral second-elliptic-integral elliptic-integrals
  third-elliptic-integral
@@ -75,36 +68,34 @@
  ;; systems in other languages
  export-system
  ;; equations of motion
- Lagrange-equations generalized-LE delta
- Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
- Lagrange-equations-first-order Lagrange-equations-1 qv->state-path qv->local-path
+ Lagrange-equations delta
+ Lagrangian->acceleration Lagrangian->state-derivative
+ Lagrange-equations-first-order qv->state-path
  make-Lagrangian Rayleigh-dissipation
  ;; constraints
  (all-from-out "constraint/on-demand.rkt")
  ;; particles and the forces on them
  (all-from-out "force/on-demand.rkt")
  ;; Hamiltonian states, and Hamilton's mechanics
- ->H-state H-state? compatible-H-state? momentum momenta state->p P state->qp
+ ->H-state H-state? compatible-H-state? momentum momenta state->qp
  literal-Hamiltonian-state degrees-of-freedom
  (all-from-out "hamiltonian/on-demand.rkt")
  ;; canonical transformations, with the names of both editions
  (all-from-out "canonical/on-demand.rkt" "reduction/on-demand.rkt" "pendulum/on-demand.rkt")
- (rename-out [F->CH F->CT] [Phi* transpose-function]
-             [Hpendulum pendulum-Hamiltonian])
+ (rename-out [F->CH F->CT])
  ;; energies and other integrals of the motion
  Lagrangian->energy Lagrangian->power-loss Noether-integral
  ;; questions about a system
  (all-from-out "question/on-demand.rkt")
  ;; functions of local tuples
- Euler-Lagrange-operator LE Lagrange-equations-operator Dt clip-state trim-last-argument
+ Euler-Lagrange-operator Dt clip-state trim-last-argument
  (all-from-out "teaching/derivation/on-demand.rkt")
  ;; numbers of higher precision, functions through data
  (all-from-out "value/on-demand.rkt")
- ;; rotations and rigid bodies, with the names of both editions and of scmutils
- (all-from-out "rigid/on-demand.rkt")
- (rename-out [Rx rotate-x] [Ry rotate-y] [Rz rotate-z]
-             [rotate-x-matrix Rx-matrix] [rotate-y-matrix Ry-matrix] [rotate-z-matrix Rz-matrix]
-             [angle-axis->rotation-matrix angle&axis->rotation-matrix]
+ ;; rotations and rigid bodies, with the names of both editions
+ (except-out (all-from-out "rigid/on-demand.rkt")
+             rotate-x-matrix rotate-y-matrix rotate-z-matrix)
+ (rename-out [rotate-x-matrix Rx-matrix] [rotate-y-matrix Ry-matrix] [rotate-z-matrix Rz-matrix]
              [T-body-Euler T-rigid-body] [L-body-Euler Euler-state->L-body]
              [L-space-Euler Euler-state->L-space])
  q:i q:j q:k
@@ -114,12 +105,10 @@
  (all-from-out "dynamics/on-demand.rkt")
  ;; coordinates
  F->C Gamma-bar osculating-path
- p->r r->p polar->rectangular rectangular->polar
- s->r r->s spherical->rectangular rectangular->spherical
- Rx Ry Rz
+ p->r r->p s->r r->s Rx Ry Rz
  rotating->inertial inertial->rotating accelerated->inertial inertial->accelerated
  ;; showing
- print-expression pe show-expression se series:print
+ print-expression show-expression series:print
  (all-from-out "show/display/output.rkt" "show/display/on-demand.rkt")
  display-style derivative-style suppress-arguments)
 

@@ -25,11 +25,11 @@
 
 ;; turn : of a coordinate that is an angle, or #f; longest : the time after which to give up
 (define-plain (action-of-orbit H state #:turn [turn #f] #:tolerance [tolerance 1e-11]
-                               #:longest [longest 1e4])
+                               #:longest-time [longest 1e4])
   (orbit-action (checked-orbit 'action-of-orbit H state turn tolerance longest)))
 
 (define-plain (frequency-of-orbit H state #:turn [turn #f] #:tolerance [tolerance 1e-11]
-                                  #:longest [longest 1e4])
+                                  #:longest-time [longest 1e4])
   (/ (* 2 pi) (orbit-period (checked-orbit 'frequency-of-orbit H state turn tolerance longest))))
 
 (define (checked-orbit who H state turn tolerance longest)

@@ -16,9 +16,10 @@
 (provide definite-integral definite-integral-with-tolerance integrate
          integral-conditions verify-integral)
 
-;; tolerance : relative to the integral of |f|
+;; tolerance : relative to the integral of |f|; eps : the same, without a keyword, as in the book
 ;; report    : receives the value, a bound of its error, the number of evaluations
-(define-plain (definite-integral f low high [tolerance 1e-10] #:report [report first-of-three])
+(define-plain (definite-integral f low high [eps 1e-10]
+                                 #:tolerance [tolerance eps] #:report [report first-of-three])
   (integrate 'definite-integral f low high tolerance #:report report))
 
 (define-plain (definite-integral-with-tolerance f low high tolerance

@@ -4,7 +4,6 @@
 (require "../generic/on-demand.rkt")
 
 (provide-on-demand
- ["definite-integral.rkt" definite-integral definite-integral-with-tolerance
-                          integral-conditions verify-integral]
+ ["definite-integral.rkt" definite-integral integral-conditions verify-integral]
  ["compile-function.rkt" compile-function compiled-function? compiled-function-reason
                          compiled-function-operations])

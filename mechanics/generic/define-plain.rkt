@@ -10,7 +10,7 @@
 ;; What loads a function on demand takes any keywords and any number of arguments.  So what
 ;; a function defined here takes, it says itself.
 
-(require "function.rkt"
+(require "former-arguments.rkt" "function.rkt"
          "../error/complain.rkt")
 
 (provide define-plain telling-what-it-takes)
@@ -29,7 +29,7 @@
       (raise-other-count who f known (length arguments))))
   (define (apply-with names values . arguments)
     (for ([name (in-list names)])
-      (unless (memq name known) (raise-unknown-keyword who name known (advice name))))
+      (unless (memq name known) (raise-unknown-keyword who name known (or (advice name) (former-keyword who name)))))
     (check-count arguments)
     (keyword-apply f names values arguments))
   (define (apply-without . arguments)
@@ -39,12 +39,14 @@
 
 (define (raise-unknown-keyword who name known advice)
   (complain who "there is no keyword ~s here~a~a" name
-            (keywords->text known)
-            (if advice (string-append "\n  " advice) "")))
+            (keywords->text known) (on-its-line advice)))
 
 (define (raise-other-count who f known n)
-  (complain-of-arity who "takes ~a; it was given ~a~a" (arity->text f)
-                     (if (= n 0) "none" n) (keywords->text known)))
+  (complain-of-arity who "takes ~a; it was given ~a~a~a" (arity->text f)
+                     (if (= n 0) "none" n) (keywords->text known)
+                     (on-its-line (former-count who n))))
+
+(define (on-its-line advice) (if advice (string-append "\n  " advice) ""))
 
 (define (keywords->text known)
   (if (null? known) "" (format "\n  its keywords: ~s" known)))

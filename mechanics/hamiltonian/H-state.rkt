@@ -12,7 +12,7 @@
          (only-in "../value/structure.rkt" flip list->down list->up s:dimension s:length s:map/r))
 
 (provide ->H-state H-state? compatible-H-state?
-         momentum momenta state->p P state->qp
+         momentum momenta state->qp
          literal-Hamiltonian-state degrees-of-freedom
          ;; for the functions of states
          check-H-state check-state-like state-of-momenta? asked-for-momentum?)
@@ -51,8 +51,6 @@
   p)
 
 (define momenta momentum)
-(define state->p momentum)
-(define P momentum)
 
 ;; Is this very state asked for its momentum while the thunk runs?
 (define (asked-for-momentum? state thunk)

@@ -21,15 +21,13 @@
          "../value/compose.rkt")
 
 (provide Hamilton-equations qp->H-state-path
-         Hamiltonian->state-derivative phase-space-derivative D-phase-space
+         Hamiltonian->state-derivative D-phase-space
          ;; for those who ask about motions
          flow-direction states-along)
 
 ;; (Hamiltonian->state-derivative H) : (t, q, p) ↦ (1, ∂₂H, −∂₁H + F)
 (define-plain (Hamiltonian->state-derivative H #:force [F #f])
   (derivative-of-states 'Hamiltonian->state-derivative H 1 F))
-
-(define phase-space-derivative Hamiltonian->state-derivative)
 
 ;; The same without the clock (p. 347): (t, q, p) ↦ (0, ∂₂H, −∂₁H)
 (define (D-phase-space H) (derivative-of-states 'D-phase-space H 0 #f))

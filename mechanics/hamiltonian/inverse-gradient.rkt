@@ -58,7 +58,7 @@
   (define (F v) ((inverter-F i) given v))
   (cond [(eq? (how-to i given w) 'exactly)
          (define-values (M push) (linear-equations i given w))
-         (g:- (g:* 1/2 push (solved i M push)) (F (dual-zero w)))]
+         (g:- (g:* 1/2 push (solved i M push)) (F (compatible-zero w)))]
         [else
          (define v (velocity-at i given w))
          (g:- (g:* w v) (F v))]))
@@ -66,7 +66,7 @@
 ;; -> M and w − b
 (define (linear-equations i given w)
   (define F ((gradient-in i) given))
-  (define zero (dual-zero w))
+  (define zero (compatible-zero w))
   (values (derivative-at F zero) (g:- w (F zero))))
 
 ;; given ↦ (v ↦ ∂F/∂v)
@@ -79,7 +79,7 @@
 ;; F may fail at symbols; then the velocities are found by numbers.
 (define (settle i given w)
   (define place (symbols-like given "q"))
-  (define-values (v momenta) (values (symbols-like (dual-zero w) "v") (symbols-like w "w")))
+  (define-values (v momenta) (values (symbols-like (compatible-zero w) "v") (symbols-like w "w")))
   (define equations (gradient-at-symbols i place v))
   (cond [(not equations) 'by-numbers]
         [(independent? (equations-slopes equations) (scalars v)) 'exactly]

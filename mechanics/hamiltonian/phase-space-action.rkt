@@ -7,12 +7,12 @@
 (require "Hamilton-equations.rkt" "Hamiltonian.rkt" "H-state.rkt"
          "../calculus/derivative.rkt"
          "../compile/definite-integral.rkt"
-         "../generic/arithmetic.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt"
          "../lagrangian/local-tuple.rkt")
 
 (provide Hamiltonian-action)
 
-(define (Hamiltonian-action H q p t1 t2 [tolerance 1e-10])
+(define-plain (Hamiltonian-action H q p t1 t2 #:tolerance [tolerance 1e-10])
   (check-Hamiltonian 'Hamiltonian-action H)
   (define states (states-along 'Hamiltonian-action q p))
   (define velocities (D (path 'Hamiltonian-action q)))

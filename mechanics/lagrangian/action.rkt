@@ -7,8 +7,8 @@
 
 (provide Lagrangian-action)
 
-(define-plain (Lagrangian-action L q t1 t2 [tolerance 1e-10]
-                                 #:order [n 1]
+(define-plain (Lagrangian-action L q t1 t2 [eps 1e-10]
+                                 #:tolerance [tolerance eps] #:order [n 1]
                                  #:report [report (lambda (value bound count) value)])
   (check-Lagrangian 'Lagrangian-action L)
   (check-order 'Lagrangian-action n)

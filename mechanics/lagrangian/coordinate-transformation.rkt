@@ -16,8 +16,7 @@
          "../value/compose.rkt" "../value/structure.rkt")
 
 (provide F->C Gamma-bar osculating-path
-         p->r r->p polar->rectangular rectangular->polar
-         s->r r->s spherical->rectangular rectangular->spherical)
+         p->r r->p s->r r->s)
 
 (define (F->C F)
   (check-argument 'F->C procedure? F "a coordinate transformation: a function of the local tuple")
@@ -115,8 +114,3 @@
   (define-values (x y z) (apply values (tuple-coordinates 'r->s 3 local)))
   (define r (g:sqrt (g:+ (g:square x) (g:square y) (g:square z))))
   (up r (g:acos (g:/ z r)) (g:atan y x)))
-
-(define polar->rectangular p->r)
-(define rectangular->polar r->p)
-(define spherical->rectangular s->r)
-(define rectangular->spherical r->s)

@@ -13,13 +13,11 @@
          "../value/structure.rkt")
 
 (provide
- Gamma path->state-path path state-parts
- ->local ->state ->L-state local-tuple?
+ Gamma path state-parts
+ ->local local-tuple?
+
  time coordinate velocity acceleration
  coordinates velocities accelerations
- coordinate-tuple velocity-tuple acceleration-tuple momentum-tuple
- state->t state->q state->qdot state->qddot state->n-dof
- Q Qdot Qdotdot
  literal-Lagrangian-state
  check-local-length
  ;; for the parts of other states
@@ -41,7 +39,6 @@
 
 (define (along path) (format "(Gamma ~a)" path))
 
-(define (path->state-path q [n 3]) (Gamma q n))
 
 ;; q, known to be a path; a Racket vector counts as a tuple.
 (define (path who q)
@@ -81,14 +78,6 @@
 ;; Building and taking apart
 
 (define (->local t q . derivatives) (apply up t q derivatives))
-(define (->state t q . derivatives) (apply up t q derivatives))
-(define (->L-state t q . derivatives) (apply up t q derivatives))
-
-;; Their parts: momenta, which multiply velocities, are a down tuple.
-(define (coordinate-tuple . qs) (apply up qs))
-(define (velocity-tuple . vs) (apply up vs))
-(define (acceleration-tuple . as) (apply up as))
-(define (momentum-tuple . ps) (apply down ps))
 
 (define (local-tuple? x)
   (and (up? x) (>= (s:length x) 2)))
@@ -126,20 +115,11 @@
 (define-selector acceleration 3 "accelerations")
 
 (define coordinates coordinate)
-(define state->q coordinate)
-(define Q coordinate)
 (define velocities velocity)
-(define state->qdot velocity)
-(define Qdot velocity)
 (define accelerations acceleration)
-(define state->qddot acceleration)
-(define Qdotdot acceleration)
-(define state->t time)
-
 ;; -> time, coordinates, velocities
 (define (state-parts local) (values (time local) (coordinate local) (velocity local)))
 
-(define (state->n-dof local) (s:dimension (coordinate local)))
 
 ;; A local tuple of n coordinates with components named after `name`.
 (define (literal-Lagrangian-state n)

@@ -9,7 +9,6 @@
  ["energy.rkt" make-Lagrangian Lagrangian->energy Lagrangian->power-loss]
  ["frames.rkt" Rx Ry Rz rotating->inertial inertial->rotating
                accelerated->inertial inertial->accelerated]
- ["generalized-LE.rkt" generalized-LE]
  ["path.rkt" make-path make-eta parametric-path-action
              linear-interpolants Lagrange-interpolation-function]
  ["variation.rkt" delta])

@@ -17,9 +17,8 @@
          "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt")
 
-(provide Lagrangian->acceleration Lagrangian->state-derivative local-state-derivative
-         Lagrange-equations-first-order Lagrange-equations-1
-         qv->state-path qv->local-path
+(provide Lagrangian->acceleration Lagrangian->state-derivative
+         Lagrange-equations-first-order qv->state-path
          check-velocity
          ;; for those who explain a failure
          directions->text
@@ -46,8 +45,6 @@
 
 ;; The state derivative without outside forces; it keeps its Lagrangian, from which it is compiled.
 (value-struct Lagrangian-derivative function (Lagrangian))
-
-(define local-state-derivative Lagrangian->state-derivative)
 
 (define (acceleration-function who L dissipation Q)
   (check-Lagrangian who L)
@@ -112,16 +109,12 @@
     (g:- (D states) (compose slope states)))
   (make-function residual 4 (made-from 'Lagrange-equations-first-order L dissipation Q)))
 
-(define Lagrange-equations-1 Lagrange-equations-first-order)
-
 ;; t ↦ (t, q(t), v(t)), whether v is the derivative of q or not.
 (define (qv->state-path given-q given-v)
   (define q (path 'qv->state-path given-q))
   (define v (path 'qv->state-path given-v))
   (printed-function (qv->state-path q v) (t)
     (up t (q t) (v t))))
-
-(define qv->local-path qv->state-path)
 
 ;; ---------------------------------------------------------------------------
 

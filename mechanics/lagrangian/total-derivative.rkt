@@ -22,7 +22,7 @@
          "../generic/wrong-argument.rkt"
          "../value/operator.rkt" "../value/structure.rkt")
 
-(provide Dt Euler-Lagrange-operator LE Lagrange-equations-operator
+(provide Dt Euler-Lagrange-operator
          clip-state trim-last-argument check-local-tuple)
 
 ;; ((Dt F) local)
@@ -67,9 +67,6 @@
               ([k (in-range 1 (add1 n))])
       (define term (at ((g:expt Dt k) ((partial (add1 k)) L-scalar)) (+ n 2 k)))
       (if (odd? k) (g:+ sum term) (g:- sum term)))))
-
-(define LE Euler-Lagrange-operator)
-(define Lagrange-equations-operator Euler-Lagrange-operator)
 
 ;; ((clip-state n) local): the first n components.
 (define (clip-state n)

@@ -4,11 +4,16 @@
 
 (require (only-in racket/list make-list)
          "../show/display/result.rkt"
-         "../generic/arithmetic.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/on-demand.rkt" "../generic/wrong-argument.rkt"
+         "../numeric/constants.rkt" "../numeric/finite-number.rkt")
+
 
 (require-on-demand [racket/pretty pretty-write])
 
 (provide iota (rename-out [successor 1+] [predecessor -1+])
+         floor->exact close-enuf? (rename-out [epsilon *machine-epsilon*])
          list-head make-list fold-left fold-right
          write-line pp
          runtime show-time)
@@ -23,6 +28,22 @@
 (define (iota n [start 0] [step 1])
   (check-argument 'iota exact-nonnegative-integer? n "a length, a natural number")
   (for/list ([i (in-range n)]) (g:+ start (g:* i step))))
+
+;; The greatest integer that is not greater, exact.
+(define (floor->exact x)
+  (define number (comparand x))
+  (unless (finite? number) (complain-of-argument 'floor->exact "a real number" x))
+  (inexact->exact (floor number)))
+
+;; Do two numbers differ by no more than tolerance times half the sum of their sizes and
+;; `scale`?
+(define (close-enuf? a b [tolerance (* 10 epsilon)] [scale 1])
+  (for ([x (in-list (list a b))])
+    (unless (number? (comparand x))
+      (complain 'close-enuf? "expected two numbers; given ~a" (describe-with-value x))))
+  (define-values (x y) (values (comparand a) (comparand b)))
+  (<= (magnitude (- x y))
+      (* tolerance (+ (* 1/2 (+ (magnitude x) (magnitude y))) scale))))
 
 ;; ---------------------------------------------------------------------------
 ;; Lists

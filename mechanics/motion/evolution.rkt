@@ -28,7 +28,7 @@
    (with-tolerance-after place who
      (lambda (extra ... #:method [method #f]
                     #:longest-step [longest +inf.0] #:most-steps [most-steps +inf.0]
-                    #:precision [bits (ode-precision)] #:progress [progress? (report-progress)]
+                    #:precision [bits (ode-precision)] #:progress? [progress? (report-progress)]
                     . arguments)
        (unless (<= least (length arguments) most) (raise-arguments (datum) takes arguments))
        (define (plan-with tolerance)
@@ -82,7 +82,7 @@
      ((apply state-advancer maker parameters) state duration (plan-tolerance p)
       #:method (plan-method p) #:precision (plan-bits p)
       #:longest-step (plan-longest p) #:most-steps (plan-most p)
-      #:progress (plan-progress? p)))))
+      #:progress? (plan-progress? p)))))
 
 ;; (linearized-flow sysder p ...) : state, duration, tolerance -> the derivative, by the state
 ;; and, if that is asked for, the parameters, of the state that is reached

@@ -22,7 +22,7 @@
                            #:longest-step [longest +inf.0]
                            #:most-steps [most +inf.0]
                            #:precision [bits (ode-precision)]
-                           #:progress [progress? (report-progress)])
+                           #:progress? [progress? (report-progress)])
   (check-real 'evolve-trajectory "final time" end)
   (define p
     (make-plan 'evolve-trajectory tolerance method longest most

@@ -29,7 +29,7 @@
 
 ;; observe : called with each path tried and its action
 (define-plain (find-path L t0 q0 t1 q1 n #:tolerance [tolerance 1e-8] #:observe [observe void]
-                         #:most-steps [most 1000] #:progress [progress? (report-progress)])
+                         #:most-steps [most 1000] #:progress? [progress? (report-progress)])
   (check-arguments L t0 q0 t1 q1 n)
   (check-tolerance who tolerance)
   (check-argument who exact-positive-integer? most "a number of steps, a positive integer")

@@ -23,7 +23,8 @@
          "../calculus/antiderivative.rkt" "../calculus/derivative.rkt"
          "../calculus/expression-function.rkt" "../calculus/integral.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function-check.rkt"
          "../generic/function.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/function-of-momenta.rkt"
@@ -41,12 +42,12 @@
 
 ;; The function f of local tuples with D_t f = F.  It prints as the program that computes
 ;; it, where a formula was found.
-;; from : where f is 0 if it has to be evaluated by an integral
-(define (gauge-function F local #:from [from #f])
+;; zero : the local tuple where f is 0 if it has to be evaluated by an integral
+(define-plain (gauge-function F local #:zero-at [zero #f])
   (check-question 'gauge-function F local)
   (check-exact F (exactness 'gauge-function F local))
   (define short (trim-last-argument local))
-  (define start (if from (like from short) (g:* 0 short)))
+  (define start (if zero (like zero short) (g:* 0 short)))
   (define slopes (gradient (scalar-valued 'gauge-function F) (order-of local)))
   (define formula (closed-form F slopes local))
   (define (name)
@@ -149,7 +150,7 @@
     (raise-no-answer 'gauge-function
                      (string-append "the integral for ~a cannot begin where it is not finite"
                                     "\n  begin: ~a"
-                                    "\n  another place to begin is given as #:from")
+                                    "\n  another place to begin is given as #:zero-at")
                      (value->text F) (value->text start))))
 
 (define (raise-no-closed-form F)

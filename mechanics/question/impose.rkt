@@ -21,9 +21,9 @@
          ;; for those who ask again
          put)
 
-;; condition : an equation, a list of them, or a verdict, whose first choice it is
 ;; x : a value, a function, a constraint, or a list of these
-(define (impose condition x)
+;; condition : an equation, a list of them, or a verdict, whose first choice it is
+(define (impose x condition)
   (define equations (equations-of 'impose condition x))
   (check-thing x)
   (define replacements (solved 'impose equations))
@@ -70,7 +70,7 @@
                        (value-on-tape f args within)
                        (within (apply f args))))
                  (arity-mask f)
-                 (lambda () `(impose ,(value->datum equations) ,(value->datum f)))))
+                 (lambda () `(impose ,(value->datum f) ,(value->datum equations)))))
 
 (define (value-on-tape f args within)
   (define point '())

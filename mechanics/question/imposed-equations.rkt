@@ -37,7 +37,7 @@
          "\n  these are alternatives: choose one, as (car (verdict-alternatives v))"]
         [(and (pair? x) (memq (car x) '(< > <= >=))) "\n  an inequality is declared by assume"]
         [(or (procedure? x) (verdict? other) (equation? other) (list-of-equations? other))
-         "\n  the condition comes first"]
+         "\n  the value comes first, then the condition, as in (impose L '(= k 1))"]
         [else ""]))
 
 (define (list-of-equations? x) (and (pair? x) (list? x) (andmap equation? x)))

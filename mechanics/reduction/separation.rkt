@@ -131,15 +131,15 @@
             (check-state-like 'separation-integrals (separation-state s) at)
             (cdr (assq c (value-at at)))))))
 
-;; S(t, q) = Σ ∫ pᵢ dqⁱ − E t.  from : coordinates where integrals without a formula begin, or #f
-(define-plain (separation-function s #:from [from #f])
+;; S(t, q) = Σ ∫ pᵢ dqⁱ − E t.  zero : coordinates where integrals without a formula begin, or #f
+(define-plain (separation-function s #:zero-at [zero #f])
   (define who 'separation-function)
   (check-separation who s)
   (define qs (scalars (coordinate (separation-state s))))
-  (check-from who s from)
+  (check-zero who s zero)
   (define terms
     (for/list ([p (in-list (momenta-by-coordinate s))] [q (in-list qs)] [k (in-naturals)])
-      (primitive who p q (and from (list-ref (scalars from) k)))))
+      (primitive who p q (and zero (list-ref (scalars zero) k)))))
   (define (principal-function t q)
     (for/fold ([S (g:* -1 (separation-energy s) t)])
               ([W (in-list terms)] [x (in-list (scalars q))])
@@ -157,14 +157,14 @@
          (raise-no-answer who
                           (string-append "no formula was found for the integral of the momentum "
                                          "of ~a\n  momentum: ~a"
-                                         "\n  #:from names where it is to begin, for numbers")
+                                         "\n  #:zero-at names where it is to begin, for numbers")
                           q (value->text p))]))
 
-(define (check-from who s from)
+(define (check-zero who s zero)
   (define q (coordinate (separation-state s)))
-  (when (and from (not (same-shape? from q)))
+  (when (and zero (not (same-shape? zero q)))
     (complain who "the integrals begin at coordinates like ~a; given ~a" (value->text q)
-              (describe-with-value from))))
+              (describe-with-value zero))))
 
 ;; Do the momenta found solve H(q, p(q)) = E?
 (define (verify-separation s)

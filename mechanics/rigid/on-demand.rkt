@@ -22,5 +22,5 @@
                 box-inertia ball-inertia shell-inertia rod-inertia ellipsoid-inertia
                 cylinder-inertia cone-inertia torus-inertia]
  ["density.rkt" density->body body? body-mass body-center body-inertia]
- ["top.rkt" V_eff top-potential nutation-range steady-precession critical-spin]
+ ["top.rkt" V_eff top-potential nutation-range steady-precessions critical-spin]
  ["spin-orbit.rkt" L-spin-orbit spin-orbit-sysder out-of-roundness])

@@ -15,7 +15,7 @@
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/printed-function.rkt")
 
-(provide V_eff top-potential nutation-range steady-precession critical-spin)
+(provide V_eff top-potential nutation-range steady-precessions critical-spin)
 
 ;; ((V_eff p A C gMR) theta), of the sleeping top
 (define (V_eff p A C gMR)
@@ -47,7 +47,7 @@
 
 ;; The rates φ̇ of precession at a constant θ, with ω_c the spin along the axis: the roots of
 ;; A cos θ φ̇² − C ω_c φ̇ + gMR = 0, the slow one first; a list, empty if there is none.
-(define (steady-precession A C gMR theta omega_c)
+(define (steady-precessions A C gMR theta omega_c)
   (define-values (a b) (values (g:* A (g:cos theta)) (g:* C omega_c)))
   (define discriminant (g:- (g:square b) (g:* 4 (g:* a gMR))))
   (define d (comparand discriminant))

@@ -33,7 +33,7 @@
       (root-near 'find-root f start tolerance observe report)))
 
 ;; Where f changes its sign, by halving the interval (SICM p. 321).
-(define-plain (bisect f low high [tolerance 1e-15]
+(define-plain (bisect f low high [eps 1e-15] #:tolerance [tolerance eps]
                       #:observe [observe void] #:report [report the-root])
   (check-function-of-one-variable 'bisect f)
   (root-between 'bisect bisected-root f low high tolerance observe report))

@@ -14,59 +14,59 @@
          "../numeric/optimization/golden-section.rkt"
          (prefix-in numeric: "../numeric/optimization/nelder-mead.rkt"))
 
-(provide find-minimum minimize brent-min golden-section-min
+(provide find-minimum minima minimize brent-min golden-section-min
          multidimensional-minimize nelder-mead)
 
 ;; ---------------------------------------------------------------------------
 ;; What is found, and its kind
 
 ;; (find-minimum f low high), of a function of a number, or (find-minimum f start) for a start
-;; of any shape.  With #:all? a list of those between low and high.
+;; of any shape.
 (define-plain (find-minimum f start [high #f]
-                            #:tolerance [tolerance 1e-8] #:all? [all? #f] #:method [method #f]
-                            #:observe [observe void] #:progress [progress? (report-progress)])
+                            #:tolerance [tolerance 1e-8] #:method [method #f]
+                            #:observe [observe void] #:progress? [progress? (report-progress)])
   (define who 'find-minimum)
   (check-function-of-one-variable who f)
   (check-tolerance who tolerance)
   (check-method who method)
-  (when (and all? (not high))
-    (complain who "all minima are looked for between two numbers\n  given: ~a alone"
-              (describe-with-value start)))
-  (define search (if all? all-between least-between))
   (if high
-      (search who f start high (brent who tolerance observe) progress? #:judge? #t)
+      (least-between who f start high (brent who tolerance observe) progress? #:judge? #t)
       (least-near who f start method tolerance observe progress?)))
+
+;; Those of a function of a number between low and high, from left to right
+(define-plain (minima f low high #:tolerance [tolerance 1e-8]
+                      #:observe [observe void] #:progress? [progress? (report-progress)])
+  (define who 'minima)
+  (check-function-of-one-variable who f)
+  (check-tolerance who tolerance)
+  (all-between who f low high (brent who tolerance observe) progress? #:judge? #t))
 
 ;; ---------------------------------------------------------------------------
 ;; In one variable: (argument value steps) of a minimum of f between low and high
 
-(define-plain (minimize f low high #:tolerance [tolerance 1e-8] #:all? [all? #f]
-                        #:observe [observe void] #:progress [progress? (report-progress)])
-  (triples-between 'minimize f low high (brent 'minimize tolerance observe) progress? all?))
+(define-plain (minimize f low high #:tolerance [tolerance 1e-8]
+                        #:observe [observe void] #:progress? [progress? (report-progress)])
+  (triples-between 'minimize f low high (brent 'minimize tolerance observe) progress?))
 
 (define-plain (brent-min f low high [tolerance 1e-8] #:observe [observe void]
-                         #:progress [progress? (report-progress)])
+                         #:progress? [progress? (report-progress)])
   (triples-between 'brent-min f low high (brent 'brent-min tolerance observe) progress?))
 
 ;; done? : a tolerance, or a predicate of low, best and high argument, the values there
 ;; and the count of steps
 (define-plain (golden-section-min f low high [done? 1e-8] #:observe [observe void]
-                                  #:progress [progress? (report-progress)])
+                                  #:progress? [progress? (report-progress)])
   (define who 'golden-section-min)
   (if (procedure? done?) (check-predicate who done?) (check-tolerance who done?))
   (define (method f low high)
     (golden-section f low high (if (procedure? done?) done? (width-at-most done?)) observe))
   (triples-between who f low high method progress?))
 
-(define (triples-between who f low high method progress? [all? #f])
+(define (triples-between who f low high method progress?)
   (check-function-of-one-variable who f)
-  (define ((search least) judge?) (least who f low high method progress? #:judge? judge?))
-  (define (triple m) (minimum->triple m (minimum-evaluations m)))
-  (cond [all? (map triple ((search all-between) #f))]
-        [else
-         (define m ((search least-between) #f))
-         (note-kind who m)
-         (triple m)]))
+  (define m (least-between who f low high method progress? #:judge? #f))
+  (note-kind who m)
+  (minimum->triple m (minimum-evaluations m)))
 
 (define ((brent who tolerance observe) f low high)
   (numeric:minimize f low high #:tolerance tolerance #:observe observe #:name who))
@@ -89,7 +89,7 @@
                                          #:method [method #f]
                                          #:observe [observe void]
                                          #:report [report (lambda (x y size count) x)]
-                                         #:progress [progress? (report-progress)])
+                                         #:progress? [progress? (report-progress)])
   (define who 'multidimensional-minimize)
   (check-function-of-one-variable who f)
   (check-tolerance who tolerance)
@@ -110,7 +110,7 @@
 ;; (list argument value evaluations), at the limit those of the best argument
 (define-plain (nelder-mead f start [step #f] [tolerance 1e-8] [limit 20000]
                            #:observe [observe void]
-                           #:progress [progress? (report-progress)])
+                           #:progress? [progress? (report-progress)])
   (define who 'nelder-mead)
   (check-function-of-one-variable who f)
   (when step (check-argument who positive-finite? step "a positive step"))

@@ -11,7 +11,7 @@
 
 ;; ((D-numeric f) x): f a function of one number, of any shape of value; report :
 ;; receives the derivative, its error and the evaluations.
-(define-plain (D-numeric f [tolerance 1e-8] #:report [report the-derivative])
+(define-plain (D-numeric f #:tolerance [tolerance 1e-8] #:report [report the-derivative])
   (derivative-from-values 'D-numeric f tolerance #f report))
 
 ;; step : a distance from x over which f changes noticeably and is defined

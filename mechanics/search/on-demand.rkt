@@ -6,7 +6,6 @@
 (provide-on-demand
  ["minimum.rkt" minimum? minimum-argument minimum-value minimum-kind minimum-gradient
                 minimum-curvature minimum-evaluations]
- ["minimize.rkt" find-minimum minimize brent-min golden-section-min multidimensional-minimize
-                 nelder-mead]
- ["numeric-derivative.rkt" D-numeric richardson-derivative]
- ["find-root.rkt" find-root newton-search bisect zbrent])
+ ["minimize.rkt" find-minimum minima minimize multidimensional-minimize nelder-mead]
+ ["numeric-derivative.rkt" D-numeric]
+ ["find-root.rkt" find-root bisect])

@@ -23,7 +23,7 @@
              (value->text (car part)) known-relations (value->text part) (instead part))]
     [(equation)
      (format (string-append "an equation is no assumption about a sign\n  given: ~a\n"
-                            "  (impose '~a L) puts it into L, (verify-again verdict '~a) into a "
+                            "  (impose L '~a) puts it into L, (verify-again verdict '~a) into a "
                             "question")
              (value->text part) (value->text part) (value->text part))]
     [(number) (format "only real numbers are greater or less than others; given ~a" part)]

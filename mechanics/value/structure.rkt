@@ -16,7 +16,7 @@
  list->up list->down
  ;; construction
  s:generate s:map s:map/r s:fold flip s:same s:opposite
- compatible-shape compatible-zero dual-zero zero-like
+ compatible-shape compatible-zero zero-like
  ;; products
  dot-product inner-product outer-product cross-product euclidean-norm unequal-contraction
  structure-of index-range)
@@ -150,7 +150,6 @@
 ;; A structure of zeros that contracts with s to a scalar, and one of fresh
 ;; names, as the book uses to probe bilinear forms (SICM p. 351).
 (define (compatible-zero s) (s:map/r (lambda (x) 0) (flip s)))
-(define dual-zero compatible-zero)
 
 ;; The zero of the kind and shape of s: a tuple, a matrix, a function, an operator.
 (define (zero-like s)

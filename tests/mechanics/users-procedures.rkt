@@ -12,6 +12,7 @@
          (prefix-in racket: racket/base)
          (except-in rackunit fail)
          mechanics
+         mechanics/scmutils
          (only-in mechanics/book standard-map)
          mechanics/plot)
 
@@ -45,10 +46,9 @@
    [integral-conditions (bad) (integral-conditions (lambda (x) (bad x)) 'a 'b)]
    [verify-integral (bad) (verify-integral (lambda (x) (bad x)) 'a 'b 0)]
    [find-minimum (bad) (find-minimum (lambda (x) (bad (parabola x))) -1.0 2.0)]
-   [find-minimum (bad) (find-minimum (lambda (x) (bad (parabola x))) -1.0 2.0 #:all? #t)]
+   [minima (bad) (minima (lambda (x) (bad (parabola x))) -1.0 2.0)]
    [find-minimum (bad) (find-minimum (lambda (x) (bad (parabola x))) 1.0)]
    [minimize (bad) (minimize (lambda (x) (bad (parabola x))) -1.0 2.0)]
-   [minimize (bad) (minimize (lambda (x) (bad (parabola x))) -1.0 2.0 #:all? #t)]
    [brent-min (bad) (brent-min (lambda (x) (bad (parabola x))) -1.0 2.0)]
    [golden-section-min (bad) (golden-section-min (lambda (x) (bad (parabola x))) -1.0 2.0)]
    [multidimensional-minimize (bad) (multidimensional-minimize (lambda (v) (bad (bowl v)))

@@ -21,7 +21,7 @@ residual
 right
 
 ;; Its roots are those of the library.
-(define slow (car (steady-precession 'A 'C 'gMR 'theta 'omega)))
+(define slow (car (steady-precessions 'A 'C 'gMR 'theta 'omega)))
 (define root (prove-zero (substitute condition 'Omega slow)))
 root
 
@@ -33,11 +33,11 @@ root
 ;; What is left over vanishes with 1/ω²: it is the limit of a large spin.  With numbers,
 (define-values (A C gMR) (values 6.96e-4 1.32e-4 0.112))
 (define (ratio spin)
-  (/ (car (steady-precession A C gMR 0.4 spin)) (/ gMR (* C spin))))
+  (/ (car (steady-precessions A C gMR 0.4 spin)) (/ gMR (* C spin))))
 (map ratio '(200 1000 10000))
 
 ;; and a motion keeps its tilt.
-(define rate (car (steady-precession A C gMR 0.4 200)))
+(define rate (car (steady-precessions A C gMR 0.4 200)))
 (define start (up 0 (up 0.4 0 0) (up 0 rate (- 200 (* rate (cos 0.4))))))
 (define advance (state-advancer (compose Lagrangian->state-derivative L-top) A C gMR))
 (define later (advance start 2 1e-12))

@@ -32,7 +32,7 @@ same
 
 ;; What it leaves over is twice the products; it hides where the axes are principal ones.
 (ref (verdict-residual slip) 2)
-(define principal (impose '((= x_1 0) (= y_1 0) (= x_2 0) (= z_2 0)) (verdict-residual slip)))
+(define principal (impose (verdict-residual slip) '((= x_1 0) (= y_1 0) (= x_2 0) (= z_2 0))))
 principal
 
 (module+ test

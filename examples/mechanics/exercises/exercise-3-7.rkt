@@ -52,7 +52,7 @@ along
   (test-case "on a plane the kinetic energy is greater by what the slope takes"
     (check-pred refuted? slip)
     (check-pred proved?
-                (prove-zero (impose '((= x 0) (= y 0)) (verdict-residual slip)))))
+                (prove-zero (impose (verdict-residual slip) '((= x 0) (= y 0))))))
   (test-case "the angular momentum is conserved in a round bowl"
     (check-pred refuted? angular)
     (check-pred proved? (verify-again angular '(= a b)))))

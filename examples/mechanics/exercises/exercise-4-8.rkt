@@ -10,7 +10,7 @@
 (define T (standard-map 0.6))
 (define turn (* :2pi rotation))
 (define by-order (find-invariant-curve T rotation 0 (- turn 0.3) (+ turn 0.5) 1e-10))
-(define circle (invariant-circle T rotation #:between (list (- turn 0.3) (+ turn 0.5))))
+(define circle (invariant-circle T rotation #:from (- turn 0.3) #:to (+ turn 0.5)))
 (define by-series (invariant-circle-ordinate circle 0))
 (list by-order by-series)
 

@@ -16,7 +16,7 @@
 ;; The map goes from the state to its image, the image is "old".
 (define (F t image theta)
   (+ (* 1/2 (square (- image theta))) (* 'K (cos theta) -1)))
-(define right (verify-generating-function F standard-map state))
+(define right (verify-generating-function standard-map F state))
 right
 (define generated (verify-equal ((F1->C F) state) (standard-map state)))
 generated
@@ -24,7 +24,7 @@ generated
 ;; The slip: the sign of the kick.
 (define (slip-F t image theta)
   (+ (* 1/2 (square (- image theta))) (* 'K (cos theta))))
-(define slip (verify-generating-function slip-F standard-map state))
+(define slip (verify-generating-function standard-map slip-F state))
 (verdict-residual slip)
 
 (module+ test

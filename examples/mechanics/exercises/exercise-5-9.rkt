@@ -15,7 +15,7 @@ right
 
 ;; With q' = exp(−q) sin p' both p = ∂F/∂q and q' = ∂F/∂p' are derivatives of one function.
 (define (F2 t q P) (* -1 (exp (- q)) (cos P)))
-(define generated (verify-generating-function F2 Whittaker state #:type 2))
+(define generated (verify-generating-function Whittaker F2 state #:type 2))
 generated
 
 ;; The slip: the tangent for the cotangent.

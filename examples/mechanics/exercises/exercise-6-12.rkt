@@ -58,7 +58,7 @@ orders
 ;; e. The section by the second map
 (define win (frame -0.6 0.8 -0.6 0.6))
 (explore-map win (HH-collector win second-order-map 1/12 0.1 1e-10 60) #f
-             #:from (list (up 0.1 0.)))
+             #:starts (list (up 0.1 0.)))
 
 (module+ test
   (require rackunit)
@@ -73,6 +73,6 @@ orders
     (check-true (< (energy-error second-order-map 0.1) 2e-4)))
   (test-case "crossings are near the curve of the motion itself"
     (define exact (frame -0.6 0.8 -0.6 0.6))
-    (explore-map exact (HHmap 1/12 0.1 1e-10 1e-11) 60 #:from (list (up 0.1 0.)))
+    (explore-map exact (HHmap 1/12 0.1 1e-10 1e-11) 60 #:starts (list (up 0.1 0.)))
     (define (extent f) (apply max (map (lambda (p) (ref p 0)) (frame-points f))))
     (check-= (extent win) (extent exact) 0.01)))

@@ -13,7 +13,7 @@
           '((0.05 12.8) (0.05 -12.8))))
 (define section
   (explore-map win rotor-map 250 #:size 1.5
-               #:from (map (lambda (start) (apply up start)) starts)))
+               #:starts (map (lambda (start) (apply up start)) starts)))
 
 win
 

@@ -10,9 +10,9 @@
 (define ordinate (invariant-circle-ordinate circle 0))
 (define win (frame 0 :2pi 0 :2pi #:x-label "θ" #:y-label "I"))
 (define sea
-  (explore-map win T 8000 #:from (list (up 0.1 0.1)) #:color 1))
+  (explore-map win T 8000 #:starts (list (up 0.1 0.1)) #:color 1))
 (define curve
-  (explore-map win T 4000 #:from (list (up 0. ordinate)) #:color 0 #:size 1.5))
+  (explore-map win T 4000 #:starts (list (up 0. ordinate)) #:color 0 #:size 1.5))
 
 win
 

@@ -45,7 +45,7 @@
  (explore-map picture
               (lambda (theta p return fail)
                 (T theta p (lambda (theta p) (return (+ :2pi (angle theta)) p)) fail))
-              400 #:from (for/list ([start starts]) (up (+ :2pi (car start)) (cadr start)))))
+              400 #:starts (for/list ([start starts]) (up (+ :2pi (car start)) (cadr start)))))
 (plot-line picture :2pi -12. :2pi 12.)
 
 picture

@@ -8,7 +8,7 @@
 (define (kicked-section K n)
   (define win (frame 0 :2pi 0 :2pi #:x-label "θ" #:y-label "I"))
   (explore-map win (standard-map K) n
-               #:from (for/list ([k 16])
+               #:starts (for/list ([k 16])
                         (up (if (= (modulo k 2) 0) 0.1 3.) (* k (/ :2pi 16))))))
 
 ;; From (1, 1).

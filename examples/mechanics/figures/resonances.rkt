@@ -128,7 +128,7 @@
   (define (wrapped theta p return fail)
     (T theta p (lambda (theta p) (return (+ shift (angle theta)) p)) fail))
   (explore-map picture wrapped n
-               #:from (for/list ([start starts]) (up (+ shift (car start)) (cadr start))))
+               #:starts (for/list ([start starts]) (up (+ shift (car start)) (cadr start))))
   (void))
 
 (define (draw-theory picture gamma k starts n #:order [order 1] #:color [color 'black])

@@ -15,16 +15,17 @@
 (provide invariant-circle-limit)
 
 ;; family : parameter -> map of the plane; low, high : parameters with the limit between them
+;; lowest, highest : ordinates at the angle 0, with the circles between them
 ;; Returns (list found missing): the last parameter with a circle, and the first without one.
 (define-plain (invariant-circle-limit family rotation-number low high
-                                      #:tolerance [tolerance 1e-3] #:between [between #f]
-                                      #:most-modes [most 4096])
+                                      #:tolerance [tolerance 1e-3] #:from [lowest #f]
+                                      #:to [highest #f] #:most-modes [most 4096])
   (define who 'invariant-circle-limit)
   (check-family who family)
   (define-values (from to) (values (parameter who low) (parameter who high)))
   (define enough (positive-number who tolerance "a tolerance, a positive number"))
   (define (circle-of k)
-    (circle-for who (family k) rotation-number between most))
+    (circle-for who (family k) rotation-number lowest highest most))
   (define missed (missed-at circle-of from))
   (when missed (raise-missing who missed from to))
   (unless (missed-at circle-of to) (raise-found who rotation-number to))

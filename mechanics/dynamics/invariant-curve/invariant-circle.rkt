@@ -86,17 +86,17 @@
 ;; and of half a turn where it wanders about.
 (define widest-gap 0.5)
 
-;; between : two ordinates, at the angle 0, with the circle between them
-(define-plain (invariant-circle map rotation-number #:between [between #f]
+;; low, high : ordinates at the angle 0, with the circle between them
+(define-plain (invariant-circle map rotation-number #:from [low #f] #:to [high #f]
                                 #:most-modes [most 4096])
-  (circle-for 'invariant-circle map rotation-number between most))
+  (circle-for 'invariant-circle map rotation-number low high most))
 
-(define (circle-for who map rotation-number between most)
+(define (circle-for who map rotation-number given-low given-high most)
   (check-map who map rotation-number)
   (check-argument who exact-positive-integer? most "#:most-modes, a positive integer")
   (define rotation (flonum who rotation-number))
   (define omega (fl* :2pi rotation))
-  (define-values (low high) (ends who between omega))
+  (define-values (low high) (ends who given-low given-high omega))
   (check-keeps-areas who map (list (list 0.1 low) (list 1.0 omega) (list 4.0 high))
                      "invariant circles")
   (check-irrational who rotation)
@@ -119,7 +119,7 @@
           [else (refine (* 2 n) x y error)])))
 
 (define between-hint
-  "\n  #:between (list low high) says between which ordinates it is, at the abscissa 0")
+  "\n  #:from and #:to say between which ordinates it is, at the abscissa 0")
 
 ;; A map that brings ordinates back to one turn turns by less than one.
 (define (turns-hint rotation)
@@ -156,10 +156,6 @@
 
 ;; Where actions are the angles by which they turn, as in the standard map, half a radian on both
 ;; sides of the rotation's is usually enough.
-(define (ends who between omega)
-  (cond [(not between) (values (fl- omega 0.5) (fl+ omega 0.5))]
-        [(and (list? between) (= (length between) 2))
-         (values (flonum who (car between)) (flonum who (cadr between)))]
-        [else
-         (complain who "#:between is a list of two ordinates at the angle 0; given ~a"
-                   (describe-with-value between))]))
+(define (ends who low high omega)
+  (values (if low (flonum who low) (fl- omega 0.5))
+          (if high (flonum who high) (fl+ omega 0.5))))

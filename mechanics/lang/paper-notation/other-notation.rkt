@@ -42,6 +42,7 @@
     ("its name is cross-product" cross)
     ("its name is euclidean-norm" norm)
     ("tuples are (up x y ...)" vec Vector tuple array Array)
+    ("its name is steady-precessions" steady-precession)
     ("its name is substitute" subs subst replace-all)
     ("its name is exact->inexact" evalf float)
     ("roots are found by (find-root f low high), linear systems solved by solve-linear-left"

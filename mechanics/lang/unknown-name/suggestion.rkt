@@ -1,11 +1,13 @@
 #lang racket/base
-;; Suggestions for an unknown name: another library of the package may define it, other programs
-;; may use it for a name of ours, it may be a formula written as in print, or a misspelt name.
+;; Suggestions for an unknown name: another library of the package may define it, scmutils and
+;; other programs may use it for a name of ours, it may be a formula written as in print, or a
+;; misspelt name.
 
 (require "other-library.rkt" "../paper-notation/typographic.rkt" "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["../paper-notation/other-notation.rkt" notation-sentence]
+                   ["scmutils-names.rkt" scmutils-sentence]
                    ["../paper-notation/typed-formula.rkt" typed-formula])
 
 (provide suggestion what-was-meant)
@@ -29,6 +31,7 @@
 (define (suggestion name known)
   (define (near) (likely-names name known))
   (cond [(library-of name) => (lambda (library) (format "(require ~a) defines it" library))]
+        [(scmutils-sentence name)]
         [(notation-sentence name)]
         [(pair? (near)) (format "did you mean ~a?" (alternatives (near)))]
         [(typed-formula name) => (lambda (f) (format "operations come first: ~a" f))]

@@ -38,25 +38,25 @@
   (when (directory-exists? file)
     (complain who "the checkpoint is a file, and this is a folder\n  folder: ~a" file)))
 
-;; from : void if it was not given
-(define (check-callbacks collect events? on-each fold from)
+;; initial : void if it was not given
+(define (check-callbacks collect events? observe fold initial)
   (if events?
       (check-callback "#:collect" collect 2 "a state and a list of occurrences, with #:events")
       (check-callback "#:collect" collect 1 "a state"))
-  (unless on-each
-    (complain who "#:on-each is a procedure of an index and a value\n  given: #f, a boolean"))
-  (check-callback "#:on-each" on-each 2 "an index and a value")
+  (unless observe
+    (complain who "#:observe is a procedure of an index and a value\n  given: #f, a boolean"))
+  (check-callback "#:observe" observe 2 "an index and a value")
   (check-callback "#:fold" fold 2 "a value and what was made of those before")
-  (when (and fold (void? from))
+  (when (and fold (void? initial))
     (complain who
-              (string-append "#:fold comes with #:from, what it is given with the first value"
-                             "\n  a sum: #:fold + #:from 0"
-                             "\n  a list, the last value first: #:fold cons #:from '()")))
-  (unless (or fold (void? from))
+              (string-append "#:fold comes with #:initial, what it is given with the first value"
+                             "\n  a sum: #:fold + #:initial 0"
+                             "\n  a list, the last value first: #:fold cons #:initial '()")))
+  (unless (or fold (void? initial))
     (complain who
-              (string-append "#:from comes with #:fold, which is given it with the first value"
-                             "\n  given: #:from ~a\n  a sum: #:fold + #:from 0")
-              (value->text from))))
+              (string-append "#:initial comes with #:fold, which is given it with the first value"
+                             "\n  given: #:initial ~a\n  a sum: #:fold + #:initial 0")
+              (value->text initial))))
 
 (define (check-callback what f arguments takes)
   (unless (or (not f) (and (procedure? f) (accepts? f arguments)))

@@ -31,23 +31,23 @@
 
 ;; maker : a state derivative, or what makes one of the parameters
 ;; starts : sequence of states; #:parameters : sequence of lists of them, one for each start
-;; -> list of values in the order of the starts; or what #:fold makes of them from #:from on
+;; -> list of values in the order of the starts; or what #:fold makes of them from #:initial on
 (define-plain (evolve-ensemble maker starts end
                                #:parameters [parameters #f] #:events [events '()]
                                #:tolerance [tolerance 1e-10] #:method [method 'auto]
-                               #:collect [collect #f] #:on-each [on-each void]
-                               #:fold [fold #f] #:from [from (void)]
+                               #:collect [collect #f] #:observe [observe void]
+                               #:fold [fold #f] #:initial [initial (void)]
                                #:jobs [jobs (processor-count)] #:batch [batch-size 16]
-                               #:checkpoint [file #f] #:progress [progress? (report-progress)])
+                               #:checkpoint [file #f] #:progress? [progress? (report-progress)])
   (check-argument-order maker starts end)
   (check-settings end tolerance method jobs batch-size file)
   (define watched (check-events who events))
-  (check-callbacks collect (pair? watched) on-each fold from)
+  (check-callbacks collect (pair? watched) observe fold initial)
   (define-values (next t perform value-of)
     (prepare maker (start-rows starts parameters) batch-size watched collect
              (number end) (number tolerance) method))
   (define-values (add! result)
-    (in-order (if fold (telling-of-values fold) cons) (if fold from '()) on-each value-of))
+    (in-order (if fold (telling-of-values fold) cons) (if fold initial '()) observe value-of))
   (call-with-progress progress?
                       (lambda (note!) (run t (next note!) perform (useful jobs) add! file)))
   (if fold (result) (reverse (result))))

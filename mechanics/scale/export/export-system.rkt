@@ -22,7 +22,7 @@
 ;; derivative : state -> state; example : a state of numbers, or of symbols to name variables
 ;; -> the folder's name, complete
 (define-plain (export-system derivative example
-                             #:to [target 'C]
+                             #:language [target 'C]
                              #:name [name "motion"]
                              #:folder [folder (default-folder name target)]
                              #:parameters [parameters #f]

@@ -28,7 +28,7 @@
 (define (momenta? derivative x)
   (define d (value->datum derivative))
   (or (and (tuple? x) (eq? 'down (car (value->datum x))))
-      (and (pair? d) (memq (car d) '(Hamiltonian->state-derivative phase-space-derivative)) #t)))
+      (and (pair? d) (eq? (car d) 'Hamiltonian->state-derivative))))
 
 ;; q; or q0, q1 ..., and q0_1 in tuples of tuples
 (define (named letter x)

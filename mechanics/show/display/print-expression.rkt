@@ -6,7 +6,7 @@
          "../../value/series/series-access.rkt"
          "../../verdict/verdict.rkt")
 
-(provide print-expression pe show-expression se series:print print-as
+(provide print-expression show-expression series:print print-as
          print-labelled print-assumptions)
 
 (define line-width 79)
@@ -14,13 +14,9 @@
 ;; The value, simplified, on lines of its own: in the style that was chosen, or in another.
 (define-plain (print-expression x #:as [style #f]) (print-as 'print-expression x style))
 
-(define pe print-expression)
-
 ;; Typeset in the way that the place it is called from allows, or in another style.
 (define-plain (show-expression x #:as [style #f])
   (print-as 'show-expression x (or style 'typeset)))
-
-(define se show-expression)
 
 ;; style : one of those of display-style, or #f for the one that was chosen
 (define (print-as who x style)

@@ -49,7 +49,7 @@
   (define win ~s)
   (for ([o (in-list orbits)])
     (define-values (start n color) (apply values o))
-    (explore-map win map n #:from (list start) #:color color))
+    (explore-map win map n #:starts (list start) #:color color))
   win)
 ")
 

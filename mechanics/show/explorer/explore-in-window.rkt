@@ -20,7 +20,7 @@
 
 (define (open-exploration who f map n starts source)
   (check-screen who loaded?
-                "(explore-map f map n #:from (list (up x y) ...)), or #:grid (list 5 5)"
+                "(explore-map f map n #:starts (list (up x y) ...)), or #:grid (list 5 5)"
                 "without one orbits start where that is said: ")
   (define v (frame-view f))
   (define folder (current-directory))

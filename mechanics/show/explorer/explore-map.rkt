@@ -4,7 +4,7 @@
 (require racket/flonum
          "../plot/coordinate.rkt" "../plot/frame.rkt"
          "../../error/complain.rkt"
-         "../../generic/describe.rkt" "../../generic/on-demand.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/on-demand.rkt"
          "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../dynamics/map/map-of-the-plane.rkt"
          "../../numeric/finite-number.rkt")
@@ -16,17 +16,17 @@
 (provide explore-map display-map)
 
 ;; n : how many points each orbit has, or #f where the map is a collector, which follows an orbit
-;; and shows its points (following-orbits.rkt); from : a list of points; grid : (list across up)
+;; and shows its points (following-orbits.rkt); starts : a list of points; grid : (list across up)
 ;; color : of the first orbit; window? : is it to be explored in a window?
 ;; source : the expression of the map, for the program that a window saves
 ;; -> the frame
-(define (explore-map f map [n 1000] #:from [from #f] #:grid [grid #f]
+(define-plain (explore-map f map [n 1000] #:starts [given-starts #f] #:grid [grid #f]
                      #:size [size 1.0] #:color [color 0]
-                     #:window? [window? (not (or from grid))] #:source [source #f])
+                     #:window? [window? (not (or given-starts grid))] #:source [source #f])
   (define who 'explore-map)
   (check-exploration who f map (or n 0))
   (check-argument who exact-nonnegative-integer? color "a small natural number as the first color")
-  (define given (if from (checked-starts who f from) '()))
+  (define given (if given-starts (checked-starts who f given-starts) '()))
   (define starts (append given (if grid (grid-starts who f grid) '())))
   (cond [(not n) (collect-orbits who f map given (list-tail starts (length given)) window?)]
         [else
@@ -43,7 +43,7 @@
     (complain who
               (string-append "a collector follows its orbits by itself, from starts that are "
                              "given, not in a window
-  (explore-map f collector #f #:from (list "
+  (explore-map f collector #f #:starts (list "
                              "(up x y) ...)), or #:grid (list 5 5)")))
   (for ([p (in-list given)])
     (collector (car p) (cdr p) void (lambda () (raise-no-image who collector (car p) (cdr p)))))
@@ -80,13 +80,13 @@
   (check-argument who exact-nonnegative-integer? n
                   "how many points an orbit has, a natural number"))
 
-(define (checked-starts who f from)
-  (unless (list? from)
-    (complain who "#:from is a list of points to start at; given ~a~a" (describe-with-value from)
-              (if (tuple? from)
-                  (format "\n  one point in a list: (list ~a)" (value->text from))
+(define (checked-starts who f starts)
+  (unless (list? starts)
+    (complain who "#:starts is a list of points to start at; given ~a~a" (describe-with-value starts)
+              (if (tuple? starts)
+                  (format "\n  one point in a list: (list ~a)" (value->text starts))
                   "")))
-  (for/list ([p (in-list from)] [k (in-naturals)])
+  (for/list ([p (in-list starts)] [k (in-naturals)])
     (define-values (x y) (plane-point who (lambda () (format "start ~a" k)) p))
     (unless (and (finite? x) (finite? y))
       (complain who "start ~a is not of finite numbers\n  given: ~a" k (describe-with-value p)))

@@ -106,7 +106,7 @@ From a transformation back to what generates it:
 @examples[#:eval session #:label #f
 (define F (generating-function (polar-canonical 'alpha) (up 't 'theta 'I)))
 (F 't 'x 'theta)
-(verify-generating-function F (polar-canonical 'alpha) (up 't 'theta 'I))
+(verify-generating-function (polar-canonical 'alpha) F (up 't 'theta 'I))
 (define to-polar (F->CH r->p))
 (define rectangular (up 't (up 'x 'y) (down 'p_x 'p_y)))
 ((generating-function to-polar rectangular #:type 2) 't (up 'r 'phi) (down 'p_x 'p_y))]

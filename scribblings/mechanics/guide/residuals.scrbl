@@ -91,7 +91,7 @@ imposed on Lagrangian and path; @racket[impose] gives you those, to go on with:
 
 @examples[#:eval session #:label #f
 (verify-again verdict)
-((impose verdict (L-harmonic 'm 'k)) (up 't 'x 'v))]
+((impose (L-harmonic 'm 'k) verdict) (up 't 'x 'v))]
 
 The witness really is one. Put it into the residual:
 

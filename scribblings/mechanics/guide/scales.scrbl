@@ -26,7 +26,7 @@ any sequence, need no more memory than a few.
 
 @examples[#:eval session #:label #f
 (evolve-ensemble swing (starts 20) 10 #:parameters (rows 20) #:jobs 1
-                 #:collect (lambda (s) (square (ref s 2))) #:fold max #:from 0)]
+                 #:collect (lambda (s) (square (ref s 2))) #:fold max #:initial 0)]
 
 @section{Sections}
 
@@ -86,9 +86,9 @@ says which; @exec{-o} names the folder, @exec{--derivatives} adds the derivative
 
 @section{A cluster, a graphics processor}
 
-With @racket[#:to 'python] the same C comes as a package of Python with a function that hands
+With @racket[#:language 'python] the same C comes as a package of Python with a function that hands
 batches of starts to a cluster of Dask, does those of a worker that has died again, and keeps a
-checkpoint. With @racket[#:to 'JAX] it is a module for JAX, which compiles for graphics
+checkpoint. With @racket[#:language 'JAX] it is a module for JAX, which compiles for graphics
 processors as well.
 
 @section{What it comes to}

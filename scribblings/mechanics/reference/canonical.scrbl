@@ -375,7 +375,7 @@ names the types that have one; where the differential has no antiderivative that
 
 @sicm{5.4.2, pp. 368–373}}
 
-@defproc[(verify-generating-function [F procedure?] [C procedure?] [state structure?]
+@defproc[(verify-generating-function [C procedure?] [F procedure?] [state structure?]
                                      [#:type type (or/c 1 2 3 4) 1])
          verdict?]{
 
@@ -383,9 +383,9 @@ Does F generate C: do its derivatives at the old and the new state give the othe
 other than three arguments is an error.
 
 @examples[#:eval session
-(verify-generating-function F (polar-canonical 'alpha) line)
+(verify-generating-function (polar-canonical 'alpha) F line)
 (verdict-status
- (verify-generating-function (lambda (t x theta) (* x theta)) (polar-canonical 'alpha) line))]
+ (verify-generating-function (polar-canonical 'alpha) (lambda (t x theta) (* x theta)) line))]
 
 @sicm{5.4.1 and 5.4.3, pp. 366–374}}
 
@@ -446,12 +446,12 @@ the angle is in radians. The pendulum is there in closed form, too: @secref["ref
 @deftogether[(@defproc[(action-of-orbit [H procedure?] [state structure?]
                                         [#:turn turn (or/c real? #f) #f]
                                         [#:tolerance tolerance real? 1e-11]
-                                        [#:longest longest real? 1e4])
+                                        [#:longest-time longest real? 1e4])
                        real?]
               @defproc[(frequency-of-orbit [H procedure?] [state structure?]
                                            [#:turn turn (or/c real? #f) #f]
                                            [#:tolerance tolerance real? 1e-11]
-                                           [#:longest longest real? 1e4])
+                                           [#:longest-time longest real? 1e4])
                        real?])]{
 
 The action ∮ p dq/2π of the motion through a state, which is negative where what is enclosed is

@@ -20,13 +20,13 @@ for JAX, wherever these run.
                           [#:tolerance tolerance real? 1e-10]
                           [#:method method name-of-method 'auto]
                           [#:collect collect (or/c (-> state value) #f) #f]
-                          [#:on-each on-each (-> exact-nonnegative-integer? value any) void]
+                          [#:observe on-each (-> exact-nonnegative-integer? value any) void]
                           [#:fold fold (or/c (-> value so-far so-far) #f) #f]
-                          [#:from from so-far (void)]
+                          [#:initial from so-far (void)]
                           [#:jobs jobs exact-positive-integer? (processor-count)]
                           [#:batch batch exact-positive-integer? 16]
                           [#:checkpoint file (or/c path-string? #f) #f]
-                          [#:progress progress? boolean? (report-progress)])
+                          [#:progress? progress? boolean? (report-progress)])
          (or/c (listof value) so-far)]{
 
 Follows every start, a state of any shape, to the time @racket[end], and returns the list of the
@@ -49,7 +49,7 @@ sums are the same each time.
 @examples[#:eval session #:label #f
 (define (swing m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
 (evolve-ensemble swing starts 2 #:parameters (for/list ([k 5]) (list 1.0 (+ 1 (* 0.1 k)) 9.8))
-                 #:collect (lambda (s) (square (ref s 2))) #:fold + #:from 0 #:jobs 1)]
+                 #:collect (lambda (s) (square (ref s 2))) #:fold + #:initial 0 #:jobs 1)]
 
 What is returned is what takes memory: measured, a last state @racket[(up t q v)] takes 130 bytes,
 one of two coordinates, @racket[(up t (up x y) (up vx vy))], 280, a number made by
@@ -113,7 +113,7 @@ that was good, @racket[#f] if there is none.
 @section{Systems in other languages}
 
 @defproc[(export-system [derivative (-> state rates)] [example state-of-numbers-or-symbols]
-                        [#:to target (or/c 'C 'python 'JAX) 'C]
+                        [#:language target (or/c 'C 'python 'JAX) 'C]
                         [#:name name (or/c string? symbol?) "motion"]
                         [#:folder folder path-string? (format "~a-~a" name target)]
                         [#:parameters parameters (or/c (listof symbol?) #f) #f]

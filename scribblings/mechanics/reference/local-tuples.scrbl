@@ -274,7 +274,7 @@ As @racket[definite-integral], with a tolerance that must be given.
                        [#:all? all? any/c #f]
                        [#:method method (or/c 'quasi-newton 'nelder-mead #f) #f]
                        [#:observe observe (-> any/c real? any) void]
-                       [#:progress progress? any/c (report-progress)])
+                       [#:progress? progress? any/c (report-progress)])
          (or/c minimum? (listof minimum?))]{
 
 A minimum of f and what is known of it: between two numbers, found as by @racket[minimize], or
@@ -338,7 +338,7 @@ If no minimum is found, @racket[exn:fail:mechanics:not-convergent] carries the b
                    [#:tolerance tolerance real? 1e-8]
                    [#:all? all? any/c #f]
                    [#:observe observe (-> real? real? any) void]
-                   [#:progress progress? any/c (report-progress)])
+                   [#:progress? progress? any/c (report-progress)])
          list?]{
 
 A list of the argument at which f is least between @racket[low] and @racket[high],
@@ -374,7 +374,7 @@ derivative; @racket[exn:fail:mechanics:singular] says which it is.
 
 @defproc[(brent-min [f procedure?] [low real?] [high real?] [tolerance real? 1e-8]
                     [#:observe observe (-> real? real? any) void]
-                    [#:progress progress? any/c (report-progress)])
+                    [#:progress? progress? any/c (report-progress)])
          list?]{
 
 As @racket[minimize], with a tolerance among the arguments.
@@ -385,7 +385,7 @@ As @racket[minimize], with a tolerance among the arguments.
 @defproc[(golden-section-min [f procedure?] [low real?] [high real?]
                              [done (or/c real? procedure?) 1e-8]
                              [#:observe observe (-> real? real? any) void]
-                             [#:progress progress? any/c (report-progress)])
+                             [#:progress? progress? any/c (report-progress)])
          list?]{
 
 A minimum by golden sections: each step takes one value of f and leaves 0.618 of the
@@ -402,7 +402,7 @@ number of steps.
                                     [#:tolerance tolerance real? 1e-8]
                                     [#:method method (or/c 'quasi-newton 'nelder-mead #f) #f]
                                     [#:observe observe (-> any/c real? any) void]
-                                    [#:progress progress? any/c (report-progress)]
+                                    [#:progress? progress? any/c (report-progress)]
                                     [#:report report procedure?
                                               (lambda (argument value gradient evaluations)
                                                 argument)])
@@ -445,7 +445,7 @@ point.
                       [step (or/c real? #f) #f] [tolerance real? 1e-8]
                       [limit exact-positive-integer? 20000]
                       [#:observe observe (-> any/c real? any) void]
-                      [#:progress progress? any/c (report-progress)])
+                      [#:progress? progress? any/c (report-progress)])
          list?]{
 
 The downhill simplex method: a list of the argument, the value there, and the
@@ -756,7 +756,7 @@ them.
                     [#:tolerance tolerance real? 1e-8]
                     [#:observe observe (-> path real? any) void]
                     [#:most-steps most exact-positive-integer? 1000]
-                    [#:progress progress? any/c (report-progress)])
+                    [#:progress? progress? any/c (report-progress)])
          procedure?]{
 
 The path from @racket[q0] at @racket[t0] to @racket[q1] at @racket[t1] of least action

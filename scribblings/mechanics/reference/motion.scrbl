@@ -30,7 +30,7 @@ that a long step would miss it, and @racket[#:most-steps], a number of steps aft
          (->* (value real?)
               (real? (-> value real? real? any) #:method integration-method?
                #:longest-step real? #:most-steps exact-positive-integer?
-               #:precision (or/c exact-integer? #f) #:progress any/c)
+               #:precision (or/c exact-integer? #f) #:progress? any/c)
               any)]{
 
 @racket[system-derivative] makes a state derivative from parameters. The result is a
@@ -68,7 +68,7 @@ exception carries.
          (->* (value (-> value any) real? real?)
               (real? #:method integration-method?
                #:longest-step real? #:most-steps exact-positive-integer?
-               #:precision (or/c exact-integer? #f) #:progress any/c)
+               #:precision (or/c exact-integer? #f) #:progress? any/c)
               value)]{
 
 The result is a procedure of a state with a time, a monitor, a time step, a final
@@ -136,7 +136,7 @@ reached or passed, in the direction of the first one.
                             [#:longest-step longest real? +inf.0]
                             [#:most-steps most (or/c exact-positive-integer? +inf.0) +inf.0]
                             [#:precision bits (or/c exact-integer? #f) (ode-precision)]
-                            [#:progress progress? any/c (report-progress)])
+                            [#:progress? progress? any/c (report-progress)])
          trajectory?]{
 
 The motion from @racket[state] to the time @racket[end] as a function of time. A state
@@ -263,7 +263,7 @@ vanishes, where the cosine of the angle is 2/3:
          (->* (value real?)
               (real? #:by-parameters? any/c #:method integration-method?
                #:longest-step real? #:most-steps exact-positive-integer?
-               #:precision (or/c exact-integer? #f) #:progress any/c)
+               #:precision (or/c exact-integer? #f) #:progress? any/c)
               value)]{
 
 The derivative of what @racket[state-advancer] computes: a procedure of a state, a duration and
@@ -454,7 +454,7 @@ three seconds a line such as @tt{evolve: t = 37.2 of 100.0} appears below the in
 written anew a few times a second and is erased in the end, also when the run is
 interrupted by Ctrl-C. For a single run, @racket[state-advancer], @racket[evolve],
 @racket[evolve-trajectory], @racket[find-path] and the minimisers take the keyword
-@racket[#:progress]. Where a monitor writes something itself, nothing is said; programs and
+@racket[#:progress?]. Where a monitor writes something itself, nothing is said; programs and
 modules never see it.
 
 @examples[#:eval session

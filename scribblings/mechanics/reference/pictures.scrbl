@@ -227,7 +227,7 @@ starts. An energy that depends on the time is an error, and so is what is called
 @sicm{3.3, p. 223}}
 
 @defproc[(explore-map [f frame?] [map procedure?] [n (or/c exact-nonnegative-integer? #f) 1000]
-                      [#:from from (or/c (listof any/c) #f) #f]
+                      [#:starts from (or/c (listof any/c) #f) #f]
                       [#:grid grid
                               (or/c (list/c exact-positive-integer? exact-positive-integer?) #f)
                               #f]
@@ -268,7 +268,7 @@ how to do without a window.
 (explore-map (frame 0 :2pi 0 :2pi #:width 300 #:height 300)
              (kicked 0.6) 500 #:grid '(4 6))
 (define (halved x y return fail) (if (> x 0) (return (/ x 2) y) (fail)))
-(eval:error (explore-map (frame -1 1 -1 1) halved 500 #:from (list (up -0.9 0))))]
+(eval:error (explore-map (frame -1 1 -1 1) halved 500 #:starts (list (up -0.9 0))))]
 
 @sicm{3.6.1, p. 248}}
 

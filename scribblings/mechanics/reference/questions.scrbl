@@ -147,7 +147,7 @@ named after the coordinates, as @racketidfont{xddot} is.
 @sicm{1.6.4 and 1.9, exercises 1.27 and 1.28}}
 
 @defproc[(gauge-function [F procedure?] [local local-tuple]
-                         [#:from start local-tuple (up 0 0)])
+                         [#:zero-at start local-tuple (up 0 0)])
          procedure?]{
 
 A function f of local tuples with D@subscript{t}f = F, of one derivative less than F;

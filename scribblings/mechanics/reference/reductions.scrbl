@@ -209,11 +209,11 @@ was not made by @racket[separate-Hamilton-Jacobi] is an error, here and below.
 
 @sicm{6.1, pp. 411–425}}
 
-@defproc[(separation-function [s separation?] [#:from from (or/c value #f) #f]) procedure?]{
+@defproc[(separation-function [s separation?] [#:zero-at from (or/c value #f) #f]) procedure?]{
 
 Hamilton's principal function S(t, q), the sum of the integrals of the momenta less E t: of formulas
 where they are found. Elsewhere that is an @racket[exn:fail:mechanics], or, with coordinates
-@racket[#:from] which to integrate, done by numbers. Coordinates of another shape are an error.
+@racket[#:zero-at] which to integrate, done by numbers. Coordinates of another shape are an error.
 
 @examples[#:eval session
 (define (falling state) (+ (/ (square (momentum state)) 2) (* 'g (ref state 1 1))))

@@ -448,15 +448,15 @@ The least and the greatest tilt θ of the motion from a state in Euler angles.
 
 @sicm{2.10, p. 158}}
 
-@defproc[(steady-precession [A scalar] [C scalar] [gMR scalar] [theta scalar] [omega_c scalar])
+@defproc[(steady-precessions [A scalar] [C scalar] [gMR scalar] [theta scalar] [omega_c scalar])
          list?]{
 
 The rates Dφ at which a top with the spin ω@superscript{c} along its axis keeps the tilt θ, the
 slow one first; an empty list if there is none.
 
 @examples[#:eval session
-(steady-precession 6.96e-4 1.32e-4 0.112 0.4 200)
-(steady-precession 6.96e-4 1.32e-4 0.112 0.4 20)]
+(steady-precessions 6.96e-4 1.32e-4 0.112 0.4 200)
+(steady-precessions 6.96e-4 1.32e-4 0.112 0.4 20)]
 
 @sicm{2.10, exercise 2.16}}
 

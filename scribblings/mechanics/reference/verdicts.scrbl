@@ -101,7 +101,7 @@ asked
 (eval:error (verify-again asked '(= z 3)))
 (eval:error (verify-again (verify-again asked)))]}
 
-@defproc[(impose [condition (or/c verdict? list?)] [x value]) value]{
+@defproc[(impose [x value] [condition (or/c verdict? list?)]) value]{
 
 The value under the condition: an equation @racket['(= k 1)], a list of equations that hold
 together, or a verdict, whose first choice it is. Each equation is solved for a symbol, which is
@@ -111,12 +111,12 @@ as a Lagrangian or a path, the result is the
 function whose values have it replaced; of a constraint it is a constraint, of a list a list.
 
 @examples[#:eval session
-(impose '(= k (* m (expt omega 2))) (* 1/2 'k (square 'x)))
-(define L (impose asked (L-oscillator 'm 'k)))
+(impose (* 1/2 'k (square 'x)) '(= k (* m (expt omega 2))))
+(define L (impose (L-oscillator 'm 'k) asked))
 (L (up 't 'x 'v))
 (verify-solution L oscillation)
-(impose '((= b (* 2 gamma m)) (= m 1)) (up 'b 'm))
-(eval:error (impose '(= (+ a b) (+ c d)) 'a))]}
+(impose (up 'b 'm) '((= b (* 2 gamma m)) (= m 1)))
+(eval:error (impose 'a '(= (+ a b) (+ c d))))]}
 
 @section{Reading the answer}
 

@@ -60,12 +60,12 @@
   (timed
    (lambda ()
      (evolve-ensemble driven-pendulum (starts count) end #:parameters ps #:tolerance tolerance
-                      #:jobs jobs #:collect coordinate #:fold + #:from 0.0 #:progress #f))))
+                      #:jobs jobs #:collect coordinate #:fold + #:initial 0.0 #:progress? #f))))
 
 (define symbols '(m l g a w))
 
 (define (export-to target folder)
-  (export-system (apply driven-pendulum symbols) (up 't 'angle 'v) #:to target #:name "driven"
+  (export-system (apply driven-pendulum symbols) (up 't 'angle 'v) #:language target #:name "driven"
                  #:folder folder #:parameters symbols))
 
 (define (in-new-folder use)

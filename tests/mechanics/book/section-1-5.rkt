@@ -2,6 +2,7 @@
 ;; SICM 1.5, The Euler-Lagrange Equations (pp. 23-37).
 
 (require mechanics
+         mechanics/scmutils
          mechanics/book
          rackunit
          "../support/session.rkt")

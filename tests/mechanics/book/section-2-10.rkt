@@ -53,7 +53,7 @@
     (substitute slope 'p_phi (ref p 1) 'p_psi (ref p 2)))
   (check-identity at-rate
                   (- (* 'C 'w 'Omega) (* 'A (cos 'theta) (square 'Omega)) 'gMR))
-  (for ([Omega (steady-precession 'A 'C 'gMR 'theta 'w)])
+  (for ([Omega (steady-precessions 'A 'C 'gMR 'theta 'w)])
     (check-identity (+ (* 'A (cos 'theta) (square Omega)) (* -1 'C 'w Omega) 'gMR) 0)))
 
 ;; ---------------------------------------------------------------------------
@@ -114,7 +114,7 @@
   (check-close (nutation-range A C gMR later) '(0.4 .809714734259) 1e-9))
 
 (test-case "where the range is a point, and where it is all"
-  (define slow (car (steady-precession A C gMR 0.4 200)))
+  (define slow (car (steady-precessions A C gMR 0.4 200)))
   (check-close (nutation-range A C gMR
                                (up 0 (up 0.4 0 0) (up 0 slow (- 200 (* slow (cos 0.4))))))
                '(0.4 0.4) 1e-7)
@@ -122,8 +122,8 @@
   (check-close (nutation-range A C gMR (up 0 (up 0 0 0) (up 0 0 200))) '(0 0) 1e-6))
 
 (test-case "too little spin precesses nowhere steadily"
-  (check-equal? (steady-precession A C gMR 0.4 20) '())
-  (check-equal? (length (steady-precession A C gMR 0.4 200)) 2))
+  (check-equal? (steady-precessions A C gMR 0.4 20) '())
+  (check-equal? (length (steady-precessions A C gMR 0.4 200)) 2))
 
 (says
  [(nutation-range A C gMR (up 0 0.4 0))

@@ -2,6 +2,7 @@
 ;; SICM 2.12, Nonsingular Coordinates and Quaternions (pp. 181-191).
 
 (require mechanics
+         mechanics/scmutils
          mechanics/book
          rackunit
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")

@@ -2,6 +2,7 @@
 ;; SICM 2.3 to 2.7: kinetic energy, angular momentum and Euler angles (pp. 128-141).
 
 (require mechanics
+         mechanics/scmutils
          rackunit
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 

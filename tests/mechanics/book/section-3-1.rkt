@@ -2,6 +2,7 @@
 ;; SICM 3.1, Hamilton's Equations (pp. 195-217).
 
 (require mechanics
+         mechanics/scmutils
          mechanics/book
          rackunit
          "../support/session.rkt")

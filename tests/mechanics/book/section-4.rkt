@@ -2,6 +2,7 @@
 ;; SICM 4.3 to 4.6 (pp. 302-330): manifolds, Poincaré and Birkhoff, invariant curves.
 
 (require mechanics
+         mechanics/scmutils
          mechanics/book
          racket/stream
          (except-in rackunit fail)

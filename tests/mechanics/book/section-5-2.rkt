@@ -2,6 +2,7 @@
 ;; SICM 5.2, General Canonical Transformations (pp. 342-357).
 
 (require mechanics
+         mechanics/scmutils
          mechanics/book
          rackunit
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")

@@ -17,9 +17,9 @@
 (test-case "p. 456: with a precise motion the crossings are those of the section's map"
   (define win (star))
   (define start (list (up 0.1 0.)))
-  (check-eq? (explore-map win (HH-collector win advance E 0.1 1e-12 5) #f #:from start) win)
+  (check-eq? (explore-map win (HH-collector win advance E 0.1 1e-12 5) #f #:starts start) win)
   (define other (star))
-  (explore-map other (HHmap E 0.1 1e-12 1e-13) 5 #:from start)
+  (explore-map other (HHmap E 0.1 1e-12 1e-13) 5 #:starts start)
   (check-equal? (length (points win)) 6)
   (for ([p (points win)] [q (points other)]) (check-close p q 1e-8)))
 

@@ -3,6 +3,7 @@
 ;; are printed in, symbol for symbol.
 
 (require mechanics
+         mechanics/scmutils
          rackunit
          (only-in mechanics/book L-harmonic L-central-rectangular L-central-polar L-free-particle))
 

@@ -62,7 +62,7 @@
 (test-case "a motion that does not close"
   (check-message
    "action-of-orbit: the motion through (up 0 0 1) did not close by the time 10"
-   (action-of-orbit (lambda (s) (square (momentum s))) (up 0 0 1) #:longest 10)
+   (action-of-orbit (lambda (s) (square (momentum s))) (up 0 0 1) #:longest-time 10)
    exn:fail:mechanics:not-convergent?))
 
 ;; ---------------------------------------------------------------------------

@@ -20,9 +20,10 @@
   (define here (up 't 'theta 'I))
   (check-identity (C here) ((polar-canonical 'alpha) here))
   (check-pred proved? (verify-canonical C here))
-  (check-pred proved? (verify-generating-function F1-polar (polar-canonical 'alpha) here))
-  (check-pred refuted? (verify-generating-function (lambda (t x theta) (* 2 (F1-polar t x theta)))
-                                                   (polar-canonical 'alpha) here)))
+  (check-pred proved? (verify-generating-function (polar-canonical 'alpha) F1-polar here))
+  (check-pred refuted? (verify-generating-function (polar-canonical 'alpha)
+                                                   (lambda (t x theta) (* 2 (F1-polar t x theta)))
+                                                   here)))
 
 (test-case "F2 of a point transformation: p' f(t, q) takes old states to new ones by F->CH"
   (check-identity ((F2->C-inv (lambda (t q p) (* p (p->r (up t q p))))) polar)
@@ -30,7 +31,7 @@
 
 (test-case "F3 of the same with the coordinates the other way"
   (check-identity ((F3->C F3-polar) polar) ((F->CH p->r) polar))
-  (check-pred proved? (verify-generating-function F3-polar (F->CH p->r) polar #:type 3)))
+  (check-pred proved? (verify-generating-function (F->CH p->r) F3-polar polar #:type 3)))
 
 (test-case "F1 and F4 exchange coordinates and momenta"
   (check-identity ((F1->C (lambda (t q qq) (* q qq))) line) (up 't (- 'p) 'q))
@@ -75,7 +76,7 @@
   (define F (generating-function (polar-canonical 'alpha) (up 't 'theta 'I) #:type 1))
   (check-prints (F 't 'x 'theta) '(/ (* 1/2 alpha (expt x 2) (cos theta)) (sin theta)))
   (check-identity (F 't 'x 'theta) (F1-polar 't 'x 'theta))
-  (check-pred proved? (verify-generating-function F (polar-canonical 'alpha) (up 't 'theta 'I)))
+  (check-pred proved? (verify-generating-function (polar-canonical 'alpha) F (up 't 'theta 'I)))
   (define F3 (generating-function (F->CH p->r) polar #:type 3))
   (check-identity (F3 't (down 'a 'b) (up 'r 'phi)) (F3-polar 't (down 'a 'b) (up 'r 'phi))))
 
@@ -84,7 +85,7 @@
     (define (cubic t x y) (+ (* x y) (* 'e (expt x 3)) (* 'f (expt y 2))))
     (define F (generating-function (to-old cubic) line #:type k))
     (check-identity (- (F 't 'x 'y) (F 't 0 0)) (cubic 't 'x 'y))
-    (check-pred proved? (verify-generating-function F (to-old cubic) line #:type k))))
+    (check-pred proved? (verify-generating-function (to-old cubic) F line #:type k))))
 
 ;; ---------------------------------------------------------------------------
 ;; What generates nothing

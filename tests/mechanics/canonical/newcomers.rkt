@@ -139,7 +139,7 @@
  [(frequency-of-orbit (H-harmonic 1 1) (up 0 1 0) #:turn 'x)
   "frequency-of-orbit: expected a turn of the coordinate that is a real number\n"
   "  given: the symbol x\n  give its symbols values first"]
- [(action-of-orbit (H-harmonic 1 1) (up 0 1 0) #:longest -1)
+ [(action-of-orbit (H-harmonic 1 1) (up 0 1 0) #:longest-time -1)
   "action-of-orbit: expected a positive time after which to give up\n  given: the number -1"]
  [(state->action-angle (H-harmonic 1 1) #:center 'a)
   "state->action-angle: expected a center that is a real number\n  given: the symbol a\n"

@@ -56,7 +56,8 @@
 ;; A motion is not computed to rounding; more terms do not help then.
 (test-case "a circle of a motion, as far as the motion is known"
   (define T (driven-pendulum-map 1 1 9.8 0.002 (* 4.2 (sqrt 9.8))))
-  (define c (invariant-circle T 0.2360679774997896 #:between '(16.5 17.0) #:most-modes 256))
+  (define c (invariant-circle T 0.2360679774997896 #:from 16.5 #:to 17.0
+                              #:most-modes 256))
   (check-true (< (invariant-circle-error c) 1e-9))
   (check-close (rotation-value (rotation-number T (c 0) 1000)) 0.2360679774997896 1e-8))
 
@@ -86,12 +87,12 @@
   (define (counted x y return fail)
     (set! periods (+ periods 1))
     (T x y return fail))
-  (for ([rotation (list golden (- 1 golden))] [ends '((6 7) (2 6))])
+  (for ([rotation (list golden (- 1 golden))] [low '(6 2)] [high '(7 6)])
     (check-exn (lambda (e)
                  (and (exn:fail:mechanics:not-convergent? e)
                       (regexp-match? #rx"on no curve,\n  as where the motion is chaotic"
                                      (exn-message e))))
-               (lambda () (invariant-circle counted rotation #:between ends))))
+               (lambda () (invariant-circle counted rotation #:from low #:to high))))
   (check-true (< periods 50000) (format "~a periods" periods)))
 
 (test-case "up to which parameter a circle is found: nearer to where it breaks up with more terms"
@@ -163,12 +164,12 @@
 (define (hole x y return fail) (if (< x 3) (return (+ x 1) y) (fail)))
 
 (says
- [(invariant-circle (standard-map 0.5) golden #:between 3)
-  "invariant-circle: #:between is a list of two ordinates at the angle 0; given the number 3"]
- [(invariant-circle (standard-map 0.5) golden #:between '(2.7 3.0))
+ [(invariant-circle (standard-map 0.5) golden #:from 'low)
+  "invariant-circle: expected a real number; given the symbol low"]
+ [(invariant-circle (standard-map 0.5) golden #:from 2.7 #:to 3.0)
   "invariant-circle: the orbits from both ends are ahead of the rotation: no curve is "
   "between them\n  rotation number: 0.3819660112501052\n  actions: 2.7 and 3.0\n"
-  "  #:between (list low high) says between which ordinates it is, at the abscissa 0"]
+  "  #:from and #:to say between which ordinates it is, at the abscissa 0"]
  [(rotation-number hole (up 0.5 0))
   "rotation-number: the map has no image of a point that is needed\n  map: hole\n"
   "  point: (up 3.5 0.0)"]

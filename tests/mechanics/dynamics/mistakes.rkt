@@ -27,7 +27,7 @@
                    "  the image goes to the third argument: (return x y)")] ...))
 
 (says-silent
- ["explore-map" (explore-map f silent 10 #:from near) "(up 1.0 0.0)" "(up 1.0 0.0)"]
+ ["explore-map" (explore-map f silent 10 #:starts near) "(up 1.0 0.0)" "(up 1.0 0.0)"]
  ["find-fixed-point" (find-fixed-point silent (up 1 2)) "(up 1.0 2.0)" "(up 3.0 2.0)"]
  ["periodic-points" (periodic-points silent 1 '(0 1 0 1) #:grid '(1 1))
   "(up 0.5 0.5)" "(up 1.0 0.5)"]
@@ -41,11 +41,11 @@
  ["iterated-map" ((iterated-map silent 100000) 1.0 2.0 list void) "(up 1.0 2.0)" "(up 3.0 2.0)"])
 
 (says
- [(explore-map f of-two 10 #:from near)
+ [(explore-map f of-two 10 #:starts near)
   "explore-map: expected a map, a procedure of two coordinates and of two procedures\n"
   "  given: the procedure `of-two`, which takes 2 arguments\n"
   "  its image goes to the third argument: (define (map x y return fail) ...)"]
- [(explore-map f of-three 10 #:from near)
+ [(explore-map f of-three 10 #:starts near)
   "explore-map: expected a map, a procedure of two coordinates and of two procedures\n"
   "  given: the procedure `of-three`, which takes 3 arguments\n"
   "  its image goes to the third argument: (define (map x y return fail) ...)"]
@@ -60,24 +60,24 @@
 
 ;; Parameters are missing, or a frame, or the list around a point.
 (says
- [(explore-map f standard-map 10 #:from near)
+ [(explore-map f standard-map 10 #:starts near)
   "explore-map: expected a map, a procedure of two coordinates and of two procedures\n"
   "  given: the procedure `standard-map`, which takes 1 argument\n"
   "  parameters are supplied first: (standard-map ...)"]
- [(explore-map f driven-pendulum-map 10 #:from near)
+ [(explore-map f driven-pendulum-map 10 #:starts near)
   "explore-map: expected a map, a procedure of two coordinates and of two procedures\n"
   "  given: the procedure `driven-pendulum-map`, which takes 5 arguments\n"
   "  parameters are supplied first: (driven-pendulum-map ...)"]
- [(explore-map f HHmap 10 #:from near)
+ [(explore-map f HHmap 10 #:starts near)
   "HHmap: expected a parameter sec-eps that is a real number\n"
   "  given: the procedure `return`"]
- [(explore-map f family 10 #:from near)
+ [(explore-map f family 10 #:starts near)
   "explore-map: the map calls neither `return` nor `fail`\n  map: family\n  point: (up 1.0 0.0)\n"
   "  value: family\n  parameters are supplied first: (family ...)"]
- [(explore-map f T #:from (up 1 0))
-  "explore-map: #:from is a list of points to start at; given (up 1 0), an up tuple of 2\n"
+ [(explore-map f T #:starts (up 1 0))
+  "explore-map: #:starts is a list of points to start at; given (up 1 0), an up tuple of 2\n"
   "  one point in a list: (list (up 1 0))"]
- [(explore-map T f 10 #:from near)
+ [(explore-map T f 10 #:starts near)
   "explore-map: expected a frame, such as (frame 0 1 -1 1)\n  given: the procedure `standard-map`"])
 
 (define T-shaken (driven-pendulum-map 1 1 9.8 0.05 omega))
@@ -93,7 +93,7 @@
   "find-fixed-point: a state derivative gives rates, it is no map of states\n"
   "  given: (Hamiltonian->state-derivative (Lagrangian->Hamiltonian (- T-pend V-pend)))\n"
   "  (stroboscopic-map f period) and (Poincare-map f event) make maps of it"]
- [(explore-map f (stroboscopic-map (lambda (s) s) 1) 10 #:from near)
+ [(explore-map f (stroboscopic-map (lambda (s) s) 1) 10 #:starts near)
   "explore-map: expected a map, a procedure of two coordinates and of two procedures\n"
   "  given: (stroboscopic-map <function> 1), a function, which takes 1 argument\n"
   "  it takes a state; with it a map of the plane is (define (map q p return fail) "

@@ -83,7 +83,7 @@
                 '(.3208297390186 -.07183026254416))
            1e-11
            (explore-map (frame -0.5 1 -0.6 0.6) (HHmap 1/8 0.1 1e-10 1e-12) 1
-                        #:from (list (up 0.9 0)))
+                        #:starts (list (up 0.9 0)))
            #rx"map: HHmap\n.*images of abscissas from -0.43969262[0-9]* to 0.67364817[0-9]*$")
    (row-of stroboscopic-map
            (off (strobe (up 0 1 0)) (list period .1545220284860514 -3.305964200270147))

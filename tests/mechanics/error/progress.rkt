@@ -27,7 +27,7 @@
 
 (define (harmonic) (lambda (s) (up 1 (velocity s) (* -1 (coordinate s)))))
 (define (advance . options)
-  (keyword-apply (state-advancer harmonic) '(#:progress) options (list (up 0. 1. 0.) 200 1e-12)))
+  (keyword-apply (state-advancer harmonic) '(#:progress?) options (list (up 0. 1. 0.) 200 1e-12)))
 
 ;; ---------------------------------------------------------------------------
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Hamiltonian states: made, taken apart, and refused.
 
-(require mechanics
+(require mechanics mechanics/scmutils
          rackunit
          "../support/messages.rkt")
 

@@ -13,6 +13,8 @@
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/Lagrange-equations
          (only-in mechanics/book L-free-particle)
+         (only-in mechanics/scmutils polar->rectangular rectangular->polar
+                  spherical->rectangular rectangular->spherical)
          "../support/same.rkt" "../support/systems.rkt")
 
 (define polar (up 't (up 'r 'phi) (up 'rdot 'phidot)))

@@ -3,6 +3,7 @@
 
 (require rackunit
          mechanics
+         mechanics/scmutils
          (only-in mechanics/book L-free-particle)
          "../support/random.rkt" "../support/session.rkt")
 

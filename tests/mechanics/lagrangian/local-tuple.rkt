@@ -10,6 +10,7 @@
          mechanics/calculus/literal-function
          mechanics/value/signature
          mechanics/lagrangian/local-tuple
+         mechanics/scmutils
          "../support/messages.rkt" "../support/same.rkt")
 
 (define q (literal-function 'q))

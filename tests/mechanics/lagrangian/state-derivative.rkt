@@ -3,6 +3,7 @@
 
 (require rackunit
          mechanics
+         mechanics/scmutils
          (only-in mechanics/book L-harmonic L-pendulum)
          "../support/session.rkt")
 

@@ -15,6 +15,7 @@
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/total-derivative
          (only-in mechanics/book L-harmonic)
+         (only-in mechanics/scmutils LE Lagrange-equations-operator)
          "../support/same.rkt" "../support/systems.rkt")
 
 (define F (literal-function 'F (-> (UP Real Real Real) Real)))

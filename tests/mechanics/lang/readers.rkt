@@ -2,7 +2,8 @@
 ;; What readers of the book bring with them from scmutils: the forms that it takes, the
 ;; operations that it has, its names; each with what is expected of it here.
 
-(require (except-in rackunit check)
+(require mechanics/scmutils
+         (except-in rackunit check)
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 ;; [expression datum] : the value, simplified, is that expression.

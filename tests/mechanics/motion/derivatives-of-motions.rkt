@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Derivatives of where a motion leads: by its start, by the duration, of any order.
 
-(require mechanics mechanics/book
+(require mechanics mechanics/book mechanics/scmutils
          rackunit
          "../support/close.rkt")
 

@@ -149,7 +149,7 @@
   (format "\n  the tolerance is given without one, after the ~a" what))
 
 (test-case "an unknown keyword names the procedure that was made, and those it takes"
-  (define known '(#:longest-step #:method #:most-steps #:precision #:progress))
+  (define known '(#:longest-step #:method #:most-steps #:precision #:progress?))
   (check-exn (unknown 'state-advancer '#:tolerance known (after "duration"))
              (lambda () (advance start 1 #:tolerance 1e-9)))
   (check-exn (unknown 'evolve '#:tolerance known (after "final time"))
@@ -157,11 +157,11 @@
 
 (test-case "what is loaded on demand tells how many arguments it takes"
   (check-message (string-append "find-path: takes 6 arguments; it was given 4\n"
-                                "  its keywords: (#:most-steps #:observe #:progress #:tolerance)")
+                                "  its keywords: (#:most-steps #:observe #:progress? #:tolerance)")
                  (find-path values (up 0 1) (up 1 0) 3)
                  exn:fail:contract:arity?)
   (check-message (string-append "minimize: takes 3 arguments; it was given 2\n"
-                                "  its keywords: (#:all? #:observe #:progress #:tolerance)")
+                                "  its keywords: (#:observe #:progress? #:tolerance)")
                  (minimize values 0 #:tolerance 1e-3)
                  exn:fail:contract:arity?)
   (check-message
@@ -172,10 +172,10 @@
 (test-case "what is loaded on demand tells its keywords"
   (check-exn (unknown 'event '#:directon '(#:direction #:name #:terminal?))
              (lambda () (event values #:directon 'rising)))
-  (check-exn (unknown 'find-path '#:tol '(#:most-steps #:observe #:progress #:tolerance))
+  (check-exn (unknown 'find-path '#:tol '(#:most-steps #:observe #:progress? #:tolerance))
              (lambda () (find-path values 0 0 1 1 1 #:tol 1)))
   (check-exn (unknown 'evolve-trajectory '#:event
-                      '(#:events #:longest-step #:method #:most-steps #:precision #:progress
+                      '(#:events #:longest-step #:method #:most-steps #:precision #:progress?
                         #:tolerance))
              (lambda () (evolve-trajectory oscillator start 1 #:event '())))
   (check-exn (unknown 'cubic-spline '#:end '(#:ends #:extrapolate?))

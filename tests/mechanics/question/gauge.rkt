@@ -88,7 +88,7 @@
   (check-= (f (up 0 1)) 1.46265174590718161 1e-13)
   (check-= (f (up 5 1 7)) 1.46265174590718161 1e-13)
   (check-= ((D (lambda (x) (f (up 0 x)))) 1.0) (exp 1) 1e-12)
-  (check-= ((gauge-function F line #:from (up 0 1)) (up 0 2))
+  (check-= ((gauge-function F line #:zero-at (up 0 1)) (up 0 2))
            (- 16.45262776550723 1.46265174590718161)
            1e-11)
   (check-equal? (format "~a" f) "(gauge-function F)")
@@ -128,6 +128,6 @@
   (check-exn
    #rx"^gauge-function: the integral for turning cannot begin where it is not finite\n  begin: .up 0 .up 0 0.."
    (lambda () ((gauge-function turning plane) (up 0 (up 1 2)))))
-  (check-within ((gauge-function turning plane #:from (up 0 (up 1 0))) (up 0 (up 1 2)))
+  (check-within ((gauge-function turning plane #:zero-at (up 0 (up 1 0))) (up 0 (up 1 2)))
                 (atan 2)
                 1e-11))

@@ -16,55 +16,55 @@
 ;; On values
 
 (test-case "on expressions, tuples, matrices and lists of them"
-  (check-equal? (impose '(= k 3) (* 'k 'x)) (* 3 'x))
-  (check-equal? (impose '(= k 3) (up 'k (down 'x 2.5))) (up 3 (down 'x 2.5)))
-  (check-equal? (impose '(= k 3) (matrix-by-rows '(k 1) '(1 k))) (matrix-by-rows '(3 1) '(1 3)))
-  (check-equal? (impose '(= k 3) '(> k 0)) '(> 3 0))
-  (check-equal? (impose '(= k 3) ((literal-function 'V) 'k)) ((literal-function 'V) 3))
-  (check-equal? (simplify (impose v (verdict-residual v))) 0))
+  (check-equal? (impose (* 'k 'x) '(= k 3)) (* 3 'x))
+  (check-equal? (impose (up 'k (down 'x 2.5)) '(= k 3)) (up 3 (down 'x 2.5)))
+  (check-equal? (impose (matrix-by-rows '(k 1) '(1 k)) '(= k 3)) (matrix-by-rows '(3 1) '(1 3)))
+  (check-equal? (impose '(> k 0) '(= k 3)) '(> 3 0))
+  (check-equal? (impose ((literal-function 'V) 'k) '(= k 3)) ((literal-function 'V) 3))
+  (check-equal? (simplify (impose (verdict-residual v) v)) 0))
 
 (test-case "a condition is an equation, several, or a verdict"
   (define same (* 'm (square 'omega)))
   (for ([c (list condition (list condition) v (verdict-conditions v)
                  (car (verdict-alternatives v)) (read-expression "(= k (* m (expt omega 2)))"))])
-    (check-equal? (simplify (impose c 'k)) (simplify same)))
-  (check-equal? (impose '((= k (* b c)) (= b 2)) (+ 'k 'b)) (+ (* 2 'c) 2)))
+    (check-equal? (simplify (impose 'k c)) (simplify same)))
+  (check-equal? (impose (+ 'k 'b) '((= k (* b c)) (= b 2))) (+ (* 2 'c) 2)))
 
 (test-case "what stands left need not be a symbol"
-  (check-equal? (impose '(= (* m v) p) 'm) (/ 'p 'v))
-  (check-equal? (impose '(= (sin beta) 0) (+ 1 (sin 'beta))) 1)
-  (check-equal? (impose '(= (* 2 :pi nu) 0) (+ 1 'nu)) 1))
+  (check-equal? (impose 'm '(= (* m v) p)) (/ 'p 'v))
+  (check-equal? (impose (+ 1 (sin 'beta)) '(= (sin beta) 0)) 1)
+  (check-equal? (impose (+ 1 'nu) '(= (* 2 :pi nu) 0)) 1))
 
 ;; ---------------------------------------------------------------------------
 ;; On functions
 
 (test-case "on a Lagrangian and on a path, as on their values"
-  (define L (impose condition (L-harmonic 'm 'k)))
+  (define L (impose (L-harmonic 'm 'k) condition))
   (check-equal? (simplify (L line))
                 (simplify ((L-harmonic 'm (* 'm (square 'omega))) line)))
   (check-pred proved? (verify-solution L oscillation))
-  (check-pred proved? (verify-solution (impose v (L-harmonic 'm 'k)) (impose v oscillation)))
-  (check-pred refuted? (verify-solution (impose '(= k m) (L-harmonic 'm 'k)) oscillation)))
+  (check-pred proved? (verify-solution (impose (L-harmonic 'm 'k) v) (impose oscillation v)))
+  (check-pred refuted? (verify-solution (impose (L-harmonic 'm 'k) '(= k m)) oscillation)))
 
 (test-case "on tuples of functions, functions of functions, and literal functions"
-  (define f (impose '(= a 2) (up (lambda (t) (* 'a t)) (literal-function 'x))))
+  (define f (impose (up (lambda (t) (* 'a t)) (literal-function 'x)) '(= a 2)))
   (check-equal? (f 't) (up (* 2 't) ((literal-function 'x) 't)))
-  (check-equal? (((impose '(= a 2) (lambda (x) (lambda (y) (* 'a x y)))) 'u) 'v) (* 2 'u 'v)))
+  (check-equal? (((impose (lambda (x) (lambda (y) (* 'a x y))) '(= a 2)) 'u) 'v) (* 2 'u 'v)))
 
 (test-case "derivatives of every sort see the condition"
   (define (f x) (* 'k (expt x 3)))
-  (define g (impose '(= k (* 2 c)) f))
+  (define g (impose f '(= k (* 2 c))))
   (check-equal? (simplify ((D g) 'x)) (simplify (* 6 'c (square 'x))))
   (check-equal? (simplify (((expt D 2) g) 'x)) (simplify (* 12 'c 'x)))
   (check-equal? (simplify ((gradient g) 'x)) (simplify (* 6 'c (square 'x))))
   (define (h p) (sin (* 'k (ref p 0) (ref p 1))))
-  (check-equal? (simplify ((gradient (impose '(= k 2) h)) (up 'x 'y)))
+  (check-equal? (simplify ((gradient (impose h '(= k 2))) (up 'x 'y)))
                 (simplify ((gradient (lambda (p) (sin (* 2 (ref p 0) (ref p 1))))) (up 'x 'y))))
-  (check-equal? ((D (lambda (k) ((impose '(= c 3) (lambda (x) (* 'c k x))) 'x))) 2) (* 3 'x)))
+  (check-equal? ((D (lambda (k) ((impose (lambda (x) (* 'c k x)) '(= c 3)) 'x))) 2) (* 3 'x)))
 
 (test-case "a function with a condition is numeric where that leaves numbers"
-  (check-equal? ((impose '(= m 2) (lambda (x) (* 'm x))) 3) 6)
-  (check-equal? (format "~a" (impose '(= m 2) sin)) "(impose ((= m 2)) sin)"))
+  (check-equal? ((impose (lambda (x) (* 'm x)) '(= m 2)) 3) 6)
+  (check-equal? (format "~a" (impose sin '(= m 2))) "(impose sin ((= m 2)))"))
 
 ;; ---------------------------------------------------------------------------
 ;; The question again
@@ -171,52 +171,53 @@
 (define proved (prove-zero 0))
 
 (says
- [(impose proved 'k)
+ [(impose 'k proved)
   "impose: the verdict names no condition: what was asked is proved\n  verdict: proved"]
  [(verify-again (prove-zero (+ 1 (square 'x))))
   "verify-again: the verdict names no condition\n  verdict: refuted"]
  [(verify-again 3) "verify-again: expected a verdict, then perhaps a condition\n"
   "  given: the number 3"]
- [(impose '(> k 0) 'k)
+ [(impose 'k '(> k 0))
   "impose: expected a verdict, an equation '(= k 1) or a list of them; given (> k 0), a list\n"
   "  an inequality is declared by assume"]
- [(impose (L-harmonic 'm 'k) condition)
+ [(impose condition (L-harmonic 'm 'k))
   "impose: expected a verdict, an equation '(= k 1) or a list of them; "
-  "given the procedure `L-harmonic`\n  the condition comes first"]
- [(impose (list (list condition) '((= a 0))) 'k)
+  "given the procedure `L-harmonic`\n"
+  "  the value comes first, then the condition, as in (impose L '(= k 1))"]
+ [(impose 'k (list (list condition) '((= a 0))))
   "impose: expected a verdict, an equation '(= k 1) or a list of them; "
   "given (((= k (* m (expt omega 2)))) ((= a 0))), a list\n"
   "  these are alternatives: choose one, as (car (verdict-alternatives v))"]
- [(impose '(= 1 2) 'k) "impose: the equations cannot hold together\n  equations: ((= 1 2))"]
- [(impose '(= (+ a b) (+ c d)) 'a)
+ [(impose 'k '(= 1 2)) "impose: the equations cannot hold together\n  equations: ((= 1 2))"]
+ [(impose 'a '(= (+ a b) (+ c d)))
   "impose: the equation cannot be solved for one of its symbols\n"
   "  equation: (= (+ a b) (+ c d))\n  write it as (= symbol expression)"]
- [(impose '(= (* 2 x y) 0) 'y)
+ [(impose 'y '(= (* 2 x y) 0))
   "impose: a product is zero with any of its factors\n"
   "  equation: (= (* 2 x y) 0)\n  write the factor that is meant, as (= x 0)"]
  [(verify-again (prove-zero 'x) '(= 0 (* x (sin y))))
   "verify-again: a product is zero with any of its factors\n"
   "  equation: (= 0 (* x (sin y)))\n  write the factor that is meant, as (= x 0)"]
- [(impose '(= a (up 1 2)) 'a)
+ [(impose 'a '(= a (up 1 2)))
   "impose: an equation is between numbers or expressions\n  given: (= a (up 1 2))"]
- [(impose '(= a) 'a)
+ [(impose 'a '(= a))
   "impose: expected a verdict, an equation '(= k 1) or a list of them; given (= a), a list"]
  [(impose v v) "impose: a verdict's question is asked again by (verify-again v condition)"]
- [(impose '(= a 1) "a")
+ [(impose "a" '(= a 1))
   "impose: expected a value, a function or a constraint; given \"a\", a string"])
 
 (test-case "a quotient or a root is solved for what is divided, or under the root"
-  (check-equal? (impose '(= (/ x y) 0) (+ 'x 'y)) 'y)
-  (check-equal? (impose '(= (/ x y) z) 'x) (* 'y 'z))
-  (check-equal? (impose '(= 3 (/ x y)) 'x) (* 3 'y))
-  (check-equal? (impose '(= (sqrt x) 3) (+ 'x 'y)) (+ 9 'y))
-  (check-true (= (impose '(= (/ (sqrt x) y) 2) 'x) (square (* 2 'y))))
+  (check-equal? (impose (+ 'x 'y) '(= (/ x y) 0)) 'y)
+  (check-equal? (impose 'x '(= (/ x y) z)) (* 'y 'z))
+  (check-equal? (impose 'x '(= 3 (/ x y))) (* 3 'y))
+  (check-equal? (impose (+ 'x 'y) '(= (sqrt x) 3)) (+ 9 'y))
+  (check-true (= (impose 'x '(= (/ (sqrt x) y) 2)) (square (* 2 'y))))
   (check-pred proved? (verify-again v '(= (/ k m) (expt omega 2))))
   (check-pred proved? (verify-again v '(= (sqrt (/ k m)) omega)))
   (check-exn #rx"^impose: a product is zero with any of its factors"
-             (lambda () (impose '(= (/ (* x z) y) 0) 'x)))
-  (check-exn #rx"^impose: the equation cannot be solved" (lambda () (impose '(= (/ 1 y) 0) 'y)))
-  (check-exn #rx"^impose: the equation cannot be solved" (lambda () (impose '(= (sqrt x) -3) 'x))))
+             (lambda () (impose 'x '(= (/ (* x z) y) 0))))
+  (check-exn #rx"^impose: the equation cannot be solved" (lambda () (impose 'y '(= (/ 1 y) 0))))
+  (check-exn #rx"^impose: the equation cannot be solved" (lambda () (impose 'x '(= (sqrt x) -3)))))
 
 (test-case "a factor that both sides of a condition have is told not to be 0"
   (define (told claim condition) (verdict-remarks (verify-again claim condition)))
@@ -238,10 +239,12 @@
   (check-exn #rx"the symbol z does not occur" (lambda () (verify-again v '((= k m) (= z 3)))))
   (check-pred refuted? (verify-again v '((= z 3) (= k (* z m))))))
 
-(test-case "a condition before what it is imposed on, a verdict before its condition"
+(test-case "what a condition is imposed on comes before it"
   (check-message (string-append "verify-again: the verdict comes first, then the condition: "
                                 "(verify-again v '(= k m))")
                  (verify-again '(= k m) v))
-  (check-exn #rx"\n  the condition comes first$" (lambda () (impose (* 'k 'x) '(= k 3))))
-  (check-exn #rx"\n  the condition comes first$" (lambda () (impose (* 'k 'x) '((= k 3)))))
-  (check-exn #rx"\n  the condition comes first$" (lambda () (impose 'k v))))
+  (for ([swapped (list (lambda () (impose '(= k 3) (* 'k 'x)))
+                       (lambda () (impose '((= k 3)) (* 'k 'x)))
+                       (lambda () (impose v 'k)))])
+    (check-exn #rx"\n  the value comes first, then the condition, as in [(]impose L '[(]= k 1[)][)]$"
+               swapped)))

@@ -87,7 +87,7 @@
 (test-case "elsewhere by numbers, from where it is said to begin"
   (define H (particle 1 (lambda (q) (* 1/2 (square q)))))
   (define s (separate-Hamilton-Jacobi H (up 't 'q 'p) #:energy 2))
-  (define S (separation-function s #:from 0))
+  (define S (separation-function s #:zero-at 0))
   ;; half of the area of a circle of radius 2 between 0 and 1
   (check-close (S 0 1) (+ (/ (sqrt 3) 2) (* 2 (asin 1/2))) 1e-9))
 

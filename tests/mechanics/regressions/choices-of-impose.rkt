@@ -8,10 +8,10 @@
 (test-case "a choice is told once in a session, beside the result"
   (define-values (output errors)
     (session '("-I" "mechanics")
-             "(impose '(= (* x y) (* x z)) 'y)"
-             "(impose '(= (* x y) (* x z)) (* 2 'y))"
-             "((impose '(= (expt a 2) 4) (lambda (t) (* 'a t))) 3)"
-             "(impose '(= k 3) 'k)"))
+             "(impose 'y '(= (* x y) (* x z)))"
+             "(impose (* 2 'y) '(= (* x y) (* x z)))"
+             "((impose (lambda (t) (* 'a t)) '(= (expt a 2) 4)) 3)"
+             "(impose 'k '(= k 3))"))
   (check-equal? output '("z" "(* 2 z)" "6" "3"))
   (check-equal? errors
                 (lines "; impose: (* x y) = (* x z), with x not 0"

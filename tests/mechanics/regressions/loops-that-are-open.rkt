@@ -41,7 +41,7 @@
    (string-append "frequency-of-orbit: the motion through (up 0 0 9) did not close by the time 10"
                   "\n  it goes round; #:turn (* 2 pi) says that its coordinate comes again after a "
                   "turn")
-   (frequency-of-orbit pendulum (up 0 0 9) #:longest 10)
+   (frequency-of-orbit pendulum (up 0 0 9) #:longest-time 10)
    exn:fail:mechanics:not-convergent?))
 
 (test-case "what runs away is told by its own state"

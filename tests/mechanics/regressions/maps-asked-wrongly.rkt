@@ -27,9 +27,9 @@
   "invariant-circle: expected #:most-modes, a positive integer\n  given: the number 0"]
  [(invariant-circle-limit standard-map golden 0.9 1.0 #:most-modes -1)
   "invariant-circle-limit: expected #:most-modes, a positive integer\n  given: the number -1"]
- [(explore-map (frame 0 1 0 1) twist 9 #:from (list (up 0 0) (up +nan.0 0)))
+ [(explore-map (frame 0 1 0 1) twist 9 #:starts (list (up 0 0) (up +nan.0 0)))
   "explore-map: start 1 is not of finite numbers\n  given: (up +nan.0 0), an up tuple of 2"]
- [(explore-map (frame 0 1 0 1) twist 9 #:from (list (up 0 +inf.0)))
+ [(explore-map (frame 0 1 0 1) twist 9 #:starts (list (up 0 +inf.0)))
   "explore-map: start 0 is not of finite numbers\n  given: (up 0 +inf.0), an up tuple of 2"])
 
 (test-case "a rotation number is not negative, and that of a swing is none"

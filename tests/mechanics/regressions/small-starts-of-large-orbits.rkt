@@ -30,7 +30,7 @@
 (test-case "where a small orbit came to when it was given up"
   (define e
     (with-handlers ([exn:fail:mechanics:not-convergent? values])
-      (action-of-orbit oscillator (up 0 1e-10 0) #:longest 0.5)))
+      (action-of-orbit oscillator (up 0 1e-10 0) #:longest-time 0.5)))
   (define there (ref (exn:fail:mechanics:not-convergent-value e) 1))
   (check-= (/ (ref there 0) 1e-10) (cos 0.5) 1e-8)
   (check-= (/ (ref there 1) 1e-10) (- (sin 0.5)) 1e-8))

@@ -34,8 +34,8 @@
 
 ;; Racket's words for what was called.
 (says
- [(evolve-ensemble turn (list start) 1 #:on-each #f)
-  "evolve-ensemble: #:on-each is a procedure of an index and a value\n  given: #f, a boolean"]
+ [(evolve-ensemble turn (list start) 1 #:observe #f)
+  "evolve-ensemble: #:observe is a procedure of an index and a value\n  given: #f, a boolean"]
  [(plot-trajectory (frame 0 1 0 1) (evolve-trajectory turn start 1) #f)
   "plot-trajectory: expected a function of the state, such as coordinate\n"
   "  given: #f, a boolean"])

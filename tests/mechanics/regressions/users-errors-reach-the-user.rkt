@@ -6,6 +6,7 @@
 (require racket/flonum
          (prefix-in racket: racket/base)
          mechanics
+         mechanics/scmutils
          rackunit)
 
 ;; ---------------------------------------------------------------------------

@@ -31,7 +31,7 @@
 ;; evolve-trajectory has a keyword for the tolerance, those that are the book's do not.
 (define (place who keywords after)
   (string-append who ": there is no keyword #:tolerance here\n  its keywords: (" keywords
-                 "#:longest-step #:method #:most-steps #:precision #:progress)\n"
+                 "#:longest-step #:method #:most-steps #:precision #:progress?)\n"
                  "  the tolerance is given without one, after the " after))
 
 (says

@@ -112,7 +112,7 @@
 ;; ---------------------------------------------------------------------------
 ;; All of them
 
-(define (places f low high) (map minimum-argument (find-minimum f low high #:all? #t)))
+(define (places f low high) (map minimum-argument (minima f low high)))
 
 (define (check-places found expected)
   (check-equal? (length found) (length expected) (format "~a" found))
@@ -124,7 +124,7 @@
   (check-places (places (lambda (x) (g:square (g:- (g:square x) 1))) -2 2) '(-1 1))
   (check-places (places g:abs -1 2) '(0))
   (check-equal? (length (places (lambda (x) (g:sin (g:* 100 x))) 0 (* 2 pi))) 101)
-  (check-equal? (map caddr (minimize (lambda (x) (g:square x)) -1 2 #:all? #t)) '(5)))
+  (check-equal? (map minimum-kind (minima (lambda (x) (g:square x)) -1 2)) '(minimum)))
 
 (test-case "no grid hides what is in step with it"
   (define pi (acos -1.0))
@@ -139,8 +139,7 @@
 ;; Mistakes
 
 (test-case "what is no question is refused"
-  (check-exn #rx"^find-minimum: all minima are looked for between two numbers\n  given: the numb"
-             (lambda () (find-minimum g:cos 1 #:all? #t)))
+  (check-exn #rx"^minima: takes 3 arguments; it was given 2\n" (lambda () (minima g:cos 1)))
   (check-exn #rx"^find-minimum: expected a function of one variable"
              (lambda () (find-minimum 3 1)))
   (check-exn #rx"^find-minimum: expected a positive tolerance"
@@ -151,12 +150,12 @@
              (lambda () (find-minimum (lambda (x) "no") 1 2)))
   (check-exn #rx"^find-minimum: expected real numbers to start from.*the symbol x"
              (lambda () (find-minimum g:cos 'x)))
-  (check-exn #rx"^find-minimum: expected a finite real number as end"
-             (lambda () (find-minimum g:cos 0 +inf.0 #:all? #t)))
+  (check-exn #rx"^minima: expected a finite real number as end"
+             (lambda () (minima g:cos 0 +inf.0)))
   (check-exn #rx"^minimum-kind: expected a minimum, such as find-minimum gives\n  given: "
              (lambda () (minimum-kind 3))))
 
 (test-case "an error of the function's own, beside what is asked about, is the user's to see"
   (define (f x) (if (and (real? x) (> x 1.2)) (error 'f "no value beyond") (g:square x)))
   (check-exn #rx"^f: no value beyond$" (lambda () (find-minimum f 0 2)))
-  (check-exn #rx"^f: no value beyond$" (lambda () (find-minimum f -1 2 #:all? #t))))
+  (check-exn #rx"^f: no value beyond$" (lambda () (minima f -1 2))))

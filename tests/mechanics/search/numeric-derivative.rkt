@@ -25,7 +25,7 @@
   (for* ([example (in-list smooth)] [tolerance '(1e-5 1e-8 1e-10)])
     (define-values (name f points) (apply values example))
     (for ([x (in-list points)])
-      (define-values (value error count) ((D-numeric f tolerance #:report values) x))
+      (define-values (value error count) ((D-numeric f #:tolerance tolerance #:report values) x))
       (define off (abs (- value ((D f) x))))
       (define text (format "~a at ~a to ~a: ~a ± ~a, off by ~a" name x tolerance value error off))
       (define size (max (abs value) (* 10 (abs (f (exact->inexact x))))))

@@ -25,7 +25,7 @@
         (lambda (a) (car (nelder-mead (tilted a) -1)))
         (lambda (a) (minimum-argument (find-minimum (tilted a) -3 1)))
         (lambda (a) (minimum-argument (find-minimum (tilted a) -1)))
-        (lambda (a) (caar (minimize (tilted a) -3 1 #:all? #t)))))
+        (lambda (a) (minimum-argument (car (minima (tilted a) -3 1))))))
 
 (define least-values
   (list (lambda (a) (cadr (minimize (tilted a) -3 1)))
@@ -56,7 +56,7 @@
   (for* ([i 2] [k 2])
     (define (along s) (ref (place (if (= i 0) (up s 1.3) (up 0.7 s))) k))
     (define exact (ref ((D place) at) i k))
-    (check-= exact ((D-numeric along 1e-9) (ref at i)) 1e-8))
+    (check-= exact ((D-numeric along #:tolerance 1e-9) (ref at i)) 1e-8))
   (define slopes ((gradient (lambda (a) (minimum-value (find-minimum (dented a) (up 1 1))))) at))
   (define found (place at))
   (for ([i 2])

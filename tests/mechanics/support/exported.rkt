@@ -43,7 +43,7 @@
    void
    (lambda ()
      (define folder (build-path beside name))
-     (export-system derivative example #:to 'C #:name name #:folder folder
+     (export-system derivative example #:language 'C #:name name #:folder folder
                     #:parameters parameters #:derivatives? derivatives?)
      (build-folder folder)
      (use folder (ffi-lib (build-path folder (string-append "lib" name ".so")))))

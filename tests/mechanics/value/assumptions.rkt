@@ -140,7 +140,7 @@
                  (assume '(> k 0) '(~ r 0)))
   (check-message (string-append "assume: an equation is no assumption about a sign\n"
                                 "  given: (= r 0)\n"
-                                "  (impose '(= r 0) L) puts it into L, (verify-again verdict '(= r 0)) "
+                                "  (impose L '(= r 0)) puts it into L, (verify-again verdict '(= r 0)) "
                                 "into a question")
                  (assume '(= r 0)))
   (check-message "assume: the relation lacks an operand: (> r)" (assume '(> r)))

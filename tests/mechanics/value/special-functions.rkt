@@ -2,7 +2,7 @@
 ;; Special functions: values of 16 digits, and their derivatives.
 
 (require rackunit
-         mechanics)
+         mechanics mechanics/scmutils)
 
 (define-check (check-close found expected)
   (unless (<= (abs (- found expected)) (* 2e-14 (max 1.0 (abs expected))))

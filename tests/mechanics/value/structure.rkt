@@ -5,6 +5,7 @@
          mechanics/generic/arithmetic
          mechanics/value/structure mechanics/value/symbols-like
          mechanics/calculus/literal-function
+         (only-in mechanics/scmutils dual-zero)
          "../support/messages.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/random/element.rkt")
 

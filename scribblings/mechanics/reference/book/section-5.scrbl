@@ -174,7 +174,7 @@ of the step in which it was. It fails at points that do not have the energy.
 (define (leapfrog s dt)
   ((step free) ((step HHpotential) ((step free) s (/ dt 2)) dt) (/ dt 2)))
 (define win (frame -0.6 0.8 -0.6 0.6))
-(explore-map win (HH-collector win leapfrog 1/12 0.1 1e-10 20) #f #:from (list (up 0.1 0)))]
+(explore-map win (HH-collector win leapfrog 1/12 0.1 1e-10 20) #f #:starts (list (up 0.1 0)))]
 
 @sicm{6.7, p. 456}}
 

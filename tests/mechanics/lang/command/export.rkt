@@ -124,7 +124,7 @@
     '("(define (turn s) (up 1 (* 2 (ref s 1))))"
       "(define ends"
       "  (evolve-ensemble turn (list (up 0 1.0) (up 0 2.0)) 1 #:jobs 1"
-      "                   #:on-each (lambda (k s) (exit 3))))"
+      "                   #:observe (lambda (k s) (exit 3))))"
       "(define after (evolve-trajectory (lambda (s) (up 1 1)) (up 0 1.0) 1))"))
   (apply program "ending.rkt" lines)
   (check-equal? (answer "ending.rkt" "--to" "jax" "-o" "ended")

@@ -56,11 +56,11 @@
 (test-case "what print-expression and show-expression print is typeset, but in another style"
   (check-equal?
    (outline "#lang mechanics" "(require racket/port)"
-            "(begin (printf \"first\\n\") (print-expression (/ 'a 'b)) (se 'c))"
+            "(begin (printf \"first\\n\") (print-expression (/ 'a 'b)) (show-expression 'c))"
             "(print-expression (/ 'a 'b) #:as 'infix)"
             "(with-output-to-string (lambda () (print-expression (/ 'a 'b))))"
             "(show-derivation (Lagrange-equations (lambda (s) (square (velocity s)))) cube)")
-   '("(require racket/port)\n(begin (printf \"first\\n\") (print-expression (/ 'a 'b)) (se 'c))"
+   '("(require racket/port)\n(begin (printf \"first\\n\") (print-expression (/ 'a 'b)) (show-expression 'c))"
      (printed "first\n") formula formula
      "(print-expression (/ 'a 'b) #:as 'infix)" (printed "a/b\n")
      "(with-output-to-string (lambda () (print-expression (/ 'a 'b))))" (text "\"(/ a b)\\n\"")

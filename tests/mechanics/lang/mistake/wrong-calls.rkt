@@ -36,12 +36,12 @@
                 (text ""
                       "  it is called as (find-path L t0 q0 t1 q1 n [#:tolerance tolerance]"
                       "      [#:observe observe] [#:most-steps most]"
-                      "      [#:progress progress?])"
+                      "      [#:progress? progress?])"
                       "  missing: q0, t1, q1, n"))
   (check-equal? (count-hint "minimize: takes 3 arguments; it was given none\n  its keywords: ()")
                 (text ""
-                      "  it is called as (minimize f low high [#:tolerance tolerance] [#:all? all?]"
-                      "      [#:observe observe] [#:progress progress?])"
+                      "  it is called as (minimize f low high [#:tolerance tolerance]"
+                      "      [#:observe observe] [#:progress? progress?])"
                       "  missing: f, low, high"))
   (check-equal? (count-hint "sin: expected 1 argument, given 2: 1, 2")
                 "\n  it is called as (sin x)")
@@ -62,7 +62,7 @@
   (check-equal? (question "2") "  did you mean #:order?")
   (check-equal? (question "#<procedure:f>") "  did you mean #:force or #:multipliers?")
   (check-equal? (last-line (count-hint "evolve-trajectory: takes 3 arguments; it was given 4"))
-                "      [#:progress progress?])"))
+                "      [#:progress? progress?])"))
 
 (test-case "a function that is called in two steps, too many or too few in either"
   (define one "\n  it is called as (F->C F)")
@@ -98,7 +98,7 @@
                 (text ""
                       "  it is called as (find-path L t0 q0 t1 q1 n [#:tolerance tolerance]"
                       "      [#:observe observe] [#:most-steps most]"
-                      "      [#:progress progress?])"))
+                      "      [#:progress? progress?])"))
   (check-false (order-hint "Lagrangian->energy: a Lagrangian is a function of the local tuple"))
   (check-false (order-hint "my-own: a path is a function of time")))
 
@@ -106,7 +106,7 @@
 ;; Keywords
 
 (test-case "keywords are those of the manual"
-  (check-equal? (keyword-names 'find-path) '(|#:tolerance| |#:observe| |#:most-steps| |#:progress|))
+  (check-equal? (keyword-names 'find-path) '(|#:tolerance| |#:observe| |#:most-steps| |#:progress?|))
   (check-equal? (keyword-names 'map) '()))
 
 (test-case "a constraint where none is expected"

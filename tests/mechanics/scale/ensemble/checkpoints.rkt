@@ -17,10 +17,10 @@
 (define parameters (for/list ([k count]) (list 1.0 (+ 1 (* 0.01 k)) 9.8)))
 (define bottom (event (lambda (s) (ref s 1)) #:name 'bottom #:direction 'falling))
 
-(define (follow #:jobs [jobs 2] #:checkpoint [file #f] #:on-each [each void]
+(define (follow #:jobs [jobs 2] #:checkpoint [file #f] #:observe [each void]
                 #:starts [starts starts] #:batch [batch 16])
   (evolve-ensemble pendulum starts 5 #:parameters (take parameters (length starts)) #:jobs jobs
-                   #:batch batch #:checkpoint file #:on-each each))
+                   #:batch batch #:checkpoint file #:observe each))
 
 (define alone (follow #:jobs 1))
 
@@ -35,7 +35,7 @@
     (check-exn #rx"enough"
                (lambda ()
                  (follow #:jobs 1 #:checkpoint file
-                         #:on-each (lambda (k v) (when (= k 47) (error "enough"))))))
+                         #:observe (lambda (k v) (when (= k 47) (error "enough"))))))
     (define kept (file-size file))
     (check-true (> kept 1000))
     (call-with-output-file file #:exists 'append (lambda (port) (write-bytes #"\5\0\0\0" port)))
@@ -50,13 +50,13 @@
     (define here (current-thread))
     (define broken?
       (with-handlers ([exn:break? (lambda (e) #t)])
-        (follow #:checkpoint file #:on-each (lambda (k v) (when (= k 40) (break-thread here))))
+        (follow #:checkpoint file #:observe (lambda (k v) (when (= k 40) (break-thread here))))
         #f))
     (check-true broken?)
     (define kept (file-size file))
     (check-true (> kept 1000))
     (define seen 0)
-    (check-equal? (follow #:checkpoint file #:on-each (lambda (k v) (set! seen (+ seen 1)))) alone)
+    (check-equal? (follow #:checkpoint file #:observe (lambda (k v) (set! seen (+ seen 1)))) alone)
     (check-equal? seen count)
     (check-true (>= (file-size file) kept))))
 

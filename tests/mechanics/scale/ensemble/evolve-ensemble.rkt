@@ -20,8 +20,8 @@
 (define starts (for/list ([k count]) (up 0 (* 0.02 k) 0.1)))
 (define parameters (for/list ([k count]) (list 1.0 (+ 1 (* 0.01 k)) 9.8)))
 
-(define (follow #:jobs [jobs 2] #:on-each [each void])
-  (evolve-ensemble pendulum starts 5 #:parameters parameters #:jobs jobs #:on-each each))
+(define (follow #:jobs [jobs 2] #:observe [each void])
+  (evolve-ensemble pendulum starts 5 #:parameters parameters #:jobs jobs #:observe each))
 
 (define alone (follow #:jobs 1))
 
@@ -45,8 +45,8 @@
   (define seen '())
   (define sum
     (evolve-ensemble pendulum starts 5 #:parameters parameters #:collect angle
-                     #:fold + #:from 0.0
-                     #:on-each (lambda (k v) (set! seen (cons k seen)))))
+                     #:fold + #:initial 0.0
+                     #:observe (lambda (k v) (set! seen (cons k seen)))))
   (check-equal? sum (for/fold ([sum 0.0]) ([s alone]) (+ (angle s) sum)))
   (check-equal? (reverse seen) (range count)))
 
@@ -137,7 +137,7 @@
   (skip-unless killer? "ensembles: nothing to kill workers with (pkill)"
     (define seen '())
     (define all
-      (follow #:on-each (lambda (k v)
+      (follow #:observe (lambda (k v)
                           (set! seen (cons k seen))
                           (when (memv k '(0 50)) (kill-children)))))
     (check-equal? all alone)

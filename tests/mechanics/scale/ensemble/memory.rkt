@@ -39,5 +39,5 @@
                  60))
   (check-true (< (bytes-each (lambda () (evolve-ensemble swing (starts many) 1 #:jobs 1
                                                          #:collect last-position
-                                                         #:fold + #:from 0)))
+                                                         #:fold + #:initial 0)))
                  16)))

@@ -82,23 +82,23 @@
  [(evolve-ensemble free (list (up 0 1 0)) 1 #:batch -1)
   "evolve-ensemble: #:batch is a positive integer\n  given: -1"]
  [(evolve-ensemble free (list (up 0 1 0)) 1 #:fold +)
-  "evolve-ensemble: #:fold comes with #:from, what it is given with the first value\n"
-  "  a sum: #:fold + #:from 0\n  a list, the last value first: #:fold cons #:from '()"]
- [(evolve-ensemble free (list (up 0 1 0)) 1 #:events bottom #:fold + #:from 0 #:jobs 1)
+  "evolve-ensemble: #:fold comes with #:initial, what it is given with the first value\n"
+  "  a sum: #:fold + #:initial 0\n  a list, the last value first: #:fold cons #:initial '()"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:events bottom #:fold + #:initial 0 #:jobs 1)
   (string-append (cannot-add one-crossing)
                  "\n  #:fold was given the list of what happened on a motion, its value with "
                  "#:events\n  #:collect makes another value of it: "
                  "#:collect (lambda (state occurrences) (length occurrences))")]
- [(evolve-ensemble free (list (up 0 1 0)) 1 #:events bottom #:fold + #:from 0 #:jobs 1
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:events bottom #:fold + #:initial 0 #:jobs 1
                    #:collect (lambda (state all) '()))
   (string-append (cannot-add '())
                  "\n  #:fold was given a list, what #:collect made of a motion")]
- [(evolve-ensemble pendulum (list (up 0 1 0)) 1 #:parameters '((1 0 9.8)) #:fold + #:from 0)
+ [(evolve-ensemble pendulum (list (up 0 1 0)) 1 #:parameters '((1 0 9.8)) #:fold + #:initial 0)
   (string-append (cannot-add lost) "\n  #:fold was given a motion that failed, "
                  (format "~s" lost) "\n  ensemble-failure? tells these")]
- [(evolve-ensemble free (list (up 0 1 0)) 1 #:from 0)
-  "evolve-ensemble: #:from comes with #:fold, which is given it with the first value\n"
-  "  given: #:from 0\n  a sum: #:fold + #:from 0"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:initial 0)
+  "evolve-ensemble: #:initial comes with #:fold, which is given it with the first value\n"
+  "  given: #:initial 0\n  a sum: #:fold + #:initial 0"]
  [(ensemble-failure-index 3)
   "ensemble-failure-index: expected a failure, as evolve-ensemble gives it for a start\n"
   "  given: the number 3"])
@@ -113,7 +113,7 @@
 (test-case "crossings are counted, and no crossings are no failure"
   (define (crossings ends)
     (evolve-ensemble free (list (up 0 1 0) (up 0 2 0)) ends #:events bottom #:jobs 1
-                     #:collect (lambda (state all) (length all)) #:fold + #:from 0))
+                     #:collect (lambda (state all) (length all)) #:fold + #:initial 0))
   (check-equal? (crossings 1) 2)
   (check-equal? (crossings 0.1) 0))
 

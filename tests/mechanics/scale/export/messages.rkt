@@ -12,7 +12,7 @@
 (says
  [(export-system 3 state)
   "export-system: expected a state derivative, a function of one state\n  given: the number 3"]
- [(export-system free state #:to 'Fortran)
+ [(export-system free state #:language 'Fortran)
   "export-system: there is no such target\n  targets: 'C, 'python, 'JAX\n  given: Fortran"]
  [(export-system free state #:name "my pendulum")
   "export-system: expected a name of letters, digits and _ that is no word of C or Python, for"
@@ -80,12 +80,12 @@
     (define before (directory-list to))
     (check-exn #rx"the folder is there already.*#:replace[?] #t" (lambda () (export)))
     (check-equal? (directory-list to) before)
-    (export-system free state #:folder to #:replace? #t #:to 'JAX #:name "pendulum")
+    (export-system free state #:folder to #:replace? #t #:language 'JAX #:name "pendulum")
     (check-equal? (map path->string (directory-list to)) '(".exported" "pendulum.py"))
     ;; what is not of an export is never touched
     (define notes (build-path to "notes.txt"))
     (call-with-output-file notes (lambda (port) (write-string "mine" port)))
-    (export-system free state #:folder to #:replace? #t #:name "other" #:to 'JAX)
+    (export-system free state #:folder to #:replace? #t #:name "other" #:language 'JAX)
     (check-equal? (map path->string (directory-list to)) '(".exported" "notes.txt" "other.py"))
     (delete-file (build-path to ".exported"))
     (check-exn #rx"something else than an exported system; it is left as it is"

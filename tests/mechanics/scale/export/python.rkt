@@ -24,7 +24,7 @@
   (dynamic-wind
    void
    (lambda ()
-     (export-system general example #:to target #:name "Kepler" #:folder folder
+     (export-system general example #:language target #:name "Kepler" #:folder folder
                     #:replace? #t #:derivatives? #t)
      (use folder))
    (lambda () (delete-directory/files folder))))

@@ -2,6 +2,7 @@
 ;; Results in the style that the reader chose, and in the one that fits the place.
 
 (require mechanics
+         mechanics/scmutils
          (only-in mechanics/show/display/announcement announcement-delay)
          (only-in mechanics/show/display/display-style manner-here styles)
          (only-in mechanics/generic/notation prop:notation)

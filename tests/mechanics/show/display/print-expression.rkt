@@ -2,6 +2,7 @@
 ;; print-expression shows a value as the prompt shows a result.
 
 (require mechanics
+         mechanics/scmutils
          (only-in mechanics/show/display/print-expression print-labelled)
          mechanics/lang/printer
          racket/string

@@ -20,7 +20,7 @@
     (check-equal? (remove-duplicates refusals) (list (car refusals)))
     (check-regexp-match
      (string-append "\n  without one orbits start where that is said: "
-                    "\\(explore-map f map n #:from \\(list \\(up x y\\) ...\\)\\), or #:grid")
+                    "\\(explore-map f map n #:starts \\(list \\(up x y\\) ...\\)\\), or #:grid")
      output)))
 
 (test-windows

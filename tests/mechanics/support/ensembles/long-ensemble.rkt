@@ -11,4 +11,4 @@
     (when (= index 1)
       (write-string "begun\n")
       (flush-output)))
-  (evolve-ensemble pendulum starts 2000 #:jobs 2 #:batch 1 #:on-each tell))
+  (evolve-ensemble pendulum starts 2000 #:jobs 2 #:batch 1 #:observe tell))
