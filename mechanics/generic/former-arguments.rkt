@@ -2,7 +2,9 @@
 ;; Arguments of version 0.1 that are written otherwise now: what a message says to who still
 ;; writes them so.  The manual's page of conventions has the same table.
 
-(provide former-keyword former-count)
+(provide former-keyword former-count
+         ;; for tests
+         (rename-out [keywords former-keywords] [counts former-counts]))
 
 ;; (keyword, what is written now, procedures that had the keyword)
 (define keywords

@@ -5,7 +5,8 @@
 
 (provide-on-demand
  ["Hamiltonian.rkt" make-Hamiltonian]
- ["Hamilton-equations.rkt" Hamilton-equations qp->H-state-path Hamiltonian->state-derivative D-phase-space]
+ ["Hamilton-equations.rkt" Hamilton-equations qp->H-state-path Hamiltonian->state-derivative
+                           D-phase-space]
  ["Legendre-transform.rkt" Legendre-transform Legendre-transform-procedure
                            Lagrangian->Hamiltonian Lagrangian->Hamiltonian-procedure
                            Hamiltonian->Lagrangian Hamiltonian->Lagrangian-procedure

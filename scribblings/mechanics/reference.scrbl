@@ -41,6 +41,7 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 
 @local-table-of-contents[]
 
+@include-section["reference/conventions.scrbl"]
 @include-section["reference/language.scrbl"]
 @include-section["reference/arithmetic.scrbl"]
 @include-section["reference/structures.scrbl"]
@@ -75,4 +76,5 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/animations.scrbl"]
 @include-section["reference/checks.scrbl"]
 @include-section["reference/worksheets.scrbl"]
+@include-section["reference/scmutils.scrbl"]
 @include-section["reference/base.scrbl"]

@@ -5,7 +5,7 @@
 ;; Entries are found by reading the manual's source, without running it.
 
 (require (for-label mechanics mechanics/animate mechanics/answers mechanics/book mechanics/pict
-                    mechanics/plot mechanics/rackunit
+                    mechanics/plot mechanics/rackunit mechanics/scmutils
                     (except-in mechanics/worksheet #%module-begin))
          racket/file
          racket/list
@@ -131,7 +131,7 @@ end
 (define documented (remove-duplicates (append-map documented-names forms)))
 
 (for ([module-path '(mechanics mechanics/animate mechanics/answers mechanics/book mechanics/pict
-                     mechanics/plot mechanics/rackunit mechanics/worksheet)])
+                     mechanics/plot mechanics/rackunit mechanics/scmutils mechanics/worksheet)])
   (test-case (format "every name that ~a exports is documented" module-path)
     (check-equal? (in-order (remove* documented (own-names module-path))) '())))
 

@@ -171,11 +171,14 @@
 
 (define-runtime-path reference "../../scribblings/mechanics/reference")
 (define numeric-pages
-  '("compiled-functions" "ensembles" "local-tuples" "maps" "motion" "pictures"))
+  '("compiled-functions" "ensembles" "local-tuples" "maps" "motion" "pictures" "scmutils"))
 
 ;; They make something of the procedure, which is not called, or call it where the user does.
 (define no-numbers
   '(Gamma path->state-path make-eta elliptic-integrals Jacobi-elliptic-functions
+    ;; these have other names that make what is asked here
+    derivative matrix:generate generalized-LE LE Lagrange-equations-operator
+    local-state-derivative Lagrange-equations-1 phase-space-derivative
     ;; the map is called in a window; the error is the reason why there is no code
     explore-map default-collector export-system))
 

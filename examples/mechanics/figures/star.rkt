@@ -13,7 +13,8 @@
 (define (star-section E starts n)
   (define win (frame -0.5 0.7 -0.6 0.6 #:x-label "y" #:y-label "p_y"))
   (plot-contours win (energy-curve E) '(0) #:color 'gray)
-  (explore-map win (star-map E) n #:size 1.5 #:starts (map (lambda (start) (apply up start)) starts)))
+  (explore-map win (star-map E) n #:size 1.5
+               #:starts (map (lambda (start) (apply up start)) starts)))
 
 (define ((energy-curve E) y p)
   (- E (* 1/2 (square p)) (HHpotential (up 0 (up 0 y) (down 0 0)))))

@@ -1,7 +1,8 @@
 #lang racket/base
-;; Suggestions for an unknown name: another library of the package may define it, scmutils and
-;; other programs may use it for a name of ours, it may be a formula written as in print, or a
-;; misspelt name.
+;; The likeliest meaning of an unknown name: one that another library of the package defines, one
+;; of scmutils, one that has another name elsewhere, a formula written as in print, or a known name
+;; that is spelt nearly so.
+
 
 (require "other-library.rkt" "../paper-notation/typographic.rkt" "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")

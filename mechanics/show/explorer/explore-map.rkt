@@ -82,7 +82,8 @@
 
 (define (checked-starts who f starts)
   (unless (list? starts)
-    (complain who "#:starts is a list of points to start at; given ~a~a" (describe-with-value starts)
+    (complain who "#:starts is a list of points to start at; given ~a~a"
+              (describe-with-value starts)
               (if (tuple? starts)
                   (format "\n  one point in a list: (list ~a)" (value->text starts))
                   "")))

@@ -41,8 +41,8 @@ called where there is none (@sicm{3.6.1, p. 247}).
              #:starts (list (up 0.5 0) (up 1 0) (up 1.5 0) (up 3.1 13) (up 3.1 0.5) (up 0 17))
              #:size 1.5)]
 
-Closed curves are regular orbits, dust is a chaotic one. Without @racket[#:starts] the same call opens
-a window where a click starts an orbit.
+Closed curves are regular orbits, dust is a chaotic one. Without @racket[#:starts] the same call
+opens a window where a click starts an orbit.
 
 @section{What stays where it is}
 

@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book mechanics/plot)
+@(require (for-label mechanics mechanics/book mechanics/plot mechanics/scmutils)
           "../eval.rkt" (only-in "../look/look.rkt" formula))
 
 @title[#:tag "other-systems"]{Coming from scmutils, Emmy, or a formula manipulator}
@@ -14,9 +14,12 @@ mostly Racket's doing.
 @itemlist[
 @item{Structures print as @racket[(up x y)], and not as vectors. A Racket vector
 is accepted as an @racket[up].}
-@item{The prompt simplifies what it prints. @racket[show-expression],
-@racket[print-expression], and their short forms @racket[se] and @racket[pe]
-work anywhere else.}
+@item{The prompt simplifies what it prints. @racket[show-expression] and
+@racket[print-expression] work anywhere else.}
+@item{Second names, such as @racket[se] and @racket[pe] for these two, are in
+@racketmodname[mechanics/scmutils]. Whoever types one without
+@racket[(require mechanics/scmutils)] is told which name the book prints
+(@secref["reference-scmutils"]).}
 @item{Arguments may be patterns. The book's way, a local tuple taken apart by
 @racket[coordinate] and @racket[velocity], works as well:
 

@@ -225,14 +225,13 @@ number is needed, in a motion, a compiled function or a picture, one is made;
 
 @sicm{1.4, p. 21, note}}
 
-@deftogether[(@defthing[golden-ratio real?]
-              @defthing[:phi real?])]{
+@defthing[golden-ratio real?]{
 
-The floating-point number nearest to (1 + √5)/2, under two names.
+The floating-point number nearest to (1 + √5)/2.
 
 @examples[#:eval session
 golden-ratio
-(- :phi (/ 1 golden-ratio))]
+(- golden-ratio (/ 1 golden-ratio))]
 
 @sicm{4.6, p. 328}}
 

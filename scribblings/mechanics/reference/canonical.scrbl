@@ -246,18 +246,16 @@ that derivative, a down tuple of three, moves the state. A state in its place is
 
 @deftogether[(@defproc[((Phi [A value]) [v value]) value]
               @defproc[((Phi* [A value]) [w value]) value]
-              @defproc[((transpose-function [A value]) [w value]) value]
               @defproc[(linear-function->multiplier [F procedure?] [argument value]) value]
               @defproc[((multiplicative-transpose [w value]) [A value]) value])]{
 
-Multiplication by A from the left, and from the right under two names; what a linear function
-multiplies by; and what multiplies w from the left as A does from the right.
+Multiplication by A from the left, and from the right; what a linear function multiplies by; and
+what multiplies w from the left as A does from the right.
 
 @examples[#:eval session
 (define A (down (up 'a 'c) (up 'b 'd)))
 ((Phi A) (up 'x 'y))
 ((Phi* A) (down 'p 'q))
-((transpose-function A) (down 'p 'q))
 (linear-function->multiplier (Phi A) (up 'x 'y))
 ((multiplicative-transpose (down 'p 'q)) A)]
 
@@ -469,11 +467,11 @@ H. Goldstein 1980, 10-5.}
 
 @deftogether[(@defproc[((state->action-angle [H procedure?] [#:center center real? 0]
                                              [#:turn turn (or/c real? #f) #f]
-                                             [#:tolerance eps real? 1e-11])
+                                             [#:tolerance tolerance real? 1e-11])
                         [state structure?]) structure?]
               @defproc[((action-angle->state [H procedure?] [#:center center real? 0]
                                              [#:turn turn (or/c real? #f) #f]
-                                             [#:tolerance eps real? 1e-11])
+                                             [#:tolerance tolerance real? 1e-11])
                         [state structure?]) structure?])]{
 
 From a state to (up t angle action), with the angle between 0 and 2π counted from where the

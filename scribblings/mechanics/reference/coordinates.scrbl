@@ -53,23 +53,17 @@ tuples longer by one that is the derivative of F by time along every path,
 
 @sicm{1.9, p. 97}}
 
-@deftogether[(@defproc[(Euler-Lagrange-operator [L Lagrangian]
-                                                [#:order n exact-positive-integer? 1])
-                       procedure?]
-              @defproc[(LE [L Lagrangian] [#:order n exact-positive-integer? 1]) procedure?]
-              @defproc[(Lagrange-equations-operator [L Lagrangian]
-                                                    [#:order n exact-positive-integer? 1])
-                       procedure?])]{
+@defproc[(Euler-Lagrange-operator [L Lagrangian] [#:order n exact-positive-integer? 1])
+         procedure?]{
 
 The residual of Lagrange's equations as a function of local tuples with
-accelerations, without any path, by three names. If L depends on derivatives of the
+accelerations, without any path. If L depends on derivatives of the
 coordinates up to the order n, the local tuples have them up to 2n.
 
 @examples[#:eval session
 (define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
 ((Euler-Lagrange-operator (L-harmonic 'm 'k)) (up 't 'x 'v 'a))
-((LE (L-harmonic 1 1)) (up 't 'x 'v 'a))
-((Lagrange-equations-operator (L-harmonic 1 1)) (up 't 1 0 -1))]
+((Euler-Lagrange-operator (L-harmonic 1 1)) (up 't 1 0 -1))]
 
 @sicm{1.9, p. 98}}
 
@@ -90,50 +84,46 @@ coordinates; pass it to @racket[F->C]. Coordinates alone, a tuple of as many sca
 there are coordinates, are transformed as well: of a local tuple they would be the second
 component. Another number of coordinates raises an error.
 
-@deftogether[(@defproc[(p->r [local local-tuple]) structure?]
-              @defproc[(polar->rectangular [local local-tuple]) structure?])]{
+@defproc[(p->r [local local-tuple]) structure?]{
 
 From (r, φ) to (x, y) = (r cos φ, r sin φ).
 
 @examples[#:eval session
 (p->r (up 't (up 'r 'phi) (up 'rdot 'phidot)))
- (polar->rectangular (up 'r 'phi))
- (polar->rectangular (up 0 (up 2 :pi/2) (up 0 0)))
+(p->r (up 'r 'phi))
+(p->r (up 0 (up 2 :pi/2) (up 0 0)))
 (eval:error (p->r (up 't 'r 'rdot)))]
 
 @sicm{1.6, p. 46}}
 
-@deftogether[(@defproc[(r->p [local local-tuple]) structure?]
-              @defproc[(rectangular->polar [local local-tuple]) structure?])]{
+@defproc[(r->p [local local-tuple]) structure?]{
 
 From (x, y) to (r, φ), with φ between −π and π.
 
 @examples[#:eval session
 (r->p (up 't (up 'x 'y) (up 'vx 'vy)))
 (r->p (up 0 (up 3 4) (up 0 0)))
-(rectangular->polar (up 0 (up 0 2) (up 0 0)))]
+(r->p (up 0 (up 0 2) (up 0 0)))]
 
 @sicm{1.6, p. 48}}
 
-@deftogether[(@defproc[(s->r [local local-tuple]) structure?]
-              @defproc[(spherical->rectangular [local local-tuple]) structure?])]{
+@defproc[(s->r [local local-tuple]) structure?]{
 
 From (r, θ, φ), with θ measured from the z axis, to (x, y, z).
 
 @examples[#:eval session
 (s->r (up 't (up 'r 'theta 'phi) (up 'rdot 'thetadot 'phidot)))
-(spherical->rectangular (up 0 (up 'r 0 'phi) (up 0 0 0)))]
+(s->r (up 0 (up 'r 0 'phi) (up 0 0 0)))]
 
 @sicm{1.8, p. 85}}
 
-@deftogether[(@defproc[(r->s [local local-tuple]) structure?]
-              @defproc[(rectangular->spherical [local local-tuple]) structure?])]{
+@defproc[(r->s [local local-tuple]) structure?]{
 
 From (x, y, z) to (r, θ, φ).
 
 @examples[#:eval session
 (r->s (up 't (up 'x 'y 'z) (up 'vx 'vy 'vz)))
-(rectangular->spherical (up 0 (up 3 0 4) (up 0 0 0)))]}
+(r->s (up 0 (up 3 0 4) (up 0 0 0)))]}
 
 @section{Rotations and frames}
 

@@ -20,9 +20,9 @@ for JAX, wherever these run.
                           [#:tolerance tolerance real? 1e-10]
                           [#:method method name-of-method 'auto]
                           [#:collect collect (or/c (-> state value) #f) #f]
-                          [#:observe on-each (-> exact-nonnegative-integer? value any) void]
+                          [#:observe observe (-> exact-nonnegative-integer? value any) void]
                           [#:fold fold (or/c (-> value so-far so-far) #f) #f]
-                          [#:initial from so-far (void)]
+                          [#:initial initial so-far (void)]
                           [#:jobs jobs exact-positive-integer? (processor-count)]
                           [#:batch batch exact-positive-integer? 16]
                           [#:checkpoint file (or/c path-string? #f) #f]
@@ -42,8 +42,8 @@ its rates one of the same shape. Any consistent units.
 
 @racketvarfont{collect} is what is wanted of a last state; it is done by the workers where it can be
 compiled, and here where not. @racket[fold] is called with each value and what it returned for
-those before; at first with @racket[from], which must be given with it. @racket[on-each] is called
-with each index and value. Values come in the order of the starts, whatever is finished first:
+those before; at first with @racket[initial], which must be given with it. @racket[observe] is
+called with each index and value. Values come in the order of the starts, whatever is finished first:
 sums are the same each time.
 
 @examples[#:eval session #:label #f
@@ -113,9 +113,9 @@ that was good, @racket[#f] if there is none.
 @section{Systems in other languages}
 
 @defproc[(export-system [derivative (-> state rates)] [example state-of-numbers-or-symbols]
-                        [#:language target (or/c 'C 'python 'JAX) 'C]
+                        [#:language language (or/c 'C 'python 'JAX) 'C]
                         [#:name name (or/c string? symbol?) "motion"]
-                        [#:folder folder path-string? (format "~a-~a" name target)]
+                        [#:folder folder path-string? (format "~a-~a" name language)]
                         [#:parameters parameters (or/c (listof symbol?) #f) #f]
                         [#:derivatives? derivatives? boolean? #f]
                         [#:replace? replace? boolean? #f])

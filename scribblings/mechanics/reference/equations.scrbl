@@ -49,20 +49,6 @@ an error that says what may have been forgotten.
 
 @sicm{1.5, p. 33; for #:order, exercises 1.10 and 1.13}}
 
-@defproc[(generalized-LE [L procedure?] [#:order n exact-positive-integer? 2])
-         procedure?]{
-
-@racket[Lagrange-equations] of order 2 unless told otherwise, when it is given a path. Given
-a local tuple of 4, 6, … components, up to the acceleration, the fourth derivative, …, it is
-the residual there, of order 1, 2, ….
-
-@examples[#:eval session
-(((generalized-LE (L-acceleration 'm 'k)) x) 't)
-((generalized-LE (L-acceleration 'm 'k)) (up 't 'q 'v 'a 'j 's))
-(eval:error ((generalized-LE (L-acceleration 'm 'k)) (up 't 'q 'v)))]
-
-@sicm{1.5, exercises 1.10 and 1.13}}
-
 @defproc[(make-Lagrangian [T procedure?] [V procedure?]) procedure?]{
 
 The difference of a kinetic and a potential energy, both functions of the local tuple,
@@ -89,14 +75,10 @@ The dissipation function k v², of a drag −2 k v. It takes power at twice its 
               @defproc[(Lagrangian->state-derivative [L Lagrangian]
                                                      [dissipation (or/c #f procedure?) #f]
                                                      [#:force force (or/c #f procedure?) #f])
-                       procedure?]
-              @defproc[(local-state-derivative [L Lagrangian]
-                                               [dissipation (or/c #f procedure?) #f]
-                                               [#:force force (or/c #f procedure?) #f])
                        procedure?])]{
 
 The accelerations that Lagrange's equations determine, and the state derivative
-@racket[(up 1 v a)], by two names, as functions of the local tuple @racket[(up t q v)]. Forces
+@racket[(up 1 v a)], as functions of the local tuple @racket[(up t q v)]. Forces
 outside L are given as to @racket[Lagrange-equations].
 
 The accelerations solve (∂@subscript{2}∂@subscript{2}L) a = ∂@subscript{1}L + Q −
@@ -110,7 +92,7 @@ leaves a direction without inertia raises
   (- (* 1/2 m (square v)) (* 1/2 (+ (* k1 (square x)) (* k2 (square y))))))
 ((Lagrangian->acceleration (L-anisotropic 'm 'k1 'k2)) state)
 ((Lagrangian->state-derivative (L-anisotropic 'm 'k1 'k2)) state)
-((local-state-derivative (L-harmonic 'm 'k)) (up 't 'x 'v))
+((Lagrangian->state-derivative (L-harmonic 'm 'k)) (up 't 'x 'v))
 ((Lagrangian->acceleration (L-harmonic 'm 'k) (Rayleigh-dissipation 'b))
  (up 't 'x 'v))
 (eval:error ((Lagrangian->acceleration (lambda (local) (coordinate local)))
@@ -118,16 +100,10 @@ leaves a direction without inertia raises
 
 @sicm{1.7, p. 71}}
 
-@deftogether[(@defproc[(Lagrange-equations-first-order
-                         [L Lagrangian]
-                         [dissipation (or/c #f procedure?) #f]
-                         [#:force force (or/c #f procedure?) #f])
-                       procedure?]
-              @defproc[(Lagrange-equations-1
-                         [L Lagrangian]
-                         [dissipation (or/c #f procedure?) #f]
-                         [#:force force (or/c #f procedure?) #f])
-                       procedure?])]{
+@defproc[(Lagrange-equations-first-order [L Lagrangian]
+                                         [dissipation (or/c #f procedure?) #f]
+                                         [#:force force (or/c #f procedure?) #f])
+         procedure?]{
 
 @racket[(((Lagrange-equations-first-order L) q v) t)] is the residual of the equations
 as a system of first order, for coordinates q and velocities v that are separate
@@ -136,18 +112,17 @@ functions of time: the derivative of (t, q(t), v(t)) less the state derivative t
 @examples[#:eval session
 (define LE1 (Lagrange-equations-first-order (L-harmonic 'm 'k)))
 ((LE1 x (literal-function 'v)) 't)
-(((Lagrange-equations-1 (L-harmonic 'm 'k)) sin cos) 0)]
+(((Lagrange-equations-first-order (L-harmonic 'm 'k)) sin cos) 0)]
 
 @sicm{1.7, p. 72}}
 
-@deftogether[(@defproc[(qv->state-path [q path] [v path]) procedure?]
-              @defproc[(qv->local-path [q path] [v path]) procedure?])]{
+@defproc[(qv->state-path [q path] [v path]) procedure?]{
 
-The function of time with the values @racket[(up t (q t) (v t))], by two names.
+The function of time with the values @racket[(up t (q t) (v t))].
 
 @examples[#:eval session
 ((qv->state-path x (literal-function 'v)) 't)
-((qv->local-path sin cos) 0)]
+((qv->state-path sin cos) 0)]
 
 @sicm{1.7, p. 72}}
 

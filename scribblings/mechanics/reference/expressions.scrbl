@@ -276,16 +276,15 @@ the prompt of @exec{make repl}, @exec{,text}, @exec{,tex}, @exec{,infix} and
 (up 'x (/ 1 2))
 (eval:error (display-style 'latex))]}
 
-@deftogether[(@defproc[(print-expression [x value] [#:as style (or/c symbol? #f) #f]) void?]
-              @defproc[(pe [x value] [#:as style (or/c symbol? #f) #f]) void?])]{
+@defproc[(print-expression [x value] [#:as style (or/c symbol? #f) #f]) void?]{
 
 Prints the value, simplified, as the prompt does, and ends the line. With a style it is
 printed in that, and not in the one of @racket[display-style]. On a page that
 @exec{raco mechanics show} makes of the program the value is typeset as results are.
 
 @examples[#:eval session
-(pe (* (sqrt 'x) (sqrt 'x)))
-(pe (/ (+ 'a 'b) (sqrt 'c)) #:as 'text)]
+(print-expression (* (sqrt 'x) (sqrt 'x)))
+(print-expression (/ (+ 'a 'b) (sqrt 'c)) #:as 'text)]
 
 @sicm{1.4, p. 16}}
 
@@ -319,8 +318,7 @@ Racket's procedures, in whose text values of ours are simplified, each on one li
 (fprintf (current-output-port) "~a" (* 2 'x 3))
 (eprintf "~a\n" (+ 'a 'a))]}
 
-@deftogether[(@defproc[(show-expression [x value] [#:as style (or/c symbol? #f) #f]) void?]
-              @defproc[(se [x value] [#:as style (or/c symbol? #f) #f]) void?])]{
+@defproc[(show-expression [x value] [#:as style (or/c symbol? #f) #f]) void?]{
 
 Shows the value, simplified, typeset in the best way there is at the place it is called from:
 drawn where pictures are shown, otherwise with characters. A style is as with
@@ -328,7 +326,7 @@ drawn where pictures are shown, otherwise with characters. A style is as with
 
 @examples[#:eval session
 (show-expression ((D (literal-function 'f)) 'x))
-(se (/ 'x (+ 'y 'x 'x)))]
+(show-expression (/ 'x (+ 'y 'x 'x)))]
 
 @sicm{1.4, p. 16}}
 

@@ -34,15 +34,14 @@ scalars, a local tuple is one, too.
 (H-state? (up 't 'q 'p))]}
 
 @deftogether[(@defproc[(momentum [state structure?]) value]
-              @defproc[(momenta [state structure?]) value]
-              @defproc[(state->p [state structure?]) value]
-              @defproc[(P [state structure?]) value])]{
+              @defproc[(momenta [state structure?]) value])]{
 
 The momenta of a state. They add up and combine as functions do.
 
 @examples[#:eval session
 (define state (up 't (up 'x 'y) (down 'p_x 'p_y)))
-(list (momentum state) (momenta state) (state->p state) (P state))
+(momentum state)
+(momenta state)
 ((square momentum) state)
 (eval:error (momentum (up 't (up 'x 'y) (up 'v_x 'v_y))))]
 
@@ -126,18 +125,13 @@ q or not.
 
 @sicm{3.1, p. 204}}
 
-@deftogether[(@defproc[(Hamiltonian->state-derivative [H Hamiltonian]
-                                                      [#:force force (or/c #f procedure?) #f])
-                       procedure?]
-              @defproc[(phase-space-derivative [H Hamiltonian]
-                                               [#:force force (or/c #f procedure?) #f])
-                       procedure?])]{
+@defproc[(Hamiltonian->state-derivative [H Hamiltonian] [#:force force (or/c #f procedure?) #f])
+         procedure?]{
 
-The state derivative (t, q, p) ↦ (1, ∂@subscript{2}H, −∂@subscript{1}H + F), by two names, with
-a force F outside H if there is one: for
-@racket[evolve], @racket[state-advancer], @racket[evolve-trajectory] and by itself. Of an H made
-by @racket[Lagrangian->Hamiltonian] it takes the derivatives of the Lagrangian, which are
-shorter.
+The state derivative (t, q, p) ↦ (1, ∂@subscript{2}H, −∂@subscript{1}H + F), with a force F
+outside H if there is one. @racket[evolve], @racket[state-advancer] and
+@racket[evolve-trajectory] take it. Of an H made by @racket[Lagrangian->Hamiltonian] it takes the
+derivatives of the Lagrangian, which are shorter.
 
 With one coordinate nothing but the name tells a Lagrangian from a Hamiltonian: what is called one,
 as @racketid[L-pendulum], is an error at such a state, unless it was made known as a Hamiltonian by
@@ -147,8 +141,8 @@ as @racketid[L-pendulum], is an error at such a state, unless it was made known 
 (define ((H-pendulum m l g) (up t theta p))
   (- (/ (square p) (* 2 m (square l))) (* m g l (cos theta))))
 ((Hamiltonian->state-derivative (H-pendulum 'm 'l 'g)) (up 't 'theta 'p))
-((phase-space-derivative (H-pendulum 'm 'l 'g)
-                         #:force (lambda (s) (* -1 'c (momentum s))))
+((Hamiltonian->state-derivative (H-pendulum 'm 'l 'g)
+                                #:force (lambda (s) (* -1 'c (momentum s))))
  (up 't 'theta 'p))
 (define (swing) (Hamiltonian->state-derivative (H-pendulum 1 1 9.8)))
 ((state-advancer swing) (up 0 1.0 0.0) 1.0)]
@@ -182,7 +176,7 @@ times.
 @sicm{3.1, p. 203}}
 
 @defproc[(Hamiltonian-action [H Hamiltonian] [q path] [p procedure?] [t1 real?] [t2 real?]
-                             [tolerance real? 1e-10])
+                             [#:tolerance tolerance real? 1e-10])
          real?]{
 
 The action of two paths in phase space, the integral of p Dq − H. It is stationary for paths

@@ -264,25 +264,6 @@ it took, and returns what it returned.
            (begin (displayln "process time: 6 ms (6 run + 0 gc); real time: 6 ms")
                   (definite-integral sin 0 1)))]}
 
-@section{Names of scmutils}
-
-@deftogether[(@defproc[(derivative [f procedure?]) procedure?]
-              @defproc[(constant [x value]) procedure?]
-              @defproc[(literal-up-tuple [name symbol?] [n exact-nonnegative-integer?]) structure?]
-              @defproc[(literal-down-tuple [name symbol?] [n exact-nonnegative-integer?])
-                       structure?]
-              @defproc[(factor-polynomial-expression [x value]) value])]{
-
-Other names, in this order, of @racket[D], @racket[constant-function], @racket[literal-up],
-@racket[literal-down] and @racket[factor].
-
-@examples[#:eval session
-((derivative cube) 'x)
-((constant 'c) 't)
-(literal-up-tuple 'q 2)
-(literal-down-tuple 'p 2)
-(factor-polynomial-expression (- (square 'x) 1))]}
-
 @deftogether[(@defproc[(floor->exact [x real?]) exact-integer?]
               @defproc[(close-enuf? [a number?] [b number?] [tolerance real? 2.220446049250313e-15]
                                     [scale real? 1])
@@ -299,48 +280,5 @@ than @racket[tolerance] times the sum of their mean size and @racket[scale]; and
 *machine-epsilon*]
 
 @sicm{4.3, p. 308}}
-
-@deftogether[(@defproc[(matrix-by-cols [column (or/c list? tuple)] ...+) matrix?]
-              @defproc[(matrix:generate [rows exact-nonnegative-integer?]
-                                        [columns exact-nonnegative-integer?]
-                                        [f procedure?]) matrix?]
-              @defproc[(m:make-identity [n exact-positive-integer?]) matrix?]
-              @defproc[(lu-null-space [A value]) (listof value)]
-              @defproc[(vector->column-matrix [v tuple]) matrix?]
-              @defproc[(vector->row-matrix [v tuple]) matrix?])]{
-
-Other names, in this order, of @racket[matrix-by-columns], @racket[m:generate],
-@racket[identity-matrix], @racket[null-space], @racket[up->column-matrix] and
-@racket[down->row-matrix].
-
-@examples[#:eval session
-(matrix-by-cols '(1 2) '(3 4))
-(matrix:generate 2 2 +)
-(m:make-identity 2)
-(lu-null-space (matrix-by-rows '(1 2) '(2 4)))
-(vector->column-matrix #(1 2))
-(vector->row-matrix #(1 2))]}
-
-@deftogether[(@defproc[(column-matrix [entry scalar] ...+) matrix?]
-              @defproc[(row-matrix [entry scalar] ...+) matrix?]
-              @defproc[(column-matrix->vector [m matrix?]) vector?]
-              @defproc[(row-matrix->vector [m matrix?]) vector?])]{
-
-A matrix of one column or of one row, and the vector of its entries.
-
-@examples[#:eval session
-(column-matrix 'x 'y)
-(row-matrix->vector (row-matrix 'x 'y))
-(column-matrix->vector (column-matrix 'x 'y))
-(eval:error (column-matrix->vector (row-matrix 'x 'y)))]}
-
-@defproc[(literal-matrix [name symbol?] [rows exact-positive-integer?]
-                         [columns exact-positive-integer?]) matrix?]{
-
-A matrix of symbols, which name their row and column.
-
-@examples[#:eval session
-(literal-matrix 'A 2 2)
-(eval:error (literal-matrix 'A 2 0))]}
 
 @(close-session session)

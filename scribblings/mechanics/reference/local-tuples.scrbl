@@ -7,45 +7,26 @@
 
 @section{From paths to local tuples}
 
-@deftogether[(@defproc[(Gamma [q path] [n exact-integer? 3]) procedure?]
-              @defproc[(path->state-path [q path] [n exact-integer? 3]) procedure?])]{
+@defproc[(Gamma [q path] [n exact-integer? 3]) procedure?]{
 
 The function of time with the local tuples of the path as values, of n components:
 time, coordinates, velocities, and further derivatives when n is larger than 3.
-@racket[path->state-path] is another name.
 
 @examples[#:eval session
 (define q (up (literal-function 'x) (literal-function 'y)))
 ((Gamma q) 't)
 ((Gamma (literal-function 'x) 4) 't)
-((path->state-path (literal-function 'x)) 't)
 (eval:error (Gamma 'x))]
 
 @sicm{1.4, p. 15}}
 
-@deftogether[(@defproc[(->local [t scalar] [q value] [v value] ...) structure?]
-              @defproc[(->state [t scalar] [q value] [v value] ...) structure?]
-              @defproc[(->L-state [t scalar] [q value] [v value] ...) structure?])]{
+@defproc[(->local [t scalar] [q value] [v value] ...) structure?]{
 
-A local tuple of these parts, by three names.
+A local tuple of these parts.
 
 @examples[#:eval session
 (->local 't (up 'x 'y) (up 'v_x 'v_y))
-(->state 't 'x 'v)
-(->L-state 't 'x 'v 'a)]}
-
-@deftogether[(@defproc[(coordinate-tuple [q value] ...) structure?]
-              @defproc[(velocity-tuple [v value] ...) structure?]
-              @defproc[(acceleration-tuple [a value] ...) structure?]
-              @defproc[(momentum-tuple [p value] ...) structure?])]{
-
-The parts of local tuples: the first three are @racket[up] tuples, momenta are a
-@racket[down] tuple.
-
-@examples[#:eval session
-(->local 't (coordinate-tuple 'x 'y) (velocity-tuple 'v_x 'v_y))
-(* (momentum-tuple 'p_x 'p_y) (velocity-tuple 'v_x 'v_y))
-(acceleration-tuple 'a_x 'a_y)]}
+(->local 't 'x 'v 'a)]}
 
 @defproc[(literal-Lagrangian-state [n exact-positive-integer?]) structure?]{
 
@@ -57,61 +38,47 @@ A local tuple of unknowns with n coordinates.
 
 Each raises an error if the argument has no such part.
 
-@deftogether[(@defproc[(time [local local-tuple]) scalar]
-              @defproc[(state->t [local local-tuple]) scalar])]{
+@defproc[(time [local local-tuple]) scalar]{
 
 The time.
 
 @examples[#:eval session
 (define local (up 't (up 'x 'y) (up 'v_x 'v_y) (up 'a_x 'a_y)))
-(time local)
-(state->t local)]
+(time local)]
 
 @sicm{1.4, p. 15}}
 
 @deftogether[(@defproc[(coordinate [local local-tuple]) value]
-              @defproc[(coordinates [local local-tuple]) value]
-              @defproc[(state->q [local local-tuple]) value]
-              @defproc[(Q [local local-tuple]) value])]{
+              @defproc[(coordinates [local local-tuple]) value])]{
 
-The coordinates, by four names.
+The coordinates: the book uses the singular and the plural.
 
 @examples[#:eval session
 (coordinate local)
-(list (coordinates local) (state->q local) (Q local))]
+(coordinates local)]
 
 @sicm{1.4, p. 15}}
 
 @deftogether[(@defproc[(velocity [local local-tuple]) value]
-              @defproc[(velocities [local local-tuple]) value]
-              @defproc[(state->qdot [local local-tuple]) value]
-              @defproc[(Qdot [local local-tuple]) value])]{
+              @defproc[(velocities [local local-tuple]) value])]{
 
-The velocities, by four names.
+The velocities.
 
 @examples[#:eval session
 (velocity local)
-(list (velocities local) (state->qdot local) (Qdot local))
+(velocities local)
 (eval:error (velocity (up 't 'x)))]
 
 @sicm{1.4, p. 15}}
 
 @deftogether[(@defproc[(acceleration [local local-tuple]) value]
-              @defproc[(accelerations [local local-tuple]) value]
-              @defproc[(state->qddot [local local-tuple]) value]
-              @defproc[(Qdotdot [local local-tuple]) value])]{
+              @defproc[(accelerations [local local-tuple]) value])]{
 
-The accelerations, by four names.
+The accelerations.
 
 @examples[#:eval session
 (acceleration local)
-(list (accelerations local) (state->qddot local) (Qdotdot local))]}
-
-@defproc[(state->n-dof [local local-tuple]) exact-nonnegative-integer?]{
-
-The number of degrees of freedom: how many scalars the coordinates have.
-
-@examples[#:eval session (state->n-dof local)]}
+(accelerations local)]}
 
 @section{Actions}
 
@@ -119,7 +86,8 @@ These compute numbers. A symbol that is left in the integrand raises an error th
 shows where.
 
 @defproc[(Lagrangian-action [L Lagrangian] [q path] [t1 real?] [t2 real?]
-                            [tolerance real? 1e-10]
+                            [eps real? 1e-10]
+                            [#:tolerance tolerance real? eps]
                             [#:order n exact-positive-integer? 1]
                             [#:report report (-> real? real? exact-nonnegative-integer? any)
                                       (lambda (value bound evaluations) value)])
@@ -128,7 +96,8 @@ shows where.
 The action of the path from @racket[t1] to @racket[t2]: the integral of L along it.
 Its unit is that of L times that of time. With an order above 1, L may depend on
 derivatives of the coordinates up to that one, as in @racket[Lagrange-equations].
-@racket[tolerance] and @racket[report] are those of @racket[definite-integral].
+@racket[tolerance] and @racket[report] are those of @racket[definite-integral]; the tolerance
+may be the last argument as well, as there.
 
 @examples[#:eval session
 (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
@@ -141,7 +110,8 @@ derivatives of the coordinates up to that one, as in @racket[Lagrange-equations]
 
 @defproc[(definite-integral [f procedure?] [low (or/c real? expression?)]
                             [high (or/c real? expression?)]
-                            [tolerance real? 1e-10]
+                            [eps real? 1e-10]
+                            [#:tolerance tolerance real? eps]
                             [#:report report (-> real? real? exact-nonnegative-integer? any)
                                       (lambda (value bound evaluations) value)])
          any]{
@@ -258,24 +228,12 @@ action of the oscillator between two points:
                                 (* 2 'q1 'q2)))
                     (* 2 (sin (* 'w 'T)))))]}
 
-@defproc[(definite-integral-with-tolerance [f procedure?] [low real?] [high real?]
-                                           [tolerance real?]
-                                           [#:report report procedure?
-                                                     (lambda (value bound evaluations) value)])
-         any]{
-
-As @racket[definite-integral], with a tolerance that must be given.
-
-@examples[#:eval session
-(definite-integral-with-tolerance exp 0 1 1e-14 #:report list)]}
-
 @defproc[(find-minimum [f procedure?] [start (or/c value list?)] [high real? _none]
                        [#:tolerance tolerance real? 1e-8]
-                       [#:all? all? any/c #f]
                        [#:method method (or/c 'quasi-newton 'nelder-mead #f) #f]
                        [#:observe observe (-> any/c real? any) void]
                        [#:progress? progress? any/c (report-progress)])
-         (or/c minimum? (listof minimum?))]{
+         minimum?]{
 
 A minimum of f and what is known of it: between two numbers, found as by @racket[minimize], or
 near a start of any shape, as by @racket[multidimensional-minimize]. Where a search ends, the
@@ -289,17 +247,22 @@ way down, the search goes on; what looks like a minimum gets some steps of Newto
 (find-minimum (lambda (v) (+ (square (ref v 0)) (- (square (ref v 1))) (expt (ref v 1) 4)))
               (up 1 0))]
 
-If @racket[all?] is true, a list of all minima that are found between two numbers, from left
-to right: f is sampled at 64 points, 128, 256 and so on, at most 4096, until twice in a row no
-more come up. A minimum narrower than the distance of the last samples may be missed, and at
-the prompt and in programs a note says what this was.
+The result can be differentiated by what f depends on. The errors are those of
+@racket[minimize] and @racket[multidimensional-minimize].}
+
+@defproc[(minima [f procedure?] [low real?] [high real?]
+                 [#:tolerance tolerance real? 1e-8]
+                 [#:observe observe (-> real? real? any) void]
+                 [#:progress? progress? any/c (report-progress)])
+         (listof minimum?)]{
+
+All minima of f that are found between two numbers, from left to right: f is sampled at 64
+points, 128, 256 and so on, at most 4096, until twice in a row no more come up. A minimum
+narrower than the distance of the last samples may be missed, and at the prompt and in programs
+a note says how large that distance was.
 
 @examples[#:eval session
-(map minimum-argument (find-minimum (lambda (x) (* x (sin (* 5 x)))) 0.5 4 #:all? #t))]
-
-The result can be differentiated by what f depends on. The errors are those of
-@racket[minimize] and @racket[multidimensional-minimize]; @racket[all?] without a second number
-is a mistake.}
+(map minimum-argument (minima (lambda (x) (* x (sin (* 5 x)))) 0.5 4))]}
 
 @deftogether[(@defproc[(minimum? [x any/c]) boolean?]
               @defproc[(minimum-argument [m minimum?]) value]
@@ -336,23 +299,20 @@ If no minimum is found, @racket[exn:fail:mechanics:not-convergent] carries the b
 
 @defproc[(minimize [f procedure?] [low real?] [high real?]
                    [#:tolerance tolerance real? 1e-8]
-                   [#:all? all? any/c #f]
                    [#:observe observe (-> real? real? any) void]
                    [#:progress? progress? any/c (report-progress)])
          list?]{
 
 A list of the argument at which f is least between @racket[low] and @racket[high],
 its value there, and the number of steps taken, by Brent's method. f should have one
-minimum between the two; if @racket[all?] is true, the result is a list of such lists, for all
-minima that are found (@racket[find-minimum] says how). If f is least at an end of the interval,
+minimum between the two; @racket[minima] finds several. If f is least at an end of the interval,
 that end is the argument. If all its values are the same, samples are tried for a lower one. A
 note says so in both cases, at the prompt and in programs. Where f falls without bound, as 1/x
-does from below 0, there is no minimum, which is an error; among all of them such a place is none.
+does from below 0, there is no minimum, which is an error; @racket[minima] leaves such a place out.
 @racket[observe] is called with each argument tried and the value there.
 
 @examples[#:eval session
-(minimize (lambda (x) (+ 1 (square (- x 2)))) 0 5)
-(minimize cos 0 20 #:all? #t)]
+(minimize (lambda (x) (+ 1 (square (- x 2)))) 0 5)]
 
 Argument and value can be differentiated by what f depends on, as often as one likes: the
 gradient vanishes at the argument, which moves as @racket[find-root] has its roots move; an end
@@ -371,32 +331,6 @@ derivative; @racket[exn:fail:mechanics:singular] says which it is.
 (eval:error ((D (lambda (a) (car (minimize (lambda (x) (abs (- x a))) -3 1)))) 1/2))]
 
 @sicm{1.4, p. 19}}
-
-@defproc[(brent-min [f procedure?] [low real?] [high real?] [tolerance real? 1e-8]
-                    [#:observe observe (-> real? real? any) void]
-                    [#:progress? progress? any/c (report-progress)])
-         list?]{
-
-As @racket[minimize], with a tolerance among the arguments.
-
-@examples[#:eval session
-(brent-min cos 2 4 1e-3)]}
-
-@defproc[(golden-section-min [f procedure?] [low real?] [high real?]
-                             [done (or/c real? procedure?) 1e-8]
-                             [#:observe observe (-> real? real? any) void]
-                             [#:progress? progress? any/c (report-progress)])
-         list?]{
-
-A minimum by golden sections: each step takes one value of f and leaves 0.618 of the
-interval. The search ends at a tolerance, or when @racket[done] says so, which is called
-with the lower end, the best argument and the upper end, the values at these, and the
-number of steps.
-
-@examples[#:eval session
-(golden-section-min cos 2 4)
-(golden-section-min cos 2 4 (lambda (low x high f-low f-x f-high count)
-                              (< (- high low) 0.1)))]}
 
 @defproc[(multidimensional-minimize [f procedure?] [start (or/c value list?)]
                                     [#:tolerance tolerance real? 1e-8]
@@ -508,13 +442,15 @@ inverse at a point, @racket[exn:fail:mechanics:singular] carries it; if no root 
 (find-root cos 1 2 #:report list)
 (eval:error (find-root (lambda (x) (+ 1 (square x))) 1/3))]}
 
-@defproc[(bisect [f procedure?] [low real?] [high real?] [tolerance real? 1e-15]
+@defproc[(bisect [f procedure?] [low real?] [high real?] [eps real? 1e-15]
+                 [#:tolerance tolerance real? eps]
                  [#:observe observe (-> real? real? any) void]
                  [#:report report procedure? (lambda (root error evaluations) root)])
          any]{
 
 A number between @racket[low] and @racket[high] where f changes its sign, at a zero or at
-a jump, by halving the interval: slow and sure.
+a jump, by halving the interval: slow and sure. The tolerance is the last argument, as in the
+book, or a keyword.
 
 @examples[#:eval session
 (bisect (lambda (x) (- (square x) 2)) 0 2)
@@ -522,49 +458,19 @@ a jump, by halving the interval: slow and sure.
 
 @sicm{4.5, p. 321}}
 
-@defproc[(newton-search [f procedure?] [start value] [tolerance real? 1e-12]
-                        [#:observe observe (-> any/c any/c any) void]
-                        [#:report report procedure? (lambda (root error evaluations) root)])
-         any]{
-
-Newton's method: @racket[find-root] from one start. A function @racket[(f x receive)] that
-gives its value and its derivative to @racket[receive], as in scmutils, is taken as well;
-its derivative is not used.
-
-@examples[#:eval session
-(newton-search (lambda (x receive) (receive (- (square x) 2) (* 2 x))) 1)
-(newton-search (lambda (x) (- (square x) 2)) 1)]}
-
-@defproc[(zbrent [f procedure?] [low real?] [high real?]
-                 [tolerance real? 1e-15] [limit exact-positive-integer? 100])
-         list?]{
-
-Brent's method as it is called elsewhere: a list of whether a root was found within
-@racket[limit] evaluations, the root or the best argument, and the evaluations.
-
-@examples[#:eval session
-(zbrent cos 1 2)
-(zbrent cos 1 2 1e-15 4)]}
-
-@deftogether[(@defproc[(D-numeric [f procedure?] [tolerance real? 1e-8]
-                                  [#:report report procedure?
-                                            (lambda (derivative error evaluations) derivative)])
-                       procedure?]
-              @defproc[(richardson-derivative [f procedure?] [tolerance real?]
-                                              [step (or/c real? #f) #f]
-                                              [#:report report procedure?
-                                                        (lambda (derivative error evaluations)
-                                                          derivative)])
-                       procedure?])]{
+@defproc[(D-numeric [f procedure?] [#:tolerance tolerance real? 1e-8]
+                    [#:report report procedure?
+                              (lambda (derivative error evaluations) derivative)])
+         procedure?]{
 
 The derivative of a function of a number from its values, by difference quotients
 extrapolated to small distances: for functions that compute with plain numbers. Of all
-others @racket[D] gives the exact one. The value of f may be a tuple. @racket[step] is the
-greatest distance at which f is called, a tenth of the argument, or of 1, unless told.
+others @racket[D] gives the exact one. The value of f may be a tuple. The greatest distance at
+which f is called is a tenth of the argument, or of 1.
 
 @examples[#:eval session
 ((D-numeric (lambda (t) (up (cos t) (sin t)))) 1)
-((richardson-derivative exp 1e-10 0.01 #:report list) 1)]
+((D-numeric exp #:tolerance 1e-10 #:report list) 1)]
 
 The tolerance is relative to the derivative, or to the values of f over the first step.
 If it cannot be met, @racket[exn:fail:mechanics:not-convergent] carries the best value; at a
@@ -688,24 +594,12 @@ The number w at least −1 with we^w = x, for x from −1/e on.
 (Lambert-W 1)
 ((D Lambert-W) 0)]}
 
-@deftogether[(@defproc[(bessj [n exact-integer?] [x real?]) real?]
-              @defproc[(bessj0 [x real?]) real?]
-              @defproc[(bessj1 [x real?]) real?])]{
-
-The Bessel functions Jₙ(x), J₀(x) and J₁(x) of whole order. The Fourier series of Kepler's
-problem is made of them.
-
-@examples[#:eval session
-(bessj0 2.404825557695773)
-(bessj1 1)
-(bessj 2 1)
-(eval:error (bessj 1/2 1))]}
-
 @deftogether[(@defproc[(Bessel-J [order real?] [x real?]) real?]
               @defproc[(Bessel-Y [order real?] [x real?]) real?])]{
 
 The Bessel functions of the first and second kind, of any real order below 100000 in size, to
-some 13 digits of their common size. They solve x²f'' + xf' + (x² − ν²)f = 0. J is real for
+some 13 digits of their common size. The Fourier series of Kepler's problem is made of those of
+whole order. They solve x²f'' + xf' + (x² − ν²)f = 0. J is real for
 x ≥ 0, of whole orders for any x; Y for x > 0. They can be differentiated by x.
 
 @examples[#:eval session

@@ -451,7 +451,8 @@ left of it.
 @sicm{4.6, pp. 326 and 327}}
 
 @defproc[(invariant-circle [map procedure?] [rotation-number real?]
-                           [#:between between (or/c (list/c real? real?) #f) #f]
+                           [#:from lowest (or/c real? #f) #f]
+                           [#:to highest (or/c real? #f) #f]
                            [#:most-modes most exact-positive-integer? 4096])
          invariant-circle?]{
 
@@ -460,9 +461,9 @@ The invariant circle of a map that keeps areas, on which the map is a rotation b
 angle θ of that rotation it gives the point of the circle, an abscissa that grows by a turn with
 θ, and an ordinate. The rotation number is irrational; a fraction with a denominator up to 100 is
 an error, for such circles break up into periodic orbits, which @racket[periodic-points] finds.
-The search begins with an orbit that @racket[find-invariant-curve] finds @racket[between] two
-ordinates at the abscissa 0; unless they are given, those are half a radian below and above the
-angle of the rotation.
+The search begins with an orbit that @racket[find-invariant-curve] finds between two ordinates at
+the abscissa 0, @racket[lowest] and @racket[highest]; unless they are given, they are half a radian
+below and above the angle of the rotation.
 
 @examples[#:eval session
 (define circle (invariant-circle (standard-map 0.8) golden))
@@ -503,7 +504,8 @@ series, and its ordinate at an abscissa.
 @defproc[(invariant-circle-limit [family (-> real? procedure?)] [rotation-number real?]
                                  [low real?] [high real?]
                                  [#:tolerance tolerance real? 1e-3]
-                                 [#:between between (or/c (list/c real? real?) #f) #f]
+                                 [#:from lowest (or/c real? #f) #f]
+                                 [#:to highest (or/c real? #f) #f]
                                  [#:most-modes most exact-positive-integer? 4096])
          (list/c real? real?)]{
 

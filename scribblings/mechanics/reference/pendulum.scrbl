@@ -22,16 +22,13 @@ where it is. What is of turns takes those with p > 0, but for @racket[pendulum-a
 global variables, which take all.
 
 @deftogether[(@defproc[((Hpendulum [alpha scalar] [beta scalar]) [state structure?]) scalar]
-              @defproc[((pendulum-Hamiltonian [alpha scalar] [beta scalar]) [state structure?])
-                       scalar]
               @defproc[((pendulum-sysder [alpha scalar] [beta scalar]) [state structure?])
                        structure?])]{
 
-The Hamiltonian under two names, and its state derivative.
+The Hamiltonian and its state derivative.
 
 @examples[#:eval session
 ((Hpendulum 'alpha 'beta) (up 't 'theta 'p))
-((pendulum-Hamiltonian 'alpha 'beta) (up 't 0 'p))
 ((pendulum-sysder 'alpha 'beta) (up 't 'theta 'p))]}
 
 @section{Frequencies and actions}

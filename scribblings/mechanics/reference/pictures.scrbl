@@ -227,18 +227,18 @@ starts. An energy that depends on the time is an error, and so is what is called
 @sicm{3.3, p. 223}}
 
 @defproc[(explore-map [f frame?] [map procedure?] [n (or/c exact-nonnegative-integer? #f) 1000]
-                      [#:starts from (or/c (listof any/c) #f) #f]
+                      [#:starts starts (or/c (listof any/c) #f) #f]
                       [#:grid grid
                               (or/c (list/c exact-positive-integer? exact-positive-integer?) #f)
                               #f]
                       [#:size size real? 1.0]
                       [#:color color exact-nonnegative-integer? 0]
-                      [#:window? window? any/c (not (or from grid))]
+                      [#:window? window? any/c (not (or starts grid))]
                       [#:source source any/c #f])
          frame?]{
 
 Draws orbits of a map of the plane: each start and its @racket[n] images, in a colour of its own,
-the first of which is @racket[color]. Starts are the points of the list @racket[from], or the
+the first of which is @racket[color]. Starts are the points of the list @racket[starts], or the
 middles of as many equal parts of the frame, across and up, as @racket[grid] says; the frame is
 returned. An orbit ends where the map has no image. A start in the list that has none is an
 error, one of the grid is left out.

@@ -209,11 +209,12 @@ was not made by @racket[separate-Hamilton-Jacobi] is an error, here and below.
 
 @sicm{6.1, pp. 411–425}}
 
-@defproc[(separation-function [s separation?] [#:zero-at from (or/c value #f) #f]) procedure?]{
+@defproc[(separation-function [s separation?] [#:zero-at zero (or/c value #f) #f]) procedure?]{
 
-Hamilton's principal function S(t, q), the sum of the integrals of the momenta less E t: of formulas
-where they are found. Elsewhere that is an @racket[exn:fail:mechanics], or, with coordinates
-@racket[#:zero-at] which to integrate, done by numbers. Coordinates of another shape are an error.
+Hamilton's principal function S(t, q), the sum of the integrals of the momenta less E t: formulas
+where these are found. Where no formula is found it is an @racket[exn:fail:mechanics]; but if
+@racket[zero] is given, coordinates at which S is to vanish, the integrals from there are computed
+by numbers. Coordinates of another shape are an error.
 
 @examples[#:eval session
 (define (falling state) (+ (/ (square (momentum state)) 2) (* 'g (ref state 1 1))))

@@ -19,33 +19,18 @@ quaternions. All of this is loaded when it is first called.
 
 @section{Rotations}
 
-@deftogether[(@defproc[(rotate-x-matrix [angle scalar]) matrix?]
-              @defproc[(rotate-y-matrix [angle scalar]) matrix?]
-              @defproc[(rotate-z-matrix [angle scalar]) matrix?]
-              @defproc[(Rx-matrix [angle scalar]) matrix?]
+@deftogether[(@defproc[(Rx-matrix [angle scalar]) matrix?]
               @defproc[(Ry-matrix [angle scalar]) matrix?]
               @defproc[(Rz-matrix [angle scalar]) matrix?])]{
 
-The matrix of a rotation about an axis; the short names are those of the book.
+The matrix of a rotation about an axis. @racket[Rx], @racket[Ry] and @racket[Rz] turn a tuple.
 
 @examples[#:eval session
-(rotate-x-matrix 'theta)
-(Rz-matrix 'phi)
-(verify-equal (Rx-matrix 'a) (rotate-x-matrix 'a))
-(verify-equal (Ry-matrix 'a) (rotate-y-matrix 'a))
-(* (rotate-z-matrix 'phi) (up 'x 'y 'z))]
+(Rx-matrix 'theta)
+(Ry-matrix 'theta)
+(* (Rz-matrix 'phi) (up 'x 'y 'z))]
 
 @sicm{2.7, p. 139}}
-
-@deftogether[(@defproc[((rotate-x [angle scalar]) [v tuple]) structure?]
-              @defproc[((rotate-y [angle scalar]) [v tuple]) structure?]
-              @defproc[((rotate-z [angle scalar]) [v tuple]) structure?])]{
-
-Other names of @racket[Rx], @racket[Ry] and @racket[Rz], which turn a tuple.
-
-@examples[#:eval session
-((rotate-x 'a) (up 'x 'y 'z))
-((compose (rotate-z 'a) (rotate-y 'b)) (up 1 0 0))]}
 
 @deftogether[(@defproc[(rotate-x-tuple [angle scalar]) structure?]
               @defproc[(rotate-y-tuple [angle scalar]) structure?]
@@ -58,14 +43,13 @@ The same rotations as tuples, a @racket[down] of the columns.
 (* (rotate-x-tuple 'a) (up 'x 'y 'z))
 (* (rotate-y-tuple 'a) (up 'x 'y 'z))]}
 
-@deftogether[(@defproc[(angle-axis->rotation-matrix [theta scalar] [axis tuple]) matrix?]
-              @defproc[(angle&axis->rotation-matrix [theta scalar] [axis tuple]) matrix?])]{
+@defproc[(angle-axis->rotation-matrix [theta scalar] [axis tuple]) matrix?]{
 
 The matrix of the rotation by an angle about an axis of length 1.
 
 @examples[#:eval session
 (angle-axis->rotation-matrix 'theta (up 1 0 0))
-(* (angle&axis->rotation-matrix 'theta (up 0 3/5 4/5)) (up 0 3 4))
+(* (angle-axis->rotation-matrix 'theta (up 0 3/5 4/5)) (up 0 3 4))
 (eval:error (angle-axis->rotation-matrix 'theta (up 0 3 4)))]
 
 @sicm{2.12, p. 184}}

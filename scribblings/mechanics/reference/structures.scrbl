@@ -67,16 +67,12 @@ being one.
 (up? #(1 2))
 (down? 'x)]}
 
-@deftogether[(@defproc[(structure-orientation [s structure?]) (or/c 'up 'down)]
-              @defproc[(s:same [s tuple]) (or/c 'up 'down)]
-              @defproc[(s:opposite [s tuple]) (or/c 'up 'down)])]{
+@defproc[(structure-orientation [s structure?]) (or/c 'up 'down)]{
 
-The orientation, and its opposite.
+The orientation.
 
 @examples[#:eval session
-(structure-orientation (up 1 2))
-(s:same #(1 2))
-(s:opposite (up 1 2))]}
+(structure-orientation (up 1 2))]}
 
 @section[#:tag "taking-apart"]{Taking structures apart}
 
@@ -100,12 +96,6 @@ range.
 
 @sicm{9, p. 514}}
 
-@defproc[(s:ref [s value] [i exact-integer?]) value]{
-
-@racket[ref] with one index.
-
-@examples[#:eval session (s:ref (down 'a 'b) 1)]}
-
 @defproc[(component [i exact-integer?] ...) procedure?]{
 
 The function of a tuple that selects as @racket[ref] does.
@@ -115,16 +105,15 @@ The function of a tuple that selects as @racket[ref] does.
 @sicm{9, p. 514}}
 
 @deftogether[(@defproc[(s:length [x value]) exact-nonnegative-integer?]
-              @defproc[(s:dimension [x value]) exact-nonnegative-integer?]
               @defproc[(dimension [x value]) exact-nonnegative-integer?])]{
 
 The number of components, and the number of scalars at any depth. What is no
-tuple counts as 1. @racket[dimension] is another name of @racket[s:dimension].
+tuple counts as 1.
 
 @examples[#:eval session
 (s:length (up 't (up 'x 'y)))
 (dimension (up 't (up 'x 'y)))
-(s:dimension 'a)]}
+(dimension 'a)]}
 
 @deftogether[(@defproc[(vector-ref [s tuple] [i exact-nonnegative-integer?]) value]
               @defproc[(vector-length [s tuple]) exact-nonnegative-integer?]
@@ -186,17 +175,14 @@ The same scalars, with @racket[up] and @racket[down] exchanged at every level.
 @examples[#:eval session (flip (up 'a (down 'b 'c)))]}
 
 @deftogether[(@defproc[(compatible-shape [s value]) value]
-              @defproc[(compatible-zero [s value]) value]
-              @defproc[(dual-zero [s value]) value])]{
+              @defproc[(compatible-zero [s value]) value])]{
 
 A structure that contracts with @racket[s] to a scalar: of fresh symbols
-(@racket[compatible-shape]) or of zeros. @racket[dual-zero] is another name of
-@racket[compatible-zero].
+(@racket[compatible-shape]) or of zeros.
 
 @examples[#:eval session
 (compatible-shape (up 'a (down 'b 'c)))
-(compatible-zero (up 'a 'b))
-(dual-zero (up 'a 'b))]
+(compatible-zero (up 'a 'b))]
 
 @sicm{5.2, p. 351}}
 

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../../eval.rkt" "../../citation.rkt")
+@(require (for-label mechanics mechanics/book mechanics/scmutils)
+          "../../eval.rkt" "../../citation.rkt")
 
 @title[#:tag "reference-book-editions"]{Editions and errata}
 
@@ -13,22 +14,15 @@ systems do.
 
 @tabular[#:sep @hspace[3] #:style 'boxed #:row-properties '(bottom-border ())
  (list
-  (list @bold{in the second edition} @bold{elsewhere})
-  (list @racket[qv->state-path] @racket[qv->local-path])
-  (list @racket[Lagrange-equations-first-order] @racket[Lagrange-equations-1])
-  (list @racket[Lagrangian->state-derivative] @racket[local-state-derivative])
-  (list @racket[Euler-Lagrange-operator] @elem{@racket[LE], @racket[Lagrange-equations-operator]})
-  (list @racket[Gamma] @racket[path->state-path])
-  (list @racket[coordinate] @elem{@racket[coordinates], @racket[state->q], @racket[Q]})
-  (list @racket[velocity] @elem{@racket[velocities], @racket[state->qdot], @racket[Qdot]})
-  (list @racket[momentum] @elem{@racket[momenta], @racket[state->p], @racket[P]})
-  (list @racket[Hamiltonian->state-derivative] @racket[phase-space-derivative])
-  (list @racket[Legendre-transform] @racket[Legendre-transform-procedure])
-  (list @racket[compatible-zero] @racket[dual-zero])
-  (list @racket[p->r] @racket[polar->rectangular])
-  (list @racket[s->r] @racket[spherical->rectangular])
-  (list @racket[show-expression] @racket[se])
-  (list @racket[print-expression] @racket[pe]))]
+  (list @bold{in the second edition} @bold{in the first})
+  (list @racket[F->CH] @racket[F->CT])
+  (list @racket[T-body-Euler] @racket[T-rigid-body])
+  (list @racket[L-body-Euler] @racket[Euler-state->L-body])
+  (list @racket[L-space-Euler] @racket[Euler-state->L-space])
+  (list @racket[Legendre-transform] @racket[Legendre-transform-procedure]))]
+
+Names that only scmutils has are in @racketmodname[mechanics/scmutils]
+(@secref["reference-scmutils"]).
 
 @racket[r->p], @racket[Rx], @racket[Ry] and @racket[Rz] are used in the text without a
 definition, on pages 48 and 91.

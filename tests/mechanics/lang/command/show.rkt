@@ -60,7 +60,8 @@
             "(print-expression (/ 'a 'b) #:as 'infix)"
             "(with-output-to-string (lambda () (print-expression (/ 'a 'b))))"
             "(show-derivation (Lagrange-equations (lambda (s) (square (velocity s)))) cube)")
-   '("(require racket/port)\n(begin (printf \"first\\n\") (print-expression (/ 'a 'b)) (show-expression 'c))"
+   '("(require racket/port)
+(begin (printf \"first\\n\") (print-expression (/ 'a 'b)) (show-expression 'c))"
      (printed "first\n") formula formula
      "(print-expression (/ 'a 'b) #:as 'infix)" (printed "a/b\n")
      "(with-output-to-string (lambda () (print-expression (/ 'a 'b))))" (text "\"(/ a b)\\n\"")

@@ -3,7 +3,8 @@
 ;; what the manual's prompts print.
 
 ;; for-label: compiled with this file, for what is read on demand.
-(require (for-label mechanics mechanics/book mechanics/lang/help/table mechanics/plot)
+(require (for-label mechanics mechanics/book mechanics/lang/help/table mechanics/plot
+                    mechanics/scmutils)
          (only-in mechanics assume assumptions forget-assumptions ode-integration-method)
          mechanics/lang/help/card
          mechanics/lang/help/cards
@@ -18,7 +19,7 @@
          "../../support/house/exports.rkt")
 
 (define (exported)
-  (append-map own-names '(mechanics mechanics/book mechanics/plot)))
+  (append-map own-names '(mechanics mechanics/book mechanics/plot mechanics/scmutils)))
 
 (define known (map card-name (all-cards)))
 

@@ -106,7 +106,8 @@
 ;; Keywords
 
 (test-case "keywords are those of the manual"
-  (check-equal? (keyword-names 'find-path) '(|#:tolerance| |#:observe| |#:most-steps| |#:progress?|))
+  (check-equal? (keyword-names 'find-path)
+                '(|#:tolerance| |#:observe| |#:most-steps| |#:progress?|))
   (check-equal? (keyword-names 'map) '()))
 
 (test-case "a constraint where none is expected"
