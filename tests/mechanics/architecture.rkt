@@ -20,7 +20,8 @@
 (define longest-function 30)
 
 ;; Tables of coefficients or names, and formulas that are one.
-(define tables '(polynomial take-slopes! notations))
+(define tables '(polynomial take-slopes! notations replacements))
+
 
 ;; Rooms that know nothing of others, though those are below them.
 (define strangers

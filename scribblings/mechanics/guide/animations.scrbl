@@ -10,7 +10,7 @@ A trajectory is a motion as a function of time. With @racket[(require mechanics/
 can be seen. An @emph{animation} is made of a motion and of a @emph{drawing}, a function from
 states to pictures. @missing-pictures[]
 
-@section{A first one}
+@section{A first animation}
 
 @examples[#:eval session #:label #f
 (define pendulum (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))
@@ -44,7 +44,7 @@ is fast wants to be seen slowly: here half a second of motion takes one.
 
 @(program "animations/upright-pendulum.rkt" #'here)
 
-@section{Which drawing?}
+@section{Drawings of mechanisms}
 
 The one whose coordinates are yours. A drawing for another number of coordinates says so at
 once:
@@ -64,7 +64,7 @@ so will functions from the time to states, such as the local tuples of a propose
   (animate (Gamma small) (draw-pendulum) #:from 0 #:to 2 #:trail #t))
 (animation-frame proposed 1.2)]
 
-@section{A drawing of one's own}
+@section{Your own drawings}
 
 It is made of shapes, in the units of the system, x to the right and y upwards:
 
@@ -72,7 +72,7 @@ It is made of shapes, in the units of the system, x to the right and y upwards:
 
 Any function from states to picts will do in its place, for those who know that library.
 
-@section{As programs}
+@section{Animations as programs}
 
 In @filepath{examples/mechanics/animations} each is a program. Run in a checkout it writes the
 files that are named, or opens a window:

@@ -86,7 +86,7 @@ what you do not want to round. One of them is known: @racket[':pi], quoted, is Ï
 (cos (+ 'x ':pi))
 (exact->inexact (* 2 ':pi))]
 
-@section{Comparing}
+@section{Comparison}
 
 @racket[=] compares numbers as numbers, and expressions by their form. Two
 different symbols are different numbers: what you ask is whether the two are
@@ -108,7 +108,7 @@ To decide whether two expressions have the same value, ask for a proof:
 (verify-equal (square (+ 'a 'b))
               (+ (square 'a) (* 2 'a 'b) (square 'b)))]
 
-@section{What becomes of Racket's own names}
+@section{Racket's own names}
 
 In @hash-lang[] @racketmodname[mechanics] these names of
 @racketmodname[racket/base] have wider meanings; on what Racket knows they do what

@@ -1,7 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics) "../diagrams.rkt" "../eval.rkt" "../citation.rkt" "../program.rkt")
 
-@title[#:tag "asking"]{Asking about a system}
+@title[#:tag "asking"]{Questions about a system}
 
 @(define session (make-session))
 
@@ -12,7 +12,7 @@ symbols that were asked about; @secref["reference-questions"] has all the detail
 
 What is to hold for all states is asked at a local tuple of symbols.
 
-@section{What is conserved?}
+@section{Conserved quantities}
 
 A pendulum in space: an angle from the vertical, and one around it.
 
@@ -43,7 +43,7 @@ On an ellipsoid of revolution only turning about the axis is a symmetry
 
 @(program "exercises/exercise-1-36.rkt" #'here)
 
-@section{Do two Lagrangians mean the same?}
+@section{Equivalent Lagrangians}
 
 They do if each residual is a combination of the other's. Most often they differ by a total
 time derivative, or a factor, and the comparison says of what, and which.
@@ -69,7 +69,7 @@ A change of coordinates gives the same motions in other words (@sicm{exercises 1
 
 @(program "exercises/exercise-1-29.rkt" #'here)
 
-@section{Where can it rest, and does it stay?}
+@section{Equilibria and their stability}
 
 A bead on a ring that turns has one place to rest at the bottom, until the ring turns too
 fast:
@@ -91,7 +91,7 @@ In a turning frame, velocities can hold what forces do not.
 
 @(program "questions/triangle-points.rkt" #'here)
 
-@section[#:tag "asking-oscillations"]{How does it swing about a place of rest?}
+@section[#:tag "asking-oscillations"]{Small oscillations}
 
 Small oscillations are sums of normal modes: @secref["reference-oscillations"].
 

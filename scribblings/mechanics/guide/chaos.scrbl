@@ -10,7 +10,7 @@ A pendulum whose support is shaken shows nearly all that chapters 3 and 4 of @|t
 chaos. This page follows it from its phase portrait to the tangle of its manifolds, and asks at each
 step how far what is seen is to be believed.
 
-@section{At rest: the portrait and its separatrix}
+@section{Phase portrait and separatrix}
 
 Without the shaking the energy is conserved, and orbits are its contours. One call finds where the
 pendulum rests, which of these places are saddles, and draws what passes through them.
@@ -25,7 +25,7 @@ pendulum (@program-link["figures/figure-4-1.rkt"]), the same looked at from time
 (@program-link["figures/figure-4-2.rkt"]), and one that is driven a little
 (@program-link["figures/figure-4-3.rkt"]).
 
-@section{Shaken: a look once in each period}
+@section{One point in each period of the drive}
 
 With the support shaken states cross those contours. But the drive has a period, and whoever looks
 once in each period sees a @emph{map} of the plane: where the pendulum is, and where it will be a
@@ -44,7 +44,7 @@ called where there is none (@sicm{3.6.1, p. 247}).
 Closed curves are regular orbits, dust is a chaotic one. Without @racket[#:starts] the same call
 opens a window where a click starts an orbit.
 
-@section{What stays where it is}
+@section{Fixed points}
 
 A fixed point of the map is a motion with the period of the drive. Newton's method finds it, with
 derivatives from the equation of variations, and the multipliers tell what becomes of
@@ -81,7 +81,7 @@ its image has the same area below it, so the two cross, and where they cross is 
 for. It is computed for a driven rotor in @program-link["figures/figure-4-16.rkt"] and, where the
 rotor goes round once in three periods, in @program-link["figures/figure-4-18.rkt"].
 
-@section{Regular or chaotic?}
+@section{Regular and chaotic orbits}
 
 Neighbours of a chaotic orbit leave it exponentially. The rate is the Lyapunov exponent, here in
 each period of the drive; a rotation number of an orbit that has none says so.
@@ -135,7 +135,7 @@ On the way there some angles are visited ever less (@program-link["figures/figur
 the last @italic{K} that has the curve, 0.971635406, orbits of long periods beside it tell of what
 it has become (@program-link["figures/figure-4-23.rkt"]).
 
-@section[#:tag "chaos-trust"]{How far each number is to be believed}
+@section[#:tag "chaos-trust"]{The accuracy of each number}
 
 @tabular[#:style 'boxed #:row-properties '(bottom-border) #:sep (hspace 2)
          #:column-properties '(top top)

@@ -32,7 +32,7 @@ Coordinates that do not determine each other have no momenta that belong to them
 @examples[#:eval session #:label #f
 (eval:error ((F->CH (lambda (s) (up (ref s 1 0) (ref s 1 0)))) polar))]
 
-@section{5.2 What is canonical?}
+@section{5.2 Canonical transformations}
 
 The book's tests are residuals: the motion at the old state less the image of the motion at the
 new one. They name what is to be zero, and where it is not, what is left.

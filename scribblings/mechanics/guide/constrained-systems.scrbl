@@ -24,7 +24,7 @@ sum: the string that carries those two, while they move, carries less than their
 
 @(program "constraints/Atwood-machines.rkt" #'here)
 
-@section{A ladder slides down a wall}
+@section{A ladder that slides down a wall}
 
 Walls push and do not pull. Lagrange's equations with multipliers are those of a ladder
 that is tied to its wall; the sign of the multiplier says until when that is the same as

@@ -54,7 +54,7 @@ equations:
   (up xy (literal-function 'lambda)))
  't)]
 
-@section{Checking a motion}
+@section{The check of a motion}
 
 Propose a path, and a multiplier if you have one. Without gravity the mass goes round
 steadily, and the rod pulls with @formula{m l ω²}:
@@ -69,7 +69,7 @@ steadily, and the rod pulls with @formula{m l ω²}:
 
 In the second question no multiplier was named; refuted means that there is none.
 
-@section{In numbers}
+@section{Constrained motion in numbers}
 
 @examples[#:eval session #:label #f
 (define (pendulum m l g)
@@ -108,7 +108,7 @@ examples goes to and fro between a string and free flight:
 
 @(system-diagram 'slack-string)
 
-@section{More than one}
+@section{Several constraints}
 
 Constraints come as a list, or as one function whose value is an @racket[up]. If one of them
 repeats others, the forces are not determined, and the message says which it is:
@@ -129,7 +129,7 @@ it. Nor does a state serve to begin with that breaks a constraint:
 ((consistent-state (L-mass 1 9.8) (holonomic (rod-of-length 5)))
  (up 0 (up 3 4) (up 1 0)))]
 
-@section{Rolling}
+@section{Rolling bodies}
 
 A wheel that rolls upright on an incline has the velocity of its rim: @formula{ẋ = R sin θ φ̇},
 @formula{ẏ = R cos θ φ̇}. These are constraints on the velocities; is there one on the
@@ -165,7 +165,7 @@ A lecture note in circulation has it with the other sign. Does it?
 (verify-equal (* 2 'm (square 'R) (ref solution 0 2))
               (* 'm 'g (sin 'alpha) 'R (cos 'theta)))]
 
-@section{Do not substitute}
+@section{The mistake of substituting a constraint}
 
 It is tempting to put @formula{ẋ = R sin θ φ̇} into the Lagrangian and be done. For constraints on
 the coordinates that is right; for these it is not. Ask:

@@ -19,7 +19,7 @@ notation of the book, and it is why @formula{∂L/∂q̇} never leaves you wonde
 whether @formula{q̇} depends on q: a Lagrangian is a function of three arguments, and you
 differentiate it by the third.
 
-@section{By structures}
+@section{Derivatives by structures}
 
 The derivative of a function by a structure is the structure of its derivatives
 by the components. Its orientation is the opposite one, so that derivative times
@@ -47,7 +47,7 @@ The values may have any shape as well: structures, matrices, functions.
  'alpha)
 (((D (lambda (k) (lambda (x) (sin (* k x))))) 'k) 'x)]
 
-@section{By one component: @racketidfont{partial}}
+@section{Derivatives by one component: @racketidfont{partial}}
 
 @racket[(partial i)] differentiates by component i of the argument, or by
 argument i if there are several. Indices start at 0.
@@ -76,7 +76,7 @@ time, they are
 
 and that is what @racket[Lagrange-equations] computes.
 
-@section{Derivatives are operators}
+@section{Derivatives as operators}
 
 Powers of @racket[D] repeat it; sums and products of operators are operators
 (@secref["arithmetic"]).

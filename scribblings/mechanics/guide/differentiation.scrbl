@@ -2,7 +2,7 @@
 @(require (for-label mechanics racket/promise)
           "../eval.rkt" (only-in "../look/look.rkt" formula))
 
-@title[#:tag "differentiation"]{How derivatives are computed}
+@title[#:tag "differentiation"]{The computation of derivatives}
 
 @(define session (make-session '(require racket/promise)))
 
@@ -10,7 +10,7 @@ You need not know any of this to use @racket[D]. It is told because the method i
 short enough to be written down whole, and because it goes wrong in interesting
 ways.
 
-@section[#:tag "dual-numbers"]{A quantity of which the square is zero}
+@section[#:tag "dual-numbers"]{A quantity whose square is zero}
 
 Take a quantity @formula{ε} of which the square is zero, though @formula{ε} is not. Then
 @formula{f(x + ε) = f(x) + f′(x) ε}, exactly: all further terms of the Taylor series
@@ -95,7 +95,7 @@ series, which keep the coefficients for as long as you like.
 (((expt D 20) h) 1.25)
 (series:ref ((Taylor-series h) 0) 20)]
 
-@section[#:tag "perturbation-confusion"]{Nested derivatives, and how to get them wrong}
+@section[#:tag "perturbation-confusion"]{Nested derivatives and perturbation confusion}
 
 When a derivative is taken inside a function that is itself being
 differentiated, there are two ε at once. Consider
@@ -224,7 +224,7 @@ values, with its own arguments protected in the same manner. The problem and thi
 example are due to O. Manzyuk, B. A. Pearlmutter, A. A. Radul, D. R. Rush and
 J. M. Siskind, @hyperlink["https://arxiv.org/abs/1211.4892"]{arXiv:1211.4892}.
 
-@section[#:tag "carriers"]{What a function may be carried in}
+@section[#:tag "carriers"]{Functions inside other values}
 
 An argument may hold a function: a tuple, a list, a box, a hash table, a promise, a
 parameter, a structure. Renaming goes in and finds it. Here h ↦ h′(3), used within

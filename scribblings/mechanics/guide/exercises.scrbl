@@ -39,25 +39,25 @@ by your own before you read on.
 
 @exercise-table[7]
 
-@section{What a condition tells: Kepler's third law}
+@section{A condition: Kepler's third law}
 
 A verdict that refutes says when it would not. Here that is the answer.
 
 @program["exercises/exercise-1-11.rkt" #'here]
 
-@section{What a residual tells: a bead on a wire}
+@section{A residual: a bead on a wire}
 
 Two terms are left over by the slip, and both would vanish with another radius.
 
 @program["exercises/exercise-1-17.rkt" #'here]
 
-@section{What a sign tells: falling off a log}
+@section{A sign: falling off a log}
 
 A value may be judged that has no parameters to vary. What it is says enough.
 
 @program["exercises/exercise-1-33.rkt" #'here]
 
-@section{What a motion adds: the sleeping top}
+@section{A motion: the sleeping top}
 
 A condition is found by a derivative, by the library's question about stability, and by letting
 the top go on both sides of it.

@@ -19,7 +19,7 @@ Here is a planet, in polar coordinates, and the equations that it obeys.
 (define equations (simplify (((Lagrange-equations L-planet) orbit) 't)))
 equations]
 
-@section{In a terminal}
+@section{Formulas in a terminal}
 
 @racket[->text] draws fractions and roots with characters, and breaks a long sum at its signs.
 With @racket[print-expression] there is no need to simplify before.
@@ -37,7 +37,7 @@ A verdict is typeset like anything else, and so is a derivation, step by step.
  (derive-Legendre-transform L-planet (up 't (up 'r 'phi) (down 'p_r 'p_phi)))
  #:as 'text)]
 
-@section{On one line}
+@section{Formulas on one line}
 
 @racket[->infix] is for messages, labels and logs. What it writes can be read: so a formula
 from a mail is a value again.
@@ -47,7 +47,7 @@ from a mail is a value again.
 (define T (read-infix "½ m (ṙ² + r² φ̇²)"))
 T]
 
-@section{In a paper, on a page}
+@section{Formulas for papers and pages}
 
 @racket[->TeX] gives what stands between @tt{\[} and @tt{\]} in LaTeX with @tt{amsmath},
 @racket[->MathML] what a browser shows by itself.
@@ -57,7 +57,7 @@ T]
 (define page (string-append "<p>The kinetic energy is " (->MathML T #:inline? #t) ".</p>"))
 (substring page 0 78)]
 
-@section{As pictures}
+@section{Formulas as pictures}
 
 @racket[->pict] of @racketmodname[mechanics/pict #:indirect] makes pictures, to be scaled,
 colored and put together with others: on slides, beside a plot, in a document like this.

@@ -9,7 +9,7 @@ libraries that Racket brings along on macOS and Windows, and that most Linux des
 where one is missing, whatever needs it says so, and all else works
 (@secref["libraries"]).
 
-@section{Trying it without installing}
+@section{A trial without installation}
 
 In a copy of the source, a @emph{checkout}, type one of these:
 
@@ -45,7 +45,7 @@ compiled checkout is: @exec{make compile}, and @exec{PLTCOLLECTS="$PWD:" racket 
 and for precision, @exec{make install} SQLite (@tt{libsqlite3-0}), in which Racket keeps the
 index of its manuals.
 
-@section{Adding it to your Racket}
+@section{Installation in your Racket}
 
 In a checkout:
 
@@ -68,7 +68,7 @@ Both build the manual, for which they need SQLite, unless @exec{--no-docs} is ad
 @exec{raco pkg remove mechanics} takes it away. Tests and examples are not compiled by an
 installation: Racket compiles a program of @filepath{examples/mechanics} when it is run.
 
-@section[#:tag "not-compiled"]{When it says that it is not compiled}
+@section[#:tag "not-compiled"]{The note that it is not compiled}
 
 Racket runs a library from its sources, too, but compiles it in memory then, at every start:
 half a minute for this one, and minutes in DrRacket. That is told before the wait, with what
@@ -80,7 +80,7 @@ they were compiled, as after an update of the checkout, are told likewise.
 DrRacket compiles a package of which it shows a file once more, with debugging, which takes
 some minutes at the first @onscreen{Run}: keep your programs outside of the checkout.
 
-@section[#:tag "drracket"]{In DrRacket}
+@section[#:tag "drracket"]{DrRacket}
 
 To install: choose @menuitem["File" "Install Package..."], type the folder of
 the checkout or the Git address as @onscreen{Package Source}, and press

@@ -5,7 +5,7 @@
 
 @(define session (make-session))
 
-@section{Symbols are numbers}
+@section{Symbols as numbers}
 
 Any quoted symbol is an unknown number. It takes part in arithmetic at once;
 nothing has to be declared.

@@ -31,7 +31,7 @@ function.
 (eval:error ((partial 0 g) 'x 'y))
 (((partial 0) g) 'x 'y)]
 
-@section{Applying what is no function}
+@section{The application of something that is no function}
 
 @examples[#:eval session #:label #f
 (define s (up 1 (up 3 4)))
@@ -65,14 +65,14 @@ parentheses.
 (define V2 (literal-function 'V (-> (UP Real Real) Real)))
 (V2 (up 'x 'y))]
 
-@section{Adding what cannot be added}
+@section{Sums of unlike values}
 
 @examples[#:eval session #:label #f
 (eval:error (+ 'a (up 1 2)))
 (eval:error (+ (up 1 2) (down 1 2)))
 (eval:error (+ (up 1 2) (up 1 2 3)))]
 
-@section{Multiplying tuples of different lengths}
+@section{Products of tuples of different lengths}
 
 This is legal, and an outer product (see @secref["contraction"]). It is almost
 always a slip. @racket[dot-product] checks.
@@ -81,7 +81,7 @@ always a slip. @racket[dot-product] checks.
 (* (down 1 2) (up 1 2 3))
 (eval:error (dot-product (down 1 2) (down 1 2 3)))]
 
-@section{Differentiating a number}
+@section{The derivative of a number}
 
 @examples[#:eval session #:label #f
 (eval:error (D 3))
@@ -219,7 +219,7 @@ Assumptions are about signs. An equation is put in.
 @examples[#:eval session #:label #f
 (eval:error (assume '(= k (* m (square omega)))))]
 
-@section[#:tag "silent-mistakes"]{What Racket would take in silence}
+@section[#:tag "silent-mistakes"]{Mistakes that Racket accepts in silence}
 
 Some programs run, and answer another question than was meant. Where that shows in what is
 written you are told, on lines that begin with a semicolon, once: beside the answers of a
@@ -277,7 +277,7 @@ grows. @racket[displayln] and @racket[printf] show results as the prompt does, a
 @racket[write] as they stand. What a library that you require defines as you did stays
 yours, and is named with both signatures (@secref["redefinition"]).
 
-@section{And three more}
+@section{Three more mistakes}
 
 A list is not a structure:
 

@@ -38,7 +38,7 @@ positions and the velocities:
 (define ((weight m g) t r v) (up 0 0 (* -1 m g)))
 (define F (weight 'm 'g))]
 
-@section{What Newton says, and what he leaves open}
+@section{Newton's equations and the unknown force}
 
 Let the bead move along the ring in any way, @formula{θ(t)}. Its position is then a function of
 time, of which D gives velocity and acceleration:
@@ -99,7 +99,7 @@ Where this is zero, the bead moves as it must, and we are done: here is the equa
 motion. It took the acceleration in space, three long components, most of which went away.
 Lagrange found how to avoid them.
 
-@section{Line by line}
+@section{The derivation, line by line}
 
 @bold{The product rule.} The term with the acceleration is nearly the rate of change of
 m v·s; what is too much is taken off.
@@ -174,7 +174,7 @@ difference @formula{L = T − V} gives all there is:
 (verify-equal dAlembert ((Lagrange-equations L) theta))
 (((Lagrange-equations L) theta) 't)]
 
-@section{Nothing depended on the ring}
+@section{Other systems}
 
 In all these lines the ring could have been any other function of the time and the
 coordinate, and the weight any other force. Let them be that:
@@ -207,7 +207,7 @@ follows from them, and the verdict on each line.
 What has to be believed is the principle alone: that what holds the particles does no work
 in virtual displacements. It is a statement about rings and rods, not about derivatives.
 
-@section{What a slip looks like}
+@section{A slip and its residual}
 
 Who takes T for @formula{½ m R² θ̇²}, because the bead slides along the ring, forgets that it is
 carried around. The residuals differ by the torque of the centrifugal force:
@@ -228,7 +228,7 @@ equations, these are the rates of change of both:
 ((Dt (Lagrangian->energy L)) moving)
 ((Dt (+ T V)) moving)]
 
-@section{What the ring does}
+@section{The force of the ring}
 
 The force of the ring, which was thrown out, can be had back once the motion is known. Its
 component across the ring, in the direction in which the ring turns:
@@ -275,7 +275,7 @@ goes. It is the residual times the rate of the coordinate, and zero along every 
 (verify-equal ((power-balance L #:force Q-drag) theta)
               (* residual (D theta)))]
 
-@section{At rest}
+@section{Equilibria}
 
 A system at rest stays so if no force works in any virtual displacement: all generalized
 forces are zero. That is statics. If the ring stands still,

@@ -49,7 +49,7 @@ The first two take a procedure that makes a state derivative, and its parameters
 the last takes the state derivative itself. The same function gave the formula above and
 these numbers.
 
-@section{What happens to the Lagrangian}
+@section{The way from a Lagrangian to machine code}
 
 A Lagrangian is differentiated three times over to reach a state derivative, and an
 integration asks for that thousands of times. So it is done once. The state derivative is
@@ -102,7 +102,7 @@ directions that carry no inertia:
 (eval:error ((state-advancer (lambda () (Lagrangian->state-derivative L-together)))
              (up 0 (up 0 0) (up 1 2)) 1))]
 
-@section{Which method}
+@section{The choice of a method}
 
 The method that is used unless told otherwise, @racket['auto], is right for nearly everything.
 It is @racket['Taylor], which follows the Taylor series of the motion, where the state
@@ -221,7 +221,7 @@ refuse, and name the method to take:
 (trajectory-final-state
  (evolve-trajectory free (up 0 (up 1 0) (up 0 1)) 5 #:method (Gauss-Legendre-6 0.01)))]
 
-@section{When something happens}
+@section{Events}
 
 An @racket[event] is a function of the state that passes through zero. When does the pendulum
 pass the lowest point, moving to the left?
@@ -255,7 +255,7 @@ whenever @italic{x} grew through zero (@sicm{3.6.3}):
   (define s (occurrence-state o))
   (printf "~a ~a\n" (ref (coordinate s) 1) (ref (velocity s) 1)))]
 
-@section{How far to believe it}
+@section{Accuracy}
 
 The tolerance bounds the error of one step, and errors add up, or in a chaotic motion
 multiply. Three checks cost little.
@@ -285,7 +285,7 @@ a measure of what else is wrong:
 Where these are not enough, the same integration runs in more digits than sixteen
 (@secref["precision"]).
 
-@section{When it does not go well}
+@section{Failures}
 
 A motion may end before its time: in a collision, where a force becomes infinite, where a
 root has no real value. The failure says when, where and, if it can be known, why. That of

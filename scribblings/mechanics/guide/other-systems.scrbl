@@ -61,7 +61,7 @@ place of steps, @racket[nelder-mead]. @racket[zbrent] tells whether it found a r
 @item{Derivatives of functions that return functions are right in all cases; see
 @secref["perturbation-confusion"].}]
 
-@subsection[#:tag "deliberately-different"]{What is different on purpose}
+@subsection[#:tag "deliberately-different"]{Deliberate differences}
 
 Each of these was weighed, and is meant to be as it is.
 
@@ -98,7 +98,7 @@ Real)], or with one.}
 @item{Nothing is frozen or rendered before it can be read; @racket[expression]
 gives the S-expression.}]
 
-@section{Why functions and not formulas}
+@section{Functions in place of formulas}
 
 In a system that manipulates formulas you write
 @formula{½ m (dx/dt)² − ½ k x²}, and then need @formula{∂/∂ẋ} of it. But @formula{ẋ} there is

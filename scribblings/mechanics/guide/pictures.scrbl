@@ -10,7 +10,7 @@ A picture is drawn in a @emph{frame}, a window of the plane, as in @|the-book|. 
 in a library of their own, since what draws them takes a second to load:
 @racket[(require mechanics/plot)]. @missing-pictures[]
 
-@section{A frame is what is in it}
+@section{Frames}
 
 @racket[frame] takes the least and the greatest abscissa and ordinate. Whatever is drawn
 is recorded. When the prompt is to print the frame it shows the picture as it is at that
@@ -34,7 +34,7 @@ in the format that its name says: @filepath{.png}, @filepath{.svg} or @filepath{
 Where there is a screen, @racket[graphics-show] opens a window that follows what is drawn
 from then on, while the program goes on.
 
-@section{Watching a minimization}
+@section{A minimization, step by step}
 
 @racket[find-path] varies a path until its action is least. The book lets us watch
 (@sicm{1.4, p. 23, exercise 1.5}): each time the action of a path is computed, the path

@@ -1,7 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/plot))
 
-@title[#:tag "prompt"]{At the prompt}
+@title[#:tag "prompt"]{The prompt}
 
 @exec{make repl} in a checkout, or @exec{raco mechanics repl} where the package is installed,
 opens a prompt of its own. Results are simplified and printed

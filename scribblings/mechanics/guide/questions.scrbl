@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics (only-in mechanics/scmutils se)) "../eval.rkt")
 
 @title[#:tag "questions"]{Questions}
 
@@ -66,23 +66,28 @@ in @secref["prompt"].
 A pattern: see @secref["patterns"]. The tuple is taken apart, and the names are
 bound to its components.
 
-@section{Which names does it take?}
+@section{Which names are taken?}
 
-All of the reference. In a file, your own definition of a name replaces that of
-the library: @racket[(define (D x) ...)] is allowed, and what you define is yours
-from there on. For clashes with other libraries see @secref["clashes"].
+All those of the reference. In a file, your own definition of a name replaces that of the library:
+you may write @racket[(define (D x) ...)], and from there on @racket[D] is yours. For clashes with
+other libraries see @secref["clashes"].
 
-@section{What of the book is there?}
+@section{Which chapters of the book are covered?}
 
-Chapter 1 is (@secref["chapter-1"]): Lagrangians and their equations, constraints, conserved
-quantities, motions followed in numbers with events and as many digits as you like
-(@secref["numbers-guide"]), and pictures on a screen or in a file (@secref["guide-pictures"]).
-So is chapter 2, on rigid bodies (@secref["chapter-2"]), and chapter 3 as far as section 3.5
-(@secref["chapter-3"]): Legendre transforms, Hamilton's equations, Poisson brackets, Routhians.
-Of a name of the book that is not here @racket[help] says where the book has it:
+All seven: @secref["chapter-1"], @secref["chapter-2"], @secref["chapter-3"], chapter 4 in
+@secref["chaos-guide"], @secref["chapter-5"], @secref["chapter-6"] and @secref["chapter-7"].
+@racket[help] tells where in the book a name stands:
 
 @examples[#:eval session #:label #f
 (help canonical?)]
+
+@section{Why is a name of scmutils unknown?}
+
+Its second names, such as @racket[se] for @racket[show-expression], are in a library of their own
+(@secref["reference-scmutils"]). The message tells the name that the book prints:
+
+@examples[#:eval session #:label #f
+(eval:error (se (+ 'a 'a)))]
 
 @(close-session session)
 @(close-session racket-session)

@@ -1,14 +1,14 @@
 #lang scribble/manual
 @(require (for-label mechanics) "../eval.rkt")
 
-@title[#:tag "new-to-Racket"]{New to Racket? What you need to know}
+@title[#:tag "new-to-Racket"]{Racket for newcomers}
 
 @(define session (make-session))
 
 You need little of the language to do mechanics in it. If you have seen Scheme or Lisp, go on
 to @secref["ten-minutes"].
 
-@section{What is typed}
+@section{Expressions}
 
 Start a prompt: type @exec{make repl} in a copy of the source, on a command line. It shows a
 @litchar{>} and waits. You type an expression, it prints the value. Leave with Ctrl-D.
@@ -70,7 +70,7 @@ collection of things. Coordinates and velocities are made by @racket[up]
 
 After a semicolon the rest of a line is a comment.
 
-@section{When something is wrong}
+@section{Messages}
 
 A message says which function complains, what it expected and what it was given:
 
@@ -82,7 +82,7 @@ mostly been misspelt, and the message says which name may have been meant.
 
 @racket[(help square)] says what is known of a name, @racket[(help "derivative")] finds names.
 
-@section{Saving and running a file}
+@section{Files}
 
 Put what you typed into a file, @filepath{my-system.rkt} say, with any editor. Its first line
 says in which language it is written:

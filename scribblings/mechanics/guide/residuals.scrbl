@@ -40,7 +40,7 @@ proof can tell; exact numbers leave no doubt:
 (prove-zero (- (* 0.1 'x 3) (* 0.3 'x)))
 (prove-zero (- (* 1/10 'x 3) (* 3/10 'x)))]
 
-@section[#:tag "kinks"]{Where derivatives do not look}
+@section[#:tag "kinks"]{Kinks, which derivatives pass over}
 
 A ball that is thrown against a wall moves freely before it hits the wall and after. Its
 path is @formula{|t − 2|}, say, and the second derivative of that is zero wherever there is one.
@@ -193,7 +193,7 @@ If you would rather have nothing assumed that you did not declare, turn
 
 All forms are in @secref["reference-assumptions"].
 
-@section{How to use it on your own work}
+@section{Checks of your own work}
 
 @itemlist[#:style 'ordered
 @item{Get the residual on a literal path, and compare it with the equation you

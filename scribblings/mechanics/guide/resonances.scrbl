@@ -10,7 +10,7 @@ The section of a driven pendulum has islands. Where they are, how wide, what sha
 give way to chaos can be told from its Hamiltonian, by the perturbation theory of
 @|the-book|'s chapter 7. This page goes from what is seen to what is said, and has each step judged.
 
-@section{What is seen}
+@section{The section}
 
 A pendulum with α = ml² = 1 and β = mgl = 1, whose pivot is shaken with the frequency ω = 5 so that
 γ = mlAω²/2 is 1/4: where it is once in each period of the drive, by integration.
@@ -33,7 +33,7 @@ A pendulum with α = ml² = 1 and β = mgl = 1, whose pivot is shaken with the f
 Three large islands: the pendulum swings about the bottom, or turns along with the drive, either
 way round.
 
-@section{What is divided by}
+@section{Divisors}
 
 With the time as an angle φ = ωt, which has a momentum P of its own, the pendulum is a rotor and a
 clock, and gravity and drive are three waves (@sicm{7.3.1, p. 477}). To the first order all three
@@ -57,7 +57,7 @@ Each wave k·(φ, θ) has a momentum where its divisor is 0, and there its angle
   (list k (resonance-center rotor-and-clock k state 1)))
 (eval:error ((perturbation-transformation all-removed) (up 0 (up 0 1) (down 0 0))))]
 
-@section{One resonance is a pendulum}
+@section{A resonance as a pendulum}
 
 Near an island its wave is kept, and the other two are removed. That what is left is what
 @racket[perturbation-series] says is proved by the Lie derivatives of the generators:

@@ -1,7 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics racket/sandbox) "../eval.rkt" "../program.rkt")
 
-@title[#:tag "sandbox"]{In a sandbox: grading what others wrote}
+@title[#:tag "sandbox"]{Other people's programs in a sandbox}
 
 Who lets a server, a class or a program ask questions of this library runs programs of
 somebody else. For classes that is done: @secref["what-students-can-do"].
@@ -35,7 +35,7 @@ for the exercises of chapter 1 ends within twenty seconds and 512 megabytes. Wha
 loads at its first use is loaded to the end even if a limit ends the call, so that the next one
 finds it.
 
-@section{What came from inside stays there}
+@section{Values from inside the sandbox}
 
 A value can carry a program with it. A function runs when it is called, but not only a function
 does: a structure may bring a procedure that is run when it is printed or compared, an exception

@@ -91,7 +91,7 @@ batches of starts to a cluster of Dask, does those of a worker that has died aga
 checkpoint. With @racket[#:language 'JAX] it is a module for JAX, which compiles for graphics
 processors as well.
 
-@section{What it comes to}
+@section{Speeds}
 
 Two thousand pendulums of slightly different lengths to @math{t = 100} with a tolerance of
 1e-9, processor time on one core of a virtual machine that had other work as well:
@@ -123,7 +123,7 @@ is ahead of one of C. Of two jobs each takes a third of a second to begin.
 So the C is worth its folder where there is no Racket, and within other programs; the cluster when
 one machine would take a night.
 
-@section{How far they agree}
+@section{Agreement of the results}
 
 Rates and steps of the C are ours to the last bit, apart from functions of C's library that
 round differently than ours, hyperbolic ones mostly, and from mass matrices of more than eight

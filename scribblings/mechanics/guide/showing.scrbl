@@ -20,7 +20,7 @@ In a checkout, where @exec{raco} knows no such command, these are
 Without @exec{-o} and @exec{OUT} the file has the name of the program, and is in the current
 folder.
 
-@section{What is shown}
+@section{The contents of a page}
 
 The program runs once, as it does by itself. All of it is shown as it is written, and after
 each form what came of it:

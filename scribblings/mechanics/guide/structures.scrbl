@@ -81,7 +81,7 @@ be contracted:
 (solve-linear-left A (up 'u 'v))
 (determinant A)]
 
-@section{Taking structures apart}
+@section{Components}
 
 @racket[ref] picks a component; indices start at 0. Several indices go down
 level by level.

@@ -1,7 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/answers))
 
-@title[#:tag "students"]{For students: answering a worksheet}
+@title[#:tag "students"]{For students: the answers to a worksheet}
 
 Your teacher gave you a file, such as @filepath{pendulum-student.rkt}. Open it in DrRacket
 (@secref["installation"]), put your name into the line @tt{;; Name:}, and press Run: nothing is
@@ -33,7 +33,7 @@ an answer: @racket[(define motion (Lagrange-equations L))] is one, with your @ra
 
 An answer in words is a text in quotation marks: @racket[(define why "Because ...")].
 
-@section{What Run says}
+@section{The report of @onscreen{Run}}
 
 @itemlist[
 @item{@bold{proved}, or @bold{right}: it is.}
@@ -51,7 +51,7 @@ look at it. It helps to write exact numbers, @racket[1/3] and not @racket[0.333]
 The same is said by @exec{raco mechanics check pendulum-student.rkt} in a terminal; in a checkout of
 the library, by @exec{make check FILE=pendulum-student.rkt}.
 
-@section{When it does not work}
+@section{Problems}
 
 @itemlist[
 @item{@tt{unbound identifier}: a name was not defined; a symbol needs its quote, @racket['m]. Run

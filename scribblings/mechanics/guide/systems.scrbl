@@ -21,7 +21,7 @@ the minimum over the family is at no variation (@sicm{1.4, pp. 17–19}).
 The second number is 435 + 18077/14000. The book prints it to fewer correct
 digits.
 
-@section{A free particle moves in a straight line}
+@section{The straight line of a free particle}
 
 With the constants as symbols, one proof covers all straight lines at constant
 speed (@sicm{1.5, p. 35}).

@@ -52,7 +52,7 @@ The pendulum: 2 exercises, 4 points; all keys hold.
   1. motion (equations), 3 points
   2. period (number), 1 point}|
 
-@section{Five minutes: what the students get}
+@section{Five minutes: the handout}
 
 @commandline{raco mechanics worksheet pendulum.rkt}
 
@@ -89,7 +89,7 @@ does where one was given under a misspelt name.}
 no other. What is wrong with it is told at its head. Of a parenthesis that is not closed Racket
 cannot tell how much it was meant to hold: such a file loses what follows it, too.}]
 
-@section[#:tag "what-students-can-do"]{What a submission can do}
+@section[#:tag "what-students-can-do"]{The isolation of a submission}
 
 A submission is a program, and you run it. On Linux each runs in a process of its own, which can
 see no file but those of Racket and of this library, and can write none; which has no network and
@@ -118,7 +118,7 @@ it, and then read and change what you can.}]
 Under either warning judge only what people hand in whom you trust. For the others use a system
 that gives namespaces; a virtual machine with Linux does.
 
-@section{Worksheets that are there}
+@section{Worksheets that come with mechanics}
 
 There are some for each chapter of the book, to be used, changed and passed on:
 

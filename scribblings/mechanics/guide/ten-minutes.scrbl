@@ -15,7 +15,7 @@ the package is installed (@secref["installation"]), and type along.
 
 @(system-diagram 'pendulum)
 
-@section{Write the Lagrangian}
+@section{The Lagrangian}
 
 The kinetic energy is @formula{½ m (l θ̇)²}. The potential energy, measured from the pivot,
 is @formula{−m g l cos θ}. The Lagrangian is their difference:
@@ -45,7 +45,7 @@ A quoted symbol is an unknown number. That is all there is to symbolic work
 here. A result is printed as the expression that computes it, without the quotes. In a browser this
 manual shows it as a formula, and the box beside it shows what is printed.
 
-@section{Ask for the equation of motion}
+@section{The equation of motion}
 
 An equation of motion is about a path, the angle as a function of time. We do
 not know the path, so we take one of which we know only the name:
@@ -64,7 +64,7 @@ it is zero at all times. On any other path it is not. So it is called the
 Read the parentheses from the inside: @racket[Lagrange-equations] takes a
 Lagrangian, and its result takes a path, and its result takes a time.
 
-@section{Propose a solution}
+@section{A proposed solution}
 
 Small swings look like a cosine. Is that exact?
 
@@ -89,7 +89,7 @@ Still refuted, but look how. The residual is a product of a factor, which we do
 not care about, and a core. The core is zero under one condition, and the
 verdict names it: @formula{g = l ω²}.
 
-@section{Mend it}
+@section{The right frequency}
 
 So the frequency was ours to choose, and we must choose it well:
 
@@ -117,7 +117,7 @@ And can it turn evenly, round and round?
 
 The residual is @formula{m g l sin Ωt}. So it can where there is no gravity, and not here.
 
-@section{Make a mistake}
+@section{Mistakes}
 
 Sooner or later you forget the parameters, and hand over @racket[L-pendulum]
 instead of @racket[(L-pendulum 'g 'm 'l)]:
@@ -138,7 +138,7 @@ What a name wants, @racket[help] says at the prompt:
 @examples[#:eval session #:label #f
 (help literal-function)]
 
-@section{Where to go from here}
+@section{Further pages}
 
 @itemlist[
 @item{@secref["structures"]: several coordinates.}

@@ -18,7 +18,7 @@ verdict typeset below it.}
 The formula has the color and the size of the letters around it, in a light window and in a dark
 one, and long ones are broken at their signs.
 
-@section{It is still the value}
+@section{The value behind the formula}
 
 A formula that is copied to a mail or to another editor is the S-expression of its value: what
 a terminal would have printed. Pasted into a program in DrRacket it stays a formula, and
@@ -28,7 +28,7 @@ loaded, and run without DrRacket.
 The right button of the mouse opens a menu with what else can be copied: TeX, for LaTeX with
 @tt{amsmath}; MathML, for a page; one line of text, or several.
 
-@section{If you prefer text}
+@section{Text in place of formulas}
 
 @racketblock[(display-style 'expression)]
 
@@ -45,14 +45,14 @@ In a terminal S-expressions are what you get unless you ask for something else. 
 @image[terminal-picture #:scale 0.8]{A session in a terminal, in which results are shown
 first as S-expressions, then as text in two dimensions, then as TeX.}
 
-@section{What is not typeset}
+@section{Results that are not typeset}
 
 Strings, lists of numbers, frames and pictures are shown as ever. A result of more than 2000
 numbers and names would take long to draw and longer to read; it is shown as an S-expression,
 and a line beneath it says so. So it is, with the reason, if typesetting should fail. Pressing
 @onscreen{Stop} while a result is prepared shows it as it was computed.
 
-@section{On pages and in notebooks}
+@section{Pages and notebooks}
 
 In documents of Scribble whose examples are printed by @racketmodname[mechanics], results are
 pictures, as here:

@@ -2,14 +2,14 @@
 @(require (for-label mechanics)
           "../eval.rkt" (only-in "../look/look.rkt" formula))
 
-@title[#:tag "what-proved-means"]{What @italic{proved} and @italic{refuted} mean}
+@title[#:tag "what-proved-means"]{The meaning of @italic{proved} and @italic{refuted}}
 
 @(define session (make-session))
 
 A verdict is meant to be relied on, so its words are exact. This page says what they
 mean, with an example for each.
 
-@section{Values are real}
+@section{Real values}
 
 An expression has a value at a point if each of its parts has a real value there. Two
 expressions are equal if they are equal wherever both have values. @italic{Proved} says
@@ -28,7 +28,7 @@ Numbers that are not real are welcome as such. An expression that holds one, suc
 @racket[(exp (* +i 'omega 't))], has complex values, and then nothing is taken for granted
 about what stands under roots.
 
-@section{The domain is free}
+@section{The free domain}
 
 Where @formula{√(1 − x)} has a value, x is at most 1. Nobody needs to be told, and nothing is
 assumed by using it:
@@ -72,7 +72,7 @@ found out in some milliseconds is accepted.
 (eval:error (assuming ('(> x 3) '(> y 4) '(< (* x y) 12)) 'x))
 (eval:error (assuming ('(< 0 theta 1) '(< (sin theta) 0)) 'theta))]
 
-@section{Derivatives pass over kinks}
+@section{Kinks}
 
 Wherever it has a second derivative, that of @formula{|t − 2|} is zero; a free motion it is not. A
 verdict about a motion is not @italic{proved} while such a place is left: see
@@ -100,7 +100,7 @@ it; a symbol has all its digits, and so has @racket[':pi], which is π:
 (verify-solution (L-harmonic 1 'k) (lambda (t) (cos (* (sqrt 'k) t))))
 (verify-solution (L-harmonic 1 (square ':2pi)) (lambda (t) (cos (* ':2pi t))))]
 
-@section{Refuted, but zero if}
+@section{Refuted, with a condition for zero}
 
 A refutation tells under which conditions the residual would be zero. Each is tried in the
 question: the Lagrangian, the path, or the quantity must keep a value, the mass matrix its
@@ -118,7 +118,7 @@ declaration is not told.
 (define (swing t) (* 'a (cos (* 'w t)) (up (cos (* 'p t)) (sin (* 'p t)))))
 (verdict-alternatives (verify-solution (L-Foucault 'm 'k 'Omega 'beta) swing))]
 
-@section{Undecided, and why}
+@section{Undecided, with a reason}
 
 @racket[verdict-reason] names the reason: @racket['decimals] that stand in the way;
 @racket['nowhere-defined], if no point was found where the question has a value;

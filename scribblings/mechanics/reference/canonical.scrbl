@@ -15,15 +15,15 @@
 
 Chapters 5 to 7 of the book. A @italic{transformation} C is a function that takes a new state
 @racket[(up t q p)] to the old one. The procedures of the book whose names end in a question
-mark return residuals: structures or matrices that are zero if what is asked holds. Those that
-begin with @racketidfont{verify-} return verdicts. All of this is loaded when it is first
+mark return residuals: structures or matrices that are zero if the property holds. Those that begin
+with @racketidfont{verify-} return verdicts. All of this is loaded when it is first
 called. Units are any consistent ones.
 
-Refused everywhere, with a message: a transformation that is no function of one argument, or gives
-no state, or one of another number of coordinates; a Hamiltonian of which the same is true or the
-value is no number; states whose momenta are not dual to their coordinates; and for verdicts, and
-what else is to hold at all states, a state that is not made of symbols, each there once and none of
-them a parameter of the functions.
+These are errors everywhere: a transformation that is not a function of one argument, or whose
+value is not a state with the same number of coordinates; a Hamiltonian that is not a function of
+one argument, or whose value is not a number; and states whose momenta are not dual to their
+coordinates. Verdicts and other statements about all states need a state of distinct symbols, none
+of them a parameter of the functions.
 
 @section{Point transformations}
 
@@ -45,9 +45,8 @@ time and momenta.
 
 @defproc[((F->K [F procedure?]) [state structure?]) scalar]{
 
-What the new Hamiltonian gets beside H∘C if the coordinates move: −p ∂@subscript{0}F. It refuses
-what
-@racket[F->CH] refuses.
+The term that the new Hamiltonian has besides H∘C if the coordinates move: −p ∂@subscript{0}F.
+Errors are those of @racket[F->CH].
 
 @examples[#:eval session
 ((F->K (turning 'n)) (up 't (up 'x 'y) (down 'p_x 'p_y)))]
@@ -152,9 +151,9 @@ SICM, first edition.}
                               [state structure?]) verdict?])]{
 
 Is a transformation canonical: does it keep all Poisson brackets and the pace of time, or does it
-take the motions of H-prime to those of H? The state is made of symbols. Where parameters of C have
-to be chosen, the verdict says how, exponents in a remark; if all brackets come out multiplied by
-one constant, it says so.
+take the motions of H-prime to those of H? The state is made of symbols. If some choice of
+parameters makes C canonical, the verdict tells it, exponents in a remark. It also tells if all
+brackets are multiplied by one constant.
 
 @examples[#:eval session
 (verify-canonical (F->CH p->r) polar)
@@ -311,13 +310,13 @@ F(t, p, q') or F(t, p, p'), of types 1 to 4, a procedure of three arguments.
               @defproc[((F4->C-inv [F procedure?]) [state structure?]) structure?])]{
 
 The transformation that a function generates, from new states to old ones, and its inverse. The
-equation that holds the unknown old variable (or the new one) is solved exactly if it is linear
-in it, by formula if there is one, and else numerically, with derivatives. A function whose
-mixed second derivatives have the determinant 0 generates nothing: that is an
-@racket[exn:fail:mechanics:singular:matrix]. Where there is no formula a state or parameters with
-symbols are an error, and a search that finds nothing is an
-@racket[exn:fail:mechanics:not-convergent]. A function of other than three arguments, or with a
-value that is no number, is an error.
+equation for the unknown old (or new) variable is solved exactly if it is linear, by a formula if
+one is found, and otherwise numerically, with derivatives. A function whose mixed second
+derivatives have the determinant 0 generates nothing, an
+@racket[exn:fail:mechanics:singular:matrix]. Without a formula, symbols in the state or in
+parameters are an error, and a search without result is an
+@racket[exn:fail:mechanics:not-convergent]. A function that does not take three arguments, or
+whose value is not a number, is an error.
 
 @examples[#:eval session
 ((F1->C (lambda (t x theta) (* 1/2 'alpha (square x) (cot theta)))) line)
@@ -339,8 +338,8 @@ value that is no number, is an error.
               @defproc[((F3->K [F procedure?]) [state structure?]) scalar]
               @defproc[((F4->K [F procedure?]) [state structure?]) scalar])]{
 
-What the new Hamiltonian gets beside H∘C: ∂@subscript{0}F, at the new state. What is refused is as
-for the transformations.
+The term that the new Hamiltonian has besides H∘C: ∂@subscript{0}F, at the new state. Errors are
+those of the transformations.
 
 @examples[#:eval session
 (define (moving t q p) (* p (- q (* 'v t))))
@@ -355,14 +354,13 @@ for the transformations.
                               [#:type type (or/c 1 2 3 4) 1])
          procedure?]{
 
-A function that generates C, found by integrating the differential that C makes of it; the state
-is made of symbols and says of what shape states are. That C is canonical is seen from the
-differential, which is closed. With roots in C it holds where the variables are positive; where
-else, @racket[verify-generating-function] says. A C that is not canonical is an error, and one of
-which the variable that F does not hold is not determined by the others an
-@racket[exn:fail:mechanics:singular:matrix]. Where no formula is found for that variable the error
-names the types that have one; where the differential has no antiderivative that was found, it is an
-@racket[exn:fail:mechanics] that shows what was to be integrated.
+A function that generates C, found by integrating its differential, which C determines. The state
+is made of symbols and tells the shape of states. C is canonical if the differential is closed;
+otherwise it is an error. If C contains roots, the function holds where the variables are
+positive; @racket[verify-generating-function] tells whether it holds elsewhere. If the variables
+of F do not determine the others, @racket[exn:fail:mechanics:singular:matrix] is raised. If no
+formula is found for the other variables, the error names the types that have one. If no
+antiderivative is found, an @racket[exn:fail:mechanics] shows the differential.
 
 @examples[#:eval session
 (define F (generating-function (polar-canonical 'alpha) line))
@@ -377,8 +375,8 @@ names the types that have one; where the differential has no antiderivative that
                                      [#:type type (or/c 1 2 3 4) 1])
          verdict?]{
 
-Does F generate C: do its derivatives at the old and the new state give the other variables? An F of
-other than three arguments is an error.
+Does F generate C: do the derivatives of F at the old and the new state give the other variables?
+An F that does not take three arguments is an error.
 
 @examples[#:eval session
 (verify-generating-function (polar-canonical 'alpha) F line)
@@ -389,12 +387,12 @@ other than three arguments is an error.
 
 @defproc[(C->K [C procedure?] [state structure?]) procedure?]{
 
-What the Hamiltonian gets from a canonical transformation that depends on the time: the K with
-H' = H∘C + K, found by integrating its gradient, which C alone determines, and shown to pass
-@racket[canonical-K?]. The state is made of symbols and says of what shape states are. K is found
-but for a function of the time. A transformation that is not canonical, or changes the time, is an
-error; one whose gradient has no antiderivative that was found is an
-@racket[exn:fail:mechanics].
+The term that a canonical transformation that depends on the time adds to the Hamiltonian: the K
+with H' = H∘C + K. It is found by integrating its gradient, which C alone determines, and it
+passes @racket[canonical-K?]. The state is made of symbols and tells the shape of states. K is
+determined up to a function of the time. A transformation that is not canonical, or that changes
+the time, is an error; if no antiderivative of the gradient is found, @racket[exn:fail:mechanics]
+is raised.
 
 @examples[#:eval session
 (define (falling state) (+ (coordinate state) (* 1/2 'g (square (time state)))))
@@ -433,13 +431,13 @@ Is the residual zero at all times and coordinates? These are symbols, each there
 
 @section{Action and angle}
 
-Systems with one coordinate, in numbers, whose motion closes: after one swing, or, where the
-coordinate is an angle that comes again after @racket[turn], after one turn. The motion is
-integrated to a tolerance; one that has not closed by the time @racket[longest], or runs away, is
-an @racket[exn:fail:mechanics:not-convergent]. Errors are a state at rest, a state of several
-coordinates or with symbols, parameters of H that are no numbers, an H that depends on the time,
-a tolerance, turn or time that is not positive, and a turn after which H is another, as 360 where
-the angle is in radians. The pendulum is there in closed form, too: @secref["reference-pendulum"].
+Systems with one coordinate, in numbers, whose motion closes: after one swing or, if the
+coordinate is an angle that returns after @racket[turn], after one turn. The motion is integrated
+to a tolerance; if it runs away or has not closed by the time @racket[longest],
+@racket[exn:fail:mechanics:not-convergent] is raised. Errors are a state at rest, a state of
+several coordinates or with symbols, parameters of H that are not numbers, an H that depends on
+the time, a tolerance, turn or time that is not positive, and a turn that changes H, such as 360
+for an angle in radians. For the pendulum in closed form see @secref["reference-pendulum"].
 
 @deftogether[(@defproc[(action-of-orbit [H procedure?] [state structure?]
                                         [#:turn turn (or/c real? #f) #f]
@@ -452,8 +450,8 @@ the angle is in radians. The pendulum is there in closed form, too: @secref["ref
                                            [#:longest-time longest real? 1e4])
                        real?])]{
 
-The action ∮ p dq/2π of the motion through a state, which is negative where what is enclosed is
-gone around the other way, and its angular frequency.
+The action ∮ p dq/2π of the motion through a state, and its angular frequency. The action is
+negative if the motion goes around its area the other way.
 
 @examples[#:eval session
 (define (quartic state)
@@ -474,9 +472,10 @@ H. Goldstein 1980, 10-5.}
                                              [#:tolerance tolerance real? 1e-11])
                         [state structure?]) structure?])]{
 
-From a state to (up t angle action), with the angle between 0 and 2π counted from where the
-coordinate passes @racket[center] forwards, and back. A motion that does not pass it, or turns
-backwards, and an action that is not positive, or of which no motion was found, are errors.
+From a state to @racket[(up t angle action)], and back. The angle is between 0 and 2π and counts
+from the place where the coordinate passes @racket[center] forwards. Errors are a motion that does
+not pass it or turns backwards, and an action that is not positive or belongs to no motion that
+was found.
 
 @examples[#:eval session
 ((state->action-angle quartic) (up 0 0.5 -0.25))
@@ -490,11 +489,10 @@ backwards, and an action that is not positive, or of which no motion was found, 
                         [#:tolerance tolerance real? 1e-10])
          real?]{
 
-The integral ∮ p dq of a closed curve of states, a function of one parameter, which canonical
-transformations keep; with a Hamiltonian ∮ p dq − H dt, which the motion keeps, whatever the
-times of the states. A loop is a function of one parameter; values that are no states are errors,
-and so are momenta that have not come back at the end. A coordinate may be an angle, and come back
-a turn on.
+The integral ∮ p dq of a closed curve of states, a function of one parameter. Canonical
+transformations keep it. With a Hamiltonian it is ∮ p dq − H dt, which the motion keeps, whatever
+the times of the states. Errors are values that are not states, and momenta that do not return at
+the end. A coordinate may be an angle, and return a turn later.
 
 @examples[#:eval session
 (define (loop x) (up 0 (+ 1 (* 0.2 (cos x))) (+ 2 (* 0.3 (sin x)))))
@@ -505,7 +503,7 @@ a turn on.
 
 @defproc[((loop-integrand [loop procedure?] [H (or/c procedure? #f) #f]) [x scalar]) scalar]{
 
-What is integrated, p Dq, or p Dq − H Dt.
+The integrand of @racket[loop-integral]: p Dq, or p Dq − H Dt.
 
 @examples[#:eval session
 ((loop-integrand (lambda (x) (up 0 (cos x) (sin x)))) 'x)
@@ -539,8 +537,8 @@ or gives no transformation, is an error.
 
 The operator F ↦ {F, H}, and with the explicit time F ↦ ∂@subscript{0}F + {F, H}, the rate of F
 along the motion. Its powers are found from expressions, each from the one before. It takes one
-function of the state, or a tuple of such, and what it gives takes the state: both at once are an
-error.
+function of the state, or a tuple of functions, and returns a function of the state; to give it a
+function and a state at once is an error.
 
 @examples[#:eval session
 (((Lie-derivative H) coordinate) (up 't 'x 'p))
@@ -552,8 +550,8 @@ error.
 
 @defproc[((Lie-derivative-procedure [H procedure?]) [F procedure?]) procedure?]{
 
-The function that @racket[Lie-derivative] makes an operator of, as the book has it: of functions
-products are of values, of operators they are compositions.
+The function that the book makes an operator of to define @racket[Lie-derivative]. Products of
+functions are products of their values; products of operators are compositions.
 
 @examples[#:eval session
 (((Lie-derivative-procedure H) coordinate) (up 't 'x 'p))
@@ -565,9 +563,9 @@ products are of values, of operators they are compositions.
 @deftogether[(@defproc[(Lie-transform [H procedure?] [epsilon scalar]) operator?]
               @defproc[(flow-transform [H procedure?] [epsilon scalar]) operator?])]{
 
-The operator exp(ε L) with L the Lie derivative, or the one with explicit time: what it makes of a
-function is, at a state, the series of its value a time ε later. An ε that is no scalar is an
-error.
+The operator exp(ε L), where L is the Lie derivative, or the one with explicit time. Applied to a
+function, it gives at each state the series of the function's value a time ε later. An ε that is
+not a scalar is an error.
 
 @examples[#:eval session
 (series:for-each print-expression (((Lie-transform H 'dt) coordinate) (up 0 'x 'p)) 5)
@@ -622,11 +620,11 @@ derivatives that is. One of each kind is an error.
          perturbation?]{
 
 H0 + ε H1 + ε² H2 + ⋯, with H0 a function of the momenta alone and the others sums of sines and
-cosines of integer multiples of the coordinates, which are angles, is transformed by Lie series
-so that waves disappear, order by order. It prints as the new Hamiltonian, order by order, and
-what was divided by. Waves whose frequency is 0 whatever the momenta, and those asked for, a list
-of the integers of each, stay: resonances. With one stay all whose integers are in its proportion,
-for their frequencies are 0 at the same momenta. The state is made of symbols.
+cosines of integer multiples of the coordinates, which are angles, is transformed by Lie series so
+that waves disappear, order by order. The result prints as the new Hamiltonian, order by order,
+and the divisors. Resonances stay: waves whose frequency is 0 for all momenta, and waves that
+@racket[#:keep] lists by their integers. With a wave stay all waves whose integers are in the same
+proportion, for their frequencies are 0 at the same momenta. The state is made of symbols.
 
 Errors are an H0 that depends on the coordinates; a perturbation that is no finite sum of sines and
 cosines of integer multiples of them (it is shown what is not), or depends on the time
@@ -663,8 +661,8 @@ made by @racket[perturbation-series], and a state of another shape, are errors, 
 @deftogether[(@defproc[(perturbation-divisors [P perturbation?]) list?]
               @defproc[(perturbation-resonances [P perturbation?]) list?])]{
 
-What was divided by, as lists of the order, the integers of the wave and its frequency; and the
-waves that stayed, as lists of the order, the integers and the wave.
+The divisors, as lists of the order, the integers of the wave and its frequency; and the waves that
+stayed, as lists of the order, the integers and the wave.
 
 @examples[#:eval session
 (perturbation-divisors P)

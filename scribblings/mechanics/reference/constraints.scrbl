@@ -5,17 +5,17 @@
 
 @(define session (make-session))
 
-A constraint is a value, made of the function that is to stay zero. The procedures of
-this page take one constraint, a list of them, or an @racket[up] of them; multipliers
-are shaped alike: one number for a constraint whose function gives a number, an
-@racket[up] of n for one that gives an @racket[up] of n, and for a list an
-@racket[up] with one component for each constraint in it.
+A constraint is a value, made of a function that has to stay zero. The procedures of this page
+take one constraint, a list of constraints, or an @racket[up] of them. Multipliers have the same
+shape: one number for a constraint whose function returns a number, an @racket[up] of n for a
+constraint whose function returns an @racket[up] of n, and for a list an @racket[up] with one
+component for each constraint.
 
 The sign of the multipliers λ is that of
 ∂@subscript{1}L − d/dt ∂@subscript{2}L + λ ∂@subscript{1}G = 0: the force of a
 constraint is λ ∂@subscript{1}G.
 
-@section{Stating them}
+@section{Holonomic and nonholonomic constraints}
 
 @defproc[(holonomic [G procedure?]) constraint?]{
 
@@ -33,8 +33,8 @@ rod
 
 @defproc[(nonholonomic [A procedure?]) constraint?]{
 
-The constraint A(t, q, v) = 0, in which the velocities are linear: A is
-a(t, q) v + b(t, q). Whether they are is found out where the constraint is used.
+The constraint A(t, q, v) = 0, where A is linear in the velocities: a(t, q) v + b(t, q). Whether
+it is linear is checked where the constraint is used.
 
 @examples[#:eval session
 (define (blade t (up x y theta) (up vx vy vtheta))
@@ -99,13 +99,13 @@ a nonholonomic one the equations would be others.
                                 [#:force force (or/c #f procedure?) #f])
          procedure?]{
 
-Equations without multipliers: what is left of the residual of Lagrange's equations in the
+Equations without multipliers: the components of the residual of Lagrange's equations in the
 directions that the constraints allow, and the values of the constraints.
 The directions are a basis of those that the derivatives of the constraints take to zero.
 
 @racket[F] is a transformation of coordinates as for @racket[F->C], by which the
-constraints are kept: then the path is that of its coordinates, and what is left are the
-equations in these.
+constraints are kept: then the path is one of these coordinates, and the equations are those in
+them.
 
 @examples[#:eval session
 (((eliminate-multipliers (L-mass 'm 'g) rod) xy) 't)
@@ -161,20 +161,20 @@ Constraints that repeat each other leave their multipliers open: the error
 The state derivative @racket[(up 1 v a)] of the constrained system, for
 @racket[evolve], @racket[state-advancer], @racket[evolve-trajectory] and the others.
 
-Each step of the integration is taken back to where the constraints and their rates of
-change are zero, a projection, and so is a state that is read between steps: the drift off the
-constraints is that of rounding. Numbers of higher precision
-(@racket[#:precision]) are not taken back; there it stays near the tolerance. The way back is
-the shortest as kinetic energy measures it. For it, and for the rates, the Lagrangian, the force
-and the constraints are run once on placeholders, and the list of their operations is
-differentiated: momenta, mass matrix and the Jacobian of the constraints, sparse where that is,
-compiled and kept with the state derivative. Twenty rods take some 60 ms at first and 15 when they
-are followed again. What takes decisions is evaluated by the generic arithmetic instead.
+After each step of the integration the state is projected to where the constraints and their rates
+of change are zero, and so is a state that is read between steps. The drift off the constraints is
+that of rounding. Numbers of higher precision (@racket[#:precision]) are not taken back; there it
+stays near the tolerance. The way back is the shortest as kinetic energy measures it. For it, and
+for the rates, the Lagrangian, the force and the constraints are run once on placeholders, and the
+list of their operations is differentiated: momenta, mass matrix and the Jacobian of the
+constraints, sparse where that is, compiled and kept with the state derivative. Twenty rods take
+some 60 ms at first and 15 when they are followed again. What takes decisions is evaluated by the
+generic arithmetic instead.
 
-A motion must begin in a state that keeps the constraints, to eight digits; another is
-refused, with the values of the constraints. Redundant constraints do no harm: the first
-ones are kept. A state in which constraints depend on each other that are
-independent beside it raises @racket[exn:fail:mechanics:singular].
+A motion must begin in a state that keeps the constraints to eight digits; any other state is
+refused, with the values of the constraints. Redundant constraints do no harm: the first ones are
+kept. If constraints depend on each other at a state but not near it,
+@racket[exn:fail:mechanics:singular] is raised there.
 
 @examples[#:eval session
 (define (pendulum m l g)
@@ -186,7 +186,7 @@ independent beside it raises @racket[exn:fail:mechanics:singular].
 ((rod-of-length 5) 0 (coordinate (motion 77.7)))
 (eval:error ((state-advancer pendulum 1 5 9.8) (up 0 (up 3 4) (up 1 0)) 1))]
 
-What a constraint does is an event when its force changes sign:
+An event can watch for a change of sign in the force of a constraint:
 
 @examples[#:eval session
 (define ((L-top m g R) (up t (up r theta) (up vr vtheta)))
@@ -207,9 +207,9 @@ What a constraint does is an event when its force changes sign:
                            [constraints (or/c constraint? list? up?)])
          procedure?]{
 
-The projection of a state of numbers to the constraints: the one beside it that keeps them. The
-coordinates are moved as little as possible, as the kinetic energy measures it, and then
-the velocities.
+The projection of a state of numbers to the constraints: the nearest state that keeps them. First
+the coordinates are moved as little as possible, as measured by the kinetic energy, then the
+velocities.
 
 @examples[#:eval session
 ((consistent-state (L-mass 1 9.8) (holonomic (rod-of-length 5)))
@@ -237,13 +237,13 @@ be a parameter of the constraints.
                               [q (or/c symbol? up?)])
          procedure?]{
 
-The function G(t, q) that is constant where the constraint is kept, which then says as much
-as @racket[(holonomic (lambda (t q) (- (G t q) c)))]; of several constraints, the
-@racket[up] of theirs, each being integrable by itself. An integrating factor is looked for
-among 1, one over each coefficient, and functions of one coordinate; antiderivatives are
-those of polynomials, waves, exponentials, and what a substitution makes such. A
-constraint that is not integrable, and one whose integral was not found, are errors that
-say so, @racket[exn:fail:mechanics].
+The function G(t, q) that is constant where the constraint is kept. The constraint then says as
+much as @racket[(holonomic (lambda (t q) (- (G t q) c)))]. For several constraints, each
+integrable by itself, it is the @racket[up] of their functions. Integrating factors are tried in
+this order: 1, one over each coefficient, functions of one coordinate. Antiderivatives are found
+of polynomials, sines, cosines, exponentials, and expressions that a substitution turns into one
+of these. A constraint that is not integrable raises @racket[exn:fail:mechanics], and so does one
+whose integral is not found.
 
 @examples[#:eval session
 ((constraint-integral (nonholonomic rolling-straight) (up 'x 'phi))
@@ -264,15 +264,13 @@ say so, @racket[exn:fail:mechanics].
               @defproc[(reduction-integrability [r reduction?]) verdict?]
               @defproc[(reduction-agreement [r reduction?]) verdict?])]{
 
-The Lagrangian L with velocities substituted in it that keep the constraints:
-@racket[substitute] is a function of t, q and v that gives them. Nonholonomic
-constraints must not be used so, and the result says whether they are, and what follows. It
-is a Lagrangian, a function of the local tuple, that has two verdicts:
-@racket[reduction-integrability] is that of @racket[Frobenius-test], and
-@racket[reduction-agreement] tells whether the true motion, with all its multipliers,
-satisfies the equations of this Lagrangian at any state; with @racket[#:keep], the
-equations with multipliers of the constraints kept.
-@racket[state] is a local tuple of symbols.
+The Lagrangian L with velocities substituted in it that keep the constraints: @racket[substitute]
+is a function of t, q and v that returns them. Nonholonomic constraints must not be substituted,
+and the result tells whether they are. It is a Lagrangian, a function of the local tuple, with two
+verdicts: @racket[reduction-integrability] is that of @racket[Frobenius-test], and
+@racket[reduction-agreement] tells whether the true motion, with all its multipliers, satisfies
+the equations of this Lagrangian at any state; with @racket[#:keep], the equations with
+multipliers of the constraints kept. @racket[state] is a local tuple of symbols.
 
 @examples[#:eval session
 (define ((L-edge m J g alpha) (up t (up x y theta) (up vx vy omega)))

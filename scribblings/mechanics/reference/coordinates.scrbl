@@ -5,7 +5,7 @@
 
 @(define session (make-session))
 
-@section{Transforming local tuples}
+@section{Transformations of local tuples}
 
 @defproc[(F->C [F procedure?]) procedure?]{
 

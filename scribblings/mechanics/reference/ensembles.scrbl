@@ -6,8 +6,8 @@
 
 @title[#:tag "ensembles" #:style '(toc)]{Ensembles, and systems in other languages}
 
-Many motions of one system: on all cores of this machine, and, as a program in C, in Python or
-for JAX, wherever these run.
+Many motions of one system: on all cores of this machine, or elsewhere by a program in C, in Python
+or for JAX.
 
 @local-table-of-contents[]
 
@@ -30,67 +30,65 @@ for JAX, wherever these run.
          (or/c (listof value) so-far)]{
 
 Follows every start, a state of any shape, to the time @racket[end], and returns the list of the
-last states in the order of the starts. @racket[maker] is a state derivative; or, with
-@racket[parameters], a list of numbers and tuples of numbers for each start, what makes a state
-derivative of them, as for @racket[evolve]; they are finite. A state is a tuple of real numbers,
-its rates one of the same shape. Any consistent units.
+last states in the order of the starts. @racket[maker] is a state derivative. With
+@racket[parameters], a list of finite numbers and tuples of numbers for each start, it is a
+function of these that returns a state derivative, as for @racket[evolve]. A state is a tuple of
+real numbers; its rates are a tuple of the same shape. Any consistent units will do.
 
 @examples[#:eval session
 (define starts (for/list ([k 5]) (up 0 (* 0.3 k) 0)))
 (define pendulum (Lagrangian->state-derivative (L-pendulum 9.8 1.0 1.0)))
 (evolve-ensemble pendulum starts 2 #:jobs 1)]
 
-@racketvarfont{collect} is what is wanted of a last state; it is done by the workers where it can be
-compiled, and here where not. @racket[fold] is called with each value and what it returned for
-those before; at first with @racket[initial], which must be given with it. @racket[observe] is
-called with each index and value. Values come in the order of the starts, whatever is finished first:
-sums are the same each time.
+@racketvarfont{collect} makes the value that is kept of a last state. The workers run it if it can
+be compiled; otherwise the calling process does. @racket[fold] is called with each value and with
+what it returned for the values before, at first with @racket[initial], which must be given with it.
+@racket[observe] is called with each index and value. Both get the values in the order of the
+starts, whichever motion is finished first, so that sums are the same each time.
 
 @examples[#:eval session #:label #f
 (define (swing m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
 (evolve-ensemble swing starts 2 #:parameters (for/list ([k 5]) (list 1.0 (+ 1 (* 0.1 k)) 9.8))
                  #:collect (lambda (s) (square (ref s 2))) #:fold + #:initial 0 #:jobs 1)]
 
-What is returned is what takes memory: measured, a last state @racket[(up t q v)] takes 130 bytes,
-one of two coordinates, @racket[(up t (up x y) (up vx vy))], 280, a number made by
+The memory is that of the values returned. As measured, a last state @racket[(up t q v)] takes 130
+bytes, one of two coordinates, @racket[(up t (up x y) (up vx vy))], 280, a number made by
 @racketvarfont{collect} 30, and an occurrence some 200, so that the last states of a million
 pendulums take 130 MB; each of the @racket[jobs] takes 90 MB, whatever their number. With
-@racket[fold] and a result that does not grow, as a sum, a histogram or the worst of all, a million
-starts take no more than a hundred: values are dropped as soon as they are folded. The starts,
-which may be any sequence, take as much as last states do if they are a list, and nothing if they
-are made one by one, as a generator does.
+@racket[fold] and a result that does not grow, such as a sum, a histogram or a maximum, a million
+starts take no more memory than a hundred: values are dropped as soon as they are folded. The
+starts, which may be any sequence, take as much as last states do if they are a list, and nothing
+if they are made one by one, as a generator does.
 
-With @racket[events] (@racket[event]) the value of a start is the list of what happened on its
-way, occurrences in their order (@racket[occurrence-time], @racket[occurrence-state]), instead of
-its last state; a terminal event ends its motion. @racketvarfont{collect} is given the last
-state and that list then. So an ensemble of sections is made:
+With @racket[events] (@racket[event]) the value of a start is not its last state but the list of
+occurrences on its way, in their order (@racket[occurrence-time], @racket[occurrence-state]). A
+terminal event ends its motion. @racketvarfont{collect} then receives the last state and that list.
+An ensemble of sections:
 
 @examples[#:eval session #:label #f
 (define bottom (event (lambda (s) (ref s 1)) #:direction 'falling))
 (evolve-ensemble pendulum (cdr starts) 2 #:events bottom #:jobs 1
                  #:collect (lambda (last all) (map occurrence-time all)))]
 
-Work is done in batches by so many @racket[jobs], processes of their own, which are sent the
-list of instructions that @racket[maker] compiles to; one that dies is replaced, and its batches
-are done again; there are never more than four for each core. A few starts, and systems and events
-that have no code, such as those that decide something by their state, are followed in this
-process. Methods are given by name (@racket[ode-integration-method]).
+Batches of starts are followed by worker processes, @racket[jobs] of them but never more than four
+for each core. A worker receives the list of instructions that @racket[maker] compiles to. If it
+dies, another one takes its place and repeats its batches. The calling process itself follows a
+small number of starts, and systems or events that cannot be compiled, such as those that decide
+something by their state. Methods are given by name (@racket[ode-integration-method]).
 
-With a @racket[file] as checkpoint what is finished is written there, batch by batch; the same
-call goes on from it, and so does a call with more starts behind those. A file that is none, or
-one of other starts, of another system, or of batches of another size, is refused and left as it
-is. Where the disk is full the run ends with an error, and what was written stays good.
-Batches have checksums: those that the disk has damaged are told of on the error port and done
-again. Where the beginning of the file is damaged, so that nobody knows whose it is, it is an
-error.
+With a @racket[file] as checkpoint, finished batches are written there. The same call goes on from
+it, and so does a call with more starts behind those. A file that is no checkpoint, or is one of
+other starts, of another system or of batches of another size, is refused and left as it is. If the
+disk is full the run ends with an error, and the checkpoint stays good.
+Batches have checksums: batches that the disk has damaged are reported on the error port and
+repeated. A damaged beginning of the file, which tells whose checkpoint it is, is an error.
 
 A start that cannot be followed to the end has an @racket[ensemble-failure?] as its value; the
-others go on. No starts at all, starts or parameters of different shapes, and what is no finite
-number are errors that tell the index.
+others go on. An error tells the index of a start or of parameters that have another shape or are
+not finite numbers; an ensemble without starts is an error, too.
 
-One start alone is followed by @racket[evolve-trajectory]; what comes after a thousand motions is
-drawn as any points are, @racket[plot-point]. A program in another language does the same many
-times: @racket[export-system].}
+@racket[evolve-trajectory] follows a single start; @racket[plot-point] draws the results. A
+program in another language does the same many times: @racket[export-system].}
 
 @deftogether[(@defproc[(ensemble-failure? [x any/c]) boolean?]
               @defproc[(ensemble-failure-index [failure ensemble-failure?])
@@ -98,8 +96,8 @@ times: @racket[export-system].}
               @defproc[(ensemble-failure-message [failure ensemble-failure?]) string?]
               @defproc[(ensemble-failure-state [failure ensemble-failure?]) (or/c state #f)])]{
 
-What has become of a start that could not be followed: which one it is, why, and the last state
-that was good, @racket[#f] if there is none.
+The failure of a start that could not be followed: its index, the reason, and the last good state,
+or @racket[#f] if there is none.
 
 @examples[#:eval session
 (define falling (Hamiltonian->state-derivative
@@ -121,14 +119,14 @@ that was good, @racket[#f] if there is none.
                         [#:replace? replace? boolean? #f])
          string?]{
 
-Writes a folder with a program that follows the motions of a system, from the same list of
-instructions that is compiled here, and returns its name. @racket[example] is a state: symbols
-in it name the variables. Where it holds numbers the names are @tt{t}, @tt{q} and @tt{v} for a
-state @racket[(up t q v)], with @tt{p} in place of @tt{v} for Hamilton's equations, numbered
-@tt{q0}, @tt{q1} where coordinates are several; for any other state @tt{x} with the indices that
-@racket[ref] takes, as @tt{x1_0}. A name that a parameter has already gets an underscore. Symbols
-that the derivative leaves become parameters of the program,
-in the order of @racket[parameters] or of the alphabet; numbers stay numbers.
+Writes a folder with a program that follows the motions of a system, made of the same list of
+instructions that is compiled here, and returns the name of the folder. @racket[example] is a state;
+its symbols name the variables. For numbers in a state @racket[(up t q v)] the names are @tt{t},
+@tt{q} and @tt{v}, or @tt{p} for Hamilton's equations; several coordinates are numbered, @tt{q0},
+@tt{q1}. In any other state the names are @tt{x} with the indices that @racket[ref] takes, as
+@tt{x1_0}. A name that belongs to a parameter already gets an underscore. Other symbols in the
+derivative become parameters of the program, in the order of @racket[parameters] or of the alphabet;
+numbers stay numbers.
 
 @codeblock|{
 #lang mechanics
@@ -166,11 +164,11 @@ void pendulum_derivative(const double *y, const double *p, double *dy)
  steps of Dormand and Prince's of order 5, which @tt{jit}, @tt{vmap} and forward derivatives
  go through.}]
 
-A new folder is written whole or not at all. One that is there is refused, unless it holds an
-export and @racket[replace?] says so: then files of the export are written over, and nothing else
-is touched. What has no code, a decision by the state or an unknown function, is named in an
-error. A motion under constraints (@racket[constrained-state-derivative]) is exported by its
-rates; its steps are not brought back to the constraints there.
+A new folder is written whole or not at all. An existing folder is refused unless it holds an
+export and @racket[replace?] is true: then files of the export are written over, and no others. An
+error names operations that cannot be exported: a decision by the state, or an unknown function. A
+motion under constraints (@racket[constrained-state-derivative]) is exported by its rates; its
+steps are not brought back to the constraints there.
 
 All systems that a program follows are exported by @exec{raco mechanics export}
 (@secref["guide-scales"]). Many motions here: @racket[evolve-ensemble].

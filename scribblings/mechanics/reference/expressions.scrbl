@@ -5,7 +5,7 @@
 
 @(define session (make-session))
 
-@section{Simplifying}
+@section{Simplification}
 
 @defproc[(simplify [x value]) value]{
 
@@ -245,7 +245,7 @@ counts as constant. The denominators are powers of the factors that
 (apart (/ (expt 's 3) (* (+ (square 's) 1) (- 's 1))) 's)
 (eval:error (apart (/ 1 's) 3))]}
 
-@section{Showing}
+@section{Printing and display}
 
 @defparam[display-style style (or/c 'automatic 'typeset 'text 'infix 'TeX 'MathML 'expression)]{
 

@@ -6,10 +6,10 @@
 @(define session (make-session))
 
 A @italic{state} of momenta is @racket[(up t q p)]: the time, the coordinates, and the momenta,
-which are of the other orientation, a @racket[down] where the coordinates are an @racket[up]. A
-@italic{Hamiltonian} is a function of such a state whose value is a scalar. What takes one
-complains if momenta are missing, as many as there are coordinates, or written as an
-@racket[up]. But for states, all of this is loaded when it is first called.
+which have the opposite orientation, a @racket[down] if the coordinates are an @racket[up]. A
+@italic{Hamiltonian} is a function of such a state whose value is a scalar. It is an
+error if there are fewer momenta than coordinates, or if momenta are written as an @racket[up].
+All of this but the states is loaded when it is first called.
 
 @section{States}
 

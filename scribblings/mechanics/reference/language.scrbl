@@ -12,8 +12,8 @@ the expressions at its top level, simplified. Run as a program, it gives DrRacke
 and @exec{racket -i} a prompt that prints in the same way. Numbers, strings,
 lists and other values print as in Racket.
 
-The following four are never written by hand. They are what makes a module, a
-prompt and an application of this language.
+The following four are never written by hand. Modules, prompts and applications of this language
+are made of them.
 
 @defform[(#%module-begin form ...)]{
 
@@ -26,9 +26,8 @@ What is typed at the prompt. Definitions may replace earlier ones.}
 
 @defform[(#%app operator argument ...)]{
 
-Application, as in Racket. If what is applied turns out to be a number, a symbol
-or a list, the message says so; a vector is applied as the tuple of functions
-that it stands for.
+Application, as in Racket. A message tells if a number, a symbol or a list was applied. A vector is
+applied as the tuple of functions that it stands for.
 
 @examples[#:eval session
 (eval:error (3 't))
@@ -36,29 +35,28 @@ that it stands for.
 
 @defform[(#%top . id)]{
 
-A name without a definition. The error says how it is written as a symbol, for
-what is missing most often is a quote; before that it gives the library to require
-if another one of this package defines the name, the section if it is a name of the book
-that is not there yet, or known names that are spelt nearly so.}
+A name without a definition. The error names the library to require, if another library of this
+package defines the name; the name that the book prints, if it is a second name of scmutils; the
+section, if it is a name of the book that is not there yet; or known names with nearly the same
+spelling. Then it tells how the name is written as a symbol, for most often a quote is missing.}
 
 @section[#:tag "help"]{Help}
 
 @defform*[((help) (help name) (help text))]{
 
-Prints what this reference says of a name: how it is called, a sentence, an example with
-its result, where the book treats it, and what else to look at. The name need not be
-quoted, and nothing is opened or fetched. For a text it lists the names whose entries have
-all its words but such as @litchar{of}, with accents or without: those first that have them in
-the name, and on a page that is about them. An unknown name is answered by names that are spelt
-nearly so, and one of a later chapter by its section.
+Prints what this reference says of a name: its arguments, a sentence, an example with its result,
+the place in the book, and related names. The name need not be quoted. No browser is opened and
+nothing is fetched. For a text, @racket[help] lists the names whose entries contain all its words;
+words such as @litchar{of} are ignored, and accents may be left out. Names that contain the words
+come first, then those on a page about them. For an unknown name it lists names with nearly the
+same spelling, for a name of a later chapter its section.
 
 @examples[#:eval session
 (help cube)
 (help "series sine")
 (help cubbe)]
 
-The example is run when its card is shown, without your definitions and assumptions: what
-is printed is what the library answers.
+The example is run when the entry is shown, without your definitions and assumptions.
 
 The same signatures stand beneath messages about a wrong number of arguments, at the
 prompt and where a program of this language is stopped by one:
@@ -121,7 +119,7 @@ definitions fixed, which makes it faster: by @exec{raco make}, or in DrRacket wh
 @onscreen{Enforce constant definitions} is on (@onscreen{Choose Language}, @onscreen{Show
 Details}). There, change the definition in the module, and run it again.
 
-@section{Binding with patterns}
+@section{Bindings with patterns}
 
 In these forms an argument may be written as a @deftech{pattern},
 @racket[(up pattern ...)] or @racket[(down pattern ...)], in which each
@@ -170,11 +168,10 @@ Names for values within a body; with @racket[let*], each for those after it as w
               @defform[(or expr ...)]
               @defproc[(not [x any/c]) boolean?])]{
 
-What depends on a test, as in Racket, where all but @racket[#f] is true. So a verdict
-would pass for true whatever it says; these refuse it, and say what to ask instead. The
-same holds of the answers of @racket[equilibrium-stability] and
-@racket[compare-Lagrangians]. Racket's @racket[filter], @racket[ormap] and loops do not see
-the difference.
+Racket's conditional forms, for which every value but @racket[#f] is true. A verdict would count as
+true whatever it says; so these forms refuse it, and name the question to ask instead. They refuse
+the answers of @racket[equilibrium-stability] and @racket[compare-Lagrangians], too. Racket's
+@racket[filter], @racket[ormap] and loops accept all of these as true.
 
 @examples[#:eval session
 (define v (verify-equal 'a 'b))
@@ -222,7 +219,7 @@ The list of n values from @racket[start] on, each larger by @racket[step].
 @deftogether[(@defproc[(list-head [xs list?] [n exact-nonnegative-integer?]) list?]
               @defproc[(make-list [n exact-nonnegative-integer?] [x any/c]) list?])]{
 
-The first n elements of a list, and a list of n times the same.
+The first n elements of a list, and a list of n equal elements.
 
 @examples[#:eval session
 (list-head '(a b c) 2)
@@ -243,7 +240,7 @@ the arguments of f in the other order.
 @deftogether[(@defproc[(write-line [x any/c] [port output-port? (current-output-port)]) void?]
               @defproc[(pp [x any/c] [port output-port? (current-output-port)]) void?])]{
 
-Print a value as it stands, not simplified: on one line, or on as many as it takes.
+Print a value without simplifying it: on one line, or on as many lines as it needs.
 
 @examples[#:eval session
 (write-line (* 'x (+ 'x 1)))
@@ -254,9 +251,9 @@ Print a value as it stands, not simplified: on one line, or on as many as it tak
 @deftogether[(@defproc[(runtime) real?]
               @defproc[(show-time [thunk (-> any)]) any])]{
 
-@racket[runtime] is the time of the processor, in seconds, that the program has used,
-without that for reclaiming memory. @racket[show-time] calls the procedure, prints how long
-it took, and returns what it returned.
+@racket[runtime] is the processor time, in seconds, that the program has used, without the time for
+reclaiming memory. @racket[show-time] calls the procedure, prints how long that took, and returns
+its values.
 
 @examples[#:eval session
 (>= (runtime) 0)

@@ -16,7 +16,7 @@ A matrix of functions is applied as the function whose value is the matrix of th
 
 Indices of rows and columns start at 0.
 
-@section{Making matrices}
+@section{Constructors of matrices}
 
 @deftogether[(@defproc[(matrix-by-rows [row (or/c list? tuple)] ...+) matrix?]
               @defproc[(matrix-by-columns [column (or/c list? tuple)] ...+) matrix?])]{
@@ -59,7 +59,7 @@ Between tuples and matrices of one column or one row.
 (row-matrix->down (matrix-by-rows '(1 2)))
 (column-matrix->up (matrix-by-columns '(1 2)))]}
 
-@section{Taking matrices apart}
+@section{Parts of matrices}
 
 @defproc[(matrix? [x any]) boolean?]{
 

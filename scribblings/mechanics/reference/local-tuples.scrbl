@@ -131,23 +131,22 @@ or a logarithm of the distance is.
 (definite-integral (lambda (x) (exp (- x))) 0 1e6)]
 
 The tolerance is relative to the integral of |f|. If it cannot be met,
-@racket[exn:fail:mechanics:not-convergent:integral] carries the best value found and the
-point that makes trouble. It says that the integral does not converge only where f is seen not
-to fall fast enough; otherwise, that it was not found.
+@racket[exn:fail:mechanics:not-convergent:integral] carries the best value found and the difficult
+point. Its message says that the integral does not converge only if f is seen not to fall fast
+enough; otherwise it says that the integral was not found.
 
 @examples[#:eval session
 (eval:error (definite-integral (lambda (x) (/ 1 x)) 1 +inf.0))
 (eval:error (definite-integral tan 0 3))
 (eval:error (definite-integral (lambda (x) (expt x -1.00001)) 1 +inf.0))]
 
-@racket[report] receives the value, a bound of its error, and how many values of f it took;
-what it returns is returned. The bound is estimated, as in all methods that know f by
-samples only; of rounding, it counts that of the places where f is evaluated, not that within
-f. When the sum of estimates is small enough, f is looked at in up to some 220 other
-points, spread evenly and closing in on the ends and on 0: so a peak is found that is a
-thousandth of the interval wide, and what there is of @racket[(exp (- x))] between 0 and a
-million; a peak much narrower than that may be missed. Integrals within the integrand of
-another are not searched, and neither is the outer one, for it would take too long.
+@racket[report] receives the value, a bound of its error, and the number of values of f that were
+computed; its value is returned. The bound is an estimate, as in all methods that know f by
+samples only. It counts the rounding of the points where f is evaluated, but not the rounding
+within f. When the sum of estimates is small enough, f is sampled at some 220 other points, spread
+evenly and closing in on the ends and on 0. So peaks of a thousandth of the interval are found,
+and @racket[(exp (- x))] between 0 and a million; a much narrower peak may be missed. Integrals
+within integrals are not sampled in this way, for that would take too long.
 
 @examples[#:eval session
 (definite-integral sin 0 pi #:report list)
@@ -163,9 +162,9 @@ possible.
 ((D J0) 2)
 ((D (lambda (b) (definite-integral exp 0 b))) 1)]
 
-Where the integrand jumps or bends at a place that depends on what is differentiated by, as
-@racket[(abs (- x a))] does, or what has a test @racket[(< x a)], that place is found, and what
-its motion contributes (Leibniz' rule) is not forgotten, in integrals within integrals either.
+If the integrand jumps or bends at a place that depends on the variable of the derivative, as
+@racket[(abs (- x a))] does or a function with a test @racket[(< x a)], that place is found, and the
+derivative includes the term of its motion (Leibniz' rule), also in integrals within integrals.
 
 @examples[#:eval session
 (define (distance a) (definite-integral (lambda (x) (abs (- x a))) 0 1))
@@ -237,10 +236,9 @@ action of the oscillator between two points:
 
 A minimum of f and what is known of it: between two numbers, found as by @racket[minimize], or
 near a start of any shape, as by @racket[multidimensional-minimize]. Where a search ends, the
-gradient and the second derivatives of f are looked at, which are exact if f can be
-differentiated and differences of values if not, or if the method is @racket['nelder-mead].
-From a saddle point, or from a plateau with a
-way down, the search goes on; what looks like a minimum gets some steps of Newton's method.
+gradient and the second derivatives of f are computed: exactly if f can be differentiated, by
+differences if it cannot or if the method is @racket['nelder-mead]. From a saddle point, or from a
+plateau with a way down, the search goes on; near a minimum some steps of Newton's method follow.
 
 @examples[#:eval session
 (find-minimum (lambda (x) (- (* x x) (* 2 x))) 0 5)
@@ -314,10 +312,10 @@ does from below 0, there is no minimum, which is an error; @racket[minima] leave
 @examples[#:eval session
 (minimize (lambda (x) (+ 1 (square (- x 2)))) 0 5)]
 
-Argument and value can be differentiated by what f depends on, as often as one likes: the
-gradient vanishes at the argument, which moves as @racket[find-root] has its roots move; an end
-moves as it is given. How the place of the least value of x⁴ + a x changes with a, which is
-−1/(12 x²):
+Argument and value can be differentiated by parameters of f, any number of times. The gradient
+vanishes at the argument, whose derivative is therefore that of a root, as in @racket[find-root];
+an end of the interval has the derivative it is given. The derivative of the place where x⁴ + a x
+is least, by a, is −1/(12 x²):
 
 @examples[#:eval session
 (define (place a) (car (minimize (lambda (x) (+ (expt x 4) (* a x))) -3 1)))
@@ -631,7 +629,7 @@ The spherical ones, √(π/2x) times J and Y of order n + 1/2.
 (- (spherical-Bessel-j 0 1) (sin 1.0))
 (spherical-Bessel-y 1 2)]}
 
-@section{Paths to try}
+@section{Trial paths}
 
 @defproc[(make-eta [nu procedure?] [t1 scalar] [t2 scalar]) procedure?]{
 

@@ -18,9 +18,9 @@ there is no image. @racketmodname[mechanics/book] has the maps of @|the-book|;
             ((principal-value :2pi) nI))))
 ((twist 0.6) 1 1 list void)]
 
-In the entries below, @italic{map of the plane} is such a procedure. What is done often is
-compiled where that pays, as by @racket[compile-function]: a map is to compute the image from
-the coordinates and to do nothing else.
+In the entries below, a @italic{map of the plane} is such a procedure. Maps that are applied often
+are compiled where that pays, as by @racket[compile-function]. So a map has to compute the image
+from the coordinates and do nothing else.
 
 @local-table-of-contents[]
 
@@ -42,8 +42,8 @@ start on the surface, within ten times the tolerance, is no crossing.
 (define next (Poincare-map (HHsysder) upwards))
 (next (up 0 (up 0 0.1) (down 0.49 0)))]
 
-The state is right to about the @racket[tolerance], a tenth of which each step of integration may
-err by. @racket[D] has the derivatives of the map, from the variational equations.
+The error of the state is about the @racket[tolerance]; each step of integration may err by a
+tenth of that. @racket[D] gives the derivatives of the map, by the variational equations.
 
 @examples[#:eval session
 ((D (lambda (y) (coordinate (next (up 0 (up 0 y) (down 0.49 0)))))) 0.1)]
@@ -57,9 +57,9 @@ as one that rests, raises @racket[exn:fail:mechanics:not-convergent].
                            [#:tolerance tolerance real? 1e-12])
          (-> value value)]{
 
-The map from a state to the one a period later; a negative period leads back. It can be
-differentiated. A time after which the rates of the system are others is an error: it is no period,
-but perhaps a frequency.
+The map from a state to the state one period later; a negative period leads back. It can be
+differentiated. If the rates of the system are not the same after that time it is no period, perhaps
+a frequency, and an error.
 
 @examples[#:eval session
 (define (turn s) (up 1 (momentum s) (- (coordinate s))))
@@ -68,8 +68,8 @@ but perhaps a frequency.
 ((stroboscopic-map driven (/ :2pi 3)) (up 0 1 0))
 (eval:error ((stroboscopic-map driven 3) (up 0 1 0)))]
 
-A map of the plane, to be explored say, is made of a map of states by saying what state a point
-stands for, and which point a state.
+To make a map of the plane of a map of states, say which state a point stands for, and which point
+stands for a state:
 
 @examples[#:eval session
 (define period-later (stroboscopic-map driven (/ :2pi 3)))
@@ -90,10 +90,10 @@ The map of the plane that does @racket[map] @racket[n] times.
 ((iterated-map (standard-map 0.6) 10) 1 1 list void)
 ((iterated-map (standard-map 0.6) 1000000) 1 1 list void)]
 
-Where it pays, @racket[map] is compiled. The values are the same but for
-rounding, to which chaotic motion is sensitive. A map that takes decisions, or of which
-points have no image, is called each time, and so is one that keeps exact numbers exact.
-Anything but a map is an error, and so is an @racket[n] that is no natural number.
+@racket[map] is compiled where that pays. The values are the same up to rounding, to which chaotic
+motion is sensitive. Maps that take decisions, that have points without an image, or that keep exact
+numbers exact are not compiled. Anything but a map is an error, and so is an @racket[n] that is no
+natural number.
 
 @sicm{4.3, p. 308}}
 
@@ -118,9 +118,9 @@ angle, @racket[rotation-number] turns.
 For each point of an orbit, how many of the points before it have a lesser angle, angles being
 brought to one turn below @racket[cut]; the angles in @racket[before], rising, count as well. Two
 orbits that go around in the same order have the same positions.
-@racket[compare-streams] counts the numbers on which two streams agree, from @racket[count] on; it
-is negative if the first one on which they do not is less in the second stream, and 0 if one ends
-before.
+@racket[compare-streams] counts, from @racket[count] on, the numbers in which two streams agree. The
+count is negative if the first number in which they differ is less in the second stream, and 0 if
+one stream ends before that.
 
 @examples[#:eval session
 (define (positions map)
@@ -139,10 +139,10 @@ before.
                            [#:tolerance tolerance real? 1e-13])
          fixed-point?]{
 
-The fixed point of a map, or a point of the given period, that Newton's method leads to from
-@racket[guess], with its multipliers, its kind and, where it is elliptic, the angle by which
-neighbours turn about it in a period. A point that comes back sooner has the lesser period. The
-derivatives are exact.
+The fixed point of a map, or a point of the given period, to which Newton's method leads from
+@racket[guess]: with its multipliers, its kind and, if it is elliptic, the angle by which neighbours
+turn about it in a period. A point that returns sooner is given its lesser period. The derivatives
+are exact.
 
 @examples[#:eval session
 (find-fixed-point (standard-map 0.6) (up 3 0.1))
@@ -151,17 +151,17 @@ derivatives are exact.
 (find-fixed-point (driven-pendulum-map 1 1 9.8 0.05 omega) (up 3 0))]
 
 The map is one of the plane, or a function of states, such as @racket[Poincare-map] and
-@racket[stroboscopic-map] make: a state @racket[(up t q p)] is fixed if all but its time comes
-back. Coordinates are taken for angles, which may come back by whole turns, if a turn of one
-changes the image by no more than whole turns of these.
+@racket[stroboscopic-map] make: a state @racket[(up t q p)] is fixed if everything but its time
+returns. Coordinates count as angles, which may return by whole turns, if a turn of one of them
+changes the image only by whole turns.
 
 @examples[#:eval session
 (find-fixed-point (stroboscopic-map (H-pend-sysder 1 1 9.8 0.05 omega) (/ :2pi omega))
                   (up 0 0.1 0.1))]
 
-A section of a system that keeps its energy has fixed points for each energy, a curve of them, on
-which Newton's method does not settle: then the map of the plane at one energy is to be asked, as
-@racket[HHmap] is one.
+A section of a system that keeps its energy has a curve of fixed points, one for each energy, on
+which Newton's method does not settle. Ask the map of the plane at one energy instead, such as
+@racket[HHmap].
 
 Kinds are @racket['elliptic] (multipliers on the unit circle), @racket['hyperbolic],
 @racket['reflection-hyperbolic] (two negative ones), @racket['parabolic] (one is 1 or −1 to 1e-6),
@@ -231,8 +231,8 @@ comes first; where they are complex, the one with positive imaginary part.
 (fixed-point-eigen (standard-map 0.6) 0 0 1e-10 list)
 (fixed-point-eigen (standard-map 0.6) :pi 0 1e-10 list)]
 
-The derivatives are exact; @racket[eps] bounds the step of differences where a map refuses what is
-being differentiated. That the point is a fixed one is not checked.
+The derivatives are exact; if a map cannot be differentiated, they are differences with steps of at
+most @racket[eps]. It is not checked that the point is a fixed point.
 
 @sicm{4.3, p. 308}}
 
@@ -244,8 +244,8 @@ being differentiated. That the point is a fixed one is not checked.
 The curve of points that come from an unstable fixed point (xe, ye) of the map. A > 1 is its
 multiplier and (dx, dy) its direction. The parameter is the distance along that direction, in
 units of its length, near the fixed point, and is multiplied by A when the map is applied;
-within @racket[eps] of 0 the curve is taken for straight. Negative parameters are
-those of the other branch. The stable manifold is the unstable one of the inverse map, with
+within @racket[eps] of 0 the curve is assumed to be straight. Negative parameters belong to
+the other branch. The stable manifold is the unstable one of the inverse map, with
 1/A. A direction that is 0 is an error.
 
 @examples[#:eval session
@@ -281,8 +281,8 @@ needed: as far as @racket[length] along the branch, no two neighbours farther ap
 (eval:error
  (invariant-manifold strong-map (find-fixed-point strong-map (up 3 0))))]
 
-Within 3e-5 of the point the branch is taken for straight. It is off by the square of that
-there, and by less the farther away, for the map contracts what is beside the branch.
+Within 3e-5 of the point the branch is assumed to be straight. Its error there is the square of that
+distance. Farther away the error is less, for the map contracts displacements across the branch.
 
 @sicm{4.3, p. 307}}
 
@@ -344,7 +344,7 @@ both.
 
 @sicm{4.5, p. 321}}
 
-@section{What becomes of small displacements}
+@section{Small displacements}
 
 How a motion depends on its start is told by @racket[linearized-flow].
 

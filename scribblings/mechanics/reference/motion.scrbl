@@ -19,11 +19,11 @@ component; the steps are as long as it lets them be. It is a positive number not
 @racket[1e-15] nor above 1, and @racket[1e-10] unless given. With a precision
 (@secref["precision"]), it follows that. Units are any consistent ones.
 
-Two keywords bound the steps of integration: @racket[#:longest-step], for what is so short
-that a long step would miss it, and @racket[#:most-steps], a number of steps after which
+Two keywords bound the steps of integration: @racket[#:longest-step], if a long step would miss
+something short, and @racket[#:most-steps], a number of steps after which
 @racket[exn:fail:mechanics:not-convergent] is raised. Neither has a bound unless given.
 
-@section{Advancing}
+@section{Advances of a state}
 
 @defproc[(state-advancer [system-derivative (-> real? ... (-> value value))]
                          [parameter any/c] ...)
@@ -35,14 +35,13 @@ that a long step would miss it, and @racket[#:most-steps], a number of steps aft
 
 @racket[system-derivative] makes a state derivative from parameters. The result is a
 procedure of a state, a duration and perhaps a tolerance, whose value is the state
-after that duration, which may be negative. A procedure after the tolerance is called with
-that state, the duration and the longest step of integration; what it returns is then the
-value.
+after that duration, which may be negative. A procedure may follow the tolerance: it is called with
+that state, the duration and the longest step of integration, and its value is returned.
 
-Parameters that are real numbers, or tuples of them, become inputs of the compiled code, so
-that the same system with other numbers is not compiled again; where the system counts or
-decides by one, it is taken as it is. A state derivative itself may stand
-for a procedure of no parameters that makes it.
+Parameters that are real numbers, or tuples of them, become inputs of the compiled code, so that the
+same system with other numbers is not compiled again. A parameter by which the system counts or
+decides is compiled into the code. If there are no parameters, @racket[system-derivative] may be the
+state derivative itself.
 
 @examples[#:eval session
 (define ((L-harmonic m k) (up t q v))
@@ -74,8 +73,8 @@ exception carries.
 The result is a procedure of a state with a time, a monitor, a time step, a final
 time, and perhaps a tolerance. It calls the monitor with the state at the start, after
 each time step and at the final time, and returns the last of these states. The time
-step is that of the monitor; the integration chooses its own, and what lies between is
-interpolated, as well as the tolerance demands. The final time is met exactly.
+step is that of the monitor; the integration chooses its own steps, and states between these are
+interpolated to the tolerance. The final time is met exactly.
 A monitor that returns a function was given too few arguments, and raises an error.
 
 @examples[#:eval session
@@ -145,9 +144,9 @@ exception @racket[exn:fail:mechanics:singular] carries the trajectory so far, an
 @racket[exn:fail:mechanics:not-convergent] after too many steps; after any exception
 @racket[trajectory-so-far] gives it.
 
-What was compiled for @racket[derivative] is kept with it, as long as it is held, and used
-again for states of that shape. A change of what @racket[derivative] refers to, as a mass
-that was set anew, is noticed, and it is compiled anew.
+The code of @racket[derivative] is kept as long as @racket[derivative] itself, and used again for
+states of that shape. A change in a variable that @racket[derivative] uses, such as a mass with a
+new value, is noticed, and the code is compiled anew.
 
 @examples[#:eval session
 (define pendulum (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))
@@ -179,13 +178,12 @@ it was integrated, which is never @racket['auto]; @racket['extrapolation] with a
 
 @defproc[(trajectory-so-far [e exn?]) (or/c trajectory? #f)]{
 
-The trajectory that was computed until the exception @racket[e] ended
-@racket[evolve-trajectory], whatever it was: a failure of the motion, an error of your own
-in the state derivative or in the function of an event, which reaches you as you raised
-it, or a break, as by Ctrl-C. @racket[evolve] and a @racket[state-advancer] keep no steps:
-of theirs it is the state reached last, a trajectory that begins and ends there, from which
-the motion can go on. @racket[#f] for an exception raised elsewhere. What is raised and is
-no exception carries nothing.
+The trajectory that @racket[evolve-trajectory] had computed when the exception @racket[e] ended
+it. The exception may be a failure of the motion, an error of your own in the state derivative or
+in the function of an event, which reaches you as you raised it, or a break by Ctrl-C.
+@racket[evolve] and a @racket[state-advancer] keep no steps: for them the trajectory begins and
+ends at the last state reached, from which the motion can go on. The value is @racket[#f] for an
+exception raised elsewhere. Raised values that are no exceptions carry no trajectory.
 
 @examples[#:eval session
 (define (inspected s)
@@ -212,20 +210,18 @@ cut-short
               @defproc[(occurrence-state [o occurrence?]) value]
               @defproc[(occurrence-grazing? [o occurrence?]) boolean?])]{
 
-An event happens when @racket[f], a function of the state, passes through zero: while
-it grows along the integration, backwards as well, or falls, or either. Its time is found to the
-accuracy
-of the trajectory. A
-terminal event ends the trajectory. A zero at the start is no event, and neither is a
-pole. With the method @racket['Taylor] no zero within a step is missed where @racket[f] has a
-Taylor series along the step, which need not converge over more than a 4096th of it; and where
-@racket[f] only touches zero, up to the tolerance, an event whose direction is
-@racket['both] happens, of which @racket[occurrence-grazing?] is true.
-With other methods, and where @racket[f] has no such series, as at a kink, two zeros much closer
-than an eighth of a step can be missed. A function that along a step is not told from 0 by what
-the tolerance leaves uncertain of the state, as an energy less its value at the start, has no
-events there: its sign is noise. Where @racket[f] has no real value,
-@racket[exn:fail:mechanics:singular] carries the trajectory so far.
+An event happens when @racket[f], a function of the state, passes through zero: rising, falling or
+either, in the direction of the integration, which may go backwards in time. The time of the event
+is as accurate as the trajectory. A terminal event ends the trajectory. A zero at the start is no
+event, and neither is a pole. With the method @racket['Taylor] no zero within a step is missed
+where @racket[f] has a Taylor series along the step, which need not converge over more than a
+4096th of it; and where @racket[f] only touches zero, up to the tolerance, an event whose
+direction is @racket['both] happens, of which @racket[occurrence-grazing?] is true. With other
+methods, and where @racket[f] has no such series, as at a kink, two zeros much closer than an
+eighth of a step can be missed. A function that along a step is not told from 0 by what the
+tolerance leaves uncertain of the state, as an energy less its value at the start, has no events
+there: its sign is noise. Where @racket[f] has no real value, @racket[exn:fail:mechanics:singular]
+carries the trajectory so far.
 
 @examples[#:eval session
 (define bottom (event coordinate #:name 'bottom #:direction 'falling))
@@ -266,10 +262,10 @@ vanishes, where the cosine of the angle is 2/3:
                #:precision (or/c exact-integer? #f) #:progress? any/c)
               value)]{
 
-The derivative of what @racket[state-advancer] computes: a procedure of a state, a duration and
-perhaps a tolerance, whose value is how the state reached depends on the state at the start,
-in the shape that @racket[D] gives. With @racket[#:by-parameters? #t] it is a down tuple of
-that and of the derivatives by each parameter that is a number or a tuple of numbers.
+The derivative of @racket[state-advancer]: a procedure of a state, a duration and perhaps a
+tolerance, whose value is the derivative of the state reached by the state at the start, in the
+shape that @racket[D] gives. With @racket[#:by-parameters? #t] it is a down tuple of that and of
+the derivatives by each parameter that is a number or a tuple of numbers.
 
 It is integrated along with the motion, by the equation of variations, and its error is held
 to the tolerance as well: no differences are taken. @racket[D] and @racket[gradient] of the
@@ -284,17 +280,17 @@ duration; their results may be differentiated again.
 (define (x-reached x v) (coordinate ((state-advancer oscillator 2) (up 0 x v) 1 1e-13)))
 ((gradient x-reached) 1.0 0.0)]
 
-A pendulum that starts near the top falls the later the nearer it was:
+The nearer to the top a pendulum starts, the later it falls:
 
 @examples[#:eval session
 (ref ((linearized-flow (lambda () pendulum)) (up 0 3.14 0) 2 1e-12) 1)]
 
-Where the state derivative jumps from @math{f} to @math{g}, as that of friction does or of a
-contact, a displacement @math{v} jumps, too: where @math{h} passes through zero, to
-@math{v + (g - f) (∇h · v) / (∇h · f)}. The equation of variations knows nothing of that, and so
-all of these pass over it, as do @racket[Lyapunov-exponents] and @racket[Floquet-multipliers].
-Follow the motion to there, by a terminal event, let @math{v} jump, and go on. A kink, as of
-@racket[abs], needs nothing of the kind.
+If the state derivative jumps from @math{f} to @math{g} where @math{h} passes through zero, as
+with friction or at a contact, a displacement @math{v} jumps as well, to
+@math{v + (g - f) (∇h · v) / (∇h · f)}. The equation of variations does not contain that jump, so
+all of these procedures miss it, and so do @racket[Lyapunov-exponents] and
+@racket[Floquet-multipliers]. End the motion there by a terminal event, let @math{v} jump, and go
+on. A kink, as that of @racket[abs], makes no displacement jump.
 
 @examples[#:eval session
 (define (to-0 s) (up 1 (velocity s) (if (< (coordinate s) 0) 1 -1)))
@@ -425,13 +421,13 @@ has no effect. (H. Yoshida 1990.)
               @defproc[(Gauss-Legendre-4 [step real?]) integration-method?]
               @defproc[(Gauss-Legendre-6 [step real?]) integration-method?])]{
 
-Implicit methods of orders 2, 4 and 6 with steps of the length @racket[step],
-symplectic for Hamilton's equations of any Hamiltonian. The first one is the implicit
-midpoint rule. The slopes within a step are found by repetition; where that does not converge,
-for something in the system changes much faster than the step is long, by Newton's method with
-the same derivatives that @racket['Radau-IIA-5] takes. Either way they are exact but for rounding,
-as they must be for what is kept to be kept; fast vibrations are not damped. Where a step is so
-long that its equations have no solution, @racket[exn:fail:mechanics:singular] is raised.
+Implicit methods of orders 2, 4 and 6 with steps of the length @racket[step], symplectic for
+Hamilton's equations of any Hamiltonian. The first one is the implicit midpoint rule. The slopes
+within a step are found by repetition. If that does not converge, because something in the system
+changes much within a step, they are found by Newton's method with the derivatives that
+@racket['Radau-IIA-5] takes. Either way they are exact up to rounding, which conserved quantities
+require; fast vibrations are not damped. If a step is so long that its equations have no solution,
+@racket[exn:fail:mechanics:singular] is raised.
 (Hairer, Lubich and Wanner 2006.)
 
 @examples[#:eval session
@@ -445,17 +441,16 @@ long that its equations have no solution, @racket[exn:fail:mechanics:singular] i
 (eval:error
  (evolve-trajectory bursting (up 0 0) 10 #:method (Gauss-Legendre-4 0.1)))]}
 
-@section{Waiting}
+@section{Progress}
 
 @defboolparam[report-progress report?]{
 
-Whether long runs say how far they are, which they do at a prompt in a terminal only: after
-three seconds a line such as @tt{evolve: t = 37.2 of 100.0} appears below the input, is
-written anew a few times a second and is erased in the end, also when the run is
-interrupted by Ctrl-C. For a single run, @racket[state-advancer], @racket[evolve],
-@racket[evolve-trajectory], @racket[find-path] and the minimisers take the keyword
-@racket[#:progress?]. Where a monitor writes something itself, nothing is said; programs and
-modules never see it.
+Whether long runs report their progress at a prompt in a terminal. After three seconds a line such
+as @tt{evolve: t = 37.2 of 100.0} appears below the input. It is written anew a few times a second
+and erased at the end, also when Ctrl-C interrupts the run. For a single run,
+@racket[state-advancer], @racket[evolve], @racket[evolve-trajectory], @racket[find-path] and the
+minimisers take the keyword @racket[#:progress?]. There is no such line if a monitor writes
+something itself, nor in programs and modules.
 
 @examples[#:eval session
 (parameterize ([report-progress #f])
@@ -463,7 +458,7 @@ modules never see it.
 
 @section[#:tag "precision"]{Precision}
 
-How long is a run to be believed? One in more digits tells. With the keyword
+A run with more digits tells how long a run can be believed. With the keyword
 @racket[#:precision], @racket[state-advancer], @racket[evolve] and
 @racket[evolve-trajectory] follow the same state derivative in floating-point numbers of so
 many bits instead of flonums, which have 53, and their states hold such numbers. Each bit is
@@ -477,10 +472,10 @@ worth 0.3 decimal digits.
 The tolerance is ten to the minus a quarter of the bits unless given, @racket[1e-50] for
 200 bits. The method is extrapolation of Gragg's midpoint rule, the same as
 @racket['bulirsch-stoer] but of any order: about 0.6 rows for each digit of the tolerance.
-Its coefficients are fractions; those of @racket['Dormand-Prince-853] are known to 25
-digits or so and would leave no more right. Some bits more than asked for make up for the
-rounding on the way. States between steps are computed by steps that end there. A
-pendulum takes about a thousand times as long with 100 bits as with flonums.
+Its coefficients are fractions, whereas those of @racket['Dormand-Prince-853] are known to some 25
+digits, which would limit the result. A few extra bits make up for rounding on the way. States
+between steps are computed by steps that end there. A pendulum takes about a thousand times as
+long with 100 bits as with flonums.
 
 @margin-note{Exact numbers enter at full precision, a flonum at its own exact value:
 @racket[0.1] is 0.1000000000000000055…. Hence give @racket[1/10] where that is
@@ -540,9 +535,8 @@ flonums.
               @defproc[(bigfloat-precision [x bigfloat?]) exact-integer?]
               @defproc[(bigfloat->exact [x bigfloat?]) real?])]{
 
-A number of higher precision, of so many bits: the one nearest to @racket[x], which may be
-a numeral, and may be
-a number of @racketmodname[math/bigfloat]. These numbers take part in all arithmetic,
+The number of so many bits that is nearest to @racket[x], which may also be a numeral or a number of
+@racketmodname[math/bigfloat]. These numbers take part in all arithmetic,
 comparisons and derivatives. A result has as many bits as the more precise of its
 arguments. There are no complex ones: the square root of a negative number is not a number,
 @racket[+nan.0]. Beside symbols they stand for their exact values, fractions;

@@ -327,7 +327,7 @@ an orbit ends. All cores work where the map can be compiled. What is drawn after
 
 @sicm{3.9, p. 279}}
 
-@section{What was drawn}
+@section{Contents of a frame}
 
 @deftogether[(@defproc[(frame-points [f frame?]) (listof vector?)]
               @defproc[(frame-curves [f frame?]) (listof (listof vector?))])]{

@@ -14,7 +14,7 @@ integers, @racket[exp], @racket[magnitude], @racket[conjugate] and @racket[inver
 quaternions; a scalar counts as the one without a vector part. A quotient @racket[(/ p q)] is
 p times the inverse of q, from the right.
 
-@section{Making quaternions, and their parts}
+@section{Constructors and parts of quaternions}
 
 @deftogether[(@defproc[(quaternion [r scalar] [x scalar] [y scalar] [z scalar]) quaternion?]
               @defproc[(make-quaternion [parts (or/c tuple list?)]) quaternion?]

@@ -5,13 +5,13 @@
 
 @(define session (make-session))
 
-What is true of all states of a system is asked at a local tuple of symbols, such as
-@racket[(up 't 'x 'v)] or @racket[(up 't (up 'r 'phi) (up 'rdot 'phidot))], each of
-which may be any number. It also says how many coordinates there are, and the answers
-are in its symbols. None of them may be a parameter of the Lagrangian as well.
+A question about all states of a system is asked at a local tuple of symbols, such as
+@racket[(up 't 'x 'v)] or @racket[(up 't (up 'r 'phi) (up 'rdot 'phidot))]. Each symbol may be any
+number. The tuple also tells the number of coordinates, and the answers are written in its symbols.
+None of these may be a parameter of the Lagrangian.
 @racket[(literal-Lagrangian-state 2)] makes one.
 
-@section[#:tag "asked-of-Hamiltonians"]{Asked of a Hamiltonian}
+@section[#:tag "asked-of-Hamiltonians"]{Questions about a Hamiltonian}
 
 Each question below, and those about small oscillations (@secref["reference-oscillations"]), may
 be asked of a Hamiltonian instead, at a state @racket[(up t q p)] of symbols where there is a
@@ -25,10 +25,11 @@ literal function with a signature @racket[(Hamiltonian n)], one coordinate inclu
 @item{if it asks its state for its @racket[momentum];}
 @item{if, of several coordinates, it takes momenta and refuses velocities.}]
 
-Else it is a Lagrangian. With one coordinate, what takes its state apart by a pattern may be
-either; where the state's third part is named @racketidfont{p} or @racketidfont{p_theta} that
-is an error, and @racket[make-Hamiltonian] says what was meant. Answers about rest
-and small oscillations are in coordinates and velocities, by the Lagrangian of the Hamiltonian.
+Otherwise it is a Lagrangian. With one coordinate, a function that takes its state apart by a
+pattern may be either. If the pattern names the third part @racketidfont{p} or
+@racketidfont{p_theta}, that is an error, and @racket[make-Hamiltonian] makes the function known
+as a Hamiltonian. Answers about rest and small oscillations are in coordinates and velocities, by
+the Lagrangian of the Hamiltonian.
 
 @examples[#:eval session #:label #f
 (define ((H-spring m k) s)
@@ -75,10 +76,9 @@ Of a Hamiltonian (@secref["asked-of-Hamiltonians"]) the rate is {Q, H} + ∂@sub
                          [#:force force (or/c #f procedure?) #f])
          procedure?]{
 
-How fast Q changes along the motions of L: a function of the local tuple
-@racket[(up t q v)], with values of the shape of those of Q. It is D@subscript{t}Q with
-the accelerations that Lagrange's equations give, which are solved for only where
-Q̇ does not follow without.
+How fast Q changes along the motions of L: a function of the local tuple @racket[(up t q v)], with
+values of the same shape as those of Q. It is D@subscript{t}Q with the accelerations of Lagrange's
+equations. These are solved for the accelerations only if Q̇ needs them.
 
 @examples[#:eval session
 ((rate-of-change (L-oscillator 'm 'k) (Lagrangian->energy (L-oscillator 'm 'k))
@@ -154,12 +154,12 @@ A function f of local tuples with D@subscript{t}f = F, of one derivative less th
 it takes longer local tuples, too. It is determined but for a constant.
 
 The function prints as the program that computes it, where there is a formula.
-Formulas are found for sums of products of powers, exponentials, sines and cosines,
-for literal functions and their derivatives, and for what a substitution makes one of
-these. They have been differentiated, and D@subscript{t}f − F proved zero. Where there is
-no formula, f can be applied to numbers: it is then the integral along the straight line
-from @racket[start], at which f is 0, through which there must be no singularity; one at
-@racket[start] raises @racket[exn:fail:mechanics].
+Formulas are found for sums of products of powers, exponentials, sines and cosines, for literal
+functions and their derivatives, and for expressions that a substitution turns into one of these.
+Each formula is checked: D@subscript{t}f − F is proved zero. Where there is no formula, f can be
+applied to numbers: it is then the integral along the straight line from @racket[start], where f is
+0. No singularity may lie on that line; one at @racket[start] raises
+@racket[exn:fail:mechanics].
 
 An F that is not proved to be a total time derivative raises
 @racket[exn:fail:mechanics], and so does an f without a formula at symbols.
@@ -183,12 +183,12 @@ An F that is not proved to be a total time derivative raises
                                                       [local local-tuple])
                        verdict?])]{
 
-Whether two Lagrangians give equivalent equations: the residual of the second is that
-of the first, multiplied by an invertible matrix, which may depend on the state. The
-comparison says how they are related. Where they are not, the residual of its verdict
-is what motions of one leave of the equations of the other. Where both mass matrices are
-without inverses and the equations restrict the states themselves, only constant
-multiples are recognised; other pairs raise @racket[exn:fail:mechanics].
+Whether two Lagrangians give equivalent equations: the residual of the second is that of the first
+times an invertible matrix, which may depend on the state. The comparison tells how the Lagrangians
+are related. If they are not, the residual of its verdict is that of the second Lagrangian's
+equations along motions of the first. If neither mass matrix has an inverse and the equations
+restrict the states themselves, only constant multiples are recognised; other pairs raise
+@racket[exn:fail:mechanics].
 
 @examples[#:eval session
 (define V (literal-function 'V))

@@ -51,7 +51,7 @@ an error that says so, and @racket[prove-zero] is undecided.
 (verify-equal exp-series (+ sinh-series cosh-series))
 (verify-equal exp-series cosh-series)]
 
-@section{Making series}
+@section{Constructors of series}
 
 @deftogether[(@defproc[(series [term value] ...) series?]
               @defproc[(power-series [coefficient value] ...) power-series?])]{
@@ -99,7 +99,7 @@ cos-series
 
 @sicm{6.4, exercise 6.7}}
 
-@section{Looking at terms}
+@section{Terms of series}
 
 @deftogether[(@defproc[(series? [x any]) boolean?]
               @defproc[(power-series? [x any]) boolean?]

@@ -7,7 +7,7 @@
 
 See @secref["structures"] for an introduction.
 
-@section{Making structures}
+@section{Constructors of structures}
 
 @deftogether[(@defform[#:id up (up component ...)]
               @defform[#:id down (down component ...)])]{
@@ -53,7 +53,7 @@ A structure of n unknowns, named after their place.
 (literal-up 'q 3)
 (literal-down 'p 2)]}
 
-@section{Recognising structures}
+@section{Predicates of structures}
 
 @deftogether[(@defproc[(structure? [x any]) boolean?]
               @defproc[(up? [x any]) boolean?]
@@ -74,7 +74,7 @@ The orientation.
 @examples[#:eval session
 (structure-orientation (up 1 2))]}
 
-@section[#:tag "taking-apart"]{Taking structures apart}
+@section[#:tag "taking-apart"]{Components}
 
 @defproc[(ref [s value] [i exact-integer?] ...) value]{
 
@@ -142,7 +142,7 @@ The components, as a vector or a list.
 (structure->list (down 1 2))
 (structure->vector (up 1 2))]}
 
-@section{Going through structures}
+@section{Maps and folds over structures}
 
 @defproc[(s:map [f procedure?] [s tuple] ...+) structure?]{
 

@@ -7,7 +7,7 @@
 
 See @secref["residuals"] for an introduction.
 
-@section{Asking}
+@section{Questions}
 
 @defproc[(prove-zero [x value] [#:variables variables (listof symbol?) '()]) verdict?]{
 
@@ -29,13 +29,13 @@ they are.
 
 Whether the difference is zero.
 
-What holds for any numbers in place of the flonums in it is proved. What holds just
-for the flonums it has may be due to rounding. Then each of them is read as the simplest
-number within two units of its last place: a fraction, a root of one up to the sixth, a
-root of a quadratic equation with coefficients up to 100, a fraction or square root times a
-power of π or e. If that leads to a proof, @racket[verdict-readings] tells how they were
-read; else the verdict is undecided. Numbers that meet numbers, as in @racket[(* 2 4.9)],
-are rounded by Racket before anyone can tell: a number as small as rounding leaves, as the
+A difference that vanishes for any numbers in place of its flonums is proved to be zero. One that
+vanishes just for the flonums it contains may do so by rounding. Then each flonum is read as the
+simplest number within two units of its last place: a fraction, a root of a fraction up to the sixth
+root, a root of a quadratic equation with coefficients up to 100, or a fraction or square root times
+a power of π or e. If that leads to a proof, @racket[verdict-readings] tells how the flonums were
+read; otherwise the verdict is undecided. Products of numbers such as @racket[(* 2 4.9)] are rounded
+by Racket before the library sees them, so a number that is as small as rounding errors, like the
 sine of the decimal @racket[pi], is undecided. π itself is @racket[':pi].
 
 @examples[#:eval session
@@ -58,10 +58,9 @@ Whether the path q satisfies Lagrange's equations of L at all times. The other a
 are those of @racket[Lagrange-equations]. A path that has a kink, a jump or no value at
 some time is not proved to do so: see @racket[verdict-kinks].
 
-With constraints, the path has to keep them, and to satisfy
-@racket[constrained-Lagrange-equations] with the multipliers given. Without multipliers
-the question is whether there are any: whether it satisfies the equations of
-@racket[eliminate-multipliers].
+With constraints, the path has to keep them and to satisfy
+@racket[constrained-Lagrange-equations] with the multipliers given. Without multipliers the question
+is whether any exist: whether the path satisfies the equations of @racket[eliminate-multipliers].
 
 @examples[#:eval session
 (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
@@ -77,18 +76,18 @@ the question is whether there are any: whether it satisfies the equations of
 
 @sicm{1.5, p. 36}}
 
-@section[#:tag "asking-again"]{Asking again}
+@section[#:tag "asking-again"]{Repeated questions}
 
 @defproc[(verify-again [v verdict?]
                        [condition (or/c verdict? list?) v])
          verdict?]{
 
-The verdict on what @racket[v] was asked, under a condition: by default the first that it names,
-the first of its @racket[verdict-alternatives]. The condition is imposed on all that the question
-is about, the Lagrangian and the path, forces and constraints, and the question is asked of
-these, so that kinks are looked for, and conditions found, anew. What was declared when
-@racket[v] was asked is known of what takes the place of a symbol. A condition on a symbol that
-does not occur in the question is refused.
+The verdict on the question of @racket[v] under a condition: by default the first of its
+@racket[verdict-alternatives]. The condition is imposed on everything that the question is about:
+Lagrangian, path, forces and constraints. The question is then asked anew, with a search for kinks
+and for conditions. A declaration about a symbol, made when @racket[v] was asked, holds for the
+expression that replaces the symbol. A condition on a symbol that does not occur in the question is
+refused.
 
 @examples[#:eval session
 (define ((L-oscillator m k) (up t q v))
@@ -103,12 +102,12 @@ asked
 
 @defproc[(impose [x value] [condition (or/c verdict? list?)]) value]{
 
-The value under the condition: an equation @racket['(= k 1)], a list of equations that hold
-together, or a verdict, whose first choice it is. Each equation is solved for a symbol, which is
-replaced by what it equals, a square's by the root that is not negative; a factor of both sides
-is taken not to be 0. Either choice is told, once in a session. Of a function, such
-as a Lagrangian or a path, the result is the
-function whose values have it replaced; of a constraint it is a constraint, of a list a list.
+The value under a condition: an equation @racket['(= k 1)], a list of equations that hold together,
+or a verdict, which stands for the first of its @racket[verdict-alternatives]. Each equation is
+solved for a symbol, and the solution replaces the symbol in the value. If the symbol stands in a
+square, the root that is not negative is taken; a common factor of both sides is taken not to be 0.
+A note tells of either choice once in a session. In a function, such as a Lagrangian or a path, the
+symbol is replaced in its values. A constraint gives a constraint, a list a list.
 
 @examples[#:eval session
 (impose (* 1/2 'k (square 'x)) '(= k (* m (expt omega 2))))
@@ -118,7 +117,7 @@ function whose values have it replaced; of a constraint it is a constraint, of a
 (impose (up 'b 'm) '((= b (* 2 gamma m)) (= m 1)))
 (eval:error (impose 'a '(= (+ a b) (+ c d))))]}
 
-@section{Reading the answer}
+@section{Parts of a verdict}
 
 @deftogether[(@defproc[(verdict? [x any]) boolean?]
               @defproc[(verdict-status [v verdict?]) (or/c 'proved 'refuted 'undecided)]
@@ -139,7 +138,7 @@ others, neither true nor false, and @racket[if] refuses it: ask @racket[(if (pro
 
 @defproc[(verdict-residual [v verdict?]) value]{
 
-What was judged, simplified.
+The value that was judged, simplified.
 
 @examples[#:eval session (verdict-residual v)]}
 
@@ -156,11 +155,10 @@ and its value there. The pairs can be given to
 
 @defproc[(verdict-conditions [v verdict?]) list?]{
 
-Equations between parameters, as lists @racket[(= left right)], for which the scalars of
-the residual vanish: of each scalar the first of the ways that are printed. There are none
-where no short equation would do, and none that
-speak of the arguments of a function: a residual that varies with the time has to
-vanish at all times, for which several equations may be needed.
+Equations between parameters, as lists @racket[(= left right)], under which the scalars of the
+residual vanish: for each scalar the first equation that is printed. An equation that would be long
+is left out, and so are equations about the arguments of a function: a residual that varies with
+time has to vanish at all times, which may take several equations.
 
 @examples[#:eval session
 (verdict-conditions v)
@@ -173,12 +171,12 @@ vanish at all times, for which several equations may be needed.
 
 @defproc[(verdict-alternatives [v verdict?]) (listof list?)]{
 
-Every choice of parameters that is known to make all of the residual zero: each a list of
-equations that hold together. Of a product any factor will do. No choice is told with which
-the question would lose its meaning: a mass is not zero, nor what the path is divided by, and
-a path still moves. That a single symbol is zero is told by verdicts about a system, as of
-@racket[verify-solution] and @racket[verify-conserved]; of a residual alone nobody knows
-which symbols are masses.
+Every known choice of parameters that makes the whole residual zero: each choice is a list of
+equations that hold together. Of a product, each factor gives a choice. Choices that rob the
+question of its meaning are left out: a mass of zero, a zero in a denominator of the path, or a
+path at rest. Only verdicts about a system, such as those of @racket[verify-solution] and
+@racket[verify-conserved], include choices where a single symbol is zero; a residual alone does
+not tell which symbols are masses.
 
 @examples[#:eval session
 (define ((L-rotating m Omega) (up t (up r phi) (up rdot phidot)))
@@ -200,22 +198,20 @@ For each scalar that is not zero, a pair of its factor and its core.
 
 @defproc[(verdict-kinks [v verdict?]) list?]{
 
-What keeps a residual that is zero from being proved so: places where a function that
-was differentiated has a kink or a jump, which its derivative does not see, or where a
-path has no value. Each is a list of @racket['kink], @racket['jump] or
-@racket['no-value], an expression, and equations that hold there; an @racketidfont{n}
-in a series of places stands for any integer, and
-@racketidfont{:pi} is π. The list is empty for a refutation, and
-where the sign of what would have to vanish is known: by its form, as that of
-@racket[(+ 1 (square t))], or because it was declared.
+Places that keep a zero residual from being proved: a function that was differentiated has a kink or
+a jump there, which its derivative does not see, or a path has no value. Each place is a list of
+@racket['kink], @racket['jump] or @racket['no-value], an expression, and equations that hold there;
+an @racketidfont{n} in a series of places stands for any integer, and @racketidfont{:pi} is π. A
+refutation has none. There is none either where the expression is known not to vanish: by its form,
+as @racket[(+ 1 (square t))], or by a declaration.
 
-Kinks are looked for by those who judge derivatives: @racket[verify-solution],
+Kinks are looked for by the procedures that judge derivatives: @racket[verify-solution],
 @racket[verify-conserved], @racket[verify-ignorable], @racket[verify-equilibrium],
 @racket[verify-total-time-derivative], @racket[verify-equivalent-Lagrangians],
 @racket[Frobenius-test] and their relatives; @racket[prove-zero] and
 @racket[verify-equal] judge values. Of a Lagrangian or a quantity only kinks and jumps
-count: a potential may have poles. A distance such as the root of @math{x² + y²} is taken
-to be none, and parameters are taken not to be 0.
+count: a potential may have poles. A distance such as the root of @math{x² + y²} is assumed not to
+vanish, and so are parameters.
 
 @examples[#:eval session
 (define corner (verify-solution (L-free 'm) (lambda (t) (abs (- t 2)))))
@@ -227,11 +223,11 @@ corner
 @defproc[(verdict-reason [v verdict?])
          (or/c #f 'kinks 'nowhere-defined 'too-large 'decimals 'series 'beyond-the-algebra)]{
 
-Why a verdict is undecided, the first of these that is so: derivatives do not see what
-happens at some points; no point was found where the question has a real value and the
-assumptions hold; it is too large to be multiplied out; decimals stand in the way; only the
-first terms of a series were looked at; no rule of the library proves it, and no point
-refutes it. @racket[#f] for other verdicts.
+The reason why a verdict is undecided: the first of these that applies, in the order of the
+symbols above. Derivatives do not see what happens at some points; no point was found where the
+question has a real value and the assumptions hold; the residual is too large to be multiplied
+out; decimals stand in the way; only the first terms of a series were examined; no rule of the
+library proves the residual to be zero, and no point refutes it. @racket[#f] for other verdicts.
 
 @examples[#:eval session
 (verdict-reason (prove-zero (- (sqrt (+ 'x (* 2 (sqrt (- 'x 1))))) (sqrt (- 'x 1)) 1)))
@@ -239,8 +235,8 @@ refutes it. @racket[#f] for other verdicts.
 
 @defproc[(verdict-readings [v verdict?]) (listof list?)]{
 
-How decimals were read for the proof: lists of a decimal and an exact expression. There are
-none where it holds for any numbers in their place.
+How decimals were read for the proof: lists of a decimal and an exact expression. The list is empty
+if the proof holds for any numbers in their place.
 
 @examples[#:eval session
 (verdict-readings (verify-equal (cos (* 1.4142135623730951 't)) (cos (* (sqrt 2.0) 't))))
@@ -249,18 +245,18 @@ none where it holds for any numbers in their place.
 
 @defproc[(verdict-remarks [v verdict?]) (listof string?)]{
 
-What makes the answer say less than it seems to: a path that does not depend on the time, a
-symbol @racket['t] that is taken for it, a Lagrangian that depends on nothing, a quantity
-that is a constant. They are printed as notes.
+Reasons why the answer says less than it seems to: a path does not depend on the time, a symbol
+@racket['t] is taken for the time, a Lagrangian depends on nothing, a quantity is a constant. They
+are printed as notes.
 
 @examples[#:eval session
 (verdict-remarks (verify-solution (L-free 'm) (lambda (t) 'c)))]}
 
 @defproc[(verdict-assumptions [v verdict?]) list?]{
 
-What the residual rests on, such as @racket[(>= R 0)]: declared relations that were
-used, which the verdict calls @italic{given}, and assumptions that were made. At the
-witness of a refutation all that was declared holds, used or not.
+The relations that the verdict rests on, such as @racket[(>= R 0)]: declared relations that were
+used, which the verdict calls @italic{given}, and assumptions that were made. At the witness of a
+refutation all declared relations hold, used or not.
 
 @examples[#:eval session
 (verdict-assumptions (prove-zero (- (sqrt (square 'R)) 'R)))

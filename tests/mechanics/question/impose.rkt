@@ -243,7 +243,8 @@
   (check-message (string-append "verify-again: the verdict comes first, then the condition: "
                                 "(verify-again v '(= k m))")
                  (verify-again '(= k m) v))
-  (define hint #rx"\n  the value comes first, then the condition, as in [(]impose L '[(]= k 1[)][)]$")
+  (define hint
+    #rx"\n  the value comes first, then the condition, as in [(]impose L '[(]= k 1[)][)]$")
   (check-exn hint (lambda () (impose '(= k 3) (* 'k 'x))))
   (check-exn hint (lambda () (impose '((= k 3)) (* 'k 'x))))
   (check-exn hint (lambda () (impose v 'k))))

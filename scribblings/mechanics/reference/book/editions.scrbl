@@ -27,7 +27,7 @@ Names that only scmutils has are in @racketmodname[mechanics/scmutils]
 @racket[r->p], @racket[Rx], @racket[Ry] and @racket[Rz] are used in the text without a
 definition, on pages 48 and 91.
 
-@section{What is printed otherwise}
+@section{Differences from the printed page}
 
 @itemlist[
 @item{@bold{p. 18.} The action of the varied path is 435 + 18077/14000 exactly. The book's
