@@ -165,7 +165,7 @@
 
 (says
  [(invariant-circle (standard-map 0.5) golden #:from 'low)
-  "invariant-circle: expected a real number; given the symbol low"]
+  "invariant-circle: expected a real number\n  given: the symbol low"]
  [(invariant-circle (standard-map 0.5) golden #:from 2.7 #:to 3.0)
   "invariant-circle: the orbits from both ends are ahead of the rotation: no curve is "
   "between them\n  rotation number: 0.3819660112501052\n  actions: 2.7 and 3.0\n"
