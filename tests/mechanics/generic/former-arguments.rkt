@@ -4,8 +4,12 @@
 
 (require mechanics mechanics/plot mechanics/scmutils
          (only-in mechanics/generic/former-arguments former-keywords former-counts)
+         racket/file
+         racket/runtime-path
          rackunit
          "../support/messages.rkt")
+
+(define-runtime-path conventions "../../../scribblings/mechanics/reference/conventions.scrbl")
 
 (define (exported name)
   (for/or ([library '(mechanics mechanics/plot mechanics/scmutils)])
@@ -37,6 +41,13 @@
     (define known
       (with-handlers ([exn:fail? exn-message]) (keyword-apply f '(#:no-such) '(0) '())))
     (check-true (regexp-match? (regexp-quote new) known) (format "~a ~a" who new))))
+
+(test-case "the manual's table has them all"
+  (define page (file->string conventions))
+  (for* ([entry (in-list former-keywords)] [word (in-list (cons (car entry) (cddr entry)))])
+    (check-true (regexp-match? (regexp-quote (format "~s" word)) page) (format "~s" word)))
+  (for ([entry (in-list former-counts)])
+    (check-true (regexp-match? (regexp-quote (format "@racket[~s]" (car entry))) page))))
 
 (define (oscillator) (lambda (s) (up 1 (ref s 2) (- (ref s 1)))))
 

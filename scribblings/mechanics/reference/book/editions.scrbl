@@ -18,8 +18,7 @@ systems do.
   (list @racket[F->CH] @racket[F->CT])
   (list @racket[T-body-Euler] @racket[T-rigid-body])
   (list @racket[L-body-Euler] @racket[Euler-state->L-body])
-  (list @racket[L-space-Euler] @racket[Euler-state->L-space])
-  (list @racket[Legendre-transform] @racket[Legendre-transform-procedure]))]
+  (list @racket[L-space-Euler] @racket[Euler-state->L-space]))]
 
 Names that only scmutils has are in @racketmodname[mechanics/scmutils]
 (@secref["reference-scmutils"]).
