@@ -161,10 +161,11 @@ Constraints that repeat each other leave their multipliers open: the error
 The state derivative @racket[(up 1 v a)] of the constrained system, for
 @racket[evolve], @racket[state-advancer], @racket[evolve-trajectory] and the others.
 
-After each step of the integration the state is projected to where the constraints and their rates
-of change are zero, and so is a state that is read between steps. The drift off the constraints is
-that of rounding. Numbers of higher precision (@racket[#:precision]) are not taken back; there it
-stays near the tolerance. The way back is the shortest as kinetic energy measures it. For it, and
+After each step of the integration a projection takes the state to where the constraints and their
+rates of change are zero; a state that is read between steps is projected as well. The drift off the
+constraints is that of rounding. Numbers of higher precision (@racket[#:precision]) are not
+projected; their drift stays near the tolerance. The way of the projection is the shortest as
+measured by the kinetic energy. For it, and
 for the rates, the Lagrangian, the force and the constraints are run once on placeholders, and the
 list of their operations is differentiated: momenta, mass matrix and the Jacobian of the
 constraints, sparse where that is, compiled and kept with the state derivative. Twenty rods take
