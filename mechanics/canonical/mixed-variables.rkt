@@ -28,7 +28,8 @@
 (provide make-solver solution-at)
 
 ;; who : complains; unknowns, data : strings, the unknowns follow from the data
-;; f : given, x -> value;  no-formula : called by callers who need a formula where there is none, or #f
+;; f : given, x -> value
+;; no-formula : called where there is no formula, by callers who need one; or #f
 ;; how : (up given like y) -> 'exactly, 'by-numbers or a formula
 (struct solver (who unknowns data f no-formula how) #:authentic)
 

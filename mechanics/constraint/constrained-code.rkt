@@ -63,8 +63,8 @@
 ;; ---------------------------------------------------------------------------
 ;; First derivatives
 
-;; p : program of the ingredients -> the program of ∂L/∂q, P, the force if there is one, and for each
-;; constraint its value, its rate and its row of J
+;; p : program of the ingredients -> the program of ∂L/∂q, P, the force if there is one, and for
+;; each constraint its value, its rate and its row of J
 (define (swept-back p n holonomic outside)
   (define outputs (vector->list (program-outputs p)))
   (define b (reload p))

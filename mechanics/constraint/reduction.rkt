@@ -9,7 +9,8 @@
 (require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "linearized.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
-         "../generic/printed-function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt"
          "../lagrangian/generic-state.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" list->up ref)

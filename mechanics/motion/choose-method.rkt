@@ -1,9 +1,9 @@
 #lang racket/base
-;; Which method a system is integrated by.
+;; The choice of a method for a system.
 ;;
-;; The Taylor method needs recurrences for all that its rates are made of, and coefficients
-;; where the motion begins.  Where it is asked for by its name and cannot be, that is said;
-;; `auto` takes the method of Dormand and Prince then, and where that is faster.
+;; The Taylor method needs recurrences for all operations of the rates, and coefficients where the
+;; motion begins.  If it is asked for by its name and cannot be used, the reader is told; `auto`
+;; takes the method of Dormand and Prince then, and where that is faster.
 ;;
 ;; Which is faster shows at the start.  A step of Dormand and Prince takes twelve evaluations; its
 ;; error is about that of the term of order 8, so that its length is near 1.9 (ε/‖y_8‖)^(1/8), as
@@ -34,7 +34,7 @@
          p]
         [else p]))
 
-;; Nothing is tried of a system of so many operations.
+;; Has s so many operations that the Taylor method is not tried?
 (define (long? s) (> (or (system-operations s) 0) most-operations))
 (define most-operations 200)
 
@@ -42,7 +42,7 @@
 
 (define (plan-by p m) (struct-copy plan p [method m]))
 
-;; What the Taylor method sees at y, or a string that says why it cannot integrate s from there.
+;; -> the outlook of the Taylor method at y, or a string, the reason why it cannot integrate s
 (define (outlook-of p s y)
   (cond [(string? (system-expand s)) (system-expand s)]
         [else
@@ -50,8 +50,8 @@
                                  (step-tolerance (plan-tolerance p))))
          (if (fl> (outlook-step o) 0.0) o "its coefficients are not finite at the start")]))
 
-;; Does the Taylor method take longer, by what is more than the model's doubt?  Where the
-;; tolerance leaves nothing but rounding, of which it loses less, that does not matter.
+;; Does the Taylor method take longer, by more than the model's uncertainty?  Not asked where the
+;; tolerance leaves only rounding, of which the Taylor method loses less.
 (define (slower? o p s)
   (define tolerance (step-tolerance (plan-tolerance p)))
   (define step (outlook-step o))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; How to integrate: what the callers of a run may choose, checked and completed.
+;; Plans of integration: the choices of the callers of a run, checked and completed.
 
 (require "method-names.rkt" "method.rkt"
          "system/check.rkt"
@@ -7,14 +7,14 @@
 
 (provide (struct-out plan) make-plan default-tolerance)
 
-;; who : on whose behalf; longest, most : of steps
+;; who : the procedure that the reader called; longest, most : of steps
 ;; bits : of the numbers to compute with, or #f for flonums.  For these the tolerance is a
 ;;        flonum; otherwise it is exact, and there is no choice of methods.
 (struct plan (who tolerance method longest most bits progress?) #:authentic)
 
 (define default-tolerance 1e-10)
 
-;; tolerance, method : #f for what is usual
+;; tolerance, method : #f for the default
 (define (make-plan who tolerance method [longest +inf.0] [most +inf.0]
                    #:precision [bits #f] #:progress [progress? (report-progress)])
   (check-precision who bits)
@@ -30,7 +30,7 @@
         (real->double-flonum (real-number longest))
         most bits progress?))
 
-;; Five sixths of the digits there are.
+;; Five sixths of the digits.
 (define (tolerance-of-precision bits) (expt 10 (- (quotient bits 4))))
 
 (define (raise-no-method who method bits)

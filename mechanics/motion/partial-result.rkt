@@ -1,24 +1,24 @@
 #lang racket/base
-;; What was computed of a motion when something ended it.
+;; The partial result of a motion that an exception ended.
 ;;
 ;; The user's own procedures run in the middle of an integration: the state derivative, the
-;; function of an event.  An error of theirs must reach the user as it is, and so must a break
-;; from the keyboard; neither may cost what was computed until then.  So the integration runs
-;; with a continuation mark, which every exception raised within keeps a hold of.
+;; function of an event.  Their errors must reach the user unchanged, and so must a break from the
+;; keyboard; neither may lose the part of the motion computed until then.  So the integration runs
+;; with a continuation mark, which every exception raised within it keeps.
 
 (provide keeping-so-far so-far (struct-out reached))
 
-;; Where a motion has come of which the steps are not kept.
-;; exactly : real -> the same as `time` is; shown : back; method : what integrates it
+;; The point that a motion has reached whose steps are not kept.
+;; exactly : real -> number of the kind of `time`; shown : back; method : that of the integration
 (struct reached (time state exactly shown method) #:authentic)
 
 (define key (make-continuation-mark-key 'so-far))
 
-;; The value of a form; within it (give) makes what there is so far.
+;; Evaluates the form; an exception raised in it carries the partial result that (give) makes.
 (define-syntax-rule (keeping-so-far give form)
   (let ([value (with-continuation-mark key give form)]) value))
 
-;; The same for an exception: what was made when it was raised, or #f.
+;; -> the partial result that an exception carries, or #f
 (define (so-far e)
   (define give (continuation-mark-set-first (exn-continuation-marks e) key))
   (and give (give)))

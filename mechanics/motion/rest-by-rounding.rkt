@@ -1,6 +1,6 @@
 #lang racket/base
-;; A word on motions that begin at rest but for rounding, as a pendulum at π does, which is no
-;; flonum: where the equilibrium is unstable they leave it, when and where to rounding decides.
+;; A note on motions that begin at rest except for rounding, as a pendulum at π, which is no flonum:
+;; they leave an unstable equilibrium at a time and in a direction that rounding decides.
 
 (require racket/flonum
          "../error/note.rkt")
@@ -20,7 +20,7 @@
   (for/or ([a (in-flvector y from)] [b (in-flvector end from)])
     (fl> (flabs (fl- b a)) (fl* noticeable (fl+ 1.0 (flabs a))))))
 
-;; At rest exactly it would stay.
+;; Are the rates as small as rounding, but not all 0?  From exact rest the motion would not leave.
 (define (rest-by-rounding? f! y from)
   (define slope (make-flvector (flvector-length y)))
   (f! y slope)

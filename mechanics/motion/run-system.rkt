@@ -1,6 +1,6 @@
 #lang racket/base
-;; One integration of a system by a plan: from a start that is one, by a method that suits it, with
-;; word of progress; a failure says why the motion goes no further, and keeps what there is.
+;; One integration of a system by a plan: from a checked start, by a method that suits it, with
+;; notes of progress; a failure gives the reason and carries the partial result.
 
 (require racket/flonum
          "integration-plan.rkt" "rest-by-rounding.rkt" "sample-times.rkt" "partial-result.rkt" "integration-failure.rkt" "choose-method.rkt"
@@ -13,7 +13,7 @@
 ;; A state without a clock starts at 0.
 (define (start-time s y) (if (system-clock? s) (flvector-ref y 0) 0.0))
 
-;; Of a motion whose steps are not kept, the state that it reached is.
+;; A run whose steps are not kept; a failure carries the state that it reached.
 (define (run-reaching p s y start end visit)
   (define t start)
   (define now y)

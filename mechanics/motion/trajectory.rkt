@@ -3,7 +3,7 @@
 ;;
 ;; Each step of the integration leaves an interpolant; together they give the
 ;; state at any time from the first to the last, about as well as the steps
-;; themselves do.  Who makes them: evolve-trajectory.rkt.
+;; themselves do.  Trajectories are made by evolve-trajectory.rkt.
 
 (require "partial-result.rkt"
          "event/within-step.rkt"
@@ -20,7 +20,7 @@
          trajectory (struct-out step) (struct-out reading) state-within method-shown)
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
-;; reading : what makes states of steps; method : what it was integrated by, a name or a
+;; reading : how states are made of steps; method : the name of the method of integration, or a
 ;; method with a fixed step
 (value-struct trajectory (steps events reading method)
   #:datum (lambda (tr) `(trajectory from ,(trajectory-start tr) to ,(trajectory-end tr)))
@@ -29,11 +29,11 @@
                                 "to" (see (trajectory-end tr)))))
   #:property prop:procedure (lambda (tr t) (state-at tr t)))
 
-;; From one time to another, and what leads to the states between; in flonums the interpolant
-;; from the first to `end`, which is beyond the other if an event ended the trajectory.
+;; A step from one time to another; inside : for the states between; in flonums the interpolant from
+;; the first time to `end`, which is beyond `to` if an event ended the trajectory.
 (struct step (from to inside end) #:authentic)
 
-;; exactly : real -> the same as times of steps are; shown : back
+;; exactly : real -> number of the kind of the steps' times; shown : back
 ;; state   : step time -> state
 (struct reading (exactly shown state) #:authentic)
 
@@ -118,8 +118,8 @@
         [(equal? (shown x) (shown first)) first]
         [else #f]))
 
-;; A derivative by interpolation would be worse than the one that was integrated; and that
-;; one would tell nothing of how good the trajectory is.
+;; A derivative by interpolation would be worse than the one that was integrated; and the latter
+;; would not show how good the trajectory is.
 (define (raise-differentiated tr)
   (complain 'trajectory
             (string-append "a trajectory is not differentiated; its rate of change at a time is "

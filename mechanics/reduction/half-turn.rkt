@@ -3,11 +3,11 @@
 ;; both ends.
 ;;
 ;; The mean of its values at evenly spaced v converges with all powers of the spacing, and none at
-;; an end is asked for.  But for an orbit that is nearly a line, as that of a comet, f changes within
-;; a small part of the turn, next to an end, which even spacing does not find: there both quarters
-;; are integrated by panels that are halved where f changes.
+;; an end is asked for.  But for an orbit that is nearly a line, as that of a comet, f changes
+;; within a small part of the turn, next to an end, which even spacing does not find: there both
+;; quarters are integrated by panels that are halved where f changes.
 ;;
-;; f is two functions, of the distance from either end: near it that has all its digits.
+;; f is given by two functions, of the distance from either end, which keeps all its digits there.
 
 (require "../numeric/constants.rkt"
          "../numeric/quadrature/gauss-kronrod.rkt")
@@ -36,7 +36,7 @@
           [(<= change (* noise (abs value))) value]
           [else (fail value change)])))
 
-;; #f where panels do not help, as against rounding
+;; -> the average, or #f where panels do not help, as against rounding
 (define (average-by-panels from-low from-high)
   (define-values (low low-error) (over-quarter from-low))
   (define-values (high high-error) (over-quarter from-high))

@@ -1,15 +1,14 @@
 #lang racket/base
-;; Does a polynomial tell where a function is 0?
+;; Does a truncated Taylor polynomial show where a function is 0?
 ;;
 ;; The coefficients are those of the function along a part of a step, the part being 1, up to some
-;; order.  The last two of them tell how much is left out.  It is to be little beside all of them;
-;; or beside what is uncertain of the function anyway, as of one that is conserved, whose
-;; coefficients are rounding.
+;; order.  The last two of them estimate the remainder.  It must be small beside all of them; or
+;; beside the uncertainty of the function, as for a conserved one, whose coefficients are rounding.
 ;;
-;; And what is left out and rounded is to be little where the function is small, too: exp(100 x)
-;; - 1 is 10⁴³ where a step begins, and -1 where it ends, of which the sum of such coefficients
-;; knows nothing.  Nor may the terms grow, however little they are yet: those of exp(-200 x²) - 1/2
-;; do far from 0, where it is -1/2, and say that there is something to come.
+;; The remainder and the rounding must be small where the function is small, too: exp(100 x) - 1 is
+;; 10⁴³ where a step begins, and -1 where it ends, which the sum of the coefficients does not show.
+;; Nor may the terms grow, however small they are yet: those of exp(-200 x²) - 1/2 grow far from 0,
+;; where the function is -1/2, and announce a zero farther on.
 
 (require racket/flonum
          racket/unsafe/ops
@@ -18,7 +17,7 @@
 (provide tells-zeros? polynomial-value total scaled
          places-for usual-places)
 
-;; uncertain : (-> how much of the function is), which costs another look at it
+;; uncertain : -> the uncertainty of the function, which costs another evaluation
 (define (tells-zeros? c tolerance uncertain)
   (define n (flvector-length c))
   (define rest (fl+ (flabs (flvector-ref c (- n 1))) (flabs (flvector-ref c (- n 2)))))
@@ -32,7 +31,7 @@
 ;; Two of twenty terms have a tenth of the sum if they are all alike.
 (define most-of-varying 0.05)
 
-;; by : how far the values may be off
+;; by : the error of the values
 (define (known-all-along? c by all)
   (for/and ([x (in-list '(0.25 0.5 0.75 1.0))])
     (define size (size-near c x))
@@ -60,7 +59,7 @@
   (for/fold ([sum 0.0]) ([k (in-range (- (flvector-length c) 1) -1 -1)])
     (fl+ (flvector-ref c k) (fl* x sum))))
 
-;; c_k span^k, 0 where c_k is, however long the step
+;; c_k span^k; 0 where c_k is 0, even if the power is infinite
 (define (scaled row order span)
   (define c (make-flvector (+ order 1)))
   (let loop ([k 0] [power 1.0])
@@ -71,12 +70,12 @@
   c)
 
 ;; ---------------------------------------------------------------------------
-;; Where it does not
+;; Places to look at where it does not
 
 (define usual-places 8)
 (define most-places 400)
 
-;; Six for the radius of convergence.
+;; Six places for each radius of convergence.
 (define (places-for c)
   (define n (- (flvector-length c) 1))
   (define (ratio k)

@@ -1,11 +1,11 @@
 #lang racket/base
-;; Is an event's function anything but noise along a step?
+;; Is an event's function only noise along a step?
 ;;
-;; What is conserved is 0 all the way if it is 0 at the start: but for what tolerance and
-;; rounding leave of it, whose sign means nothing.  So where zeros are found the function is
-;; asked for once more, with each coordinate changed by as much as is uncertain of it, the
-;; tolerance relative to its size: a function that is not much greater than what it changes by
-;; cannot be told from 0.  Nothing here is absolute, and a motion may be as small as it likes.
+;; A conserved function that is 0 at the start is 0 all the way, except for the errors that
+;; tolerance and rounding leave, whose sign means nothing.  So where zeros are found the function is
+;; evaluated once more, with each coordinate changed by its uncertainty, the tolerance relative to
+;; its size: a function that is not much greater than its change cannot be told from 0.  Nothing
+;; here is absolute: a motion may be as small as it likes.
 ;;
 ;; Each coordinate is changed by a share of its own, so that no symmetry keeps the function
 ;; from changing.  A coordinate that is linear in the time, as the time is itself, has no
@@ -17,7 +17,7 @@
 (provide noise? vary-rows! row-size
          uncertainties vary-point!)
 
-;; size : of the function along a step; change : of it, by what is uncertain of the state
+;; size : of the function along a step; change : of the function, by the uncertainty of the state
 (define (noise? size change) (fl<= size (fl* 8.0 change)))
 
 ;; Shares between 1/2 and 1, with both signs.
@@ -39,8 +39,8 @@
 
 (define (linear? row) (for/and ([x (in-flvector row 2)]) (fl= x 0.0)))
 
-;; Up to the time u, or the unit of the coefficients: a step that was cut short at the end of
-;; the motion is too short to tell.
+;; The greatest value of the row up to the time u, or to the unit of the coefficients: a step that
+;; was cut short at the end of the motion is too short to tell.
 (define (row-size row order u)
   (define reach (flmax 1.0 (flabs u)))
   (for/fold ([sum 0.0]) ([k (in-range order -1 -1)])
@@ -49,7 +49,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Points of an interpolant
 
-;; at : place flvector -> void -> by how much the coordinates may differ, relative to their size
+;; at : place flvector -> void -> the uncertainties of the coordinates, relative to their size
 (define (uncertainties at n tolerance)
   (define-values (a b c) (values (make-flvector n) (make-flvector n) (make-flvector n)))
   (at 0.25 a)

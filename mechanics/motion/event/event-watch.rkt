@@ -18,22 +18,21 @@
 
 (provide watch-for watches-for watches-by-code)
 
-;; polynomial : interpolant, value where it begins or #f -> its polynomials along the step, or what
-;;              event-polynomial.rkt says instead
-;; noise?     : one of these -> is the function noise along it?
-;; sampled    : interpolant -> place -> value; doubtful : the same, of a state that is changed by
-;;              what is uncertain of it
-;; last       : its value where the last step ended, or #f; size : the greatest that was seen
-;;              of the last step, if it was looked at in places
+;; polynomial : interpolant, value where it begins or #f -> the parts, 'clear or count of places of
+;;              event-polynomial.rkt
+;; noise?     : part -> is the function noise along it?
+;; sampled    : interpolant -> place -> value; doubtful : the same, at a state that is changed by
+;;              its uncertainty
+;; last       : the value where the last step ended, or #f; size : the greatest value of the last
+;;              step, if it was looked at in places
 (struct watched (event polynomial noise? sampled doubtful [last #:mutable] [size #:mutable])
   #:authentic)
 
-;; -> (interpolant -> crossings): what is within a step, in order; to be asked of each step
-;; in turn
+;; -> (interpolant -> the crossings within a step, in order), to be called for each step in turn
 (define (watch-for who events state n tolerance)
   ((watches-for who events state n tolerance)))
 
-;; -> (-> what watch-for gives), for one motion after another
+;; -> (-> the result of watch-for), for one motion after another
 (define (watches-for who events state n tolerance)
   (watches-by-code events (for/list ([e (in-list events)]) (event-code who e state)) n tolerance))
 
@@ -99,7 +98,7 @@
              #:when (or (eq? direction 'both) (eq? direction (zero-kind z))))
     (crossing (zero-at z) e (eq? (zero-kind z) 'touching))))
 
-;; The same where nothing is known of the function: it is looked at in so many places.
+;; The same where nothing is known of the function, by its values at so many places.
 (define (crossings! w at places)
   (define g ((watched-sampled w) at))
   (define size (watched-size w))

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Events: when something happens along a trajectory.
 ;;
-;; An event is a function of the state that passes through zero when it happens: the height
-;; above the table, the force of a constraint.  What happened is an occurrence.  How zeros are
-;; found: event-watch.rkt.
+;; An event is a function of the state that passes through zero when the event happens: the height
+;; above the table, the force of a constraint.  An occurrence is an event with its time and state.
+;; Zeros are found by event-watch.rkt.
 
 (require "../system/check.rkt"
          "../../algebra/expression/expression.rkt"
@@ -44,7 +44,7 @@
                 (describe-with-value e))))
   all)
 
-;; An event, when it happened and the state then; grazing? : did its function only touch zero?
+;; An event, its time and the state then; grazing? : did its function only touch zero?
 (value-struct occurrence (event time state grazing?)
   #:datum (lambda (o)
             (list 'occurrence (event-name (occurrence-event o)) (occurrence-state o)))
@@ -58,8 +58,8 @@
 ;; An event whose function has no real value.
 (struct undefined (event) #:authentic)
 
-;; What is found within a step: `event`, or that it is undefined, `at` a place, from 0 to 1,
-;; or a time; grazing? : is zero only touched?
+;; A crossing within a step; event : an event, or undefined; at : a place, from 0 to 1, or a time;
+;; grazing? : is zero only touched?
 (struct crossing (at event grazing?) #:authentic)
 
 ;; so-far : the trajectory up to there

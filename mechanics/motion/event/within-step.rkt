@@ -1,5 +1,5 @@
 #lang racket/base
-;; Times and states within a step, of which an interpolant knows fractions alone.
+;; Times and states within a step; an interpolant takes fractions of the step.
 
 (require racket/flonum
          "event.rkt" "../system/system.rkt")

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What integration is asked, checked once, at the edge.
+;; The arguments of integrations, checked once, where they enter.
 
 (require racket/flonum
          "../../algebra/expression/constant-value.rkt" "../../algebra/expression/expression.rkt"
@@ -40,7 +40,7 @@
   (unless (positive? (real-number x))
     (complain-of who (format "expected a positive ~a" what) x hint)))
 
-;; The least that is told apart from rounding.
+;; The least tolerance that differs from rounding.
 (define least-tolerance 1e-15)
 
 ;; bits : of numbers of higher precision than flonums, or #f
@@ -89,7 +89,7 @@
 (define (parameters-hint f)
   (format "\n  parameters are supplied first: (~a ...)" (value->text f)))
 
-;; maker : what is to make a state derivative of that many parameters
+;; maker : it must make a state derivative of that many parameters
 (define (check-maker who maker parameters)
   (check-not-residual who maker)
   (unless (procedure? maker)
@@ -120,7 +120,7 @@
        (memq (car d) '(Lagrangian->state-derivative Hamiltonian->state-derivative))
        #t))
 
-;; Lagrange's equations look like what motions are computed from.
+;; Refuses Lagrange's equations, which are residuals and no state derivative.
 (define (check-not-residual who f)
   (define d (value->datum f))
   (when (eq? 'Lagrange-equations (if (pair? d) (car d) d))
@@ -131,7 +131,7 @@
 (define of-Hamiltonian
   "(Hamiltonian->state-derivative H) makes a state derivative of a Hamiltonian")
 
-;; Of what gives a number for a state.
+;; Advice where f gives a number for a state, as a Lagrangian or a Hamiltonian does.
 (define (state-derivative-hint f [state #f])
   (if (or (of-momenta? f) (called-Hamiltonian? f) (and state (momenta? state)))
       of-Hamiltonian
@@ -147,7 +147,7 @@
 (define (takes-state-only? f ps)
   (and (null? ps) (accepts? f 1) (not (accepts? f 0))))
 
-;; datum : what the procedure prints as; takes : what it takes, in words
+;; datum : that of the procedure; takes : its arguments, in words
 (define (raise-arguments datum takes arguments)
   (define n (length arguments))
   (complain-of-arity (value->text datum) "takes ~a\n  given: ~a"
@@ -202,7 +202,7 @@
     (unless (number? (real-number x)) (raise-no-derivative who slope x)))
   slope)
 
-;; slope : what the derivative gives at the state; is it of its shape?
+;; slope : the value of the derivative at the state, which must have the state's shape
 (define (check-rates who derivative state slope)
   (unless (same-shape? slope state)
     (complain who "the state derivative is of another shape than the state~a~a~a"

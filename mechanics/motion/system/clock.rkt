@@ -18,7 +18,7 @@
       (and (number? rate) (= rate 1))
       (eqv? rate 1)))
 
-;; It may be exact and not constant, 1 or 2 by a decision.
+;; run, with a check of the clock: an exact rate may vary, 1 or 2 by a decision.
 (define ((on-time who run) y dy)
   (run y dy)
   (define rate (flvector-ref dy 0))

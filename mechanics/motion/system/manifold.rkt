@@ -1,5 +1,5 @@
 #lang racket/base
-;; Motions on a manifold of states, such as constraints make.
+;; Motions on a manifold of states, as constraints define.
 ;;
 ;; The manifold is known by two corrections, functions of a state: an increment of the
 ;; coordinates that leads nearer to it, which is repeated as Newton's method is, and one of
@@ -33,10 +33,10 @@
 ;; refuse : who state -> does not return; the state is not on the manifold
 (struct corrections (positions velocities refuse) #:authentic)
 
-;; What is known of motions from a state on.
+;; The preparation of motions from a state on.
 ;; derivative : their state derivative
-;; mark       : what else they depend on, compared by equal?; or #f
-;; watched    : function of the state of whose values all that is compiled is made
+;; mark       : the other data on which they depend, compared by equal?; or #f
+;; watched    : function of the state whose values determine the compiled code
 ;; complete   : -> corrections or #f, and the compiled rates or #f if they are to be made of the
 ;;              derivative
 (struct preparation (derivative mark watched complete) #:authentic)
@@ -99,11 +99,11 @@
 
 ;; Newton's method, until rounding ends it -> the first change, the greatest
 (define (repeat correct!)
-  (define first (correct!))
-  (let loop ([last first] [count 1])
-    (unless (or (fl<= last 1e-15) (= count most-corrections))
-      (define now (correct!))
-      (when (fl<= now (fl* 0.5 last)) (loop now (+ count 1)))))
-  first)
+  (define start (correct!))
+  (let loop ([change start] [count 1])
+    (unless (or (fl<= change 1e-15) (= count most-corrections))
+      (define next (correct!))
+      (when (fl<= next (fl* 0.5 change)) (loop next (+ count 1)))))
+  start)
 
 (define most-corrections 20)

@@ -5,9 +5,9 @@
 ;; then, the mass matrix has no inverse, and momenta that are equal leave 0/0.  The motion of the
 ;; top passes through the vertical all the same.
 ;;
-;; What tells is the state with one coordinate, which is near 0 or another quarter of a turn, put
-;; exactly there: the mass matrix has no inverse, though it has one at some distance; or there
-;; are no rates, though near there they are not greater than at some distance, as those of a
+;; A coordinate that is near 0 or another multiple of a quarter of a turn is put exactly there.  It
+;; is singular if the mass matrix then has no inverse, though it has one at some distance; or if
+;; there are no rates, though near there they are not greater than at some distance, as those of a
 ;; collision would be: a formula is 0/0.
 
 (require racket/list

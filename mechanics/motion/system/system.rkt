@@ -1,5 +1,5 @@
 #lang racket/base
-;; A state derivative ready for integration, and what methods are given of it.
+;; A state derivative ready for integration, and the right-hand sides that methods are given.
 
 (require "manifold.rkt"
          "../../numeric/ode/differentiated.rkt" "../../numeric/ode/right-hand-side.rkt"
@@ -16,19 +16,19 @@
 ;; make-jacobian! : -> (y J -> void), for one integration, or #f if there are differences only;
 ;;                  compiled when first asked for
 ;; operations     : how many flonum operations its rates take, or #f
-;; expander       : -> expander (numeric/Taylor/expansion.rkt), or a string that says why there
-;;                  is none; found out when first asked for
-;; machine        : -> machine-rates (numeric/ode/right-hand-side.rkt), or #f; found out so, too
+;; expander       : -> expander (numeric/Taylor/expansion.rkt), or a string, the reason why there
+;;                  is none; made when first asked for
+;; machine        : -> machine-rates (numeric/ode/right-hand-side.rkt), or #f; made when first asked for
 ;; parameters     : their values in these, an flvector
 ;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
 ;; spares         : a box of right-hand sides that no integration uses any more
-;; separable      : a box: was that found out (separable.rkt)?
+;; separable      : a box: is it known to be separable (separable.rkt)?
 ;; own            : its right-hand side in one integration, or #f
 (struct system (shape clock? derivative make-slope! make-jacobian! operations expander machine
                 parameters corrections spares separable own)
   #:authentic)
 
-;; What a method integrates.
+;; The right-hand side that the method integrates.
 (define (system-right-hand-side s m)
   (cond [(eq? 'jacobian (method-asks m))
          (define slope! ((system-make-slope! s)))
@@ -42,17 +42,17 @@
   (expandable ((system-make-slope! s)) (system-expand s) ((system-machine s))
               (system-parameters s)))
 
-;; What makes Taylor coefficients of motions, or a string that says why there are none.
+;; The expander of the motions' Taylor coefficients, or a string, the reason why there is none.
 (define (system-expand s) ((system-expander s)))
 
-;; What integrates it by a method.
+;; The method, with steps that end on the manifold of the system, if there is one.
 (define (system-method s m) (method-on m (system-corrections s) (system-size s)))
 
-;; s for one integration: a method that is tried goes on with what it worked out.
+;; s for one integration: a method that was tried keeps the coefficients that it computed.
 (define (for-one-integration s) (with-own s (new-right-hand-side s)))
 
-;; (use s'), s' being s for one integration of which no interpolant is kept: what it works with,
-;; which takes longer to make than a few steps, is left to the next.
+;; (use s'), s' being s for one integration of which no interpolant is kept: its right-hand side,
+;; which takes longer to make than a few steps, is kept for the next integration.
 (define (call-for-passage s use)
   (define spares (system-spares s))
   (define f! (or (take-spare! spares) (new-right-hand-side s)))
@@ -66,7 +66,7 @@
         [(box-cas! spares all (cdr all)) (car all)]
         [else (take-spare! spares)]))
 
-;; Those of one integration are kept, a few.
+;; At most eight are kept.
 (define (give-back! spares f!)
   (define all (unbox spares))
   (when (< (length all) 8) (box-cas! spares all (cons f! all))))
@@ -74,7 +74,7 @@
 (define (with-own s f!)
   (struct-copy system s [own f!]))
 
-;; Does a motion begin where it can?
+;; Refuses a start that is not on the manifold of the system.
 (define (check-start who s y) (check-on who (system-corrections s) y (system-state s y)))
 
 (define (system-state s y) (flvector->structure (system-shape s) y))
