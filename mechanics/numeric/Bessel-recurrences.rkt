@@ -29,8 +29,8 @@
         (loop (fl* h change) b* c* d* side*))))
 
 ;; ratio, side : what first-fraction gave at order ν
-;; -> in one unit, f at ν, and f and f' at μ = ν − m.  f at ν is 0 beside an f at μ that is too great
-;; for this unit.
+;; -> in one unit, f at ν, and f and f' at μ = ν − m.  f at ν is 0 beside an f at μ that is too
+;; great for this unit.
 (define (downwards ratio side m nu x sign)
   (define unit (fl* side 1e-290))
   (for/fold ([start unit] [f unit] [slope (fl* ratio unit)]

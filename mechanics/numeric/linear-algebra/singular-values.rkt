@@ -8,7 +8,7 @@
 
 (require racket/flonum
          racket/list
-         "rotation.rkt" "row-matrix.rkt"
+         "Jacobi-rotation.rkt" "row-matrix.rkt"
          "../constants.rkt" "../flvector.rkt")
 
 (provide singular-values columns-of)

@@ -10,7 +10,7 @@
 
 (require racket/flonum
          racket/list
-         "rotation.rkt"
+         "Jacobi-rotation.rkt"
          "../constants.rkt" "../flvector.rkt")
 
 (provide symmetric-eigenvalues)

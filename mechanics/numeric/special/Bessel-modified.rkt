@@ -30,8 +30,8 @@
   (values (fl* growth (fl* growth (fl* start (fl/ I here))))
           (fl/ (fl/ (upwards K next m mu x 1.0) growth) growth)))
 
-;; K and K of the next order, both times e^x, for x ≥ 2: with the forward series of z₀, z₁ = … normalized by Temme's sum
-;; Σ Cₙ zₙ = (1/2x)^(μ + 1/2)
+;; K and K of the next order, both times e^x, for x ≥ 2: with the forward series of z₀, z₁ = …
+;; normalized by Temme's sum Σ Cₙ zₙ = (1/2x)^(μ + 1/2)
 (define (Steed-fraction mu x)
   (define a1 (fl- 0.25 (fl* mu mu)))
   (define b1 (fl* 2.0 (fl+ 1.0 x)))

@@ -14,7 +14,8 @@
                (> rest 0))
       (sweep (- rest 1)))))
 
-;; Twice the angle to turn by has the cotangent x; its tangent is the smaller root of t² + 2 t x − 1.
+;; Twice the angle to turn by has the cotangent x; the tangent of the angle is the smaller root of
+;; t² + 2 t x − 1.
 ;; -> tangent, cosine and sine of the angle
 (define (rotation x)
   (define size (fl/ 1.0 (fl+ (flabs x) (flsqrt (fl+ 1.0 (fl* x x))))))
