@@ -4,10 +4,10 @@
 ;; are.  The signature of a library's procedure is in the manual (signature-hint.rkt), that of a
 ;; reader's procedure in its definition (reader-signature.rkt).
 
-(require "../unknown-name/known-name.rkt" "../../error/spelling.rkt"
-         "../../generic/on-demand.rkt")
+(require "../../error/spelling.rkt" "../../generic/on-demand.rkt")
 
 (require-on-demand ["count-message.rkt" restated]
+                   ["../unknown-name/known-name.rkt" procedure-called]
                    ["reader-signature.rkt" own-count-hint tuple-hint-of-library]
                    ["signature-hint.rkt" count-hint order-hint keyword-names constraint-hint])
 

@@ -75,13 +75,13 @@
     (+ x (* (+ 0.1 (* 0.1 (abs x))) (random-flonum)))))
 
 (define (check-rates file f)
-  (define s (found-system f))
+  (define s (candidate-system f))
   (define n (exported-size s))
   (define ours! ((program->maker (exported-slope s))))
-  (define start (or (found-start f) (for/list ([_ n]) 1.0)))
+  (define start (or (candidate-start f) (for/list ([_ n]) 1.0)))
   (define ps
-    (if (= (length (found-values f)) (exported-parameter-count s))
-        (found-values f)
+    (if (= (length (candidate-values f)) (exported-parameter-count s))
+        (candidate-values f)
         (for/list ([_ (exported-parameter-count s)]) 1.5)))
   (define p (apply flvector ps))
   (with-libraries
@@ -105,11 +105,11 @@
   (when (and (follows? file) (not (member file for-others)))
     (check-pred pair? (findings-systems r) file))
   (for ([f (in-list (findings-systems r))])
-    (define s (found-system f))
+    (define s (candidate-system f))
     (if (exported? s)
         (check-rates file f)
-        (check-equal? (list file (found-name f) s)
-                      (or (assoc file table) (list file (found-name f) "exported"))))))
+        (check-equal? (list file (candidate-name f) s)
+                      (or (assoc file table) (list file (candidate-name f) "exported"))))))
 
 (skip-unless compiler? "exported examples: there is no cc and make"
   (for ([file (in-list (if all? (every-file) a-few))])
