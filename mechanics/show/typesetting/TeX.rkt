@@ -21,18 +21,18 @@
     (define/override (roman text) (format "\\mathrm{~a}" text))
     (define/override (sign text form)
       (define shown (sign->TeX text))
-      (if (eq? form 'infix) (format " ~a " shown) shown))
+      (if (eq? form 'infix) (string-append " " shown " ") shown))
     (define/override (comma) ",\\, ")
     (define/override (small-space) "\\,")
     (define/override (indent n) (format "\\hspace{~aem}" n))
-    (define/override (in-row texts) (string-append* texts))
+    (define/override (in-row texts) (apply string-append texts))
     (define/override (in-table rows) (array rows ""))
     (define/override (in-lines texts sort)
       (if (eq? sort 'broken)
           (environment "aligned" "" (for/list ([t (in-list texts)]) (string-append "&" t)))
           (environment "array" "{l}" texts)))
-    (define/override (divided above below) (format "\\frac{~a}{~a}" above below))
-    (define/override (superscripted base exponent) (format "~a^{~a}" base exponent))
+    (define/override (divided above below) (string-append "\\frac{" above "}{" below "}"))
+    (define/override (superscripted base exponent) (string-append base "^{" exponent "}"))
     (define/override (rooted body) (format "\\sqrt{~a}" body))
     (define/override (enclosed open texts close trees)
       (if (equal? open "|")
@@ -65,7 +65,7 @@
       (if unlabelled? "\\displaystyle " "\\ \\displaystyle "))))
 
 (define (index sign texts)
-  (if (null? texts) "" (format "~a{~a}" sign (string-join (map letters->TeX texts) ","))))
+  (if (null? texts) "" (string-append sign "{" (string-join (map letters->TeX texts) ",") "}")))
 
 (define (with-dots base n)
   (if (= n 0) base (format "\\~a{~a}" (vector-ref #("" "dot" "ddot" "dddot") n) base)))
@@ -76,7 +76,9 @@
 ;; Fences around what is no taller than a letter do not stretch, and keep to their distance.
 (define (fenced open body close)
   (define tall? (regexp-match? #rx"frac|sqrt|begin|left|ddot|[|]" body))
-  (format (if tall? "\\left~a~a\\right~a" "~a~a~a") open body close))
+  (if tall?
+      (string-append "\\left" open body "\\right" close)
+      (string-append open body close)))
 
 (define (environment name columns lines)
   (format "\\begin{~a}~a~a\\end{~a}" name columns (string-join lines "\\\\") name))
