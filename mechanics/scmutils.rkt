@@ -1,8 +1,10 @@
 #lang racket/base
 ;; Names that scmutils has for what `mechanics` calls otherwise.
 
-(require "error/uncompiled.rkt"
-         "calculus/derivative.rkt" "calculus/literal-function.rkt"
+(require "error/uncompiled.rkt")
+(tell-if-uncompiled)
+
+(require "calculus/derivative.rkt" "calculus/literal-function.rkt"
          (only-in "canonical/on-demand.rkt" Phi*)
          "show/display/print-expression.rkt"
          (only-in "hamiltonian/H-state.rkt" momentum)
