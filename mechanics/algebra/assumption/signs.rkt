@@ -32,7 +32,7 @@
 ;; Arithmetic
 
 (define (members s)
-  (for/list ([x (in-list '(-1 0 1))] #:when (signs-within? (sign-set x) s)) x))
+  (filter (lambda (x) (signs-within? (sign-set x) s)) '(-1 0 1)))
 
 (define (combine f a b)
   (for*/fold ([s 0]) ([x (in-list (members a))] [y (in-list (members b))])

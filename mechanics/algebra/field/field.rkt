@@ -58,7 +58,7 @@
 
 ;; The relation of variable i, or #f.
 (define (relation-of F i)
-  (for/first ([r (in-list (field-relations F))] #:when (eqv? i (relation-index r))) r))
+  (findf (lambda (r) (eqv? i (relation-index r))) (field-relations F)))
 
 ;; ---------------------------------------------------------------------------
 ;; Rings of other degrees

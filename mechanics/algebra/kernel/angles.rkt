@@ -24,7 +24,7 @@
   (define head (node-head n))
   (define circular? (and (memq head circular-functions) #t))
   (define terms (simplifier-linear-parts (collector-simplifier c) (car (node-args n))))
-  (define inverse (and circular? (for/first ([t (in-list terms)] #:when (inverse-term? t)) t)))
+  (define inverse (and circular? (findf inverse-term? terms)))
   (cond [inverse (resolve-alias! c n (unfold head inverse terms))]
         [(and circular? (turned head terms)) => (lambda (e) (resolve-alias! c n e))]
         [(and (not circular?) (ormap logarithm-term? terms)) (hyperbolic->exponential! c n)]

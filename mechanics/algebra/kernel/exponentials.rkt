@@ -151,9 +151,7 @@
 (define (absorb-base e others)
   (define base
     (and (headed? e op:expt)
-         (for/first ([p (in-list others)]
-                     #:when (equal? (kernel-expression (car p)) (car (node-args e))))
-           p)))
+         (findf (lambda (p) (equal? (kernel-expression (car p)) (car (node-args e)))) others)))
   (if base
       (values (make-node op:expt
                          (list (car (node-args e))

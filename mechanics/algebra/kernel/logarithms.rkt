@@ -134,7 +134,7 @@
 ;; If the sign is -1, a part that is no power stays negative, or -1 is a part.
 (define (opposite-parts c parts sign)
   (define kept
-    (and (eqv? sign -1) (for/first ([p (in-list parts)] #:when (eqv? 1 (car p))) p)))
+    (and (eqv? sign -1) (findf (lambda (p) (eqv? 1 (car p))) parts)))
   (define others
     (for/list ([p (in-list parts)] #:unless (eq? p kept)) (cons (car p) (opposite c (cdr p)))))
   (cond [kept (cons kept others)]
@@ -167,7 +167,7 @@
 
 ;; A negative number makes the first factor to an odd power its opposite.
 (define (absorb-sign c number factors)
-  (define odd (for/first ([f (in-list factors)] #:when (odd? (cdr f))) f))
+  (define odd (findf (lambda (f) (odd? (cdr f))) factors))
   (if (and (negative? number) odd)
       (values (- number)
               (for/list ([f (in-list factors)])

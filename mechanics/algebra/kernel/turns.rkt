@@ -26,7 +26,7 @@
 ;; -> an expression that is sin, cos or tan of it, or #f if π is none of the terms or nothing
 ;; can be done
 (define (turned head terms)
-  (define t (for/first ([t (in-list terms)] #:when (eq? (cdr t) exact-pi)) t))
+  (define t (findf (lambda (t) (eq? (cdr t) exact-pi)) terms))
   (and t (turned-by head (inexact->exact (car t)) (sum-of-terms (remq t terms)))))
 
 ;; The function of c π + u.  Of tan π/2, which has no value, it is the quotient that has none.
@@ -69,7 +69,7 @@
 
 ;; e to the sum of the terms, one of which is c i π:  iᵏ e^(i r π) e^u; or #f
 (define (turned-exponential terms)
-  (define t (for/first ([t (in-list terms)] #:when (equal? (cdr t) imaginary-pi)) t))
+  (define t (findf (lambda (t) (equal? (cdr t) imaginary-pi)) terms))
   (define c (if t (inexact->exact (car t)) 0))
   (define-values (quarters r) (quarter-turns c))
   (define w (exact-wave (abs r)))

@@ -24,7 +24,7 @@
              (refine R add basis polynomial exponent))]))
 
 (define (find-equal basis polynomial)
-  (for/first ([b (in-list basis)] #:when (poly=? (power-base b) polynomial)) b))
+  (findf (lambda (b) (poly=? (power-base b) polynomial)) basis))
 
 (define (replace basis old new)
   (for/list ([b (in-list basis)]) (if (eq? b old) new b)))

@@ -178,7 +178,7 @@
   (define p
     (and (null? (cdr terms))
          (negative? (term-coefficient t))
-         (for/first ([p (in-list (term-powers t))] #:when (turnable? p)) p)))
+         (findf turnable? (term-powers t))))
   (if p
       (list (make-term (- (term-coefficient t))
                        (cons (cons (opposite-sine F (car p)) (cdr p)) (remq p (term-powers t)))))

@@ -224,7 +224,7 @@
   (for ([t (in-list (stage-terms s))] #:unless (hash-ref gone (car t) #f))
     (add! (arithmetic-shift (car t) shift) (cdr t)))
   (for ([m (in-list merges)])
-    (define t (for/first ([t (in-list turns)] #:when (eq? (turn-circle t) (merge-circle m))) t))
+    (define t (findf (lambda (t) (eq? (turn-circle t) (merge-circle m))) turns))
     (add! (+ (arithmetic-shift (merge-rest m) shift)
              (if (eq? (merge-function m) 'sine) (turn-sine t) (turn-cosine t)))
           (merge-coefficient m)))

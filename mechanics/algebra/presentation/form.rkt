@@ -48,29 +48,24 @@
   (define down? (and sum? quotient? (not inexact?)))
   (define top (if down? (numerator (abs c)) (abs c)))
   (define bottom (if down? (denominator c) 1))
+  (define (lower power divisor) (append (map power below) (map divisor divisors)))
   (define (build sign)
     (define n
       (product-expression (present-number (* sign top) inexact?)
                           (append (insert-sums (map form-expression sums)
-                                               (powers->expressions above))
+                                               (map shown-power above))
                                   extra)))
     (if quotient?
-        (make-node op:/ (list n (product-expression bottom
-                                                    (append (powers->expressions below)
-                                                            (map divisor-expression divisors)))))
+        (make-node op:/ (list n (product-expression bottom (lower shown-power shown-divisor))))
         n))
   (form (+ (product-size top (append (map power-size* above) (map form-size sums)
                                      (map expression-size extra)))
-           (if quotient?
-               (+ 1 (product-size bottom (append (map power-size* below)
-                                                 (map divisor-size divisors))))
-               0)
+           (if quotient? (+ 1 (product-size bottom (lower power-size* divisor-size))) 0)
            (if (negative? c) 1 0))
         (if (negative? c) -1 1)
         build))
 
-(define (divisor-expression d)
-  (expt-expression (form-expression (car d)) (cdr d)))
+(define (shown-divisor d) (expt-expression (form-expression (car d)) (cdr d)))
 
 ;; The number c times the factors, the first of which may be numbers, too.
 (define (product-expression c factors)
@@ -80,11 +75,9 @@
         [(null? (cdr factors)) (car factors)]
         [else (make-node op:* factors)]))
 
-(define (powers->expressions powers)
-  (for/list ([p (in-list powers)]) (power-expression (car p) (cdr p))))
-
-;; kernel^n, n positive; powers of a root are powers of its radicand.
-(define (power-expression k n)
+;; The power p = (kernel . n), n positive; powers of a root are powers of its radicand.
+(define (shown-power p)
+  (define-values (k n) (values (car p) (cdr p)))
   (define r (kernel-relation k))
   (cond [(eqv? n 1) (kernel-expression k)]
         [(and (root? r) (not (number? (kernel-expression k))))
@@ -103,9 +96,7 @@
     (define r (kernel-relation (car p)))
     (define x
       (and (root? r)
-           (for/first ([q (in-list powers)]
-                       #:when (equal? (kernel-expression (car q)) (root-radicand r)))
-             q)))
+           (findf (lambda (q) (equal? (kernel-expression (car q)) (root-radicand r))) powers)))
     (if x
         (cons (cons (car p) (+ (cdr p) (* (root-degree r) (cdr x))))
               (remq p (remq x powers)))
@@ -152,7 +143,7 @@
   (make-node op:- (list ((form-build positive) 1) ((form-build negative) 1))))
 
 (define (add forms)
-  (define first-positive (for/first ([f (in-list forms)] #:when (eqv? 1 (form-sign f))) f))
+  (define first-positive (findf (lambda (f) (eqv? 1 (form-sign f))) forms))
   (define ordered
     (if first-positive (cons first-positive (remq first-positive forms)) forms))
   (make-node op:+ (map form-expression ordered)))

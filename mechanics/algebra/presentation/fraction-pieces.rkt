@@ -17,7 +17,7 @@
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt" "../polynomial/ring.rkt"
          "../polynomial/term-list.rkt")
 
-(provide fraction->piece fraction->pieces fraction->piece-lists (struct-out piece))
+(provide fraction->piece fraction->piece-lists (struct-out piece))
 
 ;; numerator · ∏ kernel^exponent / ∏ factor^exponent.  powers : ((kernel .
 ;; integer) ...), the integers of either sign; factors : ((polynomial .
@@ -27,10 +27,6 @@
 ;; All of the fraction as one piece.
 (define (fraction->piece F f)
   (absorb-radicands F (occurring-roots F f) (split-denominator F f)))
-
-(define (fraction->pieces F f)
-  (define-values (whole by-roots by-factors) (fraction->piece-lists F f))
-  by-factors)
 
 ;; -> the fraction as one piece, taken apart by its roots alone, and by the factors
 ;; of its denominator as well; the same list where that makes no difference.
@@ -135,7 +131,7 @@
 
 ;; The power of h among the factors of a piece, or #f.
 (define (find-factor p h)
-  (for/first ([g (in-list (piece-factors p))] #:when (poly=? (power-base g) h)) g))
+  (findf (lambda (g) (poly=? (power-base g) h)) (piece-factors p)))
 
 ;; The piece times h^k.
 (define (multiply-by-factor F p h k)
@@ -206,7 +202,7 @@
 (define (join F pieces)
   (define R (field-ring F))
   (for/fold ([joined '()] #:result (reverse joined)) ([p (in-list pieces)])
-    (define same (for/first ([q (in-list joined)] #:when (same-denominator? p q)) q))
+    (define same (findf (lambda (q) (same-denominator? p q)) joined))
     (cond [same
            (for/list ([q (in-list joined)])
              (if (eq? q same)

@@ -148,8 +148,9 @@
 ;; -> the factors that are the same, and those that are not, one of each; the
 ;; constant counts as the cosine of 0.
 (define (compare-factors as bs)
-  (define-values (shared left) (partition-factors as bs))
-  (define right (remove-factors shared bs))
+  (define left (without bs as))
+  (define right (without as bs))
+  (define shared (reverse (without left as)))
   (define (nothing-but f) (cons 'cosine (map (lambda (k) 0) (cdr f))))
   (define (one? fs) (and (pair? fs) (null? (cdr fs))))
   (cond [(and (one? left) (one? right)) (values shared (car left) (car right))]
@@ -157,16 +158,9 @@
         [(and (null? left) (one? right)) (values shared (nothing-but (car right)) (car right))]
         [else (values #f #f #f)]))
 
-(define (partition-factors as bs)
-  (for/fold ([shared '()] [left '()] [rest bs] #:result (values shared left))
-            ([a (in-list as)])
-    (define b (member a rest))
-    (if b
-        (values (cons a shared) left (remq (car b) rest))
-        (values shared (cons a left) rest))))
-
-(define (remove-factors gone fs)
-  (for/fold ([fs fs]) ([g (in-list gone)]) (remq (car (member g fs)) fs)))
+;; fs without the gone, each as often as it is there
+(define (without gone fs)
+  (for/fold ([fs fs]) ([g (in-list gone)]) (remove g fs)))
 
 ;; x (f(u) ± f(v)) times the shared factors, the sign + if same?
 (define (make-product x same? u v shared circular?)

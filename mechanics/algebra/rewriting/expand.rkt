@@ -28,7 +28,7 @@
 ;; The sum
 
 (define (expanded-form F f)
-  (define pieces (fraction->pieces F f))
+  (define-values (_whole _by-roots pieces) (fraction->piece-lists F f))
   (define-values (whole others) (partition (lambda (p) (null? (piece-factors p))) pieces))
   (define terms (append-map (lambda (p) (piece-terms F p)) whole))
   (sum-form (append (for/list ([t (in-list (in-order terms))]) (term-form t (field-inexact? F)))
@@ -41,9 +41,7 @@
 (define (in-order terms)
   (define sorted (term-sort terms))
   (define constant
-    (for/first ([t (in-list sorted)]
-                #:when (and (null? (term-powers t)) (positive? (term-coefficient t))))
-      t))
+    (findf (lambda (t) (and (null? (term-powers t)) (positive? (term-coefficient t)))) sorted))
   (if constant (cons constant (remq constant sorted)) sorted))
 
 (define (quotient-forms F p)

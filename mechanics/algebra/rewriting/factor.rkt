@@ -97,7 +97,7 @@
   (define c (poly-variable R (kernel-index (circle-cosine o))))
   (define one (poly-constant R 1))
   (define (find q)
-    (for/first ([h (in-list (factors-polynomials product))] #:when (poly=? (car h) q)) h))
+    (findf (lambda (h) (poly=? (car h) q)) (factors-polynomials product)))
   (define above (find (poly+ R c one)))
   (define below (find (poly- R c one)))
   (define shared (if (and above below) (nearer-to-zero (cdr above) (cdr below)) 0))

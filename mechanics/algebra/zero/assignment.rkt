@@ -33,7 +33,7 @@
   (define (record! value)
     (hash-set! applications key (cons (cons arguments value) known))
     value)
-  (define same (for/list ([k (in-list known)] #:when (all-overlap? (car k) arguments)) k))
+  (define same (filter (lambda (k) (all-overlap? (car k) arguments)) known))
   (cond [(null? same) (record! (choose))]
         [(for/or ([s (in-list (cdr same))]) (not (eqv? (cdr s) (cdar same)))) (raise unknown)]
         [(member arguments (map car same)) (cdar same)]

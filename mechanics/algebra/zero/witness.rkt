@@ -135,7 +135,7 @@
              (for/list ([z (in-list open)])
                (define f (look q (car z) (car precisions)))
                (if (finding? f) (cons (car z) f) z)))
-           (define found (for/first ([z (in-list again)] #:when (witness? (cdr z))) z))
+           (define found (findf (lambda (z) (witness? (cdr z))) again))
            (define-values (next rest) (split-at again (min further-points (length again))))
            (if found
                (values found '())
