@@ -8,7 +8,7 @@
 ;; cosines of θ and φ, is found again.  The shorter form is kept.
 
 (require racket/list
-         "contract.rkt" "sine-or-cosine.rkt" "waves.rkt"
+         "contract.rkt" "sine-or-cosine.rkt" (only-in "term.rkt" group-in-order) "waves.rkt"
          "../field/field.rkt"
          "../kernel/kernel.rkt")
 
@@ -33,12 +33,15 @@
 (define (spell-in-waves F p spelled circles)
   (define outside (if (eqv? 1 (circle-sign (car circles))) not-circular not-hyperbolic))
   ;; the same for summands that agree outside
-  (define (key s) (sort (filter outside (cdr s)) < #:key (lambda (p) (kernel-rank (car p)))))
-  (define groups (group-by key spelled))
+  (define (key s)
+    (sort (for/list ([p (in-list (cdr s))] #:when (outside p)) (cons (kernel-rank (car p)) (cdr p)))
+          < #:key car))
+  (define groups (group-in-order key spelled))
   (cond [(andmap lone? groups) spelled]
         [else
          (define written
-           (for/hash ([g (in-list (group-by key (summands F p)))]) (values (key (car g)) g)))
+           (for/hash ([g (in-list (group-in-order key (summands F p)))])
+             (values (key (car g)) g)))
          (append*
           (for/list ([g (in-list groups)])
             (if (lone? g)

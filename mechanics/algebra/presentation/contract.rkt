@@ -15,7 +15,7 @@
 ;; a term and its partner are one subtraction and one lookup apart.
 
 (require racket/list
-         (only-in "term.rkt" pairs-in-order)
+         (only-in "term.rkt" in-tails)
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/polynomial.rkt" "../polynomial/ring.rkt" "../polynomial/term-list.rkt")
@@ -147,8 +147,8 @@
     (cons t (cons s c))))
 
 (define (find-pair key x factors table combine)
-  (for/or ([pair (in-list (pairs-in-order factors))])
-    (define-values (a b) (apply values pair))
+  (for*/or ([rest (in-list (in-tails factors))] [b (in-list (cdr rest))])
+    (define a (car rest))
     (or (and (cosine? a) (cosine? b)
              (pair-of key x (car a) (car b) 'cosine table combine))
         (and (sine? a) (cosine? b)

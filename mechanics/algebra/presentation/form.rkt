@@ -48,24 +48,39 @@
   (define down? (and sum? quotient? (not inexact?)))
   (define top (if down? (numerator (abs c)) (abs c)))
   (define bottom (if down? (denominator c) 1))
-  (define (lower power divisor) (append (map power below) (map divisor divisors)))
   (define (build sign)
-    (define n
-      (product-expression (present-number (* sign top) inexact?)
-                          (append (insert-sums (map form-expression sums)
-                                               (map shown-power above))
-                                  extra)))
+    (define n (upper-expression (present-number (* sign top) inexact?) above sums extra))
     (if quotient?
-        (make-node op:/ (list n (product-expression bottom (lower shown-power shown-divisor))))
+        (make-node op:/ (list n (lower-expression bottom below divisors)))
         n))
-  (form (+ (product-size top (append (map power-size* above) (map form-size sums)
-                                     (map expression-size extra)))
-           (if quotient? (+ 1 (product-size bottom (lower power-size* divisor-size))) 0)
+  (form (+ (upper-size top above sums extra)
+           (if quotient? (+ 1 (lower-size bottom below divisors)) 0)
            (if (negative? c) 1 0))
         (if (negative? c) -1 1)
         build))
 
-(define (shown-divisor d) (expt-expression (form-expression (car d)) (cdr d)))
+(define (upper-expression c powers sums extra)
+  (product-expression c (append (insert-sums (map form-expression sums)
+                                             (powers->expressions powers))
+                                extra)))
+
+(define (lower-expression c powers divisors)
+  (product-expression c (append (powers->expressions powers)
+                                (map divisor-expression divisors))))
+
+(define (upper-size c powers sums extra)
+  (factors-size c
+                (+ (powers-size powers) (sizes sums)
+                   (for/sum ([e (in-list extra)]) (expression-size e)))
+                (+ (length powers) (length sums) (length extra))))
+
+(define (lower-size c powers divisors)
+  (factors-size c
+                (+ (powers-size powers) (divisors-size divisors))
+                (+ (length powers) (length divisors))))
+
+(define (divisor-expression d)
+  (expt-expression (form-expression (car d)) (cdr d)))
 
 ;; The number c times the factors, the first of which may be numbers, too.
 (define (product-expression c factors)
@@ -75,9 +90,11 @@
         [(null? (cdr factors)) (car factors)]
         [else (make-node op:* factors)]))
 
-;; The power p = (kernel . n), n positive; powers of a root are powers of its radicand.
-(define (shown-power p)
-  (define-values (k n) (values (car p) (cdr p)))
+(define (powers->expressions powers)
+  (for/list ([p (in-list powers)]) (power-expression (car p) (cdr p))))
+
+;; kernel^n, n positive; powers of a root are powers of its radicand.
+(define (power-expression k n)
   (define r (kernel-relation k))
   (cond [(eqv? n 1) (kernel-expression k)]
         [(and (root? r) (not (number? (kernel-expression k))))
@@ -96,7 +113,9 @@
     (define r (kernel-relation (car p)))
     (define x
       (and (root? r)
-           (findf (lambda (q) (equal? (kernel-expression (car q)) (root-radicand r))) powers)))
+           (for/first ([q (in-list powers)]
+                       #:when (equal? (kernel-expression (car q)) (root-radicand r)))
+             q)))
     (if x
         (cons (cons (car p) (+ (cdr p) (* (root-degree r) (cdr x))))
               (remq p (remq x powers)))
@@ -143,7 +162,7 @@
   (make-node op:- (list ((form-build positive) 1) ((form-build negative) 1))))
 
 (define (add forms)
-  (define first-positive (findf (lambda (f) (eqv? 1 (form-sign f))) forms))
+  (define first-positive (for/first ([f (in-list forms)] #:when (eqv? 1 (form-sign f))) f))
   (define ordered
     (if first-positive (cons first-positive (remq first-positive forms)) forms))
   (make-node op:+ (map form-expression ordered)))
@@ -151,19 +170,22 @@
 ;; ---------------------------------------------------------------------------
 ;; Sizes
 
-(define (power-size* p) (power-size (car p) (cdr p)))
+(define (sizes forms) (for/sum ([f (in-list forms)]) (form-size f)))
+
+(define (powers-size powers)
+  (for/sum ([p (in-list powers)]) (power-size (car p) (cdr p))))
 
 (define (power-size k n)
   (define r (kernel-relation k))
   (define unit? (eqv? 1 (if (and (root? r) (> n 1)) (/ n (root-degree r)) (abs n))))
   (+ (kernel-size k) (if unit? 0 2)))
 
-(define (divisor-size d) (+ (form-size (car d)) (if (eqv? 1 (cdr d)) 0 2)))
+(define (divisors-size divisors)
+  (for/sum ([d (in-list divisors)])
+    (+ (form-size (car d)) (if (eqv? 1 (cdr d)) 0 2))))
 
-;; The product of the number c and factors of these sizes.
-(define (product-size c sizes)
-  (define size (apply + sizes))
-  (cond [(null? sizes) 1]
-        [(not (eqv? c 1)) (+ size 2)]
-        [(null? (cdr sizes)) size]
-        [else (+ size 1)]))
+;; A product of `count` factors of total size `size`, and the number c.
+(define (factors-size c size count)
+  (cond [(eqv? count 0) 1]
+        [(eqv? c 1) (+ size (if (eqv? count 1) 0 1))]
+        [else (+ size 2)]))

@@ -11,7 +11,7 @@
 ;; which a reduced numerator cannot hold, come back.
 
 (require racket/list
-         "sine-or-cosine.rkt"
+         "sine-or-cosine.rkt" (only-in "term.rkt" group-in-order)
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt" "../polynomial/ring.rkt"
@@ -193,7 +193,7 @@
   (define R (field-ring F))
   (define own (poly-variables R h))
   (define outside (monomial-part R (remv* own (range (ring-size R)))))
-  (group-by (lambda (t) (outside (term-monomial t))) p))
+  (group-in-order (lambda (t) (outside (term-monomial t))) p))
 
 ;; ---------------------------------------------------------------------------
 ;; Joining

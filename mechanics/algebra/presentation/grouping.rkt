@@ -23,13 +23,14 @@
 ;; Those become one term, a product with a sum in the symbols.
 (define (group-by-kernels terms sum->term better?)
   (append*
-   (for/list ([group (in-list (group-by kernel-part terms))])
+   (for/list ([group (in-list (group-in-order kernel-part terms))])
      (if (or (null? (cdr group)) (null? (kernel-part (car group))))
          group
          (factored-if-better group sum->term better?)))))
 
 (define (kernel-part t)
-  (filter-not (lambda (p) (symbol? (kernel-expression (car p)))) (term-powers t)))
+  (for/list ([p (in-list (term-powers t))] #:unless (symbol? (kernel-expression (car p))))
+    (cons (kernel-rank (car p)) (cdr p))))
 
 ;; The sum, or one term with its content in front.
 (define (factored-if-better terms sum->term better?)
@@ -75,10 +76,11 @@
 ;; The pairs of terms whose common factor is heavy enough, the heaviest first.
 (define (heavy-pairs terms weight)
   (define weighed
-    (for*/list ([pair (in-list (pairs-in-order terms))]
-                [w (in-value (shared-weight (car pair) (cadr pair) weight))]
+    (for*/list ([rest (in-list (in-tails terms))]
+                [b (in-list (cdr rest))]
+                [w (in-value (shared-weight (car rest) b weight))]
                 #:when (>= w least-weight))
-      (cons w pair)))
+      (cons w (list (car rest) b))))
   (map cdr (sort weighed > #:key car)))
 
 (define (unmade? pair made) (not (ormap (lambda (t) (memq t made)) pair)))
@@ -86,10 +88,17 @@
 ;; The weight of what two terms have alike.  Of x² and x y nothing counts: the
 ;; square is worth more than the factor x.
 (define (shared-weight a b weight)
-  (define (same k m n) (if (eqv? m n) m 0))
-  (for/fold ([sum (if (eqv? 1 (shared-number a b)) 0 1)])
-            ([p (in-list (combine-powers same (term-powers a) (term-powers b)))])
-    (+ sum (weight (car p) (cdr p)))))
+  (let loop ([as (term-powers a)] [bs (term-powers b)]
+             [sum (if (eqv? 1 (shared-number a b)) 0 1)])
+    (cond [(or (null? as) (null? bs)) sum]
+          [else
+           (define i (kernel-place (caar as)))
+           (define j (kernel-place (caar bs)))
+           (cond [(< i j) (loop (cdr as) bs sum)]
+                 [(> i j) (loop as (cdr bs) sum)]
+                 [(eqv? (cdar as) (cdar bs))
+                  (loop (cdr as) (cdr bs) (+ sum (weight (caar as) (cdar as))))]
+                 [else (loop (cdr as) (cdr bs) sum)])])))
 
 (define (shared-factor a b)
   (term (shared-number a b) (common-powers (term-powers a) (term-powers b) #t)))

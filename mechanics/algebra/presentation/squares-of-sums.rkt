@@ -54,8 +54,8 @@
   (or (alike? (square-members s))
       (for/and ([other (in-list squares)])
         (or (eq? other s)
-            (not (equal? (term-powers (square-content s))
-                         (term-powers (square-content other))))))))
+            (not (same-powers? (term-powers (square-content s))
+                               (term-powers (square-content other))))))))
 
 ;; Have all members the same number of symbols?
 (define (alike? members)
@@ -136,7 +136,7 @@
 (define (find-product product terms used)
   (for/first ([t (in-list terms)]
               #:when (= (abs (term-coefficient t)) (abs (term-coefficient product)))
-              #:when (equal? (term-powers t) (term-powers product))
+              #:when (same-powers? (term-powers t) (term-powers product))
               #:unless (memq t used))
     (cons (if (= (term-coefficient t) (term-coefficient product)) 1 -1) t)))
 
@@ -155,6 +155,14 @@
 (define (root-of powers shared)
   (for/list ([p (in-list (divide-powers powers shared))])
     (cons (car p) (quotient (cdr p) 2))))
+
+;; Are they equal?  Quicker than equal?, which looks for what a kernel holds.
+(define (same-powers? as bs)
+  (cond [(null? as) (null? bs)]
+        [(null? bs) #f]
+        [else (and (eq? (caar as) (caar bs))
+                   (eqv? (cdar as) (cdar bs))
+                   (same-powers? (cdr as) (cdr bs)))]))
 
 ;; The powers two products have in common, so that even ones are left.
 (define (shared-part as bs)
