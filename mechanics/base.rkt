@@ -41,7 +41,7 @@
              [g:asin asin] [g:acos acos] [g:atan atan]
              [g:sinh sinh] [g:cosh cosh] [g:tanh tanh]
              [g:sech sech] [g:csch csch] [g:coth coth]
-             [g:asinh asinh] [g:acosh acosh] [g:atanh atanh] [g:sgn sgn]
+             [g:asinh asinh] [g:acosh acosh] [g:atanh atanh] [g:sgn sgn] [g:erf erf]
              [g:exact->inexact exact->inexact] [g:inexact->exact inexact->exact]
              [g:magnitude magnitude]
              [g:floor floor] [g:ceiling ceiling] [g:truncate truncate] [g:round round])

@@ -201,18 +201,7 @@
     [(subtract) 'unsafe-fl-]
     [(multiply) 'unsafe-fl*]
     [(divide) 'unsafe-fl/]
-    [(sqrt) 'unsafe-flsqrt]
-    [(exp) 'unsafe-flexp]
-    [(log) 'unsafe-fllog]
-    [(sin) 'unsafe-flsin]
-    [(cos) 'unsafe-flcos]
-    [(tan) 'unsafe-fltan]
-    [(asin) 'unsafe-flasin]
-    [(acos) 'unsafe-flacos]
-    [(atan) (and (eqv? arguments 1) 'unsafe-flatan)]
-    [(abs) 'unsafe-flabs]
-    [(expt) 'unsafe-flexpt]
-    [else #f]))
+    [else (unsafe-name operation arguments)]))
 
 ;; The operations a program takes from `functions`.
 (define (functions-used p)

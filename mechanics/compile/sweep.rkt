@@ -13,7 +13,6 @@
 
 (require racket/list
          "program-builder.rkt" "instruction.rkt" "program.rkt"
-         "../algebra/expression/operation.rkt"
          "../generic/elementary.rkt" "../generic/kind.rkt")
 
 (provide reload sweep-back! sweep-forward! next-tangent last-dependent
@@ -177,9 +176,4 @@
   (write-expression! b form (hasheq 'x (car operands) 'y (last operands) 'value value)))
 
 (define (record-of i)
-  (define name (instruction-operation i))
-  (define arguments (length (instruction-operands i)))
-  (for/first ([r (in-list elementary-operations)]
-              #:when (and (eq? name (operation-name (generic-op-operation r)))
-                          (= arguments (length (generic-op-partials r)))))
-    r))
+  (elementary-operation (instruction-operation i) (length (instruction-operands i))))

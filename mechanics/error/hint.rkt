@@ -2,6 +2,8 @@
 ;; What to type instead, said at the end of a message, on a line of its own; "" where
 ;; there is nothing to say.
 
+(require "../operation/column.rkt")
+
 (provide list-hint quoted-expression? quoted-hint quoted-name-hint
          not-a-tuple symbols-hint values-first)
 
@@ -20,9 +22,10 @@
 (define (quoted-expression? x)
   (and (list? x)
        (pair? x)
-       (memq (car x) '(+ - * / expt square cube sqrt exp log sin cos tan asin acos atan
-                       sinh cosh tanh abs up down))
+       (memq (car x) heads)
        #t))
+
+(define heads (append '(square cube up down) (operation-names arithmetic function reciprocal)))
 
 (define (not-a-tuple instead) (format "a list is not a tuple; use ~a" instead))
 

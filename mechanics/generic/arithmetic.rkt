@@ -18,57 +18,55 @@
 (provide g:+ g:- g:* g:/ g:square g:cube g:negate g:invert
          generic:+ generic:- generic:* generic:/ generic:square arithmetic-operations)
 
+;; (define-binary (name a b) generic flonum numeric symbolic structural [test value] ...)
+;; of two flonums, two numbers, what the tests find, two expressions, else structures
+(define-syntax-rule (define-binary (name a b) generic flonum numeric symbolic structural
+                      [test value] ...)
+  (begin
+    (define (name a b)
+      (cond [(and (flonum? a) (flonum? b)) (flonum a b)]
+            [else (dispatch-carriers generic a b (other a b))]))
+    (define (other a b)
+      (cond [(and (number? a) (number? b)) (numeric a b)]
+            [test value] ...
+            [else (dispatch-binary generic symbolic structural a b)]))))
+
+;; Of any number of arguments: two, those that the clauses are for, more from the left.
+(define-syntax-rule (define-variadic id name two clause ...)
+  (define-named id name
+    (case-lambda
+      [(a b) (two a b)]
+      clause ...
+      [(a b . more) (for/fold ([value (two a b)]) ([x (in-list more)]) (two value x))])))
+
+(define ((refusal op) a b) (raise-inapplicable op a b))
+
 ;; ---------------------------------------------------------------------------
 ;; Sums
 
-(define (add a b)
-  (cond [(and (flonum? a) (flonum? b)) (fl+ a b)]
-        [else (dispatch-carriers generic:+ a b (add-other a b))]))
-
-(define (add-other a b)
-  (cond [(and (number? a) (number? b)) (+ a b)]
-        [(and (structure? a) (structure? b)) (add-structures a b)]
-        [(and (eqv? a 0) (or (carrier? b) (procedure? b))) b]
-        [(and (eqv? b 0) (or (carrier? a) (procedure? a))) a]
-        [else (dispatch-binary generic:+ e:+ add-structures a b)]))
+(define-binary (add a b) generic:+ fl+ + e:+ add-structures
+  [(and (structure? a) (structure? b)) (add-structures a b)]
+  [(and (eqv? a 0) (or (carrier? b) (procedure? b))) b]
+  [(and (eqv? b 0) (or (carrier? a) (procedure? a))) a])
 
 (define (add-structures a b)
   (cond [(eqv? a 0) b]
         [(eqv? b 0) a]
-        [else (structure-add add a b raise-sum)]))
+        [else (structure-add add a b (refusal generic:+))]))
 
-(define (raise-sum a b) (raise-inapplicable generic:+ a b))
+(define-variadic g:+ + add [() 0] [(a) (add a 0)])
 
-(define-named g:+ +
-  (case-lambda
-    [(a b) (add a b)]
-    [() 0]
-    [(a) (add a 0)]
-    [(a b . more) (for/fold ([sum (add a b)]) ([x (in-list more)]) (add sum x))]))
+(define-record generic:+ + g:+)
 
-(define-record generic:+ + 2 g:+)
-
-(define (subtract a b)
-  (cond [(and (flonum? a) (flonum? b)) (fl- a b)]
-        [else (dispatch-carriers generic:- a b (subtract-other a b))]))
-
-(define (subtract-other a b)
-  (cond [(and (number? a) (number? b)) (- a b)]
-        [(and (structure? a) (structure? b)) (subtract-structures a b)]
-        [else (dispatch-binary generic:- e:- subtract-structures a b)]))
+(define-binary (subtract a b) generic:- fl- - e:- subtract-structures
+  [(and (structure? a) (structure? b)) (subtract-structures a b)])
 
 (define (subtract-structures a b)
   (cond [(eqv? a 0) (multiply -1 b)]
         [(eqv? b 0) a]
-        [else (structure-add subtract a b raise-difference)]))
+        [else (structure-add subtract a b (refusal generic:-))]))
 
-(define (raise-difference a b) (raise-inapplicable generic:- a b))
-
-(define-named g:- -
-  (case-lambda
-    [(a b) (subtract a b)]
-    [(a) (negate a)]
-    [(a b . more) (for/fold ([d (subtract a b)]) ([x (in-list more)]) (subtract d x))]))
+(define-variadic g:- - subtract [(a) (negate a)])
 
 (define (negate a)
   (cond [(number? a) (- a)]
@@ -79,40 +77,28 @@
 
 (define-named g:negate negate (lambda (a) (negate a)))
 
-(define-composite-record generic:negate negate - negate)
+(define-record generic:negate negate negate)
 
-(define-record generic:- - 2 g:-)
+(define-record generic:- - g:-)
 
 ;; ---------------------------------------------------------------------------
 ;; Products
 
-(define (multiply a b)
-  (cond [(and (flonum? a) (flonum? b)) (fl* a b)]
-        [else (dispatch-carriers generic:* a b (multiply-other a b))]))
-
-(define (multiply-other a b)
-  (cond [(and (number? a) (number? b)) (* a b)]
-        [(and (structure? a) (structure? b)) (multiply-structures a b)]
-        [(and (eqv? a 1) (procedure? b)) b]
-        [(and (eqv? b 1) (procedure? a)) a]
-        [else (dispatch-binary generic:* e:* multiply-structures a b)]))
+(define-binary (multiply a b) generic:* fl* * e:* multiply-structures
+  [(and (structure? a) (structure? b)) (multiply-structures a b)]
+  [(and (eqv? a 1) (procedure? b)) b]
+  [(and (eqv? b 1) (procedure? a)) a])
 
 (define (multiply-structures a b)
-  (structure-multiply add multiply a b raise-product raise-unlike-products))
+  (structure-multiply add multiply a b (refusal generic:*) raise-unlike-products))
 
-(define (raise-product a b) (raise-inapplicable generic:* a b))
 (define (raise-unlike-products a b)
   (raise-inapplicable-because
    generic:* "they contract, but the products of their components are of different shapes" a b))
 
-(define-named g:* *
-  (case-lambda
-    [(a b) (multiply a b)]
-    [() 1]
-    [(a) (multiply 1 a)]
-    [(a b . more) (for/fold ([p (multiply a b)]) ([x (in-list more)]) (multiply p x))]))
+(define-variadic g:* * multiply [() 1] [(a) (multiply 1 a)])
 
-(define-record generic:* * 2 g:*)
+(define-record generic:* * g:*)
 
 ;; The square of a tuple is the sum of the squares of its components (SICM
 ;; p. 519): a scalar, unlike (* v v), which is the outer product.  So the square
@@ -136,34 +122,24 @@
           [(arithmetic-value? a) (multiply a (g:square a))]
           [else (raise-inapplicable generic:cube a)])))
 
-(define-composite-record generic:square square square g:square)
-(define-composite-record generic:cube cube cube g:cube)
+(define-record generic:square square g:square)
+(define-record generic:cube cube g:cube)
 
 ;; ---------------------------------------------------------------------------
 ;; Quotients
 
-(define (divide a b)
-  (cond [(and (flonum? a) (flonum? b)) (fl/ a b)]
-        [else (dispatch-carriers generic:/ a b (divide-other a b))]))
-
-(define (divide-other a b)
-  (cond [(and (number? a) (number? b)) (/ a b)]
-        [else (dispatch-binary generic:/ e:/ divide-structures a b)]))
+(define-binary (divide a b) generic:/ fl/ / e:/ divide-structures)
 
 (define (divide-structures a b)
   (if (tuple? b)
       (raise-inapplicable generic:/ a b)
       (structure-map (lambda (x) (divide x b)) (adopt a))))
 
-(define-named g:/ /
-  (case-lambda
-    [(a b) (divide a b)]
-    [(a) (divide 1 a)]
-    [(a b . more) (for/fold ([q (divide a b)]) ([x (in-list more)]) (divide q x))]))
+(define-variadic g:/ / divide [(a) (divide 1 a)])
 
 (define-named g:invert invert (lambda (a) (divide 1 a)))
 
-(define-record generic:/ / 2 g:/)
+(define-record generic:/ / g:/)
 
 ;; Every record above: what a test that checks each derivative goes through.
 (define arithmetic-operations

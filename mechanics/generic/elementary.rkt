@@ -5,47 +5,48 @@
 ;; follows from its entry there: numbers are computed, expressions built,
 ;; functions composed, and derivatives of any order taken.
 
-(require (for-syntax racket/base)
+(require (for-syntax racket/base "../operation/operation-table.rkt")
          racket/flonum
          "arithmetic.rkt" "branches.rkt" "compare.rkt" "dispatch.rkt" "kind.rkt" "naming.rkt"
          "record.rkt"
          "kinks-met.rkt" "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/pi.rkt"
          "../error/complain.rkt")
 
-(provide g:sqrt g:exp g:log g:sin g:cos g:tan g:asin g:acos g:atan
-         g:sinh g:cosh g:tanh g:asinh g:acosh g:atanh g:abs g:sgn g:expt
-         g:sec g:csc g:cot g:sech g:csch g:coth
-         elementary-operations whole-exponent?
+;; Provided where they are defined: g:sin and the like, g:sec and the like.
+(provide g:abs g:sgn g:log g:atan g:expt
+         elementary-operations elementary-operation whole-exponent?
          (for-syntax unary-functions))
 
 ;; ---------------------------------------------------------------------------
 ;; Functions of one argument
 
-;; g:sin and generic:sin from the entry of `sin`, and so on.
-(define-syntax (define-elementary stx)
-  (define (prefixed prefix id)
-    (datum->syntax id (string->symbol (format "~a~a" prefix (syntax-e id))) id id))
-  (define (all-prefixed prefix ids)
-    (for/list ([id (in-list (syntax->list ids))]) (prefixed prefix id)))
-  (syntax-case stx ()
-    [(_ name ...)
-     (with-syntax ([(procedure ...) (all-prefixed "g:" #'(name ...))]
-                   [(generic ...) (all-prefixed "generic:" #'(name ...))]
-                   [(op ...) (all-prefixed "op:" #'(name ...))]
-                   [(define-record ...)
-                    (for/list ([n (in-list (syntax->list #'(name ...)))])
-                      (datum->syntax n 'define-record))])
-       #'(begin
-           (begin
-             (define-named procedure name
-               (let ([numeric (operation-numeric op)])
-                 (lambda (a) (if (number? a) (numeric a) (dispatch-unary generic a)))))
-             (define-record generic name 1 procedure))
-           ...))]))
+(begin-for-syntax
+  (define (all-prefixed context prefix names)
+    (for/list ([n (in-list names)])
+      (datum->syntax context (string->symbol (format "~a~a" prefix n)))))
+  (define function-keys (map entry-key (entries-where 'function))))
 
-(define-elementary
-  sqrt exp sin cos tan asin acos sinh cosh tanh asinh acosh atanh)
+;; g:sin and generic:sin from the entry of `sin`, and so on, but for those defined below.
+(define-syntax (define-elementary stx)
+  (syntax-case stx ()
+    [(_ below ...)
+     (let ([names (filter (lambda (k) (not (memq k (syntax->datum #'(below ...))))) function-keys)])
+       (with-syntax ([(name ...) (all-prefixed stx "" names)]
+                     [(procedure ...) (all-prefixed stx "g:" names)]
+                     [(generic ...) (all-prefixed stx "generic:" names)]
+                     [define-record (datum->syntax stx 'define-record)])
+         #'(begin
+             (provide procedure ...)
+             (begin
+               (define-named procedure name
+                 (let ([numeric (operation-numeric (find-operation 'name))])
+                   (lambda (a) (if (number? a) (numeric a) (dispatch-unary generic a)))))
+               (define-record generic name procedure))
+             ...)))]))
+
+(define-elementary abs sgn log atan atan2)
 
 ;; Of a tuple, its length: the root of the sum of squares.
 (define-named g:abs abs
@@ -55,7 +56,7 @@
             [(tuple? a) (g:sqrt (sum-of-squares a))]
             [else (note-sign-of! a) (dispatch-unary generic:abs a)]))))
 
-(define-record generic:abs abs 1 g:abs)
+(define-record generic:abs abs g:abs)
 
 (define-named g:sgn sgn
   (let ([numeric (operation-numeric op:sgn)])
@@ -63,7 +64,7 @@
       (cond [(number? a) (numeric a)]
             [else (note-sign-of! a) (dispatch-unary generic:sgn a)]))))
 
-(define-record generic:sgn sgn 1 g:sgn)
+(define-record generic:sgn sgn g:sgn)
 
 (define (note-sign-of! a)
   (when (carrier? a) (note-sign! (lambda () a))))
@@ -74,21 +75,23 @@
                    [(and (number? x) (not (real? x))) (g:square (magnitude x))]
                    [else (g:square x)]))))
 
-(define-named g:sec sec (lambda (x) (g:/ 1 (g:cos x))))
-(define-named g:csc csc (lambda (x) (g:/ 1 (g:sin x))))
-(define-named g:cot cot (lambda (x) (g:/ (g:cos x) (g:sin x))))
-(define-named g:sech sech (lambda (x) (g:/ 1 (g:cosh x))))
-(define-named g:csch csch (lambda (x) (g:/ 1 (g:sinh x))))
-(define-named g:coth coth (lambda (x) (g:/ (g:cosh x) (g:sinh x))))
+(define-syntax (define-reciprocals stx)
+  (with-syntax ([(name ...) (map car reciprocals)]
+                [(procedure ...) (all-prefixed stx "g:" (map car reciprocals))]
+                [(quotient ...) (datum->syntax stx (map caddr reciprocals))]
+                [x (datum->syntax stx 'x)])
+    #'(begin
+        (provide procedure ...)
+        (define-named procedure name (lambda (x) quotient)) ...)))
+
+(define-reciprocals)
 
 ;; The language says more of a wrong number of arguments than Racket does, where
 ;; it sees one of these applied.
-(begin-for-syntax
-  (define unary-functions
-    (list #'g:sqrt #'g:exp #'g:sin #'g:cos #'g:tan #'g:asin #'g:acos
-          #'g:sinh #'g:cosh #'g:tanh #'g:asinh #'g:acosh #'g:atanh #'g:abs #'g:sgn
-          #'g:sec #'g:csc #'g:cot #'g:sech #'g:csch #'g:coth
-          #'g:square #'g:cube #'g:negate #'g:invert)))
+(define-for-syntax unary-functions
+  (all-prefixed #'here "g:" (append (filter (lambda (k) (not (memq k '(log atan atan2)))) function-keys)
+                            (map car reciprocals)
+                            '(square cube negate invert))))
 
 ;; ---------------------------------------------------------------------------
 ;; Functions of one or two arguments
@@ -107,7 +110,7 @@
 (define (as-precise base x)
   (if (and (number? base) (other-number? x)) (g:+ base (g:- x x)) base))
 
-(define-record generic:log log 1 natural-log)
+(define-record generic:log log natural-log)
 
 ;; (atan y) and (atan y x), the angle of the point (x, y).
 (define (atan-1 y)
@@ -128,8 +131,8 @@
 (define-named g:atan atan
   (case-lambda [(y) (atan-1 y)] [(y x) (atan-2 y x)]))
 
-(define-record generic:atan atan 1 atan-1)
-(define-record generic:atan2 atan 2 atan-2)
+(define-record generic:atan atan atan-1)
+(define-record generic:atan2 atan2 atan-2)
 
 ;; ---------------------------------------------------------------------------
 ;; Powers
@@ -146,19 +149,19 @@
       (for/fold ([p b]) ([_ (in-range (sub1 n))]) (g:* p b))
       (raise-inapplicable generic:expt b n)))
 
-(define-record generic:expt expt 2 g:expt)
+(define-record generic:expt expt g:expt)
 
 ;; ---------------------------------------------------------------------------
-;; What the table writes derivatives with
+;; Words that derivatives in the table are written with
 
-;; a/b, where b = 0 means that there is no derivative: of a b that is open it is noted.
+;; a/b; where b = 0 there is no derivative.  Of a symbolic b a kink is noted.
 (define (slope-at name arguments a b)
   (cond [(if (flonum? b) (fl= b 0.0) (zero-here? b)) (raise-no-derivative-at name arguments)]
         [else (apply note-kink! name arguments)
               (g:/ a b)]))
 
-;; Is x known to be zero?  A symbol is not, and asking that does not end a trace: where its
-;; number is zero, the compiled derivative is none.
+;; Is x known to be zero?  A placeholder is not, and the question does not end its trace: where its
+;; number is zero, the compiled derivative is not a number.
 (define (zero-here? x)
   (define c (comparand x))
   (and (or (number? c) (has-kind? c)) (g:zero? c)))
@@ -191,11 +194,22 @@
         [(zero-here? b) (raise-no-derivative-at 'expt (list b n))]
         [else (g:* value (natural-log b))]))
 
+;; 2/√π, as exact as x
+(define (two-over-root-pi x)
+  (cond [(number? x) 1.1283791670955126]
+        [(symbolic? (comparand x)) (e:/ 2 (e:apply op:sqrt exact-pi))]
+        [else (g:/ 2 (g:sqrt (g:* 4 (atan-1 (g:+ 1 (g:- x x))))))]))
+
 ;; ---------------------------------------------------------------------------
 
-;; Every record above: what a test that checks each derivative goes through.
+;; Every record above.
 (define elementary-operations
-  (list generic:sqrt generic:exp generic:log generic:sin generic:cos generic:tan
-        generic:asin generic:acos generic:atan generic:atan2
-        generic:sinh generic:cosh generic:tanh generic:asinh generic:acosh generic:atanh
-        generic:abs generic:sgn generic:expt))
+  (let-syntax ([records (lambda (stx) #`(list #,@(all-prefixed #'here "generic:" function-keys)))])
+    (append (records) (list generic:expt))))
+
+;; The record of the operation of that name and number of arguments, or #f.
+(define (elementary-operation name arguments)
+  (for/first ([r (in-list elementary-operations)]
+              #:when (and (eq? name (generic-op-name r))
+                          (= arguments (length (generic-op-partials r)))))
+    r))

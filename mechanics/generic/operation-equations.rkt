@@ -8,11 +8,13 @@
 ;; coefficient k of the unknown from lower ones: a recurrence (Griewank and Walther,
 ;; Evaluating Derivatives, ch. 13).
 ;;
-;; The equations are read twice: by recurrence.rkt for truncated Taylor numbers and power
+;; They stand in the table of operations, and are read twice: by recurrence.rkt for truncated Taylor numbers and power
 ;; series, in any arithmetic, and by compile/ for motions, in flonums.
 
+(require "../operation/column.rkt")
+
 (provide equations-of (struct-out equation) (struct-out term) (struct-out start)
-         power-equations exponential-equations)
+         power-equations exponential-equations integral-equation)
 
 ;; leading x = constant + Σ terms, or leading x' = Σ terms, for the unknown x
 ;; leading : a row, or #f for 1; start : how the unknown begins if the equation does not say
@@ -29,12 +31,6 @@
 (define (differential leading . terms) (equation #t leading 0 terms #f))
 (define (beginning operation row e) (struct-copy equation e [start (start operation row)]))
 
-;; The equations of the value and of its partner, if it has one; #f for an operation without.
-(define (equations-of name arguments)
-  (case arguments
-    [(1) (hash-ref functions name #f)]
-    [else (hash-ref of-two name #f)]))
-
 ;; r' = u p a' and p' = v r a', where p is the other function of a
 (define (pair u other v)
   (list (differential #f (term u 'p 'a))
@@ -45,36 +41,16 @@
   (list (differential 'p (term u #f 'a))
         (beginning other 'r (differential #f (term v 'a 'r)))))
 
-(define of-two
-  (hasheq
-   '+ (list (algebraic #f 0 (term 1 #f 'a) (term 1 #f 'b)))
-   '- (list (algebraic #f 0 (term 1 #f 'a) (term -1 #f 'b)))
-   '* (list (algebraic #f 0 (term 1 'a 'b)))
-   '/ (list (algebraic 'b 0 (term 1 #f 'a)))
-   ;; of the angle of the point (b, a)
-   'atan (list (differential 'p (term 1 'b 'a) (term -1 'a 'b))
-               (algebraic #f 0 (term 1 'a 'a) (term 1 'b 'b)))))
+(define-fact-column equations equations)
 
-(define functions
-  (hasheq
-   'sqrt  (list (algebraic 'r 0 (term 1 #f 'a)))
-   'exp   (list (differential #f (term 1 'r 'a)))
-   'log   (list (differential 'a (term 1 #f 'a)))
-   'sin   (pair 1 'cos -1)
-   'cos   (pair -1 'sin 1)
-   'sinh  (pair 1 'cosh 1)
-   'cosh  (pair 1 'sinh 1)
-   'tan   (list (differential #f (term 1 'p 'a)) (algebraic #f 1 (term 1 'r 'r)))
-   'tanh  (list (differential #f (term 1 'p 'a)) (algebraic #f 1 (term -1 'r 'r)))
-   'atan  (list (differential 'p (term 1 #f 'a)) (algebraic #f 1 (term 1 'a 'a)))
-   'atanh (list (differential 'p (term 1 #f 'a)) (algebraic #f 1 (term -1 'a 'a)))
-   'asin  (inverse 1 'cos -1)
-   'acos  (inverse -1 'sin 1)
-   'asinh (inverse 1 'cosh 1)
-   'acosh (inverse 1 'sinh 1)))
+;; The equations of the value and of its partner, if it has one; #f for an operation without.
+(define (equations-of name arguments) (hash-ref equations (operation-key name arguments) #f))
 
 ;; r = aⁿ with a constant n: a r' = n r a'
 (define (power-equations n) (list (differential 'a (term n 'r 'a))))
 
 ;; r = aᵇ with a constant a: r' = log(a) r b'
 (define (exponential-equations log-a) (list (differential #f (term log-a 'r 'b))))
+
+;; r' = b a', of an operation without equations: b is its derivative at a.
+(define integral-equation (differential #f (term 1 'b 'a)))

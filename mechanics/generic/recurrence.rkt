@@ -12,7 +12,8 @@
 ;; coefficients as functions of the index, exact 0 from a length on, which is
 ;; +inf.0 for an endless series.
 
-(require "kind.rkt" "arithmetic.rkt" "elementary.rkt" "operation-equations.rkt")
+(require "kind.rkt" "arithmetic.rkt" "elementary.rkt" "operation-equations.rkt"
+         "../operation/column.rkt")
 
 (provide recurrence-of (struct-out recurrence) (struct-out rows)
          (struct-out solution) (struct-out partner)
@@ -54,10 +55,10 @@
 
 ;; Σ a_j b_{k-j} for j from `low` to `high`, where neither is known to be 0.
 (define (convolution a la b lb k [low 0] [high k])
-  (define first (if (< k lb) low (max low (add1 (- k lb)))))
-  (define last (if (< high la) high (sub1 la)))
-  (let loop ([j first] [sum 0])
-    (if (> j last)
+  (define from (if (< k lb) low (max low (add1 (- k lb)))))
+  (define to (if (< high la) high (sub1 la)))
+  (let loop ([j from] [sum 0])
+    (if (> j to)
         sum
         (let ([x (a j)] [y (b (- k j))])
           (loop (add1 j)
@@ -66,15 +67,7 @@
 ;; Σ_{j=1..high} j a_j b_{k-j}: for high = k it is k times coefficient k of the
 ;; integral of a' b.
 (define (weighted-convolution a la b k [high k])
-  (define last (if (< high la) high (sub1 la)))
-  (let loop ([j 1] [sum 0])
-    (if (> j last)
-        sum
-        (let ([x (a j)] [y (b (- k j))])
-          (loop (add1 j)
-                (if (or (eqv? x 0) (eqv? y 0))
-                    sum
-                    (g:+ sum (g:* (g:* j x) y))))))))
+  (convolution (lambda (j) (g:* j (a j))) la b +inf.0 k 1 high))
 
 ;; ---------------------------------------------------------------------------
 ;; Equations solved for coefficient k of an unknown, the row of that name
@@ -146,8 +139,7 @@
 ;; First coefficients of the argument and of the value -> that of the partner.
 (define (equation->start e)
   (define s (equation-start e))
-  (cond [s (define f (case (start-operation s)
-                       [(sin) g:sin] [(cos) g:cos] [(sinh) g:sinh] [else g:cosh]))
+  (cond [s (define f (generic-op-procedure (elementary-operation (start-operation s) 1)))
            (if (eq? (start-row s) 'a) (lambda (a r) (f a)) (lambda (a r) (f r)))]
         [else
          (lambda (a r)
@@ -205,6 +197,5 @@
                           '* (arithmetic-recurrence '* (lambda (la lb) (+ la lb -1)))
                           '/ (arithmetic-recurrence '/ (lambda (la lb) (if (eqv? lb 1) la +inf.0)))
                           'expt power-recurrence)])
-            ([name (in-list '(sqrt exp log sin cos tan asin acos atan sinh cosh tanh
-                                   asinh acosh atanh))])
+            ([name (in-list (operation-names function))] #:when (equations-of name 1))
     (hash-set all name (function-recurrence name))))

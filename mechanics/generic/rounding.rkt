@@ -29,7 +29,7 @@
           [(tuple? x) (structure-map g:exact->inexact (adopt x))]
           [else (dispatch-unary generic:exact->inexact x)])))
 
-(define-composite-record generic:exact->inexact exact->inexact exact->inexact g:exact->inexact)
+(define-record generic:exact->inexact exact->inexact g:exact->inexact)
 
 ;; In an expression, each of its numbers.
 (define-named g:inexact->exact inexact->exact

@@ -71,7 +71,7 @@
 
 ;; The operations that are real for real arguments, and have no branches
 (define conjugated-inside
-  (list op:+ op:- op:* op:/ op:exp op:sin op:cos op:tan op:sinh op:cosh op:tanh))
+  (append (list op:+ op:- op:* op:/) (operations-where meromorphic)))
 
 (define (conjugate-expression e)
   (node-fold e

@@ -16,5 +16,5 @@
  ["quaternion.rkt" quaternion? quaternion make-quaternion real&3vector->quaternion
                    quaternion->vector quaternion->3vector quaternion->real-part quaternion-ref
                    q:conjugate q:magnitude q:make-unit]
- ["special-functions.rkt" gamma factorial log-gamma beta erf erfc zeta Lambert-W]
+ ["special-functions.rkt" gamma factorial log-gamma beta erfc zeta Lambert-W]
  ["Bessel-functions.rkt" Bessel-J Bessel-Y Bessel-I Bessel-K spherical-Bessel-j spherical-Bessel-y])

@@ -2,20 +2,19 @@
 ;; Functions of numbers that mathematical physics has names for.
 ;;
 ;; They are functions of numbers and not of expressions.  Derivatives are taken of those that
-;; have them in functions of this page: Γ' = Γ ψ, erf' x = 2 e^(−x²)/√π, W' = e^(−W)/(1 + W)
+;; have them in functions of this page: Γ' = Γ ψ, erfc' x = −2 e^(−x²)/√π, W' = e^(−W)/(1 + W)
 ;; (Abramowitz and Stegun, 6.3, 7.1).
 
 (require (prefix-in math: (only-in math/special-functions
-                                   gamma log-gamma psi beta erf erfc zeta lambert))
+                                   gamma log-gamma psi beta erfc zeta lambert))
          (only-in racket/math nan?)
          "Bessel-functions.rkt" "series/coefficients.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
-         "../generic/elementary.rkt" "../generic/kind.rkt"
-         "../numeric/constants.rkt")
+         "../generic/elementary.rkt" "../generic/kind.rkt")
 
 (provide gamma (rename-out [factorial-of factorial])
-         log-gamma beta erf erfc zeta Lambert-W
+         log-gamma beta erfc zeta Lambert-W
          bessj bessj0 bessj1)
 
 ;; ---------------------------------------------------------------------------
@@ -59,18 +58,11 @@
            (unless (> z 0) (complain 'beta "expected positive numbers; given ~a" z)))
          (math:beta (real->double-flonum x) (real->double-flonum y))]))
 
-(define bell (/ 2.0 (sqrt pi)))
-(define (bell-at x) (g:* bell (g:exp (g:- 0 (g:* x x)))))
-
-(define erf
-  (lifted 'erf
-          (lambda (x) (math:erf (real->double-flonum x)))
-          (lambda (x value) (bell-at x))))
-
 (define erfc
   (lifted 'erfc
           (lambda (x) (math:erfc (real->double-flonum x)))
-          (lambda (x value) (g:- 0 (bell-at x)))))
+          (lambda (x value) (g:negate ((car (generic-op-partials (elementary-operation 'erf 1)))
+                                       x value)))))
 
 ;; The branch W ≥ −1 of w e^w = x
 (define Lambert-W

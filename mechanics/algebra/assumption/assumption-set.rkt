@@ -125,15 +125,16 @@
         [(eq? head op:/) (known-product (list (car parts) (known-power (cadr parts) -1)))]
         [(eq? head op:expt) (power-signs (car parts) (cadr (node-args n)))]
         [(eq? head op:sqrt) (power-signs (car parts) 1/2)]
-        [(memq head (list op:exp op:cosh)) (because-of positive)]
+        [(memq head positive-functions) (because-of positive)]
         [(eq? head op:acos) (because-of nonnegative)]
         [(eq? head op:log) (if (never-positive? (car parts)) not-real unknown)]
         [(eq? head op:abs) (known-power (car parts) 2)]
-        [(and (memq head odd-functions) (null? (cdr parts))) (car parts)]
+        [(and (memq head sign-keeping) (null? (cdr parts))) (car parts)]
         [else unknown]))
 
-;; Operations whose values have the sign of the argument.
-(define odd-functions (list op:sinh op:tanh op:asinh op:atanh op:asin op:atan))
+(define positive-functions (operations-where positive))
+;; Functions that have the sign of their argument; of atan, where it has one.
+(define sign-keeping (cons op:atan (operations-where odd increasing)))
 
 (define (never-positive? k) (signs-within? (known-signs k) nonpositive))
 

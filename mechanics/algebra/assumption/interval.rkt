@@ -5,7 +5,9 @@
 ;; An interval may be too wide, never too narrow.  Flonums are within 4·10⁻¹⁵ of the values
 ;; of elementary functions, by which they are moved outwards.
 
-(require racket/math)
+(require racket/math
+         (only-in "../expression/numeric-functions.rkt" erf)
+         "../../operation/column.rkt")
 
 (provide (struct-out interval) everything point-interval
          interval-sum interval-product interval-quotient interval-power interval-magnitude
@@ -110,22 +112,26 @@
 
 (define (further y direction) (+ y (* direction (+ (* 4e-15 (abs y)) 1e-300))))
 
-(define functions
-  (hasheq 'exp (growing exp -inf.0 not-negative)
-          'sqrt (growing sqrt 0 not-negative)
-          'log (growing log 0 everything)
-          'sinh (growing sinh -inf.0 everything)
-          'tanh (growing tanh -inf.0 unit)
-          'atan (growing atan -inf.0 (interval (- quarter-turn) quarter-turn))
-          'asin (lambda (r) (interval (- quarter-turn) quarter-turn))
-          'acos (lambda (r) (interval 0 (* 2 quarter-turn)))
-          'cosh (lambda (r)
-                  (define m (interval-magnitude r))
-                  (intersection (interval 1 +inf.0)
-                                (interval (outwards cosh (interval-low m) -1)
-                                          (outwards cosh (interval-high m) 1))))
-          'sin (lambda (r) (waving sin (/ pi 2) r))
-          'cos (lambda (r) (waving cos 0.0 r))))
+(define-column functions
+  [exp (growing exp -inf.0 not-negative)]
+  [sqrt (growing sqrt 0 not-negative)]
+  [log (growing log 0 everything)]
+  [sinh (growing sinh -inf.0 everything)]
+  [tanh (growing tanh -inf.0 unit)]
+  [atan (growing atan -inf.0 (interval (- quarter-turn) quarter-turn))]
+  [erf (growing erf -inf.0 unit)]
+  [asin (lambda (r) (interval (- quarter-turn) quarter-turn))]
+  [acos (lambda (r) (interval 0 (* 2 quarter-turn)))]
+  [cosh (lambda (r)
+          (define m (interval-magnitude r))
+          (intersection (interval 1 +inf.0)
+                        (interval (outwards cosh (interval-low m) -1)
+                                  (outwards cosh (interval-high m) 1))))]
+  [sin (lambda (r) (waving sin (/ pi 2) r))]
+  [cos (lambda (r) (waving cos 0.0 r))]
+  [abs interval-magnitude]
+  [(tan asinh acosh atanh sgn) (none "signs are all that is asked of it")]
+  [atan2 (none "it has two arguments")])
 
 ;; f has maxima at top + 2πk, minima in the middle between them, and is monotonic from each
 ;; to the next.

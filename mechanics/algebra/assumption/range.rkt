@@ -46,7 +46,6 @@
         [(eq? head op:*) (together interval-product)]
         [(eq? head op:/) (interval-quotient (car parts) (cadr parts))]
         [(eq? head op:expt) (interval-power (car parts) (cadr (node-args n)))]
-        [(eq? head op:abs) (interval-magnitude (car parts))]
         [(and (eq? head op:atan) (pair? (cdr parts))) (interval -22/7 22/7)]
         [(and (operation? head) (pair? parts) (null? (cdr parts)))
          (interval-of-operation (operation-name head) (car parts))]

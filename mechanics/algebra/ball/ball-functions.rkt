@@ -4,10 +4,11 @@
 ;; What is composed of balls that hold their values holds its own.  Where a formula cancels for
 ;; small arguments, it is used with as many more bits.
 
-(require "ball.rkt" "ball-elementary.rkt")
+(require "ball.rkt" "ball-elementary.rkt" "fixed-point.rkt")
 
 (provide ball-tan ball-asin ball-acos ball-atan
          ball-sinh ball-cosh ball-tanh ball-asinh ball-acosh ball-atanh
+         ball-erf
          ball-integer-power ball-power)
 
 (define one (ball 1 0 0))
@@ -62,6 +63,33 @@
 (define (ball-atanh x p)
   (define w (small-argument-precision x p))
   (half (ball-log (ball/ (ball+ one x w) (ball- one x w) w) w)))
+
+;; ---------------------------------------------------------------------------
+;; The error function
+
+;; erf x = 2/√π e^(−x²) Σ tₙ with t₀ = x, tₙ = tₙ₋₁ 2x²/(2n + 1); odd.  From where this factor is at
+;; most 1/2, what follows a term is no more than it.  1 − erf x < e^(−x²) for x > 0.
+(define (ball-erf x p)
+  (define least (+ (integer-length (ball-lower x)) (ball-scale x) -1))     ; 2^least <= x
+  (cond [(ball-negative? x) (ball-negate (ball-erf (ball-negate x) p))]
+        [(and (ball-positive? x) (>= (* 2 least) (integer-length p))) (ball+ one (ball 0 1 (- p)) p)]
+        [(> (* 2 (ball-magnitude x)) (+ 8 (integer-length p))) (raise unknown)]
+        [else
+         (define w (+ p 32))
+         (define s (square x w))
+         (define root-of-pi (ball-sqrt (make-ball (pi-fixed w) constant-error (- w) w) w))
+         (ball* (ball/ (twice (ball-exp (ball-negate s) w)) root-of-pi w)
+                (erf-sum x (twice s) (- (ball-magnitude x) w) w)
+                p)]))
+
+;; last : terms below 2^last end the sum
+(define (erf-sum x s last w)
+  (let loop ([n 1] [term x] [sum x])
+    (define next (ball/ (ball* term s w) (exact->ball (+ n n 1) w) w))
+    (define k (ball-magnitude next))
+    (if (and (< k last) (>= n (arithmetic-shift 1 (max 0 (ball-magnitude s)))))
+        (ball+ sum (ball 0 1 (+ k 1)) w)
+        (loop (+ n 1) next (ball+ sum next w)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers

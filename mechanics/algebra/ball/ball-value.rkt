@@ -7,7 +7,8 @@
 (require "ball.rkt" "ball-elementary.rkt" "ball-functions.rkt" "fixed-point.rkt"
          "../assumption/signs.rkt"
          (only-in "../expression/numeric-functions.rkt" sgn)
-         "../expression/operation.rkt")
+         "../expression/operation.rkt"
+         "../../operation/column.rkt")
 
 (provide number->value pi->value apply-operation
          value-not-zero? value-signs values-overlap?)
@@ -74,7 +75,7 @@
         [(eq? op op:-) (minus (car arguments) (cadr arguments) p)]
         [(eq? op op:/) (over (car arguments) (cadr arguments) p)]
         [(eq? op op:expt) (power (car arguments) (cadr arguments) p)]
-        [(hash-ref functions op #f)
+        [(hash-ref functions (operation-key (operation-name op) (length arguments)) #f)
          => (lambda (f)
               (define x (car arguments))
               (if (or (ball? x) (pair? (cdr arguments)))
@@ -101,35 +102,34 @@
 (define-arithmetic (over a b p)
   [(eqv? b 0) (raise no-value)] / ball/)
 
-;; op -> (arguments p -> value)
-(define functions
-  (let ()
-    ;; f, but at this point its exact value
-    (define ((function f [point #f] [value #f]) arguments p)
-      (define x (car arguments))
-      (if (and point (eqv? x point)) value (f (value->ball x p) p)))
-    (hasheq op:sqrt (lambda (arguments p) (root (car arguments) p))
-            op:exp (function ball-exp 0 1)
-            op:log (function ball-log 1 0)
-            op:sin (function ball-sin 0 0)
-            op:cos (function ball-cos 0 1)
-            op:tan (function ball-tan 0 0)
-            op:asin (function ball-asin 0 0)
-            op:acos (function ball-acos 1 0)
-            op:atan (lambda (arguments p)
-                      (if (null? (cdr arguments))
-                          ((function ball-atan 0 0) arguments p)
-                          (angle (car arguments) (cadr arguments) p)))
-            op:sinh (function ball-sinh 0 0)
-            op:cosh (function ball-cosh 0 1)
-            op:tanh (function ball-tanh 0 0)
-            op:asinh (function ball-asinh 0 0)
-            op:acosh (function ball-acosh 1 0)
-            op:atanh (function ball-atanh 0 0)
-            op:abs (lambda (arguments p)
-                     (define x (car arguments))
-                     (if (ball? x) (ball-abs x) (abs x)))
-            op:sgn (lambda (arguments p) (sign-of (car arguments))))))
+;; f : ball p -> ball; point : an exact number where f has an exact value
+;; -> (arguments p -> value)
+(define ((function f [point #f] [value #f]) arguments p)
+  (define x (car arguments))
+  (if (and point (eqv? x point)) value (f (value->ball x p) p)))
+
+(define-column functions
+  [sqrt (lambda (arguments p) (root (car arguments) p))]
+  [exp (function ball-exp 0 1)]
+  [log (function ball-log 1 0)]
+  [sin (function ball-sin 0 0)]
+  [cos (function ball-cos 0 1)]
+  [tan (function ball-tan 0 0)]
+  [asin (function ball-asin 0 0)]
+  [acos (function ball-acos 1 0)]
+  [atan (function ball-atan 0 0)]
+  [atan2 (lambda (arguments p) (angle (car arguments) (cadr arguments) p))]
+  [sinh (function ball-sinh 0 0)]
+  [cosh (function ball-cosh 0 1)]
+  [tanh (function ball-tanh 0 0)]
+  [asinh (function ball-asinh 0 0)]
+  [acosh (function ball-acosh 1 0)]
+  [atanh (function ball-atanh 0 0)]
+  [erf (function ball-erf 0 0)]
+  [abs (lambda (arguments p)
+         (define x (car arguments))
+         (if (ball? x) (ball-abs x) (abs x)))]
+  [sgn (lambda (arguments p) (sign-of (car arguments)))])
 
 (define (angle y x p)
   (cond [(and (eqv? y 0) (eqv? x 0)) (raise no-value)]

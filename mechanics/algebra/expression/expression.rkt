@@ -27,14 +27,14 @@
  requested? requested-assumptions request-form
  ;; constructors
  e:+ e:- e:* e:/ e:expt e:negate e:apply e:application
- sum? arithmetic-node? integer-power?
+ sum? arithmetic-node? integer-power? commutative?
  ;; walks
  expression->datum make-memo node-fold)
 
 ;; ---------------------------------------------------------------------------
 ;; The node
 
-;; mark : of the last walk that came by, a hint that it alone believes (flat-graph.rkt)
+;; mark : the place of the node on the tape made last, with that tape's number (flat-graph.rkt)
 (struct node (head args hash [mark #:auto #:mutable])
   #:authentic
   #:property prop:custom-print-quotable 'never
@@ -48,8 +48,8 @@
 (define (make-node head args)
   (node head args (hash-node head args)))
 
-;; A node in a form that was asked for (expanded, factored ...), and what finding
-;; it assumed: a node like any other, but shown as it stands.
+;; A node in a form that was asked for (expanded, factored ...), with the assumptions made to find
+;; it: a node like any other, but shown without being simplified again.
 (struct requested node (assumptions) #:authentic)
 
 (define (request-form e assumptions)
@@ -76,18 +76,10 @@
 (define (scatter k) (bitwise-xor (* 3 k) (arithmetic-shift k -23)))
 
 (define (hash-node head args)
-  (define start (mask (head-hash head)))
-  (if (commutative? head) (hash-in-any-order args start) (hash-in-order args start)))
-
-(define (hash-in-any-order args h)
-  (if (null? args)
-      h
-      (hash-in-any-order (cdr args) (mask (+ h (scatter (expression-hash (car args))))))))
-
-(define (hash-in-order args h)
-  (if (null? args)
-      h
-      (hash-in-order (cdr args) (mask (+ (* 31 h) (expression-hash (car args)))))))
+  (define any-order? (commutative? head))
+  (for/fold ([h (mask (head-hash head))]) ([a (in-list args)])
+    (define k (expression-hash a))
+    (mask (if any-order? (+ h (scatter k)) (+ (* 31 h) k)))))
 
 ;; Pairs already found equal are remembered, so that two graphs built apart are
 ;; compared in time proportional to their nodes.
@@ -159,7 +151,6 @@
         [(exact-zero? a) b]
         [(exact-zero? b) a]
         [(number? b) (e:+ b a)]
-        [(number? a) (add-constant a b)]
         [else
          (define-values (m as) (split-constant a op:+ 0))
          (define-values (n bs) (split-constant b op:+ 0))
@@ -167,13 +158,6 @@
          (if (sum-fits? c m n)
              (rejoin op:+ c 0 (append as bs))
              (rejoin op:+ m 0 (append as (list b))))]))
-
-(define (add-constant m e)
-  (define-values (n rest) (split-constant e op:+ 0))
-  (define c (+ m n))
-  (if (sum-fits? c m n)
-      (rejoin op:+ c 0 rest)
-      (make-node op:+ (list m e))))
 
 (define (e:* a b)
   (cond [(and (number? a) (number? b)) (* a b)]
@@ -214,8 +198,8 @@
         [(and (expression=? a b) (plainly-defined? a)) 0]
         [else (make-node op:- (list a b))]))
 
-;; Has it a value wherever its symbols have?  A root or a logarithm may have none anywhere,
-;; and then a - a is not 0.  Of a large one the first nodes tell.
+;; Has e a value wherever its symbols have values?  A root or a logarithm may have none anywhere,
+;; and then a - a is not 0.  Only the first nodes of e are looked at.
 (define (plainly-defined? e)
   (let look ([es (list e)] [n 0])
     (cond [(or (null? es) (eqv? n most-nodes)) #t]
@@ -225,9 +209,11 @@
 
 (define most-nodes 40)
 
+(define real-in-part (operations-where real))
+
 (define (partial? n)
   (define head (node-head n))
-  (or (memq head (list op:sqrt op:log op:asin op:acos op:acosh op:atanh))
+  (or (memq head real-in-part)
       (and (eq? head op:/) (sum? (cadr (node-args n))))
       (and (eq? head op:expt)
            (let ([k (cadr (node-args n))])
@@ -247,7 +233,7 @@
         [(and (expression=? a b) (not (sum? b)) (plainly-defined? b)) 1]
         [else (make-node op:/ (list a b))]))
 
-;; Of a sum it takes simplification to see that it is not 0, however it is written.
+;; Is e a sum?  Only simplification tells whether a sum is 0.
 (define (sum? e) (or (headed? e op:+) (headed? e op:-)))
 
 (define (complain-of-division a)

@@ -9,17 +9,18 @@
 ;; but numbers (its derivative, its action on structures) belongs to the floors
 ;; above.
 
-(require (for-syntax racket/base racket/list)
-         "operation-table.rkt")
+(require (for-syntax racket/base "../../operation/operation-table.rkt")
+         "numeric-functions.rkt"
+         "../../operation/column.rkt")
 
 (provide
- ;; operations
+ ;; operations; those of the table are provided where they are defined, as op:sin
  (struct-out operation)
- op:+ op:* op:- op:/ op:expt op:sqrt op:exp op:log
- op:sin op:cos op:tan op:asin op:acos op:atan
- op:sinh op:cosh op:tanh op:asinh op:acosh op:atanh op:abs op:sgn
  op:up op:down op:solution op:component op:wrapped wrap
  operations          ; those of the table, in its order
+ find-operation      ; name -> operation, or #f
+ operations-where    ; (operations-where fact ...) : those of which the table says all this
+ written-names       ; names of operations and of what prints as a quotient by one
  ;; literal heads
  (struct-out literal-head)
  make-literal-head literal-head-derivative head=? head-hash head->datum)
@@ -29,26 +30,42 @@
 (struct operation (name numeric)
   #:authentic)
 
-;; op:sin from the entry of `sin`, and so on through the table; where two entries
-;; share a name, as those of (atan y) and (atan y x), one operation serves both.
+;; The operation of an entry is op:sin, and so on.  Where two entries share a name, as those of
+;; (atan y) and (atan y x), one operation serves both, and has the facts that hold for both.
+(begin-for-syntax
+  (define (identifier-of e context)
+    (datum->syntax context (string->symbol (format "op:~a" (entry-name e)))))
+  (define (heads e) (and (not (entry-fact e 'composite)) (eq? (entry-name e) (entry-key e))))
+  (define (all-of-name-in? e entries)
+    (for/and ([other (in-list (append (entries-where 'arithmetic) (entries-where 'function)))])
+      (or (not (eq? (entry-name e) (entry-name other))) (memq other entries)))))
+
 (define-syntax (define-operations stx)
   (syntax-case stx ()
     [(_ all)
-     (let ([entries (remove-duplicates operation-entries eq? #:key entry-name)])
-       (with-syntax ([((id name numeric) ...)
-                      (for/list ([e (in-list entries)])
-                        (syntax-case e ()
-                          [(name arguments numeric . _)
-                           (list (datum->syntax stx (prefixed #'name)) #'name #'numeric)]))])
-         #'(begin
-             (define id (operation 'name numeric)) ...
-             (define all (list id ...)))))]))
-
-(begin-for-syntax
-  (define (entry-name e) (syntax-e (car (syntax-e e))))
-  (define (prefixed name) (string->symbol (format "op:~a" (syntax-e name)))))
+     (with-syntax ([((id name numeric) ...)
+                    (for/list ([e (in-list (filter heads (entries-where)))])
+                      (list (identifier-of e stx) (entry-name e)
+                            (datum->syntax stx (entry-numeric e))))])
+       #'(begin
+           (provide id ...)
+           (define id (operation 'name numeric)) ...
+           (define all (list id ...))))]))
 
 (define-operations operations)
+
+(define-syntax (operations-where stx)
+  (syntax-case stx ()
+    [(_ fact ...)
+     (let ([entries (apply entries-where (syntax->datum #'(fact ...)))])
+       #`(list #,@(for/list ([e (in-list entries)]
+                             #:when (and (heads e) (all-of-name-in? e entries)))
+                    (identifier-of e #'here))))]))
+
+(define by-name (for/hasheq ([op (in-list operations)]) (values (operation-name op) op)))
+(define (find-operation name) (hash-ref by-name name #f))
+
+(define written-names (operation-names arithmetic function reciprocal))
 
 (define op:up (operation 'up #f))
 (define op:down (operation 'down #f))

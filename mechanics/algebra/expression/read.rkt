@@ -2,7 +2,7 @@
 ;; Reading S-expressions as expressions: the datum an expression prints as gives
 ;; an equal expression back.  Expressions may stand within the datum.
 
-(require "expression.rkt" "operation.rkt")
+(require "expression.rkt" "operation.rkt" "../../operation/column.rkt")
 
 (provide datum->expression operation-name?)
 
@@ -21,21 +21,19 @@
 ;; ---------------------------------------------------------------------------
 ;; Operations
 
-(define functions
-  (for/hasheq ([o (in-list (list* op:up op:down operations))])
-    (values (operation-name o) o)))
+(define (find-head name)
+  (case name
+    [(up) op:up]
+    [(down) op:down]
+    [else (find-operation name)]))
 
-;; Does a list that begins so stand for an operation, and not for an unknown function?
+;; Is head the name of an operation, and not of an unknown function?
 (define (operation-name? head)
   (and (symbol? head)
-       (or (memq head '(+ * - / expt square cube))
-           (hash-has-key? functions head)
-           (hash-has-key? reciprocals head))
+       (or (memq head '(square cube))
+           (find-head head)
+           (assq head reciprocals))
        #t))
-
-;; What prints as a quotient by another function, by the name it is written with.
-(define reciprocals
-  (hasheq 'sec op:cos 'csc op:sin 'cot op:tan 'sech op:cosh 'csch op:sinh 'coth op:tanh))
 
 ;; -> an expression, or #f if the head is no operation's name
 (define (read-operation head args reject)
@@ -52,13 +50,12 @@
     [(square cube)
      (between 1 1)
      (e:expt (car args) (if (eq? head 'square) 2 3))]
-    [(sec csc cot sech csch coth)
-     (between 1 1)
-     (e:/ 1 (make-node (hash-ref reciprocals head) args))]
     [else
-     (define op (hash-ref functions head #f))
+     (define inverted (assq head reciprocals))
+     (define op (find-head (if inverted (cdr inverted) head)))
      (when (and op (operation-numeric op)) (between 1 (if (eq? op op:atan) 2 1)))
-     (and op (make-node op args))]))
+     (define n (and op (make-node op args)))
+     (if inverted (e:/ 1 n) n)]))
 
 ;; Roots of numbers stay as they are.
 (define (power b n)

@@ -18,7 +18,7 @@
 
 (provide visit-angle! settle-angles! doubled-circles dependent-angles?)
 
-(define circular-functions (list op:sin op:cos op:tan))
+(define circular-functions (operations-where circular))
 
 (define (visit-angle! c n)
   (define head (node-head n))
@@ -41,7 +41,7 @@
   (and (exact-integer? (car t))
        (<= (abs (car t)) 16)
        (node? (cdr t))
-       (memq (node-head (cdr t)) (list op:asin op:acos op:atan))
+       (memq (node-head (cdr t)) (operations-where arc))
        #t))
 
 ;; The function of Σ terms with one of the inverse functions in t taken away.

@@ -85,8 +85,8 @@
         [else (visit-function! c n)]))
 
 (define arithmetic (list op:+ op:- op:* op:/))
-(define inverse (list op:asin op:acos op:atan))
-(define angular (list op:sin op:cos op:tan op:sinh op:cosh op:tanh))
+(define inverse (operations-where arc))
+(define angular (append (operations-where circular) (operations-where hyperbolic)))
 
 ;; What a blocked node simplifies to stands for it; a sum as one kernel.
 (define (visit-blocked! c n)

@@ -55,7 +55,7 @@
 ;; Veils
 
 (define veils
-  (for/list ([op (in-list (list op:sin op:cos op:tan op:sinh op:cosh op:tanh))])
+  (for/list ([op (in-list (append (operations-where circular) (operations-where hyperbolic)))])
     (cons op (make-literal-head (string->uninterned-symbol (symbol->string (operation-name op)))))))
 
 ;; -> e with veiled functions, their arguments and those of roots simplified, and

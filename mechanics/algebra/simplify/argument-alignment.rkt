@@ -41,7 +41,8 @@
 ;; Arguments
 
 (define by-parts
-  (list op:sin op:cos op:tan op:sinh op:cosh op:tanh op:exp op:log op:sqrt op:expt op:abs))
+  (append (list op:exp op:log op:sqrt op:expt op:abs)
+          (operations-where circular) (operations-where hyperbolic)))
 
 ;; A node whose operands are no arguments.
 (define (transparent? n) (or (arithmetic-node? n) (memq (node-head n) (list op:up op:down))))

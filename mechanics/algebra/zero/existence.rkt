@@ -42,7 +42,9 @@
           [else #f])))
 
 ;; Of positive arguments they are positive.
-(define keep-positive (list op:+ op:* op:/ op:sqrt op:expt op:exp op:cosh op:sinh op:tanh op:abs))
+(define keep-positive
+  (append (list op:+ op:* op:/ op:sqrt op:expt op:abs)
+          (operations-where total positive) (operations-where total odd increasing)))
 
 ;; Polynomials in sines, exponentials and the like.
 (define (everywhere-defined? t)
@@ -56,8 +58,7 @@
       (and (memq (node-head n) total) #t)
       (integer-power-above-0? n)))
 
-(define total
-  (list op:+ op:- op:* op:up op:down op:sin op:cos op:exp op:sinh op:cosh op:tanh op:asinh op:abs))
+(define total (append (list op:+ op:- op:* op:up op:down) (operations-where total)))
 
 (define (integer-power-above-0? e)
   (and (eq? (node-head e) op:expt) (exact-nonnegative-integer? (cadr (node-args e)))))

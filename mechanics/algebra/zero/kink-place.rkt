@@ -54,4 +54,4 @@
 
 (define (within-unknown? x e) (eq? 'within ((within-head? literal-head?) x e)))
 (define (trigonometric? x e)
-  (eq? 'within ((within-head? (lambda (h) (memq h (list op:sin op:cos op:tan)))) x e)))
+  (eq? 'within ((within-head? (lambda (h) (memq h (operations-where circular)))) x e)))

@@ -139,7 +139,7 @@
   (case name
     [(/) (make-node op:/ (cons 1 (cdr arguments)))]
     [(=) (make-node (make-literal-head '=) arguments)]
-    [else (make-node (findf (lambda (o) (eq? (operation-name o) name)) operations) arguments)]))
+    [else (make-node (find-operation name) arguments)]))
 
 (define (any k) #t)
 (define ((touching n) k) (and (even? k) (not (whole-square? (* k n)))))

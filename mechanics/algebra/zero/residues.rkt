@@ -90,8 +90,8 @@
         [(memq op exponential) (exponential-value s p op (car operands))]
         [else (unknown s op operands)]))
 
-(define circular (list op:sin op:cos op:tan))
-(define exponential (list op:exp op:sinh op:cosh op:tanh))
+(define circular (operations-where circular))
+(define exponential (cons op:exp (operations-where hyperbolic)))
 
 (define (sum s p operands)
   (let loop ([ks operands] [total 0])

@@ -84,10 +84,12 @@
       (append (take integers positive-points) fractions (drop integers positive-points))
       (append integers fractions)))
 
+(define circular (operations-where circular))
+
 ;; Has it a sine or the like of a multiple of π, or of a decimal, which may be one?  At
 ;; integers sin 2πt is 0.
 (define (counts-in-turns? t)
-  (and (for/or ([head (in-vector (tape-heads t))]) (memq head (list op:sin op:cos op:tan)))
+  (and (for/or ([head (in-vector (tape-heads t))]) (memq head circular))
        (for/or ([x (in-vector (tape-items t))]) (or (flonum? x) (pi-symbol? x)))))
 
 ;; zeros : ((try . finding) ...), the points that gave no decision, latest first

@@ -6,7 +6,10 @@
 ;; (jet-nodes.rkt); at the end there are the nodes that the outputs need, by their ids.
 
 (require "jet-forms.rkt" "jet-nodes.rkt" "../program.rkt"
-         "../../generic/operation-equations.rkt")
+         "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
+         "../../algebra/expression/pi.rkt"
+         "../../generic/elementary.rkt" "../../generic/kind.rkt" "../../generic/operation-equations.rkt"
+         "../../operation/column.rkt")
 
 (provide program->graph (struct-out graph))
 
@@ -82,16 +85,43 @@
 ;; Functions
 
 ;; Pairs are one law: cos is the partner of sin.
-(define partners (hasheq 'cos 'sin 'cosh 'sinh))
+(define-fact-column partners together-with)
 
 (define (apply-law! b name fs)
   (define ids (for/list ([f (in-list fs)]) (whole! b f)))
-  (define main (and (= 1 (length ids)) (hash-ref partners name #f)))
+  (define main (hash-ref partners name #f))
   (node-form
    (cond [(andmap (lambda (id) (still? b id)) ids) (node! b (list* 'still name ids))]
          [main (node! b (list 'partner (node! b (list 'law main (car ids)))))]
          [(equations-of name (length ids)) (node! b (list* 'law name ids))]
+         [(memq name (operation-names meromorphic))
+          (node! b (list 'integral name (car ids) (whole! b (derivative! b name (car fs)))))]
          [else ((nodes-fail b) name)])))
+
+;; The derivative of the operation at the form f, a form.
+(define (derivative! b name f)
+  (define slope (car (generic-op-partials (elementary-operation name 1))))
+  (node-fold (slope 'x 'value)
+             (lambda (leaf)
+               (cond [(number? leaf) (number-form leaf)]
+                     [(pi-symbol? leaf) (number-form (pi-flonum leaf))]
+                     [(eq? leaf 'x) f]
+                     [else ((nodes-fail b) name)]))
+             (lambda (n fs)
+               (define op (node-head n))
+               (if (andmap number-form? fs)
+                   (number-form (apply (operation-numeric op) (map form-constant fs)))
+                   (apply-operation! b (operation-name op) fs)))))
+
+(define (apply-operation! b name fs)
+  (define (fold f) (for/fold ([sum (car fs)]) ([g (in-list (cdr fs))]) (f sum g)))
+  (case name
+    [(+) (fold add)]
+    [(*) (fold (lambda (f g) (multiply! b f g)))]
+    [(-) (add (car fs) (scale -1 (cadr fs)))]
+    [(/) (divide! b (car fs) (cadr fs) #f)]
+    [(expt) (expt! b (car fs) (cadr fs))]
+    [else (apply-law! b name fs)]))
 
 ;; ---------------------------------------------------------------------------
 ;; What outputs need, numbered anew
@@ -118,5 +148,5 @@
     [(linear) (list* 'linear (cadr n)
                      (for/list ([t (in-list (cddr n))]) (cons (new (car t)) (cdr t))))]
     [(power component) (list (car n) (new (cadr n)) (caddr n))]
-    [(law still) (list* (car n) (cadr n) (map new (cddr n)))]
+    [(law integral still) (list* (car n) (cadr n) (map new (cddr n)))]
     [else (cons (car n) (map new (cdr n)))]))

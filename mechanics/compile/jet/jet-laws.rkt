@@ -6,7 +6,7 @@
          "../../generic/operation-equations.rkt"
          "../../numeric/Taylor/kernels.rkt" "../../numeric/Taylor/pair-kernel.rkt")
 
-(provide emit-law!)
+(provide emit-law! emit-integral!)
 
 ;; id : of the value; arguments : ids; partner : the id of the partner, or #f if nothing
 ;; else needs it
@@ -28,6 +28,14 @@
       (begin
         (emit-equation! names (car equations) 'r)
         (when p (emit-equation! names (cadr equations) 'p)))))
+
+;; arguments : ids of the operand and of the derivative there
+(define (emit-integral! r id name arguments)
+  (define names (law r id arguments #f (make-hasheq)))
+  (define-values (x a) (values (row r id) (row-named names 'a)))
+  (define body (flonum-body name 1))
+  (emit-start! r (lambda () (flvector-set! x 0 (body (flvector-ref a 0)))))
+  (emit-differential! names integral-equation 'r))
 
 ;; What the names in equations stand for.  derivatives : of r and p, name -> row
 (struct law (rows id arguments p derivatives) #:authentic)

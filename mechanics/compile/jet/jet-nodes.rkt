@@ -3,10 +3,12 @@
 ;;
 ;;     (input i)  (one)  (linear c (id . c_i) ...)  (product id id)  (power id n)
 ;;     (quotient id id)  (law name id ...)  (partner id)  (still name id ...)
+;;     (integral name id slope)
 ;;     (system id ...)  (component id k)
 ;;
 ;; A law is an operation that has equations (generic/operation-equations.rkt); `partner` is
-;; the partner of its value.  `still` is any operation on what does not vary.
+;; the partner of its value; an `integral` has no equations, but its derivative at a is another
+;; node.  `still` is any operation on what does not vary.
 
 (provide node-kind node-operands
          make-nodes nodes-count nodes-fail nodes-varying node! node-of still?)
@@ -19,7 +21,7 @@
     [(input one) '()]
     [(linear) (map car (cddr n))]
     [(power component) (list (cadr n))]
-    [(law still) (cddr n)]
+    [(law integral still) (cddr n)]
     [else (cdr n)]))
 
 ;; ids : node -> id; nodes : id -> node; still : ids of what does not vary; varying : how many

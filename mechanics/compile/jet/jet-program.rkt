@@ -12,7 +12,8 @@
          "../flonum-functions.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-nodes.rkt"
          "jet-rows.rkt" "jet-sharing.rkt" "jet-sums.rkt" "jet-work.rkt" "../program.rkt"
          "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/kernels.rkt"
-         "../../numeric/Taylor/linear-system.rkt")
+         "../../numeric/Taylor/linear-system.rkt"
+         "../../operation/column.rkt")
 
 (provide program->expansion-maker maker->expander expansion-maker-branches?)
 
@@ -45,8 +46,7 @@
     (not (memq (instruction-operation i) of-one-branch))))
 
 (define of-one-branch
-  '(add subtract multiply divide negate solve component
-    exp log sin cos tan sec csc cot sinh cosh tanh sech csch coth))
+  (append '(add subtract multiply divide negate solve component log) (operation-names meromorphic)))
 
 (define (make-expansion g degrees order inputs)
   (define nodes (graph-nodes g))
@@ -87,6 +87,7 @@
      (for ([k (in-list (sum-kernels x (list (weighed 1.0 a)) #f))]) (emit! r id k))
      (emit! r id (leading-kernel x b (degree r (cadr operands))))]
     [(law) (emit-law! r id (car operands) (cdr operands) (partner-of nodes id))]
+    [(integral) (emit-integral! r id (car operands) (cdr operands))]
     [(still) (emit-still! r id (car operands) (cdr operands))]
     [(system) (emit-system! r nodes id operands)]
     [(partner component) (void)]))    ; with the law or the system

@@ -38,6 +38,7 @@
     [(law) (if (ormap endless? operands)
                (convolutions-of-law (equations-of (cadr n) (length operands)))
                0)]
+    [(integral) (if (ormap endless? operands) 1 0)]
     [(system) (length operands)]
     [else 0]))
 

@@ -1,11 +1,12 @@
 #lang racket/base
 ;; The signs of operations, which stand between operands on paper, and functions of one argument.
 
+(require "../../operation/column.rkt")
+
 (provide sign? infix? functions)
 
 (define functions
-  '(sin cos tan cot sec csc asin acos atan sinh cosh tanh asinh acosh atanh
-    sqrt exp log abs square cube))
+  (append '(square cube) (operation-names function reciprocal)))
 
 (define (sign? x) (and (memq x '(= < > <= >= + - * / ^ **)) #t))
 

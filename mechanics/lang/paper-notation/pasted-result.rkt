@@ -4,7 +4,9 @@
 
 (require (only-in racket/list flatten remove-duplicates)
          "operation-sign.rkt"
-         "../written-form.rkt")
+         "../written-form.rkt"
+         "../../operation/column.rkt")
+
 
 (provide pasted-sentence)
 
@@ -36,7 +38,8 @@
         [(symbol? d) (or (memq d '(D pi)) (unknown? d) (not (memq d operations)))]
         [else (number? d)]))
 
-(define operations (append '(+ - * / expt up down D partial) functions))
+(define operations (append '(up down D partial) (operation-names arithmetic) functions))
+
 
 (define (calls-unknown? d unknown?)
   (and (pair? d)

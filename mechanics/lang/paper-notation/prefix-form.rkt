@@ -9,7 +9,8 @@
 
 (require racket/list
          "operation-sign.rkt" "typed-formula.rkt"
-         "../written-form.rkt")
+         "../written-form.rkt"
+         "../../operation/column.rkt")
 
 (provide prefix-form call-form sign-at-end operand-in)
 

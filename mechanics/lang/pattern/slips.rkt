@@ -13,7 +13,8 @@
          "pattern-syntax.rkt"
          "../written-form.rkt"
          "../paper-notation/operation-sign.rkt"
-         "../../error/note.rkt")
+         "../../error/note.rkt"
+         "../../operation/column.rkt")
 
 (provide check-pattern-in-head tell-slips)
 
@@ -106,7 +107,9 @@
   (and (memq (syntax-e head) operations)
        (not (eq? (identifier-binding head) 'lexical))))
 
-(define operations (append '(+ - * / expt dot-product cross-product magnitude) functions))
+(define operations
+  (append '(dot-product cross-product magnitude) (operation-names arithmetic) functions))
+
 
 ;; ---------------------------------------------------------------------------
 ;; (lambda t ...)

@@ -6,7 +6,8 @@
 ;; system.  Results are rounded to the precision in force, `bf-precision`.
 
 (require math/bigfloat
-         "../../error/machine-limits.rkt")
+         "../../error/machine-limits.rkt"
+         "../../operation/column.rkt")
 
 (provide check-bigfloats
          call-with-bits
@@ -47,17 +48,16 @@
 (define (square x) (bf* x x))
 (define (cube x) (bf* x (bf* x x)))
 
-(define of-one
-  (hasheq 'negate bf- '- bf- 'square square 'cube cube 'abs bfabs 'sgn bfsgn
-          'sqrt bfsqrt 'exp bfexp 'log bflog
-          'sin bfsin 'cos bfcos 'tan bftan 'asin bfasin 'acos bfacos 'atan bfatan
-          'sinh bfsinh 'cosh bfcosh 'tanh bftanh
-          'asinh bfasinh 'acosh bfacosh 'atanh bfatanh))
+(define-column functions
+  [sqrt bfsqrt] [exp bfexp] [log bflog] [abs bfabs] [sgn bfsgn] [erf bferf]
+  [sin bfsin] [cos bfcos] [tan bftan] [asin bfasin] [acos bfacos] [atan bfatan] [atan2 bfatan2]
+  [sinh bfsinh] [cosh bfcosh] [tanh bftanh] [asinh bfasinh] [acosh bfacosh] [atanh bfatanh]
+  [+ bf+] [- bf-] [* bf*] [/ bf/] [expt bfexpt] [negate bf-] [square square] [cube cube])
 
-(define of-two
-  (hasheq 'add bf+ '+ bf+ 'subtract bf- '- bf- 'multiply bf* '* bf* 'divide bf/ '/ bf/
-          'expt bfexpt 'atan bfatan2))
+;; The names that programs have for arithmetic.
+(define operations
+  (hash-set* functions 'add bf+ 'subtract bf- 'multiply bf* 'divide bf/))
 
 ;; The operation of this name on one or two bigfloats, or #f.
 (define (operation-on-bigfloats name arguments)
-  (hash-ref (if (eqv? arguments 1) of-one of-two) name #f))
+  (hash-ref operations (operation-key name arguments) #f))

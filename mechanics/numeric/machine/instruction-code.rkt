@@ -6,7 +6,8 @@
 ;; needed after it go to the stack.  (larger x y) is y where one is no number.
 
 (require racket/list
-         "assembler.rkt" "executable.rkt" "registers.rkt" "straight-instruction.rkt")
+         "assembler.rkt" "executable.rkt" "registers.rkt" "straight-instruction.rkt"
+         "../../operation/column.rkt")
 
 (provide machine-instruction? (struct-out context) write-instruction! load!)
 
@@ -22,12 +23,17 @@
 
 ;; -> the function of the library of C, its address; or #f
 (define (function-of i)
-  (define name (instruction-operation i))
-  (case name
-    [(sin cos tan exp log asin acos) (C-function name)]
-    [(atan) (and (= 1 (length (instruction-operands i))) (C-function 'atan))]
-    [(expt) (C-function 'pow)]
-    [else #f]))
+  (define name
+    (hash-ref library-names
+              (operation-key (instruction-operation i) (length (instruction-operands i))) #f))
+  (and name (C-function name)))
+
+;; Only those that Racket takes from there, too: values are the same to the last bit.
+(define-column library-names
+  [sin 'sin] [cos 'cos] [tan 'tan] [exp 'exp] [log 'log] [asin 'asin] [acos 'acos] [atan 'atan]
+  [expt 'pow]
+  [(sqrt abs) (none "the processor has an instruction")]
+  [(atan2 sinh cosh tanh asinh acosh atanh erf sgn) (none "our own are rounded otherwise")])
 
 ;; ---------------------------------------------------------------------------
 ;; An instruction

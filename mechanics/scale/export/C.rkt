@@ -10,7 +10,8 @@
          racket/string
          "program-text.rkt" "exported-system.rkt" "variable-names.rkt" "template.rkt"
          "../../compile/program.rkt"
-         "../../error/complain.rkt")
+         "../../error/complain.rkt"
+         "../../operation/column.rkt")
 
 (provide C-files)
 
@@ -132,12 +133,14 @@ text
                         (regexp-match? (format " ~a\\[" argument) line)))
     (format "(void) ~a;" argument)))
 
+(define-column names-in-C
+  [sqrt "sqrt"] [exp "exp"] [log "log"] [expt "pow"] [abs "fabs"] [sgn "sgn"] [erf "erf"]
+  [sin "sin"] [cos "cos"] [tan "tan"] [asin "asin"] [acos "acos"] [atan "atan"] [atan2 "atan2"]
+  [sinh "sinh"] [cosh "cosh"] [tanh "tanh"] [asinh "asinh"] [acosh "acosh"] [atanh "atanh"])
+
 (define C
   (language
-   (hasheq 'sqrt "sqrt" 'exp "exp" 'log "log" 'sin "sin" 'cos "cos" 'tan "tan" 'asin "asin"
-           'acos "acos" 'sinh "sinh" 'cosh "cosh" 'tanh "tanh" 'asinh "asinh"
-           'acosh "acosh" 'atanh "atanh" 'abs "fabs" 'expt "pow" 'wrapped "wrapped" 'sgn "sgn"
-           'atan "atan" 'atan2 "atan2")
+   (hash-set names-in-C 'wrapped "wrapped")
    (lambda (name rows right symmetric?)
      (define n (length right))
      (append

@@ -6,7 +6,8 @@
          racket/runtime-path
          racket/string
          "program-text.rkt" "exported-system.rkt" "variable-names.rkt" "python.rkt" "template.rkt"
-         "../../error/complain.rkt")
+         "../../error/complain.rkt"
+         "../../operation/column.rkt")
 
 (provide JAX-files)
 
@@ -47,13 +48,17 @@
 ;; A number alone is none of the array's.
 (define (as-array text) (format "jnp.asarray(~a, jnp.float64)" text))
 
+(define-column names-in-JAX
+  [sqrt "jnp.sqrt"] [exp "jnp.exp"] [log "jnp.log"] [expt "jnp.power"] [abs "jnp.abs"]
+  [sgn "jnp.sign"] [erf "jax.scipy.special.erf"]
+  [sin "jnp.sin"] [cos "jnp.cos"] [tan "jnp.tan"]
+  [asin "jnp.arcsin"] [acos "jnp.arccos"] [atan "jnp.arctan"] [atan2 "jnp.arctan2"]
+  [sinh "jnp.sinh"] [cosh "jnp.cosh"] [tanh "jnp.tanh"]
+  [asinh "jnp.arcsinh"] [acosh "jnp.arccosh"] [atanh "jnp.arctanh"])
+
 (define python
   (language
-   (hasheq 'sqrt "jnp.sqrt" 'exp "jnp.exp" 'log "jnp.log" 'sin "jnp.sin" 'cos "jnp.cos"
-           'tan "jnp.tan" 'asin "jnp.arcsin" 'acos "jnp.arccos" 'sinh "jnp.sinh"
-           'cosh "jnp.cosh" 'tanh "jnp.tanh" 'asinh "jnp.arcsinh" 'acosh "jnp.arccosh"
-           'atanh "jnp.arctanh" 'abs "jnp.abs" 'expt "jnp.power" 'wrapped "_wrapped"
-           'sgn "jnp.sign" 'atan "jnp.arctan" 'atan2 "jnp.arctan2")
+   (hash-set names-in-JAX 'wrapped "_wrapped")
    (lambda (name rows right symmetric?)
      (list (format "~a = jnp.linalg.solve(jnp.array([~a]), jnp.array([~a]))" name
                    (string-join (for/list ([row (in-list rows)])

@@ -7,7 +7,8 @@
 
 (require racket/list
          racket/string
-         "../../compile/program.rkt")
+         "../../compile/program.rkt"
+         "../../operation/column.rkt")
 
 (provide (struct-out language) program->code number->literal)
 
@@ -98,8 +99,9 @@
     [(divide) (infix " / " product xs product atom)]
     [(negate) (formula (string-append "-" (within (car xs) atom)) sum)]
     [else
-     (define name (if (and (eq? operation 'atan) (pair? (cdr xs))) 'atan2 operation))
-     (define call (hash-ref (language-calls language) name (lambda () (fail operation))))
+     (define call
+       (hash-ref (language-calls language) (operation-key operation (length xs))
+                 (lambda () (fail operation))))
      (formula (string-append call "(" (string-join (map formula-text xs) ", ") ")") atom)]))
 
 ;; left, right : how tightly operands must bind to stand without parentheses

@@ -5,8 +5,10 @@
 
 (require "TeX-text.rkt" "renderer.rkt"
          "../../algebra/notation/name.rkt"
+         "../../operation/column.rkt"
          racket/class
          (only-in racket/string string-append* string-join))
+
 
 (provide tree->TeX)
 
@@ -53,7 +55,7 @@
     (define/override (draw-scientific digits exponent)
       (format "~a\\times 10^{~a}" digits exponent))
     (define/override (function-name text)
-      (format (if (member text known-to-TeX) "\\~a" "\\operatorname{~a}") text))
+      (hash-ref commands (string->symbol text) (lambda () (format "\\operatorname{~a}" text))))
     (define/override (apply-bare head texts) (format "~a{~a}" head (string-append* texts)))
     (define/override (draw-across items)
       (enclosed "[" (list (array (list (draw-all items)) ",")) "]" #f))
@@ -70,8 +72,14 @@
 (define (with-dots base n)
   (if (= n 0) base (format "\\~a{~a}" (vector-ref #("" "dot" "ddot" "dddot") n) base)))
 
-(define known-to-TeX
-  '("sin" "cos" "tan" "sec" "csc" "cot" "sinh" "cosh" "tanh" "coth" "log"))
+(define-column names-in-TeX
+  [log "\\log"] [sin "\\sin"] [cos "\\cos"] [tan "\\tan"] [sinh "\\sinh"] [cosh "\\cosh"]
+  [tanh "\\tanh"]
+  [(asin acos atan atan2 asinh acosh atanh erf sgn) (none "LaTeX has no command of this name")]
+  [(sqrt exp abs) (none "it has a notation of its own")])
+
+(define commands
+  (hash-set* names-in-TeX 'sec "\\sec" 'csc "\\csc" 'cot "\\cot" 'coth "\\coth"))
 
 ;; Fences around what is no taller than a letter do not stretch, and keep to their distance.
 (define (fenced open body close)

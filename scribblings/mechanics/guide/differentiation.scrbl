@@ -31,13 +31,13 @@ derivatives. What an operation has to bring is its partial derivatives. They sta
 beside it in one table, written in the library's own arithmetic:
 
 @verbatim[#:indent 2]{
-[sin (x) sin ((-4.0 4.0)) (g:cos x)]
-[exp (x) exp ((-2.0 2.0)) value]
-[* (a b) * ((-2.0 2.0) (-2.0 2.0)) b a]
+[sin (x) sin ((-4.0 4.0)) (g:cos x) ...]
+[exp (x) exp ((-2.0 2.0)) value ...]
+[* (a b) * ((-2.0 2.0) (-2.0 2.0)) b a ...]
 }
 
-An entry says how to compute with numbers, where to test, and what the derivatives
-are; @tt{value} is the value already computed. Since they are generic code, they
+An entry says how to compute with numbers, where to test, what the derivatives
+are, and some other facts; @tt{value} is the value already computed. Since they are generic code, they
 hold for numbers and symbols alike, and for dual numbers: hence second derivatives.
 
 No formula is taken apart and no step size chosen. Loops, conditionals and recursion

@@ -542,8 +542,8 @@ is k sn(t + K):
 
 @section{Special functions}
 
-They are functions of real numbers, not of expressions. They can be differentiated, but for
-@racket[zeta] and @racket[factorial].
+They are functions of real numbers; only @racket[erf] is also one of expressions. They can be
+differentiated, but for @racket[zeta] and @racket[factorial].
 
 @deftogether[(@defproc[(gamma [x real?]) real?]
               @defproc[(factorial [n exact-nonnegative-integer?]) exact-positive-integer?])]{
@@ -566,7 +566,7 @@ The logarithm of |Γ(x)|, and Γ(x) Γ(y)/Γ(x + y) of positive x and y.
 (beta 1/2 1/2)
 ((D log-gamma) 1)]}
 
-@deftogether[(@defproc[(erf [x real?]) real?]
+@deftogether[(@defproc[(erf [x scalar?]) scalar?]
               @defproc[(erfc [x real?]) real?])]{
 
 The error function, the integral of 2e^(−t²)/√π from 0 to x, and 1 minus it.
@@ -574,7 +574,7 @@ The error function, the integral of 2e^(−t²)/√π from 0 to x, and 1 minus i
 @examples[#:eval session
 (erf 1)
 (erfc 10)
-((D erf) 0)]}
+((D erf) 'x)]}
 
 @defproc[(zeta [x real?]) real?]{
 

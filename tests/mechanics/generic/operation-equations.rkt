@@ -16,9 +16,9 @@
              (format "~a, order ~a" name k))
     (m:D derivative)))
 
-(for ([name '(sqrt exp log sin cos tan asin acos atan sinh cosh tanh asinh atanh)]
+(for ([name '(sqrt exp log sin cos tan asin acos atan sinh cosh tanh asinh atanh erf)]
       [f (list m:sqrt m:exp m:log m:sin m:cos m:tan m:asin m:acos m:atan m:sinh m:cosh m:tanh
-               m:asinh m:atanh)])
+               m:asinh m:atanh m:erf)])
   (test-case (format "~a" name)
     (check-series name f 0.4)
     (check-series name (lambda (x) (f (m:* 0.3 (m:exp x)))) 0.4)))

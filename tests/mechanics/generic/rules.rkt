@@ -131,7 +131,7 @@
   '([+ bf+] [- bf-] [* bf*] [/ bf/] [expt bfexpt] [sqrt bfsqrt] [exp bfexp] [log bflog]
     [sin bfsin] [cos bfcos] [tan bftan] [asin bfasin] [acos bfacos] [atan bfatan]
     [sinh bfsinh] [cosh bfcosh] [tanh bftanh] [asinh bfasinh] [acosh bfacosh] [atanh bfatanh]
-    [abs bfabs] [sgn bfsgn] [square bfsqr] [floor bffloor] [ceiling bfceiling]
+    [erf bferf] [abs bfabs] [sgn bfsgn] [square bfsqr] [floor bffloor] [ceiling bfceiling]
     [truncate bftruncate] [round bfround]))
 
 (define (in-bigfloats r)

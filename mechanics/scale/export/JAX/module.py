@@ -14,6 +14,7 @@ import jax
 jax.config.update("jax_enable_x64", True)
 
 import jax.numpy as jnp
+import jax.scipy.special
 from jax import lax
 
 INFINITY = jnp.inf

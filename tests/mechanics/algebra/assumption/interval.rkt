@@ -6,6 +6,7 @@
          mechanics/algebra/assumption/interval
          mechanics/algebra/assumption/polynomial-range
          mechanics/algebra/assumption/range
+         (only-in mechanics/algebra/expression/numeric-functions erf)
          mechanics/algebra/expression/read)
 
 (define (ends r) (list (interval-low r) (interval-high r)))
@@ -28,7 +29,7 @@
   (check-equal? (of 'sin 0 +inf.0) '(-1 1)))
 
 (test-case "values at random points are inside"
-  (define functions (hasheq 'exp exp 'sqrt sqrt 'log log 'sinh sinh 'tanh tanh 'atan atan
+  (define functions (hasheq 'exp exp 'sqrt sqrt 'log log 'sinh sinh 'tanh tanh 'atan atan 'erf erf
                             'cosh cosh 'sin sin 'cos cos))
   (parameterize ([current-pseudo-random-generator (make-pseudo-random-generator)])
     (random-seed 11)

@@ -73,7 +73,8 @@
         (function 'bfsinh ball-sinh anything) (function 'bfcosh ball-cosh anything)
         (function 'bftanh ball-tanh anything) (function 'bfasinh ball-asinh anything)
         (function 'bfacosh ball-acosh (lambda (x) (+ 1 (abs x))))
-        (function 'bfatanh ball-atanh unit-interval) (function 'bfsqrt ball-sqrt abs)))
+        (function 'bfatanh ball-atanh unit-interval) (function 'bferf ball-erf anything)
+        (function 'bfsqrt ball-sqrt abs)))
 
 ;; The value of the function at rational arguments, far more precisely than any ball here.
 (define (true-value name . xs)

@@ -5,6 +5,7 @@
 (require racket/flonum racket/math
          (except-in rackunit fail)
          (prefix-in m: mechanics)
+         (only-in mechanics/algebra/expression/numeric-functions erf)
          mechanics/compile/jet/jet-program mechanics/compile/trace
          mechanics/numeric/Taylor/expansion)
 
@@ -62,7 +63,7 @@
         (list 'asin m:asin asin) (list 'acos m:acos acos) (list 'atan m:atan atan)
         (list 'exp m:exp exp) (list 'log m:log log) (list 'sqrt m:sqrt sqrt)
         (list 'sinh m:sinh sinh) (list 'cosh m:cosh cosh) (list 'tanh m:tanh tanh)
-        (list 'asinh m:asinh asinh*) (list 'atanh m:atanh atanh*)))
+        (list 'asinh m:asinh asinh*) (list 'atanh m:atanh atanh*) (list 'erf m:erf erf)))
 
 (for ([entry (in-list functions)])
   (test-case (format "coefficients of ~a" (car entry))
