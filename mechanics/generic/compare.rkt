@@ -6,11 +6,14 @@
 ;; does not exist, and asking for it is an error that names the value.  Constants that π is in
 ;; are ordered by their values, exactly.
 
-(require "arithmetic.rkt" "branches.rkt" "constant-order.rkt" "describe.rkt" "kind.rkt"
-         "kinks-met.rkt" "naming.rkt" "scalar.rkt"
+(require "arithmetic.rkt" "branches.rkt" "describe.rkt" "kind.rkt"
+         "kinks-met.rkt" "naming.rkt" "on-demand.rkt" "scalar.rkt"
          "singular-derivative.rkt" "tracing.rkt" "up-down.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/hint.rkt")
+
+(require-on-demand ["../algebra/simplify/simplify-expression.rkt" simplify-expression]
+                   ["../algebra/zero/constant-bounds.rkt" constant-bounds])
 
 (provide g:= g:< g:> g:<= g:>= g:zero? g:one? g:positive? g:negative?
          g:max g:min g:add1 g:sub1
@@ -101,7 +104,7 @@
       (compare x y)
       (let ([sign (constant-order who x y)]) (and sign (compare sign 0)))))
 
-;; x, one of a and b, as a number or a constant; what is none may be meant as an assumption.
+;; x, one of a and b, as a number or a constant.  Other relations may be meant as assumptions.
 (define (ordered who a b x)
   (define u (comparand a))
   (define v (comparand b))
@@ -175,3 +178,31 @@
 
 (define-named g:add1 add1 (lambda (x) (g:+ x 1)))
 (define-named g:sub1 sub1 (lambda (x) (g:- x 1)))
+
+;; ---------------------------------------------------------------------------
+;; Which of two constants is greater, where π is in one: not by flonums, which are equal for
+;; π and its first sixteen digits, and have few digits left where large numbers cancel.
+
+;; a, b : real numbers, or expressions that constant-value knows -> the sign of a − b
+(define (constant-order who a b)
+  (cond [(and (rational-constant? a) (rational-constant? b))
+         (sign-of who (e:- (exactly a) (exactly b)))]
+        [else (order (flonum-of a) (flonum-of b))]))      ; one is infinite, or no number
+
+(define (rational-constant? x) (or (not (number? x)) (rational? x)))
+(define (exactly x) (if (number? x) (inexact->exact x) x))
+(define (flonum-of x) (if (number? x) x (constant-value x)))
+
+;; #f if one is no number
+(define (order a b) (cond [(< a b) -1] [(> a b) 1] [(= a b) 0] [else #f]))
+
+;; Bounds that zero is not between; if none are, it is zero by its form.
+(define (sign-of who e)
+  (define (sign low high) (cond [(> low 0) 1] [(< high 0) -1] [else #f]))
+  (cond [(real? e) (order e 0)]
+        [(constant-bounds e sign)]
+        [else
+         (define simple (simplify-expression e))
+         (if (real? simple)
+             (order simple 0)
+             (complain who "two constants are too close to be told apart by their decimals"))]))

@@ -20,7 +20,7 @@
         [(procedure? x) rank:function]
         [else #f]))
 
-;; Is x something that arithmetic is about?
+;; Is x a value of the arithmetic?
 (define (arithmetic-value? x) (and (rank x) #t))
 
 (define (dispatch-unary op x)

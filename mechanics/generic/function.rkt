@@ -47,7 +47,7 @@
   (and (procedure? x)
        (or (not (has-kind? x)) (eqv? (kind-rank (kind-of x)) rank:function))))
 
-;; A tuple of functions is one; a tuple of values can be applied, but to no avail.
+;; Is f a function, or a tuple of functions?
 (define (of-functions? f)
   (if (tuple? f)
       (for/and ([part (in-vector (tuple-elements f))]) (of-functions? part))

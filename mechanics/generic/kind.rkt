@@ -102,7 +102,7 @@
 (define rank:operator 7)
 (define rank:series 8)
 
-;; Is x a real number that is none of Racket's?  Its comparand is one of Racket's of
+;; Is x a real number of another type than Racket's?  Its comparand is Racket's number of
 ;; the same value.
 (define (other-number? x)
   (and (has-kind? x) (eqv? (kind-rank (kind-of x)) rank:number)))

@@ -1,10 +1,10 @@
 #lang racket/base
-;; What happens when a program looks inside a value that is still open.
+;; Tests of values that are not known yet.
 ;;
 ;; A function is *traced* by running it on placeholders: nobody knows yet which
-;; number one will be, so a test of it has no answer.  Whatever would answer all
-;; the same calls `look-inside` first; while a function is traced, that leaves
-;; it.  At all other times it does nothing.
+;; number a placeholder will be, so a test of it has no answer.  Every test of ours
+;; calls `look-inside` first, which ends the trace; where nothing is traced, it
+;; does nothing.
 
 (require "describe.rkt"
          "../algebra/expression/expression.rkt")

@@ -8,11 +8,11 @@
 
 (provide prop:no-truth-value truth)
 
-;; Its value is such a sentence.
+;; The value of the property is that sentence.
 (define-values (prop:no-truth-value no-truth-value? what-to-ask)
   (make-struct-type-property 'no-truth-value))
 
-;; x, where who asks whether it is true.
+;; x, of which `who` asks whether it is true; an error if it has no truth value.
 (define-syntax-rule (truth who x)
   (let ([v x])
     (if (boolean? v) v (checked 'who v))))

@@ -56,8 +56,8 @@
     [(s . xs) (structure-map (lambda (f) (apply (applicable f s) xs)) s)])
   #:property prop:sequence (lambda (s) (in-components (structure-stored s))))
 
-;; Components made each time one is asked for: a long tuple that a function walks
-;; along only once need not be there all at the same time.
+;; Components that are computed each time they are asked for: a long tuple that a function
+;; walks along once takes no memory.
 ;; at : index -> component, always an equal one
 (struct computed (length at)
   #:authentic
@@ -147,7 +147,7 @@
 ;; A structure from a structure or a Racket vector.
 (define (adopt x) (if (structure? x) x (vector->up x)))
 
-;; To look at, where `adopt` would copy a Racket vector.
+;; The components, to be looked at only: `adopt` copies a Racket vector.
 (define (tuple-elements x) (if (structure? x) (structure-elements x) x))
 
 (define (flip-orientation o) (if (eq? o 'up) 'down 'up))
@@ -217,14 +217,16 @@
                                             "'outer-product or 'error" choice))
                     choice)))
 
+(define (opposite? s t) (not (eq? (structure-orientation s) (structure-orientation t))))
+
 (define (almost-contractible? s t)
-  (and (not (eq? (structure-orientation s) (structure-orientation t)))
+  (and (opposite? s t)
        (not (= (structure-length s) (structure-length t)))
        (for/and ([x (in-vector (structure-elements s))]) (not (tuple? x)))
        (for/and ([y (in-vector (structure-elements t))]) (not (tuple? y)))))
 
 (define (contractible? s t)
-  (and (not (eq? (structure-orientation s) (structure-orientation t)))
+  (and (opposite? s t)
        (= (structure-length s) (structure-length t))
        (for/and ([x (in-vector (structure-elements s))]
                  [y (in-vector (structure-elements t))])
@@ -251,7 +253,7 @@
   (define w (structure-elements t))
   (define n (vector-length v))
   (and (eqv? n (vector-length w))
-       (not (eq? (structure-orientation s) (structure-orientation t)))
+       (opposite? s t)
        (let loop ([i 0] [sum 0.0])
          (cond [(eqv? i n) (and (not (eqv? n 0)) sum)]
                [else

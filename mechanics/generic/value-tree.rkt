@@ -29,6 +29,6 @@
           [else (plain (format "~s" x))]))
   (if (cyclic? x) (plain (format "~s" x)) (see x)))
 
-;; As assumptions are quoted: (> m 0); one of its sides may be an expression.
+;; Is x a quoted relation, as (> m 0)?  One of its sides may be an expression.
 (define (relation-datum? x)
   (and (list? x) (>= (length x) 3) (memq (car x) '(> < >= <= =)) #t))

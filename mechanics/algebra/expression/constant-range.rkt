@@ -10,13 +10,13 @@
 (define least-normal 2.2250738585072014e-308)
 (define greatest 1.7976931348623157e308)
 
-;; Each takes what arithmetic made of the numbers that follow it.  Most are exact, which is
-;; seen on the spot: expressions are made of these.
+;; c is the sum, product or reciprocal of the numbers that follow it.  Most constants are exact,
+;; which the macros test without a call.
 (define-syntax-rule (product-fits? c m n) (or (not (flonum? c)) (flonum-product-fits? c m n)))
 (define-syntax-rule (reciprocal-fits? c n) (or (not (flonum? c)) (flonum-reciprocal-fits? c n)))
 (define-syntax-rule (sum-fits? c m n) (or (not (flonum? c)) (flonum-sum-fits? c m n)))
 
-;; Has c all the digits that it could have?
+;; Has c its full number of digits?
 (define (normal? c) (or (not (flonum? c)) (normal-flonum? c)))
 (define (normal-flonum? c)
   (define size (abs c))

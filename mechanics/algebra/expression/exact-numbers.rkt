@@ -20,8 +20,8 @@
        (<= (abs k) 10000)
        k))
 
-;; A rational as it is shown when a flonum entered: what is no integer is a
-;; flonum again.
+;; A rational result as it is shown: where flonums went into it, as a flonum, unless it is
+;; an integer.
 (define (present-number x inexact?)
   (if (and inexact? (not (integer? x)))
       (whole-as-exact (real->double-flonum x))
@@ -35,7 +35,7 @@
   (/ (apply gcd (map numerator cs)) (apply lcm (map denominator cs))))
 
 ;; A positive rational as ((prime . exponent) ...), primes ascending.  Small
-;; primes are tried; what is then left is taken for a prime, or a power of one.
+;; primes are tried; the factor that is left is taken for a prime, or a power of one.
 (define (number-factors c)
   (define below
     (for/list ([f (in-list (integer-factors (denominator c)))]) (cons (car f) (- (cdr f)))))
@@ -74,7 +74,7 @@
 ;; How many bits it takes to write a rational number.
 (define (rational-bits x) (+ (integer-length (numerator x)) (integer-length (denominator x))))
 
-;; x as a flonum of so many decimal digits; what has none, as 0 and infinities, stays.
+;; x as a flonum of so many decimal digits; 0, infinities and NaN stay as they are.
 (define (to-digits x digits)
   (cond [(or (not (rational? x)) (zero? x)) x]
         [else

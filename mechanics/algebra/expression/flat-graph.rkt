@@ -12,7 +12,7 @@
 
 ;; items : vector of numbers, symbols and nodes, the whole expression last
 ;; heads : vector of the heads of nodes, #f for numbers and symbols: loops that need
-;; no more of a node do without fetching it from where it lies in memory
+;; only heads do not read the nodes from memory
 ;; operands : vector of lists of places, those of the operands of each node
 (struct tape (items heads operands) #:authentic)
 
@@ -22,13 +22,12 @@
 ;; one item.
 (define (expression->tape e) (make-tape e (make-merged)))
 
-;; Nodes made apart are items apart: half the work, for those who look at a graph
-;; once.
+;; Equal nodes stay separate items if they were made separately: half the work, for
+;; callers that use the tape once.
 (define (expression->plain-tape e) (make-tape e #f))
 
-;; Every tape has a number, which the marks of its nodes carry: the mark of another
-;; tape, made at the same time by another thread, is only met too late, and costs a
-;; second look.
+;; Each tape has a number, which the marks of its nodes carry.  Another thread that makes
+;; a tape at the same time may overwrite a mark; the node is then looked up once more.
 (define numbers (box 0))
 
 (define (next-number)
@@ -84,7 +83,7 @@
 
 (define (merged-place r e ks)
   (define merged (recorder-merged r))
-  (define key (if (memq (node-head e) commutative) (sort-places ks) ks))
+  (define key (if (commutative? (node-head e)) (sort-places ks) ks))
   (or (merged-ref merged (recorder-items r) (recorder-keys r) e key)
       (let ([k (record! r e ks key)])
         (merged-add! merged e k)
@@ -110,9 +109,7 @@
                      (make-node (node-head e) args))))
   (vector-ref nodes (- n 1)))
 
-(define commutative (list op:+ op:*))
-
-;; Mostly there are two.
+;; ks in ascending order; most nodes have two operands.
 (define (sort-places ks)
   (cond [(or (null? ks) (null? (cdr ks))) ks]
         [(null? (cddr ks)) (if (fx<= (car ks) (cadr ks)) ks (list (cadr ks) (car ks)))]
@@ -153,7 +150,7 @@
 
 (define (make-merged) (merged (make-fxvector 1024 -1) (make-fxvector 1024) 0))
 
-;; Hashes of like sums lie together; multiplied, they do not.
+;; Similar sums have neighbouring hashes; multiplication scatters them.
 (define-syntax-rule (first-slot h mask)
   (let ([low (fx* (fxand (fxxor h (fxrshift h 24)) #xFFFFFFF) #x2C9277B5)])
     (fxand (fxxor low (fxrshift low 28)) mask)))

@@ -27,15 +27,10 @@
   (define (compare-nodes a b)
     (define k (compare-heads (node-head a) (node-head b)))
     (cond [(not (eq? k 0)) k]
-          [(commutative? a)
+          [(commutative? (node-head a))
            (define d (- (length (node-args a)) (length (node-args b))))
-           (if (eq? d 0) (compare-lists (operands a) (operands b)) d)]
-          [else (compare-lists (node-args a) (node-args b))]))
-  (define (compare-lists as bs)
-    (cond [(null? as) (if (null? bs) 0 -1)]
-          [(null? bs) 1]
-          [else (define k (compare (car as) (car bs)))
-                (if (eq? k 0) (compare-lists (cdr as) (cdr bs)) k)]))
+           (if (eq? d 0) (compare-lists compare (operands a) (operands b)) d)]
+          [else (compare-lists compare (node-args a) (node-args b))]))
   (define (operands n)
     (sorted n (lambda () (sort (node-args n) before?))))
   (define (before? a b) (< (compare a b) 0))
@@ -44,7 +39,13 @@
 (define (expression-compare a b) ((make-order) a b))
 (define (expression<? a b) (< (expression-compare a b) 0))
 
-(define (commutative? n) (memq (node-head n) (list op:+ op:*)))
+;; By the first elements that differ; compare : (a b -> negative, 0 or positive)
+(define (compare-lists compare as bs)
+  (cond [(null? as) (if (null? bs) 0 -1)]
+        [(null? bs) 1]
+        [else
+         (define k (compare (car as) (car bs)))
+         (if (eq? k 0) (compare-lists compare (cdr as) (cdr bs)) k)]))
 
 ;; ---------------------------------------------------------------------------
 ;; Kinds
@@ -60,9 +61,7 @@
 
 ;; How many times the function at the head of e is differentiated.
 (define (derivative-order e)
-  (if (and (node? e) (literal-head? (node-head e)))
-      (for/sum ([entry (in-list (literal-head-index (node-head e)))]) (cdr entry))
-      0))
+  (if (and (node? e) (literal-head? (node-head e))) (order-of (node-head e)) 0))
 
 (define (compare-heads a b)
   (cond [(eq? a b) 0]
@@ -77,25 +76,15 @@
   (define names (compare-symbols (literal-head-name a) (literal-head-name b)))
   (cond [(not (eq? k 0)) k]
         [(not (eq? names 0)) names]
-        [else (compare-indices (literal-head-index a) (literal-head-index b))]))
+        [else (compare-lists compare-entries (literal-head-index a) (literal-head-index b))]))
 
 (define (order-of head)
   (for/sum ([entry (in-list (literal-head-index head))]) (cdr entry)))
 
-;; Multi-indices: lists of (path . count).
-(define (compare-indices as bs)
-  (cond [(null? as) (if (null? bs) 0 -1)]
-        [(null? bs) 1]
-        [else
-         (define k (compare-numeric-lists (append (caar as) (list (- (cdar as))))
-                                          (append (caar bs) (list (- (cdar bs))))))
-         (if (eq? k 0) (compare-indices (cdr as) (cdr bs)) k)]))
-
-(define (compare-numeric-lists as bs)
-  (cond [(null? as) (if (null? bs) 0 -1)]
-        [(null? bs) 1]
-        [(= (car as) (car bs)) (compare-numeric-lists (cdr as) (cdr bs))]
-        [else (- (car as) (car bs))]))
+;; Entries (path . count) of multi-indices
+(define (compare-entries a b)
+  (define (numbers entry) (append (car entry) (list (- (cdr entry)))))
+  (compare-lists - (numbers a) (numbers b)))
 
 ;; ---------------------------------------------------------------------------
 ;; Leaves

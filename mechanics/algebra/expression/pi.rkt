@@ -19,8 +19,7 @@
 
 (define exact-pi ':pi)
 
-;; The rational number of times π that the symbol stands for; #f of other symbols, and of
-;; what is none.
+;; The rational multiple of π that the symbol s stands for, or #f.
 (define (pi-multiple s)
   (case s
     [(:pi) 1]

@@ -5,8 +5,7 @@
 
 (provide expression-size)
 
-;; Counted as far as `size-limit`: an expression shared within itself may be
-;; longer than anyone could count.
+;; Counting stops at `size-limit`: a shared expression may be exponentially long.
 (define size-limit 500)
 
 (define (expression-size e)

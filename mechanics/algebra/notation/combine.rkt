@@ -94,7 +94,7 @@
 (define (numeric-fraction? t)
   (and (fraction? t) (digits? (fraction-numerator t)) (digits? (fraction-denominator t))))
 
-;; Where a factor stands among others.
+;; The rank of a factor among others.
 (define (place t)
   (cond [(power? t) (max 1 (place (power-base t)))]
         [(radical? t) (max 1 (place (radical-body t)))]
@@ -151,7 +151,7 @@
       (and (application? t) (power? (application-function t))
            (word? (power-base (application-function t))))))
 
-;; Small as an exponent is, it has its numbers on one line.
+;; A fraction on one line, for exponents.
 (define (slashed t)
   (digits (string-append (digits-text (fraction-numerator t)) "/"
                          (digits-text (fraction-denominator t)))))
@@ -176,12 +176,12 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; What may stand before arguments in parentheses.
+;; t as the function of an application, in parentheses if it needs them.
 (define (as-function t)
   (if (or (name? t) (word? t) (derivative? t) (dotted? t) (parenthesized? t) (plain? t)
           (and (application? t) (not (application-bare? t))))
       t
       (parenthesized t)))
 
-;; What a derivative may stand before: Df(a) is the derivative of f, at a.
+;; t as the operand of a derivative: Df(a) is the derivative of f, at a.
 (define (as-operand t) (if (application? t) (parenthesized t) (as-function t)))

@@ -1,10 +1,9 @@
 #lang racket/base
 ;; The words and signs of a formula on one line.
 
-(require "line-name.rkt"
-         "../expression/operation.rkt")
+(require "line-name.rkt")
 
-(provide tokens (struct-out token) known-word?)
+(provide tokens (struct-out token))
 
 ;; at : position in the text; spaced? : does a space stand before it?
 (struct token (kind text value at spaced?) #:authentic)
@@ -75,11 +74,3 @@
                                                16)))
         escaped))
   (string->symbol (regexp-replace* #px"\\\\(u[0-9a-f]+;|.)" text character)))
-
-;; The name of a function that is applied without parentheses, too, or of a container.
-(define (known-word? text) (hash-has-key? known-words text))
-
-(define known-words
-  (for/hash ([s (in-list (append (map operation-name operations)
-                                 '(up down list sec csc cot sech csch coth)))])
-    (values (symbol->string s) #t)))

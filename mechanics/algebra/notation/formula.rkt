@@ -2,8 +2,8 @@
 ;; S-expressions as trees: what an expression, an operator or a relation prints as, in the
 ;; notation of a physics book.
 
-(require "combine.rkt" "cut.rkt" "formula-style.rkt" "marks.rkt" "numeral.rkt" "tree.rkt"
-         "../expression/operation.rkt" "../expression/pi.rkt")
+(require "combine.rkt" "formula-style.rkt" "name.rkt" "numeral.rkt" "tree.rkt"
+         "../expression/operation.rkt" "../expression/pi.rkt" "../expression/write.rkt")
 
 (provide datum->tree plain-datum->tree (struct-out way) current-way)
 
@@ -92,7 +92,7 @@
 ;; Functions whose meaning is known
 
 (define known-functions
-  (for/hasheq ([f (in-list (append (map operation-name operations) '(sec csc cot sech csch coth)))]
+  (for/hasheq ([f (in-list written-names)]
                #:unless (memq f '(+ - * / expt sqrt abs exp)))
     (values f (word (symbol->string f)))))
 
@@ -146,3 +146,67 @@
           'positive (adjective ">") 'negative (adjective "<")
           'nonnegative (adjective "≥") 'nonpositive (adjective "≤")
           'compose (chain "∘")))
+
+;; ---------------------------------------------------------------------------
+;; Marks of derivatives: D, (partial 1 0), (expt D 2), (* (partial 0) (partial 1))
+
+;; The marks that a datum stands for, or #f.
+(define (marks-of d)
+  (cond [(eq? d 'D) (list (mark #f 1))]
+        [(not (and (list? d) (pair? d))) #f]
+        [else
+         (case (car d)
+           [(partial) (and (pair? (cdr d))
+                           (andmap exact-nonnegative-integer? (cdr d))
+                           (list (mark (cdr d) 1)))]
+           [(expt) (and (= 3 (length d))
+                        (exact-positive-integer? (caddr d))
+                        (repeated (marks-of (cadr d)) (caddr d)))]
+           [(*) (let ([all (map marks-of (cdr d))])
+                  (and (pair? all) (andmap values all) (apply append all)))]
+           [else #f])]))
+
+;; A single mark, n times; #f of several marks.
+(define (repeated marks n)
+  (and marks
+       (null? (cdr marks))
+       (list (mark (mark-path (car marks)) (* n (mark-count (car marks)))))))
+
+;; The number of dots, up to 3, for which a head such as ((expt D 2) x) asks, or #f: the
+;; function has a short name without dots of its own.
+(define (dots-of head)
+  (define marks (and (list? head) (= 2 (length head)) (symbol? (cadr head)) (marks-of (car head))))
+  (and marks
+       (null? (cdr marks))
+       (not (mark-path (car marks)))
+       (<= (mark-count (car marks)) 3)
+       (memq (parts-sort (name-parts (cadr head))) '(letter capital))
+       (= 0 (parts-dots (name-parts (cadr head))))
+       (mark-count (car marks))))
+
+;; Is it one letter, with whatever stands around it?
+(define (short-name? t) (memq (parts-sort (name-parts (name-symbol t))) '(letter capital word)))
+
+;; ---------------------------------------------------------------------------
+;; The beginning of a datum, within `print-limit` atoms.  Pairs may be shared, and a tree drawn
+;; from them be exponentially larger than they are; so the datum is cut first, as `write-datum`
+;; cuts it, and says how much was left out.
+
+;; -> the datum, or one in which an `omitted` stands for what is beyond the limit
+(define (cut-datum d)
+  (define size (make-sizer))
+  (define limit (print-limit))
+  (if (or (not limit) (<= (size d) limit)) d (cut d limit size)))
+
+(define (cut d limit size)
+  (define left limit)
+  (define (item x)
+    (cond [(pair? x) (cons (item (car x)) (items (cdr x)))]
+          [else (set! left (- left 1))
+                x]))
+  (define (items xs)
+    (cond [(not (pair? xs)) xs]
+          [(<= left 0) (list (omitted (omission (size xs))))]
+          [else (define first (item (car xs)))
+                (cons first (items (cdr xs)))]))
+  (item d))

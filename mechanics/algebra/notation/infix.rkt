@@ -81,7 +81,7 @@
                  "/"
                  (atom (fraction-denominator t) #t)))
 
-;; What holds together beside a slash.
+;; t as an operand of a slash, in parentheses if the slash would take it apart.
 (define (atom t [slash? #f])
   (if (or (sum? t) (product? t) (relation? t) (imaginary? t) (omitted? t)
           (and (fraction? t) (not (small-fraction t))))

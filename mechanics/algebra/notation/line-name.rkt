@@ -1,13 +1,13 @@
 #lang racket/base
 ;; Names on one line, and back: `theta_1` is θ₁, `xdotdot` is ẍ, `p_phi` is p_φ.
 ;;
-;; What cannot be told from something else stands between bars, as a variable pi, which is not
+;; A symbol that would be read as another stands between bars, as the variable pi, which is not
 ;; the number π.  So each text is read as the one symbol that it was written from.
 
 (require "name.rkt"
          "../expression/operation.rkt")
 
-(provide line-name dotted-line-name line-name->symbol
+(provide line-name dotted-line-name line-name->symbol known-word?
          superscript->text raised-text)
 
 ;; ---------------------------------------------------------------------------
@@ -35,14 +35,15 @@
 
 (define dots (vector "" "\u307" "\u308" "\u20DB"))
 
-;; A name that reads as something else: of a function that is known, or D of one.
-(define (reserved? text)
-  (or (hash-has-key? reserved text)
-      (regexp-match? #rx"^D." text)))
+;; Is the text read as a known function, or as the derivative of a name?
+(define (reserved? text) (or (known-word? text) (regexp-match? #rx"^D." text)))
 
-(define reserved
-  (for/hash ([s (in-list (append (map operation-name operations)
-                                 '(up down list sec csc cot sech csch coth 𝐢 𝐣 𝐤)))])
+;; Is it the name of a function that is applied without parentheses, too, of a container or a
+;; unit?
+(define (known-word? text) (hash-has-key? known-words text))
+
+(define known-words
+  (for/hash ([s (in-list (append '(up down list 𝐢 𝐣 𝐤) written-names))])
     (values (symbol->string s) #t)))
 
 (define (between-bars s)

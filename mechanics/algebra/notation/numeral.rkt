@@ -6,7 +6,8 @@
 
 (provide number->tree decimal->tree negated negative-body)
 
-;; −t, and what t is the negative of, or #f: a negative is a sum of one term.
+;; t -> −t; and a negative -> the tree that it is the negative of, #f of other trees.  A negative
+;; is a sum of one term.
 (define (negated t)
   (cond [(negative-body t) => values]
         [(or (sum? t) (relation? t)) (negated (parenthesized t))]

@@ -9,6 +9,8 @@
 ;;
 ;; Trees are prefab: a snip with one is written to a file and read by another program.
 
+(require (only-in racket/list append-map))
+
 (provide (struct-out name) (struct-out word) (struct-out digits) (struct-out scientific)
          (struct-out imaginary)
          (struct-out plain)
@@ -74,30 +76,15 @@
 (define (fenced-itself? arguments)
   (and (= 1 (length arguments)) (column? (car arguments))))
 
-;; The trees that a tree consists of.
-(define (tree-parts t)
-  (cond [(row? t) (row-items t)]
-        [(sum? t) (map term-body (sum-terms t))]
-        [(product? t) (product-factors t)]
-        [(fraction? t) (list (fraction-numerator t) (fraction-denominator t))]
-        [(power? t) (list (power-base t) (power-exponent t))]
-        [(radical? t) (list (radical-body t))]
-        [(exponential? t) (list (exponential-exponent t))]
-        [(parenthesized? t) (list (parenthesized-body t))]
-        [(bars? t) (list (bars-body t))]
-        [(dotted? t) (list (dotted-base t))]
-        [(imaginary? t) (list (imaginary-coefficient t))]
-        [(derivative? t) (if (derivative-function t) (list (derivative-function t)) '())]
-        [(application? t) (cons (application-function t) (application-arguments t))]
-        [else (container-parts t)]))
+;; The trees that a tree consists of, in order.
+(define (tree-parts t) (trees-in (cdr (vector->list (struct->vector t)))))
 
-(define (container-parts t)
-  (cond [(column? t) (column-items t)]
-        [(across? t) (across-items t)]
-        [(grid? t) (apply append (grid-rows t))]
-        [(listing? t) (listing-items t)]
-        [(relation? t) (list (relation-left t) (relation-right t))]
-        [(report? t) (apply append (map report-line-parts (report-lines t)))]
-        [(broken? t) (broken-lines t)]
-        [(continuation? t) (list (continuation-body t))]
-        [else '()]))
+;; xs : what fields hold; marks of derivatives, texts and numbers are no trees
+(define (trees-in xs)
+  (append-map (lambda (x)
+                (cond [(term? x) (list (term-body x))]
+                      [(report-line? x) (report-line-parts x)]
+                      [(list? x) (trees-in x)]
+                      [(and (prefab-struct-key x) (not (mark? x))) (list x)]
+                      [else '()]))
+              xs))
