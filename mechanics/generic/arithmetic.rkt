@@ -39,8 +39,6 @@
       clause ...
       [(a b . more) (for/fold ([value (two a b)]) ([x (in-list more)]) (two value x))])))
 
-(define ((refusal op) a b) (raise-inapplicable op a b))
-
 ;; ---------------------------------------------------------------------------
 ;; Sums
 
@@ -52,7 +50,9 @@
 (define (add-structures a b)
   (cond [(eqv? a 0) b]
         [(eqv? b 0) a]
-        [else (structure-add add a b (refusal generic:+))]))
+        [else (structure-add add a b raise-sum)]))
+
+(define (raise-sum a b) (raise-inapplicable generic:+ a b))
 
 (define-variadic g:+ + add [() 0] [(a) (add a 0)])
 
@@ -64,7 +64,9 @@
 (define (subtract-structures a b)
   (cond [(eqv? a 0) (multiply -1 b)]
         [(eqv? b 0) a]
-        [else (structure-add subtract a b (refusal generic:-))]))
+        [else (structure-add subtract a b raise-difference)]))
+
+(define (raise-difference a b) (raise-inapplicable generic:- a b))
 
 (define-variadic g:- - subtract [(a) (negate a)])
 
@@ -90,8 +92,9 @@
   [(and (eqv? b 1) (procedure? a)) a])
 
 (define (multiply-structures a b)
-  (structure-multiply add multiply a b (refusal generic:*) raise-unlike-products))
+  (structure-multiply add multiply a b raise-product raise-unlike-products))
 
+(define (raise-product a b) (raise-inapplicable generic:* a b))
 (define (raise-unlike-products a b)
   (raise-inapplicable-because
    generic:* "they contract, but the products of their components are of different shapes" a b))

@@ -28,8 +28,7 @@
                      [slope (here 'slope)]
                      [slope-at (here 'slope-at)]
                      [pole (here 'pole)]
-                     [operation (and (not (entry-fact e 'composite))
-                                     #`(find-operation '#,(entry-name e)))])
+                     [operation (and (not (entry-fact e 'composite)) (operation-of e))])
          (define define-forms
            #'(begin
                (define-syntax-rule (slope a b) (slope-at 'name (list argument ...) a b))
@@ -45,6 +44,9 @@
                  (define in-one-call at-flonums)
                  (generic-op 'name operation procedure (list derivative ...) in-one-call
                              'domain))))))]))
+
+;; The operation that heads expressions.
+(define-for-syntax (operation-of e) #`(find-operation '#,(entry-name e)))
 
 ;; Operations of the algebra have a name for their function of numbers, composite ones an
 ;; expression.

@@ -76,10 +76,18 @@
 (define (scatter k) (bitwise-xor (* 3 k) (arithmetic-shift k -23)))
 
 (define (hash-node head args)
-  (define any-order? (commutative? head))
-  (for/fold ([h (mask (head-hash head))]) ([a (in-list args)])
-    (define k (expression-hash a))
-    (mask (if any-order? (+ h (scatter k)) (+ (* 31 h) k)))))
+  (define start (mask (head-hash head)))
+  (if (commutative? head) (hash-in-any-order args start) (hash-in-order args start)))
+
+(define (hash-in-any-order args h)
+  (if (null? args)
+      h
+      (hash-in-any-order (cdr args) (mask (+ h (scatter (expression-hash (car args))))))))
+
+(define (hash-in-order args h)
+  (if (null? args)
+      h
+      (hash-in-order (cdr args) (mask (+ (* 31 h) (expression-hash (car args)))))))
 
 ;; Pairs already found equal are remembered, so that two graphs built apart are
 ;; compared in time proportional to their nodes.
@@ -151,6 +159,7 @@
         [(exact-zero? a) b]
         [(exact-zero? b) a]
         [(number? b) (e:+ b a)]
+        [(number? a) (add-constant a b)]
         [else
          (define-values (m as) (split-constant a op:+ 0))
          (define-values (n bs) (split-constant b op:+ 0))
@@ -158,6 +167,13 @@
          (if (sum-fits? c m n)
              (rejoin op:+ c 0 (append as bs))
              (rejoin op:+ m 0 (append as (list b))))]))
+
+(define (add-constant m e)
+  (define-values (n rest) (split-constant e op:+ 0))
+  (define c (+ m n))
+  (if (sum-fits? c m n)
+      (rejoin op:+ c 0 rest)
+      (make-node op:+ (list m e))))
 
 (define (e:* a b)
   (cond [(and (number? a) (number? b)) (* a b)]

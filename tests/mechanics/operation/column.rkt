@@ -35,7 +35,7 @@
      (lambda () (apply expanded '[(erf sinh) (none "why")] (cells-without 'sinh 'erf))))))
 
 (test-case "a reason must be given"
-  (check-refused #rx"lacks operations: [(]erf[)]|none: unbound" '([erf (none)]) (cells-without 'erf)))
+  (check-refused #rx"none: unbound" '([erf (none)]) (cells-without 'erf)))
 
 (test-case "a column of what the table does not know does not compile"
   (check-refused #rx"the column has operations that the table lacks: [(]sihn[)]"
@@ -92,5 +92,7 @@
   (for ([e (in-list (entries-where 'real))])
     (define-values (how bound) (apply values (entry-fact e 'real)))
     (define f (number-function (entry-name e)))
-    (check-true (real? (f (+ bound (if (eq? how 'within) -0.5 0.5)))) (symbol->string (entry-key e)))
-    (check-false (real? (f (if (eq? how 'within) (+ bound 0.5) (- bound 0.5)))) (symbol->string (entry-key e)))))
+    (define inward (if (eq? how 'within) -0.5 0.5))
+    (with-check-info (['operation (entry-key e)])
+      (check-true (real? (f (+ bound inward))))
+      (check-false (real? (f (- bound inward)))))))
