@@ -89,9 +89,10 @@
 ;; The language says more of a wrong number of arguments than Racket does, where
 ;; it sees one of these applied.
 (define-for-syntax unary-functions
-  (all-prefixed #'here "g:" (append (filter (lambda (k) (not (memq k '(log atan atan2)))) function-keys)
-                            (map car reciprocals)
-                            '(square cube negate invert))))
+  (all-prefixed #'here "g:"
+                (append (filter (lambda (k) (not (memq k '(log atan atan2)))) function-keys)
+                        (map car reciprocals)
+                        '(square cube negate invert))))
 
 ;; ---------------------------------------------------------------------------
 ;; Functions of one or two arguments

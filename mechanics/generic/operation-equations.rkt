@@ -8,8 +8,8 @@
 ;; coefficient k of the unknown from lower ones: a recurrence (Griewank and Walther,
 ;; Evaluating Derivatives, ch. 13).
 ;;
-;; They stand in the table of operations, and are read twice: by recurrence.rkt for truncated Taylor numbers and power
-;; series, in any arithmetic, and by compile/ for motions, in flonums.
+;; They stand in the table of operations, and are read twice: by recurrence.rkt for truncated
+;; Taylor numbers and power series, in any arithmetic, and by compile/ for motions, in flonums.
 
 (require "../operation/column.rkt")
 

@@ -72,7 +72,8 @@
 (define (ball-erf x p)
   (define least (+ (integer-length (ball-lower x)) (ball-scale x) -1))     ; 2^least <= x
   (cond [(ball-negative? x) (ball-negate (ball-erf (ball-negate x) p))]
-        [(and (ball-positive? x) (>= (* 2 least) (integer-length p))) (ball+ one (ball 0 1 (- p)) p)]
+        [(and (ball-positive? x) (>= (* 2 least) (integer-length p)))
+         (ball+ one (ball 0 1 (- p)) p)]
         [(> (* 2 (ball-magnitude x)) (+ 8 (integer-length p))) (raise unknown)]
         [else
          (define w (+ p 32))

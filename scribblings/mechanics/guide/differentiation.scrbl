@@ -37,8 +37,8 @@ beside it in one table, written in the library's own arithmetic:
 }
 
 An entry says how to compute with numbers, where to test, what the derivatives
-are, and some other facts; @tt{value} is the value already computed. Since they are generic code, they
-hold for numbers and symbols alike, and for dual numbers: hence second derivatives.
+are, and some other facts; @tt{value} is the value already computed. Since they are generic
+code, they hold for numbers and symbols alike, and for dual numbers: hence second derivatives.
 
 No formula is taken apart and no step size chosen. Loops, conditionals and recursion
 in your function do no harm:
