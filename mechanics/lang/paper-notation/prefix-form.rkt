@@ -9,8 +9,7 @@
 
 (require racket/list
          "operation-sign.rkt" "typed-formula.rkt"
-         "../written-form.rkt"
-         "../../operation/column.rkt")
+         "../written-form.rkt")
 
 (provide prefix-form call-form sign-at-end operand-in)
 
