@@ -63,13 +63,6 @@
    (for/list ([n (in-list (system-sizes p))])
      `((make-flvector ,(* n n)) (make-flvector ,n) (make-fxvector ,n)))))
 
-(define (system-sizes p)
-  (remove-duplicates
-   (for/list ([i (in-vector (program-instructions p))]
-              #:when (eq? (instruction-operation i) 'solve))
-     (system-unknowns i))
-   eqv?))
-
 (define (systems-place p system)
   (* 3 (index-of (system-sizes p) (system-unknowns system))))
 
@@ -201,7 +194,8 @@
     [(subtract) 'unsafe-fl-]
     [(multiply) 'unsafe-fl*]
     [(divide) 'unsafe-fl/]
-    [else (unsafe-name operation arguments)]))
+    [else (and (flonum-primitive operation arguments)
+               (string->symbol (format "unsafe-fl~a" operation)))]))
 
 ;; The operations a program takes from `functions`.
 (define (functions-used p)

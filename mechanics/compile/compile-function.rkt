@@ -102,7 +102,7 @@
   (define-values (p shape) (trace who f example #:unknown void))
   (define (value-at v) (f (flvector->structure example v)))
   (and (program? p)
-       (right? (program->compiled-function p shape f (program->interpreter-maker p))
+       (right? (program->compiled-function p shape f (program->closure-maker p))
                value-at (example->flvector who example) (shape-length example) #f)
        p))
 
@@ -111,7 +111,7 @@
   (define-values (p shape) (trace who f example #:unknown void))
   (define q (and (program? p) (= 1 (shape-length shape)) (program-with-gradient p)))
   (and q
-       (right? (gradient-code q f (program->interpreter-maker q))
+       (right? (gradient-code q f (program->closure-maker q))
                (both-at f example) (example->flvector who example) (shape-length example) #f)
        q))
 

@@ -1,75 +1,17 @@
 #lang racket/base
-;; Programs being written: arithmetic on operands, each operation done once.
+;; Arithmetic on operands, written as instructions.
 ;;
 ;; What can be known beforehand is not left to the program: numbers are combined, neutral
 ;; elements dropped, whole powers multiplied out.  Signs move outwards, to become
 ;; subtractions or to meet others; opposite terms cancel.
 
-(require "instruction.rkt"
-         "../algebra/expression/constant-range.rkt"
-         "../numeric/constants.rkt")
+(require "../algebra/expression/constant-range.rkt"
+         "../numeric/constants.rkt"
+         "../numeric/machine/instruction-builder.rkt"
+         "../numeric/machine/straight-instruction.rkt")
 
 (provide make-builder written written-count
          do! write! add! subtract! multiply! divide! negate! power! pi-times!)
-
-;; inputs : how many; as-constant : real -> what stands for it in an instruction
-;; instructions : index -> instruction; short, long : key of an instruction -> place
-;; codes : name or number -> a small number for it
-(struct builder (inputs as-constant instructions short long codes) #:authentic)
-
-(define (make-builder inputs as-constant)
-  (builder inputs as-constant (make-hasheqv) (make-hasheqv) (make-hash) (make-hasheqv)))
-
-;; Numbers that meet a value are constants, so that 2 and 2.0 make one instruction.
-(define (do! b operation . operands)
-  (write! b (cons operation
-                  (for/list ([x (in-list operands)])
-                    (if (number? x) ((builder-as-constant b) x) x)))))
-
-(define (write! b instruction)
-  (define key (short-key b instruction))
-  (define places (if key (builder-short b) (builder-long b)))
-  (or (hash-ref places (or key instruction) #f)
-      (let* ([instructions (builder-instructions b)]
-             [p (place (+ (builder-inputs b) (hash-count instructions)))])
-        (hash-set! places (or key instruction) p)
-        (hash-set! instructions (place-index p) instruction)
-        p)))
-
-;; Instructions of one or two operands, most of all, are found by a fixnum.
-(define (short-key b i)
-  (define operands (cdr i))
-  (define x (and (pair? operands) (operand-code b (car operands))))
-  (define two? (and x (pair? (cdr operands))))
-  (define y (if two? (operand-code b (cadr operands)) 0))
-  (and x
-       (or (not two?) (null? (cddr operands)))
-       (< (max x y) code-limit)
-       (+ y (* code-limit (+ x (* code-limit (code-of b (car i))))))))
-
-(define code-limit (expt 2 25))
-
-;; Not 0.
-(define (operand-code b x)
-  (+ 1 (if (place? x) (* 2 (place-index x)) (+ 1 (* 2 (code-of b x))))))
-
-(define (code-of b x)
-  (define codes (builder-codes b))
-  (or (hash-ref codes x #f)
-      (let ([n (hash-count codes)])
-        (hash-set! codes x n)
-        n)))
-
-;; What an operand is the value of; #f for a number or an input.
-(define (instruction-of b x)
-  (and (place? x) (hash-ref (builder-instructions b) (place-index x) #f)))
-
-(define (written-count b) (hash-count (builder-instructions b)))
-
-(define (written b)
-  (define n (builder-inputs b))
-  (for/vector ([k (in-range (written-count b))])
-    (hash-ref (builder-instructions b) (+ n k))))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
@@ -145,7 +87,7 @@
         [(and (number? x) (not (representable? b x))) (multiply-in-parts! b x y)]
         [else (do-in-order! b 'multiply x y)]))
 
-(define (representable? b c) (or (flonum? c) (normal? ((builder-as-constant b) c))))
+(define (representable? b c) (or (flonum? c) (normal? ((builder-constant b) c))))
 
 ;; Powers of two are no rounding, and go the way that the value goes: what overflows on it
 ;; does so at its end.
@@ -179,7 +121,7 @@
   (define i (instruction-of b y))
   (define factors
     (if (and i (eq? (instruction-operation i) 'multiply)) (instruction-operands i) '(#f)))
-  (define c (and (number? (car factors)) (* ((builder-as-constant b) x) (car factors))))
+  (define c (and (number? (car factors)) (* ((builder-constant b) x) (car factors))))
   (and c (< 1e-100 (abs c) 1e100) (cons c (cdr factors))))
 
 ;; x + y and y + x are one instruction.
@@ -193,7 +135,7 @@
 
 ;; m π, which more digits than those of flonums are asked of only if they are kept.
 (define (pi-times! b m)
-  (if (flonum? ((builder-as-constant b) 1))
+  (if (flonum? ((builder-constant b) 1))
       (* m pi)
       (multiply! b m (do! b 'acos -1))))
 

@@ -8,14 +8,16 @@
 ;; combined exactly until they meet a value, and what no output needs is left
 ;; out.
 
-(require "program-builder.rkt" "instruction.rkt"
+(require (only-in racket/list remove-duplicates)
+         "program-builder.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
-         "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt")
+         "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt"
+         "../numeric/machine/straight-instruction.rkt")
 
 (provide
  ;; the program
- (struct-out program) program-length instruction-at (struct-out place)
- instruction-operation instruction-operands system-unknowns symmetric-system?
+ (struct-out program) program-length instruction-at program-uses system-sizes
+ (all-from-out "../numeric/machine/straight-instruction.rkt")
  ;; from expressions
  expressions->program
  ;; programs made of others
@@ -31,6 +33,24 @@
 ;; The one whose value has the place k.
 (define (instruction-at p k)
   (vector-ref (program-instructions p) (- k (program-inputs p))))
+
+;; -> of each place, by how many operands and outputs it is used
+(define (program-uses p)
+  (define uses (make-vector (+ (program-inputs p) (program-length p)) 0))
+  (define (use! x)
+    (when (place? x)
+      (vector-set! uses (place-index x) (+ 1 (vector-ref uses (place-index x))))))
+  (for ([i (in-vector (program-instructions p))]) (for-each use! (instruction-operands i)))
+  (for ([o (in-vector (program-outputs p))]) (use! o))
+  uses)
+
+;; -> the numbers of unknowns of its systems, each once
+(define (system-sizes p)
+  (remove-duplicates
+   (for/list ([i (in-vector (program-instructions p))]
+              #:when (eq? (instruction-operation i) 'solve))
+     (system-unknowns i))
+   eqv?))
 
 ;; inputs : symbols; es : expressions.  (fail e) is called, not to return, with
 ;; an expression that has no value: another symbol, an unknown function.
@@ -103,12 +123,9 @@
 ;; A system of n equations is one instruction; n more read its solution, which
 ;; has no other place.  -> their places
 (define (solve! b operands)
-  (define n (count-unknowns (length operands)))
+  (define n (integer-sqrt (length operands)))
   (define system (apply do! b 'solve operands))
   (for/list ([k (in-range n)]) (write! b (list 'component system k))))
-
-;; n (n + 1) -> n
-(define (count-unknowns entries) (integer-sqrt entries))
 
 ;; ---------------------------------------------------------------------------
 ;; What outputs need

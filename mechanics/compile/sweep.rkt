@@ -12,7 +12,7 @@
 ;; the adjoint of x, and −λ xᵀ is that of A.
 
 (require racket/list
-         "program-builder.rkt" "instruction.rkt" "program.rkt"
+         "program-builder.rkt" "program.rkt"
          "../generic/elementary.rkt" "../generic/kind.rkt")
 
 (provide reload sweep-back! sweep-forward! next-tangent last-dependent
@@ -35,7 +35,7 @@
   (define unknowns
     (for/sum ([i (in-vector (program-instructions p))])
       (define name (instruction-operation i))
-      (if (eq? name 'solve) (integer-sqrt (length (instruction-operands i))) 0)))
+      (if (eq? name 'solve) (system-unknowns i) 0)))
   (and (= components unknowns) (has-derivatives? p)))
 
 (define written-here '(add subtract multiply divide negate sqrt wrapped solve component))

@@ -1,16 +1,18 @@
 #lang racket/base
-;; Tiers: how a program is run, by its length.
+;; Three ways to run a program, and the choice between them.
 ;;
 ;; Short programs are compiled by Racket at once, which nobody notices, and are called a little
-;; faster so.  Others are stretches of machine code where the processor is known.  Elsewhere long
-;; ones are interpreted first, and compiled when that has paid: a run saves some nanoseconds an
-;; instruction if it is compiled, and compiling takes some ten thousand times that, so the size of
-;; the program does not matter; what counts is how often it was run, by anybody.  All do the same
-;; operations in the same order, and give the same values.
+;; faster so.  Others become machine code where the processor is known and has all their operations.
+;; Elsewhere long ones are closures first, and compiled when that has paid: a run saves some
+;; nanoseconds an instruction if it is compiled, and compiling takes some ten thousand times that,
+;; so the size of the program does not matter; what counts is how often it was run, by anybody.  All
+;; do the same operations in the same order, and give the same values.
 
-(require "code.rkt" "interpreter.rkt" "machine-code.rkt" "program.rkt")
+(require "code.rkt" "interpreter.rkt" "program.rkt"
+         "../numeric/machine/assembler.rkt" "../numeric/machine/executable.rkt"
+         "../numeric/machine/straight-code.rkt")
 
-(provide (protect-out program->tiered-maker tiered-maker))
+(provide (protect-out program->tiered-maker tiered-maker machine-procedure))
 
 (define longest-compiled 50)
 (define longest-at-once 500)
@@ -19,27 +21,37 @@
 ;; -> (-> (input output -> void)), as program->maker has it
 (define (program->tiered-maker p)
   (define size (program-length p))
-  (define machine? (> size longest-compiled))
-  (cond [(and machine? (machine-procedure p)) => (lambda (run) (lambda () run))]
-        [(and machine? (machine-stretches p))
-         => (lambda (stretches) (program->interpreter-maker p #:stretches stretches))]
+  (cond [(and (> size longest-compiled) (machine-procedure p)) => (lambda (run) (lambda () run))]
         [(<= size longest-at-once) (program->maker p)]
         [else (tiered-maker p)]))
 
-;; counted : runs of the interpreter, by all runners; compiled : maker, or #f
+;; -> (input output -> void), flvectors that do not overlap; or #f where there is no machine code
+(define (machine-procedure p)
+  (define instructions (program-instructions p))
+  (define (code)
+    (define a (make-assembly))
+    (lea! a rdi (behind rdi flvector-data))
+    (lea! a rsi (behind rsi flvector-data))
+    (write-procedure! a (program-inputs p) 0 instructions (program-outputs p))
+    (assembly->bytes a))
+  (define procedures
+    (and (straight-code? instructions (program-inputs p))
+         (machine-procedures (code) '((0 flvector flvector)))))
+  (and procedures (car procedures)))
+
+;; closures : maker; counted : runs of them, by all runners; compiled : maker, or #f
 ;; Threads that count at once may lose a run or compile twice, no more.
-(struct tiers (program interpreter [counted #:mutable] [compiled #:mutable]) #:authentic)
+(struct tiers (program closures [counted #:mutable] [compiled #:mutable]) #:authentic)
 
 (define (tiered-maker p)
-  (define t (tiers p (program->interpreter-maker p) 0 #f))
+  (define t (tiers p (program->closure-maker p) 0 #f))
   (lambda () (if (tiers-compiled t) (run-compiled t) (tiers-runner t))))
 
 (define (run-compiled t) ((tiers-compiled t)))
 
 ;; -> (input output -> void), which goes over to compiled code in time
-
 (define (tiers-runner t)
-  (define run ((tiers-interpreter t)))
+  (define run ((tiers-closures t)))
   (define compiled? #f)
   (lambda (input output)
     (unless compiled?

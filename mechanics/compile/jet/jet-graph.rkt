@@ -25,7 +25,7 @@
     (define b (make-nodes varying fail))
     (define n (program-inputs p))
     (define places (make-vector (+ n (program-length p)) #f))
-    (define uses (count-uses p))
+    (define uses (program-uses p))
     (define (operand x) (if (place? x) (vector-ref places (place-index x)) (number-form x)))
     (for ([i (in-range n)]) (vector-set! places i (node-form (node! b (list 'input i)))))
     (for ([c (in-list constants)] [i (in-naturals varying)])
@@ -42,14 +42,6 @@
 ;; Exact numbers are what exponents are told by, and factors that are nothing or 1.
 (define (exact-if-whole c)
   (if (and (integer? c) (not (zero? c))) (inexact->exact c) c))
-
-(define (count-uses p)
-  (define uses (make-vector (+ (program-inputs p) (program-length p)) 0))
-  (define (note! x)
-    (when (place? x) (vector-set! uses (place-index x) (+ 1 (vector-ref uses (place-index x))))))
-  (for ([i (in-vector (program-instructions p))]) (for-each note! (instruction-operands i)))
-  (for ([o (in-vector (program-outputs p))]) (note! o))
-  uses)
 
 ;; ---------------------------------------------------------------------------
 ;; Instructions

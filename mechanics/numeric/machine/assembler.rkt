@@ -10,37 +10,36 @@
 (provide
  make-assembly assembly->bytes
  ;; operands
- rax rcx rdx rbx rsp rbp rsi rdi r8 r9 r12 r13 r14 r15
- behind eight-behind (struct-out constant) sign all-but-sign
+ rax rcx rdx rbx rsp rbp rsi rdi r8 r9 r10 r11 r12 r13 r14 r15
+ behind memory? (struct-out constant) sign all-but-sign
  ;; flonums
- movsd! movupd! movapd! movhpd! store-sd! store-pd!
- addsd! subsd! mulsd! divsd! sqrtsd! maxsd!
+ movsd! movupd! movapd! store-sd! store-pd!
+ addsd! subsd! mulsd! divsd! sqrtsd! maxsd! ucomisd!
  addpd! subpd! mulpd! divpd! sqrtpd! maxpd!
  andpd! xorpd! unpckhpd! unpcklpd!
  ;; addresses, and the way through the code
- mov! mov-number! lea! add! push! pop! call-address! call! ret!
- make-label label-here! label-place while-less!
- later-add!)
+ mov! mov-number! lea! add! later-add! compare! compare-number! push! pop!
+ call-address! call! ret! jump! make-label label-here! label-place subroutine!)
 
 ;; code : bytes, of which `size` are written; distances : (where . to) ..., to be filled in, `to`
-;; being a label or the number of a constant; constants : value -> its number
-(struct assembly ([code #:mutable] [size #:mutable] [distances #:mutable] constants) #:authentic)
+;; being a label or the number of a constant; constants : value -> its number; subroutines : key ->
+;; label; unwritten : (-> void) ..., which write the latest of them
+(struct assembly ([code #:mutable] [size #:mutable] [distances #:mutable] constants
+                  subroutines [unwritten #:mutable])
+  #:authentic)
 
-(define (make-assembly) (assembly (make-bytes 1024) 0 '() (make-hasheqv)))
+(define (make-assembly) (assembly (make-bytes 1024) 0 '() (make-hasheqv) (make-hash) '()))
 
 ;; ---------------------------------------------------------------------------
 ;; Operands
 
 (define-values (rax rcx rdx rbx rsp rbp rsi rdi) (values 0 1 2 3 4 5 6 7))
-(define-values (r8 r9 r12 r13 r14 r15) (values 8 9 12 13 14 15))
+(define-values (r8 r9 r10 r11 r12 r13 r14 r15) (values 8 9 10 11 12 13 14 15))
 
 ;; What is in memory, so many bytes behind the address in `base`, with what is in `index` added if
 ;; that is not #f.
 (struct memory (base index distance) #:authentic)
 (define (behind base distance [index #f]) (memory base index distance))
-
-(define (eight-behind m)
-  (memory (memory-base m) (memory-index m) (+ 8 (memory-distance m))))
 
 ;; A flonum, or a pattern of 64 bits, a natural number.
 (struct constant (value) #:authentic)
@@ -121,7 +120,7 @@
   (begin (define (name a x y) (instruction! a prefix #f '(#x0F operation) x y)) ...))
 
 (define-flonum-instructions
-  [movsd! #xF2 #x10] [movupd! #x66 #x10] [movapd! #x66 #x28] [movhpd! #x66 #x16]
+  [movsd! #xF2 #x10] [movupd! #x66 #x10] [movapd! #x66 #x28] [ucomisd! #x66 #x2E]
   [addsd! #xF2 #x58] [subsd! #xF2 #x5C] [mulsd! #xF2 #x59] [divsd! #xF2 #x5E]
   [sqrtsd! #xF2 #x51] [maxsd! #xF2 #x5F]
   [addpd! #x66 #x58] [subpd! #x66 #x5C] [mulpd! #x66 #x59] [divpd! #x66 #x5E]
@@ -168,17 +167,48 @@
 
 (define (ret! a) (byte! a #xC3))
 
-;; Goes on at the label as long as r is less than x.
-(define (while-less! a r x l)
+;; Compares a register with another, or with a number, for a jump.
+(define (compare! a r other) (instruction! a #f #t '(#x3B) r other))
+(define (compare-number! a r x)
   (instruction! a #f #t '(#x81) 7 r)
-  (number! a x 4)
-  (bytes! a #x0F #x8C)
+  (number! a x 4))
+
+;; Goes on at the label: always, or where the numbers compared last are so.  'below and its kin are
+;; of flonums (ucomisd!), and of these 'unordered and 'equal, where one is no number, both are true.
+(define (jump! a condition l)
+  (if (eq? condition 'always)
+      (byte! a #xE9)
+      (bytes! a #x0F (hash-ref jump-codes condition)))
   (distance-to! a l))
+
+(define jump-codes
+  (hasheq 'less #x8C 'not-less #x8D 'not-below #x83 'below-or-equal #x86 'equal #x84
+          'unordered #x8A))
+
+;; The label of a procedure that (write!) writes behind the code, once for a key.
+(define (subroutine! a key write!)
+  (hash-ref! (assembly-subroutines a) key
+             (lambda ()
+               (define l (make-label))
+               (define (write-it!)
+                 (label-here! a l)
+                 (write!))
+               (set-assembly-unwritten! a (cons write-it! (assembly-unwritten a)))
+               l)))
+
+;; A subroutine may ask for others.
+(define (write-subroutines! a)
+  (define all (assembly-unwritten a))
+  (unless (null? all)
+    (set-assembly-unwritten! a '())
+    (for ([write! (in-list all)]) (write!))
+    (write-subroutines! a)))
 
 ;; ---------------------------------------------------------------------------
 ;; The code
 
 (define (assembly->bytes a)
+  (write-subroutines! a)
   (define first-constant (* 16 (quotient (+ (assembly-size a) 15) 16)))
   (define all (make-bytes (+ first-constant (* 16 (hash-count (assembly-constants a))))))
   (bytes-copy! all 0 (assembly-code a) 0 (assembly-size a))

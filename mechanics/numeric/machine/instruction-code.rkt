@@ -1,59 +1,68 @@
 #lang racket/base
-;; An instruction of straight flonum code as machine code.
+;; An instruction of a flonum program as machine code.
 ;;
-;; An operation is done in the register of an operand that nothing else needs, or in another.  What
-;; the library of C computes is called, which changes all registers for flonums: values that are
-;; needed after it go to the stack.  (larger x y) is y where one is no number.
+;; An operation is done in the register of an operand that nothing else needs, or in another.  The
+;; library of C and the solvers of systems are called, which changes all registers for flonums:
+;; values that are needed after the call go to the stack.
 
 (require racket/list
-         "assembler.rkt" "executable.rkt" "registers.rkt" "straight-instruction.rkt"
+         "assembler.rkt" "executable.rkt" "linear-system-code.rkt" "registers.rkt"
+         "straight-instruction.rkt"
          "../../operation/column.rkt")
 
 (provide machine-instruction? (struct-out context) write-instruction! load!)
 
-;; ---------------------------------------------------------------------------
-;; What there is code for
-
+;; Is there code for it?
 (define (machine-instruction? i)
   (case (instruction-operation i)
-    [(add subtract multiply divide negate abs sqrt larger) #t]
-    [else (calls? i)]))
+    [(component) #t]
+    [(solve) (<= (system-unknowns i) most-unknowns)]
+    [else (and (or (processor-operation (instruction-operation i)) (C-function-of i)) #t)]))
 
-(define (calls? i) (and (function-of i) #t))
+;; name -> the processor's instructions for one flonum and for a pair; or #f
+(define (processor-operation name) (hash-ref processor-operations name #f))
 
-;; -> the function of the library of C, its address; or #f
-(define (function-of i)
+(define processor-operations
+  (hasheq 'add (cons addsd! addpd!) 'subtract (cons subsd! subpd!) 'multiply (cons mulsd! mulpd!)
+          'divide (cons divsd! divpd!) 'larger (cons maxsd! maxpd!) 'sqrt (cons sqrtsd! sqrtpd!)
+          'negate (cons xorpd! xorpd!) 'abs (cons andpd! andpd!)))
+
+;; -> the address of the function in the library of C; or #f
+(define (C-function-of i)
   (define name
     (hash-ref library-names
               (operation-key (instruction-operation i) (length (instruction-operands i))) #f))
   (and name (C-function name)))
 
-;; Only those that Racket takes from there, too: values are the same to the last bit.
+;; Those that Racket takes from there, too: values are the same to the last bit.
 (define-column library-names
   [sin 'sin] [cos 'cos] [tan 'tan] [exp 'exp] [log 'log] [asin 'asin] [acos 'acos] [atan 'atan]
-  [expt 'pow]
+  [atan2 'atan2] [expt 'pow]
   [(sqrt abs) (none "the processor has an instruction")]
-  [(atan2 sinh cosh tanh asinh acosh atanh erf sgn) (none "our own are rounded otherwise")])
+  [(sinh cosh tanh asinh acosh atanh erf sgn) (none "our own are rounded otherwise")])
+
 
 ;; ---------------------------------------------------------------------------
 ;; An instruction
 
 ;; s : where values are; from : the place of the first instruction's value; elsewhere : place before
-;; that -> memory; targets : place -> where it is to be stored, a list of memory; pairs : place of a
-;; sine or cosine -> that of the other one of the same angle, computed with it
-(struct context (a s from elsewhere targets pairs) #:authentic)
+;; that -> memory; targets : place -> where it is to be stored, a list of memory; twins : place of a
+;; sine or cosine -> that of the other one of the same angle, computed with it; solver : how many
+;; unknowns, is the system symmetric? -> label of the procedure that solves it
+(struct context (a s from elsewhere targets twins solver) #:authentic)
 
 (define (write-instruction! c i k)
   (define s (context-s c))
   (define name (instruction-operation i))
   (define operands (instruction-operands i))
-  (define pair (hash-ref (context-pairs c) k #f))
-  (cond [(eq? pair 'later) (void)]
-        [else
-         (cond [pair (write-sine-and-cosine! c name (car operands) k pair)]
-               [(function-of i) => (lambda (f) (write-call! c f operands k))]
-               [else (write-operation! c name operands k)])
-         (used! s (filter values (map (lambda (o) (own-place c o)) operands)) k)])
+  (define twin (hash-ref (context-twins c) k #f))
+  (unless (eq? twin 'later)
+    (cond [twin (write-sine-and-cosine! c name (car operands) k twin)]
+          [(eq? name 'solve) (write-solve! c i k)]
+          [(eq? name 'component) (write-component! c (second-operand i) k)]
+          [(processor-operation name) => (lambda (o) (write-operation! c name o operands k))]
+          [else (write-call! c (C-function-of i) operands k)])
+    (used! s (filter-map (lambda (o) (own-place c o)) operands) k))
   (store-value! c k)
   (used! s (list (own c k)) k))
 
@@ -62,7 +71,7 @@
 (define (own-place c o)
   (and (place? o) (>= (place-index o) (context-from c)) (own c (place-index o))))
 
-;; What an instruction of the processor takes.
+;; -> a register, memory or a constant
 (define (operand c o)
   (cond [(own-place c o) => (lambda (p) (location (context-s c) p))]
         [(place? o) ((context-elsewhere c) (place-index o))]
@@ -70,36 +79,42 @@
 
 (define (load! c o r)
   (define there (operand c o))
-  (unless (eqv? there r)
-    ((if (fixnum? there) movapd! movsd!) (context-a c) r there)))
+  (unless (eqv? there r) (move! (context-s c) r there)))
 
-(define (write-operation! c name operands k)
-  (define a (context-a c))
+;; The second operand where the processor takes it: of a pair not in memory, which may begin
+;; anywhere, but in a register.
+(define (taken c o but)
+  (define s (context-s c))
+  (define there (operand c o))
+  (cond [(and (values-at-pairs? s) (memory? there))
+         (define r (register-for! s but))
+         (move! s r there)
+         r]
+        [else there]))
+
+(define (write-operation! c name instructions operands k)
+  (define-values (a s) (values (context-a c) (context-s c)))
+  (define apply! ((if (values-at-pairs? s) cdr car) instructions))
   (define-values (x y) (first-and-second c name operands k))
   (define r (or (last-in-register c x k)
-                (register-for! (context-s c) (filter fixnum? (list (operand c x) (operand c y))))))
-  (define-syntax-rule (apply! instruction! operand)
-    (begin (load! c x r)
-           (instruction! a r operand)))
-  (case name
-    [(add) (apply! addsd! (operand c y))]
-    [(subtract) (apply! subsd! (operand c y))]
-    [(multiply) (apply! mulsd! (operand c y))]
-    [(divide) (apply! divsd! (operand c y))]
-    [(larger) (apply! maxsd! (operand c y))]
-    [(negate) (apply! xorpd! sign)]
-    [(abs) (apply! andpd! all-but-sign)]
-    [(sqrt) (sqrtsd! a r (operand c x))])
-  (bind-register! (context-s c) (own c k) r))
+                (register-for! s (filter fixnum? (list (operand c x) (operand c y))))))
+  (load! c x r)
+  (apply! a r (case name
+                [(negate) sign]
+                [(abs) all-but-sign]
+                [(sqrt) r]
+                [else (if (equal? x y) r (taken c y (list r)))]))
+  (bind-register! s (own c k) r))
 
-;; Of a sum or product that operand comes first whose register is free for the result; where there
-;; is but one, it is both.
+;; Of a sum or product that operand comes first whose register is free for the result, or which the
+;; processor does not take as the second; where there is but one, it is both.
 (define (first-and-second c name operands k)
   (define x (first operands))
   (define y (if (pair? (rest operands)) (second operands) x))
+  (define (must-load? o) (and (values-at-pairs? (context-s c)) (memory? (operand c o))))
   (if (and (memq name '(add multiply))
            (not (last-in-register c x k))
-           (last-in-register c y k))
+           (or (last-in-register c y k) (and (must-load? y) (not (must-load? x)))))
       (values y x)
       (values x y)))
 
@@ -144,17 +159,36 @@
   (call-address! a (C-function 'sincos))
   (forget-registers! s))
 
+;; A system's room begins where the stack does.
+(define (write-solve! c i k)
+  (define-values (a s) (values (context-a c) (context-s c)))
+  (define n (system-unknowns i))
+  (for ([o (in-list (instruction-operands i))] [j (in-naturals)])
+    (store-sd! a (behind rsp (entry-place n j)) (in-some-register c o)))
+  (keep-on-stack! s k)
+  (lea! a rdi (behind rsp 0))
+  (call! a ((context-solver c) n (symmetric-system? i)))
+  (forget-registers! s))
+
+(define (write-component! c j k)
+  (define s (context-s c))
+  (define r (register-for! s '()))
+  (move! s r (behind rsp (solution-place j)))
+  (bind-register! s (own c k) r))
+
+;; -> the register that holds the operand, or one where it is for now
+(define (in-some-register c o)
+  (define there (operand c o))
+  (cond [(fixnum? there) there]
+        [else (define r (register-for! (context-s c) '()))
+              (load! c o r)
+              r]))
+
 ;; ---------------------------------------------------------------------------
 ;; Storing
 
 (define (store-value! c k)
   (define targets (hash-ref (context-targets c) k '()))
   (unless (null? targets)
-    (define r (or (in-register (context-s c) (own c k)) (loaded! c k)))
-    (for ([to (in-list targets)]) (store-sd! (context-a c) to r))))
-
-;; -> a register where it is for now
-(define (loaded! c k)
-  (define r (register-for! (context-s c) '()))
-  (movsd! (context-a c) r (location (context-s c) (own c k)))
-  r)
+    (define r (in-some-register c (place k)))
+    (for ([to (in-list targets)]) (store! (context-s c) to r))))

@@ -2,41 +2,52 @@
 ;; Where the values of straight machine code are: in registers as far as these go, or on the stack.
 ;;
 ;; Values are numbered from 0 on, and it is known beforehand which instructions use one.  A register
-;; is free after the last use of what it holds; where none is free, the value whose next use is
+;; is free after the last use of its value; where none is free, the value whose next use is
 ;; farthest moves to the stack (L. A. Belady's rule).  A value on the stack may be in a register as
-;; well.
+;; well.  A value is one flonum, or a pair of them side by side.
 
 (require "assembler.rkt")
 
-(provide make-values-at location in-register used-after? register-for! bind-register!
-         bind-slot! keep-on-stack! forget-registers! used! stack-size)
+(provide make-values-at values-at-pairs? location in-register used-after?
+         register-for! bind-register! bind-slot! keep-on-stack! forget-registers! used! stack-bytes
+         move! store!)
 
-;; a : the assembly that moves are written to
+;; a : the assembly that moves are written to; pairs? : are values pairs?
 ;; uses : vector, value -> the numbers of the instructions that use it, those to come
 ;; held : vector, register -> value, or #f; registers : value -> register; slots : value -> number
 ;; on the stack
 ;; free : numbers on the stack that are free again; size : so many were ever taken
-(struct values-at (a uses held registers slots [free #:mutable] [size #:mutable]) #:authentic)
+(struct values-at (a pairs? uses held registers slots [free #:mutable] [size #:mutable])
+  #:authentic)
 
-(define (make-values-at a uses)
-  (values-at a uses (make-vector 16 #f) (make-hasheqv) (make-hasheqv) '() 0))
+;; reserved : so many flonums are on the stack before the values
+(define (make-values-at a pairs? uses reserved)
+  (values-at a pairs? uses (make-vector 16 #f) (make-hasheqv) (make-hasheqv) '() reserved))
 
-(define (stack-size s) (values-at-size s))
+(define (slot-bytes s) (if (values-at-pairs? s) 16 8))
+(define (stack-bytes s) (* (slot-bytes s) (values-at-size s)))
 
 (define (in-register s p) (hash-ref (values-at-registers s) p #f))
 
 ;; -> a register, or memory; #f for what is neither
 (define (location s p)
   (or (in-register s p)
-      (let ([k (hash-ref (values-at-slots s) p #f)]) (and k (slot k)))))
+      (let ([k (hash-ref (values-at-slots s) p #f)]) (and k (slot s k)))))
 
-(define (slot k) (behind rsp (* 8 k)))
+(define (slot s k) (behind rsp (* (slot-bytes s) k)))
 
 (define (uses-of s p) (vector-ref (values-at-uses s) p))
 
 ;; Is it used by instructions after the k-th?
 (define (used-after? s p k)
   (for/or ([u (in-list (uses-of s p))]) (> u k)))
+
+;; A value into the register r, from another, a constant or memory, and from r to memory.
+(define (move! s r from)
+  ((cond [(fixnum? from) movapd!] [(values-at-pairs? s) movupd!] [else movsd!])
+   (values-at-a s) r from))
+
+(define (store! s to r) ((if (values-at-pairs? s) store-pd! store-sd!) (values-at-a s) to r))
 
 ;; ---------------------------------------------------------------------------
 ;; Registers
@@ -77,7 +88,7 @@
 (define (to-stack! s p)
   (unless (hash-ref (values-at-slots s) p #f)
     (define r (in-register s p))
-    (store-sd! (values-at-a s) (bind-slot! s p) r)))
+    (store! s (bind-slot! s p) r)))
 
 ;; -> the memory that will hold the value
 (define (bind-slot! s p)
@@ -88,9 +99,9 @@
                 (set-values-at-size! s (+ k 1))
                 k]))
   (hash-set! (values-at-slots s) p k)
-  (slot k))
+  (slot s k))
 
-;; What is used after the k-th instruction, which changes all registers.
+;; Saves the values used after the k-th instruction, which changes all registers.
 (define (keep-on-stack! s k)
   (for ([p (in-vector (values-at-held s))] [r (in-naturals)]
         #:when (and p (used-after? s p k)))

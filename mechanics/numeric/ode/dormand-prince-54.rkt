@@ -12,58 +12,39 @@
 ;; Its numbers are fractions; each is rounded once.
 
 (require racket/flonum
-         "method-formulas.rkt" "machine-method.rkt" "method-code.rkt" "stepper.rkt" "vector-formulas.rkt"
-         "../flvector.rkt")
+         "method-formulas.rkt" "machine-method.rkt" "vector-formulas.rkt")
 
 (provide dormand-prince-54)
 
-(define (start f! y0)
-  (define n (flvector-length y0))
-  (define y (flvector-copy y0))
-  (define-vectors n z w slope)
-  (define ks (make-vectors 7 n))
-  (define-values (k0 k6) (values (vector-ref ks 0) (vector-ref ks 6)))
-  (define (try! h)
-    (flvector-copy! k0 slope)
-    (take-slopes! f! n y z w h ks)
-    (error-of n y z h ks))
-  (define (accepted!) (flvector-copy! slope k6))
-  (define (interpolant old h) (polynomial n h ks old y))
-  (f! y slope)
-  (make-stepper y z (lambda () slope) try! interpolant #:accepted accepted!))
+(define formulas
+  (explicit (k0 k1 k2 k3 k4 k5 k6) k6 (h i old y)
+   ;; from the slope k0 at y to the others and the new state, where the last one is taken
+   (stages
+    ([k1 [(fl/ 1.0 5.0) k0]]
+     [k2 [(fl/ 3.0 40.0) k0] [(fl/ 9.0 40.0) k1]]
+     [k3 [(fl/ 44.0 45.0) k0] [(fl/ -56.0 15.0) k1] [(fl/ 32.0 9.0) k2]]
+     [k4 [(fl/ 19372.0 6561.0) k0] [(fl/ -25360.0 2187.0) k1] [(fl/ 64448.0 6561.0) k2]
+         [(fl/ -212.0 729.0) k3]]
+     [k5 [(fl/ 9017.0 3168.0) k0] [(fl/ -355.0 33.0) k1] [(fl/ 46732.0 5247.0) k2]
+         [(fl/ 49.0 176.0) k3] [(fl/ -5103.0 18656.0) k4]]
+     [k6 [(fl/ 35.0 384.0) k0] [(fl/ 500.0 1113.0) k2] [(fl/ 125.0 192.0) k3]
+         [(fl/ -2187.0 6784.0) k4] [(fl/ 11.0 84.0) k5]])
+    w)
+   (error-estimate
+    ([e [(fl/ 71.0 57600.0) k0] [(fl/ -71.0 16695.0) k2] [(fl/ 71.0 1920.0) k3]
+        [(fl/ -17253.0 339200.0) k4] [(fl/ 22.0 525.0) k5] [(fl/ -1.0 40.0) k6]])
+    (quotient (fl* (flabs h) e) 1.0))
+   (further () #f)
+   (coefficients
+    [x (at old i)]
+    [c0 (fl- (at y i) x)]
+    [c1 (fl- (fl* h (at k0 i)) c0)]
+    [c2 (fl- (fl- (fl* 2.0 c0) (fl* h (at k0 i))) (fl* h (at k6 i)))]
+    [c3 (fl* h (weighted i [(fl/ -12715105075.0 11282082432.0) k0]
+                         [(fl/ 87487479700.0 32700410799.0) k2]
+                         [(fl/ -10690763975.0 1880347072.0) k3]
+                         [(fl/ 701980252875.0 199316789632.0) k4]
+                         [(fl/ -1453857185.0 822651844.0) k5]
+                         [(fl/ 69997945.0 29380423.0) k6]))])))
 
-;; From the slope k0 at y to the others and the new state, where the last one is taken.
-(define-stages (take-slopes! slopes) (k0 k1 k2 k3 k4 k5 k6)
-  ([k1 [(fl/ 1.0 5.0) k0]]
-   [k2 [(fl/ 3.0 40.0) k0] [(fl/ 9.0 40.0) k1]]
-   [k3 [(fl/ 44.0 45.0) k0] [(fl/ -56.0 15.0) k1] [(fl/ 32.0 9.0) k2]]
-   [k4 [(fl/ 19372.0 6561.0) k0] [(fl/ -25360.0 2187.0) k1] [(fl/ 64448.0 6561.0) k2]
-       [(fl/ -212.0 729.0) k3]]
-   [k5 [(fl/ 9017.0 3168.0) k0] [(fl/ -355.0 33.0) k1] [(fl/ 46732.0 5247.0) k2]
-       [(fl/ 49.0 176.0) k3] [(fl/ -5103.0 18656.0) k4]]
-   [k6 [(fl/ 35.0 384.0) k0] [(fl/ 500.0 1113.0) k2] [(fl/ 125.0 192.0) k3]
-       [(fl/ -2187.0 6784.0) k4] [(fl/ 11.0 84.0) k5]])
-  w)
-
-(define-error (error-of error) (h) (k0 k1 k2 k3 k4 k5 k6)
-  ([e [(fl/ 71.0 57600.0) k0] [(fl/ -71.0 16695.0) k2] [(fl/ 71.0 1920.0) k3]
-      [(fl/ -17253.0 339200.0) k4] [(fl/ 22.0 525.0) k5] [(fl/ -1.0 40.0) k6]])
-  (quotient (fl* (flabs h) e) 1.0))
-
-;; Of the step from `old` to y.
-(define-polynomial (polynomial coefficients) (n i h) (k0 k1 k2 k3 k4 k5 k6) (old y)
-  [x (at old i)]
-  [c0 (fl- (at y i) x)]
-  [c1 (fl- (fl* h (at k0 i)) c0)]
-  [c2 (fl- (fl- (fl* 2.0 c0) (fl* h (at k0 i))) (fl* h (at k6 i)))]
-  [c3 (fl* h (weighted i [(fl/ -12715105075.0 11282082432.0) k0]
-                       [(fl/ 87487479700.0 32700410799.0) k2]
-                       [(fl/ -10690763975.0 1880347072.0) k3]
-                       [(fl/ 701980252875.0 199316789632.0) k4]
-                       [(fl/ -1453857185.0 822651844.0) k5]
-                       [(fl/ 69997945.0 29380423.0) k6]))])
-
-(define formulas (method-formulas slopes error '(() #f) coefficients 'k6))
-
-(define dormand-prince-54
-  (adaptive-method 'Dormand-Prince-54 5 (as-machine-code formulas start)))
+(define dormand-prince-54 (explicit-method 'Dormand-Prince-54 5 formulas))

@@ -1,71 +1,110 @@
 #lang racket/base
-;; A method of integration, with the right-hand side, as one piece of machine code.
+;; Explicit methods of Runge and Kutta's kind, made of their formulas (method-formulas.rkt).
 ;;
-;; Where the rates of a system have machine code, it and the formulas of a method become procedures
-;; of whole steps (method-code.rkt), the same to the last bit as the Racket code of the method.
-;; Writing them takes what some hundred steps save; so that many are taken in Racket code first, by
-;; all integrations of the system together, and the one that is under way goes over.
+;; Steps are Racket code at first.  Where the rates of a system have machine code, it and the
+;; formulas become procedures of whole steps (method-code.rkt), the same to the last bit.  Writing
+;; them takes what some hundred steps save; so that many are taken in Racket code first, by all
+;; integrations of the system together, and the one that is under way goes over.
 
 (require racket/flonum
-         "right-hand-side.rkt" "method-code.rkt" "stepper.rkt")
+         (only-in racket/list index-of)
+         "right-hand-side.rkt" "method-formulas.rkt" "method-code.rkt" "method-memory.rkt" "stepper.rkt"
+         "vector-formulas.rkt"
+         "../record-fields.rkt" "../flvector.rkt")
 
-(provide (protect-out as-machine-code))
+(provide explicit-method)
 
-;; start, of a method that has these formulas (stepper.rkt) -> the same, by machine code where the
-;; rates have such and it pays
-(define ((as-machine-code formulas start) f! y0)
-  (define rates (expandable-machine-rates f!))
-  (cond [(not rates) (start f! y0)]
-        [(and (machine-rates-pay? rates) (code-for rates formulas y0))
-         => (lambda (code) (stepper-from-start code y0 (expandable-parameters f!) formulas))]
-        [else (goes-over rates (expandable-parameters f!) formulas (start f! y0))]))
+;; m : explicit-formulas
+(define (explicit-method name order m)
+  (adaptive-method name order (lambda (f! y0) (start m f! y0))))
 
-(define (code-for rates formulas y)
-  (rates-code rates formulas (lambda () (method-code formulas (flvector-length y) rates))))
+;; y, z, slope : the present state, where a step tried leads, and f(y); old, step : where the last
+;; step began, and its length; w, ks : room of Racket code; width : how many coefficients an
+;; interpolant has, times n
+;; rates : machine-rates of f!, or #f; machine : machine-steps, or #f as long as steps are Racket code
+(struct integration (m f! n width y z old w ks slope rates [step #:mutable] [machine #:mutable])
+  #:authentic)
 
-;; s : the stepper of Racket code -> one that goes on as machine code when that pays
-(define (goes-over rates ps formulas s)
-  (define now s)
-  (define (go-over!)
-    (define code (code-for rates formulas (stepper-state s)))
-    (when code
-      (define slope (flvector-copy ((stepper-slope s))))
-      (set! now (stepper-of code (stepper-state s) slope ps formulas))))
-  (define (try! h)
-    (when (and (eq? now s) (machine-rates-pay? rates)) (go-over!))
-    ((stepper-try! now) h))
-  (define (accept!)
-    ((stepper-accept! now))
-    (when (eq? now s) (step-taken! rates)))
-  (stepper (stepper-state s)
-           (lambda () ((stepper-slope now)))
-           try!
-           accept!
-           (lambda () ((stepper-interpolant now)))))
+;; procedures : as method-code.rkt has them; room : where they work; parameters : those of the rates
+(struct machine-steps (rates! try! accept! prepare! value! room parameters) #:authentic)
+
+(define (start m f! y0)
+  (define n (flvector-length y0))
+  (define y (flvector-copy y0))
+  (define-vectors n z old w)
+  (define ks (make-vectors (length (explicit-formulas-names m)) n))
+  (define slope (if (last-taken? m) (make-flvector n) (final-slope m ks)))
+  (define r (integration m f! n (kept-length m n) y z old w ks slope
+                         (expandable-machine-rates f!) 0.0 #f))
+  (go-over! r)
+  (take-first-slope! r)
+  (stepper y (lambda () slope)
+           (lambda (h) (try! r h))
+           (lambda () (accept! r))
+           (lambda () (interpolant r))))
+
+(define (final-slope m ks)
+  (vector-ref ks (index-of (explicit-formulas-names m) (explicit-formulas-final m))))
+
+(define (take-first-slope! r)
+  (define-fields integration r f! y slope machine)
+  (if machine
+      ((machine-steps-rates! machine) y slope (machine-steps-parameters machine))
+      (f! y slope)))
+
+(define (try! r h)
+  (set-integration-step! r h)
+  (unless (integration-machine r) (go-over! r))
+  (define-fields integration r y z slope machine)
+  (if machine
+      (machine-try! machine h y z slope)
+      (racket-try! r h)))
+
+(define (machine-try! s h y z slope)
+  (define-fields machine-steps s try! room parameters)
+  (try! h y z slope room parameters)
+  (define divisor (flvector-ref room 1))
+  (if (fl= divisor 0.0) 0.0 (flvector-ref room 0)))
+
+(define (racket-try! r h)
+  (define-fields integration r m f! n y z w ks slope)
+  (flvector-copy! (vector-ref ks 0) slope)
+  ((explicit-formulas-stages m) f! n y z w h ks)
+  ((explicit-formulas-estimate m) n y z h ks))
+
+(define (accept! r)
+  (define-fields integration r y z old slope machine)
+  (cond [machine
+         (define-fields machine-steps machine accept! room parameters)
+         (accept! old y z slope room parameters)]
+        [else
+         (define-fields integration r m f! ks rates)
+         (flvector-copy! old y)
+         (flvector-copy! y z)
+         (if (last-taken? m) (flvector-copy! slope (final-slope m ks)) (f! y slope))
+         (when rates (step-taken! rates))]))
+
+(define (interpolant r)
+  (define-fields integration r m f! n width y old w ks slope step machine)
+  (define kept (make-flvector width))
+  (cond [machine
+         (define-fields machine-steps machine prepare! value! room parameters)
+         (prepare! step old y slope room kept parameters)
+         (lambda (theta out) (value! theta room kept out))]
+        [else ((explicit-formulas-further m) f! n old #f w step ks)
+              ((explicit-formulas-coefficients m) n step ks old y kept)
+              (nested-polynomial n kept)]))
 
 ;; ---------------------------------------------------------------------------
-;; Steps of machine code
+;; Machine code
 
-(define (stepper-from-start code y0 ps formulas)
-  (define begin! (car code))
-  (define y (flvector-copy y0))
-  (define slope (make-flvector (flvector-length y)))
-  (begin! y slope ps)
-  (stepper-of code y slope ps formulas))
-
-;; y, slope : the present ones, which steps overwrite; ps : parameters
-(define (stepper-of code y slope ps formulas)
-  (define-values (try! accept! prepare! value!) (apply values (cdr code)))
-  (define n (flvector-length y))
-  (define-values (z old) (values (make-flvector n) (make-flvector n)))
-  (define room (make-flvector (room-length formulas n)))
-  (define step 0.0)
-  (define (try h)
-    (set! step h)
-    (try! h y z slope room ps)
-    (if (fl= (flvector-ref room 1) 0.0) 0.0 (flvector-ref room 0)))
-  (define (interpolant)
-    (define kept (make-flvector (kept-length formulas n)))
-    (prepare! step old y slope room kept ps)
-    (lambda (theta out) (value! theta kept out)))
-  (stepper y (lambda () slope) try (lambda () (accept! old y z slope room ps)) interpolant))
+;; Steps are machine code from now on, if that pays and there is memory for it.
+(define (go-over! r)
+  (define-fields integration r m f! n rates)
+  (when (and rates (machine-rates-pay? rates))
+    (define procedures (rates-code rates m (lambda () (method-code m rates))))
+    (when procedures
+      (set-integration-machine!
+       r (apply machine-steps
+                (append procedures (list (make-flvector (room-length m n))
+                                         (expandable-parameters f!))))))))

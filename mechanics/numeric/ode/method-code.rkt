@@ -1,114 +1,145 @@
 #lang racket/base
-;; The machine code of a method with that of a right-hand side.
+;; The machine code of an explicit method with that of a right-hand side.
 ;;
-;; The formulas of the method (method-formulas.rkt) become procedures: the first slope; a step tried, and
-;; accepted; what an interpolant needs, and its value.  They do what the Racket code of the method
-;; does, operation for operation, on vectors whose places method-memory.rkt tells.
+;; The procedures do what the Racket code of the method does, operation for operation, on vectors
+;; whose places method-memory.rkt tells.
 ;;
-;; A step of few components is straight code (step-code.rkt); else its stages are loops over vectors
-;; and calls of the rates (loop-code.rkt).
+;; A step of few components is straight code (step-code.rkt).  Else its stages are loops over
+;; vectors, two components at a time, and calls of the rates.
 
-(require "right-hand-side.rkt" "loop-code.rkt" "method-memory.rkt" "step-code.rkt"
+(require racket/list
+         "right-hand-side.rkt" "method-formulas.rkt" "method-memory.rkt" "step-code.rkt"
          "../machine/assembler.rkt" "../machine/elements.rkt" "../machine/executable.rkt"
-         "../machine/straight-code.rkt")
+         "../machine/instruction-builder.rkt" "../machine/straight-code.rkt"
+         "../machine/straight-instruction.rkt")
 
-(provide (struct-out method-formulas) room-length kept-length
-         (protect-out method-code))
+(provide (protect-out method-code))
 
 ;; Of a step with more components, or rates of more instructions, straight code is no faster or
 ;; takes too long to write.
 (define-values (most-components most-instructions) (values 8 200))
 
-;; rates : machine-rates; -> list of procedures, or #f
-(define (method-code formulas n m)
-  (define instructions (machine-rates-instructions m))
+;; m : explicit-formulas; r : machine-rates -> list of procedures, or #f:
+;;     y slope parameters                     the first slope
+;;     h y z slope room parameters            a step tried: z, the slopes, and the error
+;;     old y z slope room parameters          it is accepted: z becomes y, and that old
+;;     h old y slope room kept parameters     further slopes, and the coefficients kept
+;;     theta room kept out                    the state within the step
+(define (method-code m r)
+  (define n (machine-rates-inputs r))
+  (define instructions (machine-rates-instructions r))
   (define straight?
     (and (<= n most-components) (<= (vector-length instructions) most-instructions)))
   (define a (make-assembly))
   (define rates
-    (written a (lambda ()
-                 (write-procedure! a n (machine-rates-parameters m) instructions
-                                   (machine-rates-outputs m)))))
-  (define-syntax-rule (entry (type ...) form)
-    (list (label-place (written a (lambda () form))) type ...))
-  (define-values (v x) (values 'flvector 'flonum))
+    (written-here a (write-procedure! a n (machine-rates-parameters r) instructions
+                                      (machine-rates-outputs r))))
+  (define (entry h? names write)
+    (define l (written-here a (write-procedure-of-vectors! a m n h? names write)))
+    (list* (label-place l) (append (if h? '(flonum) '()) (map (lambda (_) 'flvector) names))))
   (define entries
-    (list (entry (v v v) (write-begin! a n formulas rates))
-          (entry (x v v v v v)
-                 (if straight?
-                     (write-straight-try! a n formulas m)
-                     (write-try! a n formulas rates)))
-          (entry (v v v v v v) (write-accept! a n formulas rates))
-          (entry (x v v v v v v) (write-prepare! a n formulas rates))
-          (entry (x v v) (write-value! a n formulas))))
+    (list (entry #f '(y slope parameters)
+                 (lambda (places) (call-rates! a places 'y 'slope rates)))
+          (entry #t '(y z slope room parameters)
+                 (lambda (places)
+                   (if straight?
+                       (write-straight-try! a m r places)
+                       (write-try! a n m places rates))))
+          (entry #f '(old y z slope room parameters)
+                 (lambda (places) (write-accept! a n m places rates)))
+          (entry #t '(old y slope room kept parameters)
+                 (lambda (places) (write-prepare! a n m places rates)))
+          (entry #t '(room kept out) (lambda (places) (write-value! a n m places)))))
   (machine-procedures (assembly->bytes a) entries))
 
-;; -> the label of what is written
-(define (written a write)
-  (define l (make-label))
-  (label-here! a l)
-  (write)
-  l)
+;; -> the label of what the form writes
+(define-syntax-rule (written-here a form)
+  (let ([l (make-label)])
+    (label-here! a l)
+    form
+    l))
 
 ;; ---------------------------------------------------------------------------
-;; Procedures: what each is given, in this order, h before the flvectors
+;; Straight code
 
-;; y slope parameters
-(define (write-begin! a n formulas rates)
-  (with-vectors a '(y slope parameters)
-    (lambda (places) (call-rates! a places 'y 'slope rates))))
+(define (write-straight-try! a m r places)
+  (define n (machine-rates-inputs r))
+  (define-values (instructions results) (step-code r m))
+  (define stored (list* 'z 'k0 (stage-names (explicit-formulas-stages m))))
+  (define (input k)
+    (cond [(< k n) (component places 'y k)]
+          [(< k (+ n n)) (component places 'slope (- k n))]
+          [(= k (+ n n)) (hash-ref places 'h)]
+          [else (component places 'parameters (- k n n 1))]))
+  (write-straight-code! a instructions (+ n n 1 (machine-rates-parameters r)) input
+                        (append (stores-of results places '(error divisor))
+                                (for*/list ([name (in-list stored)]
+                                            [(o i) (in-indexed (hash-ref results name))])
+                                  (cons o (component places name i))))))
 
-;; h y z slope room parameters: z, the slopes, and the error
-(define (write-try! a n formulas rates)
-  (define slope (slope-name formulas))
-  (with-vectors a (list 'y 'z slope 'room 'parameters)
-    (lambda (given)
-      (define places (with-room formulas n given))
-      (emit-elements! a n places `((store k0 (at ,slope i))))
-      (write-stages! a n places 'y 'z (method-formulas-slopes formulas) rates)
-      (write-error! a n places (method-formulas-error formulas)))))
+;; results : name -> vector of operands; names : of numbers
+(define (stores-of results places names)
+  (for/list ([name (in-list names)])
+    (cons (vector-ref (hash-ref results name) 0) (hash-ref places name))))
 
-;; The same as straight code; m : machine-rates
-(define (write-straight-try! a n formulas m)
-  (define slope (slope-name formulas))
-  (define parameters (machine-rates-parameters m))
-  (define-values (instructions results)
-    (step-code m (method-formulas-slopes formulas) (method-formulas-error formulas)))
-  (with-vectors a (list 'y 'z slope 'room 'parameters)
-    (lambda (given)
-      (define places (with-room formulas n given))
-      (define (input k)
-        (cond [(< k n) (component places 'y k)]
-              [(< k (+ n n)) (component places slope (- k n))]
-              [(= k (+ n n)) (length-in-room places)]
-              [else (component places 'parameters (- k n n 1))]))
-      (store-sd! a (length-in-room places) 0)
-      (write-straight-code! a instructions (+ n n 1 parameters) input
-                            (stores-of results places)))))
+;; ---------------------------------------------------------------------------
+;; Loops
 
-;; results : name -> operands, as step-code.rkt says; those that have a place in memory are stored
-(define (stores-of results places)
-  (for*/list ([(name operands) (in-hash results)]
-              #:when (and (hash-ref places name #f) (not (eq? name 'y)))
-              [(o i) (in-parallel operands (in-naturals))])
-    (cons o (component places name i))))
+(define (write-try! a n m places rates)
+  (emit-elements! a n places '((k0 (at slope i))))
+  (write-stages! a n places 'y 'z (explicit-formulas-stages m) rates)
+  (emit-elements! a n places (square-statements m))
+  (write-error-code! a n places m))
 
-;; old y z slope room parameters: y becomes z, and old what it was
-(define (write-accept! a n formulas rates)
-  (define slope (slope-name formulas))
-  (with-vectors a (list 'old 'y 'z slope 'room 'parameters)
-    (lambda (given)
-      (define places (with-room formulas n given))
-      (emit-elements! a n places '((store old (at y i)) (store y (at z i))))
-      (if (last-taken? formulas)
-          (emit-elements! a n places `((store slope (at ,(method-formulas-last formulas) i))))
-          (call-rates! a places 'y slope rates)))))
+;; From the squares.
+(define (write-error-code! a n places m)
+  (define squares (square-statements m))
+  (define b (make-builder (+ 1 (* n (length squares)))))
+  (define results
+    (write-error! b n (hasheq 'h (vector (place 0))) m
+                  (lambda (s i) (place (+ 1 i (* n (index-of squares s)))))))
+  (define (input k)
+    (if (= k 0)
+        (hash-ref places 'h)
+        (component places (first (list-ref squares (quotient (- k 1) n))) (remainder (- k 1) n))))
+  (write-straight-code! a (written b) (builder-inputs b) input
+                        (stores-of results places '(error divisor))))
 
-;; h old y slope room kept parameters: further slopes, and the coefficients
-(define (write-prepare! a n formulas rates)
-  (with-vectors a (list 'old 'y (slope-name formulas) 'room 'kept 'parameters)
-    (lambda (given)
-      (define base (vector-at-base (hash-ref given 'kept)))
-      (define places (with-coefficients formulas n (with-room formulas n given) base))
-      (write-stages! a n places 'old #f (method-formulas-further formulas) rates)
-      (write-coefficients! a n places (method-formulas-coefficients formulas)))))
+(define (write-accept! a n m places rates)
+  (emit-elements! a n places '((old (at y i)) (y (at z i))))
+  (if (last-taken? m)
+      (emit-elements! a n places `((slope (at ,(explicit-formulas-final m) i))))
+      (call-rates! a places 'y 'slope rates)))
+
+(define (write-prepare! a n m places rates)
+  (write-stages! a n places 'old #f (explicit-formulas-further m) rates)
+  (emit-elements! a n places (formulas-data (explicit-formulas-coefficients m))))
+
+;; x + θ (c₀ + (1 − θ) (c₁ + θ (c₂ + ...))); θ is where other procedures are given h.
+(define (write-value! a n m places)
+  (define other (hash-ref places 'other))
+  (movapd! a 1 (constant 1.0))
+  (subpd! a 1 0)
+  (store-pd! a other 1)
+  (define names (map first (formulas-data (explicit-formulas-coefficients m))))
+  (emit-elements! a n places `((out ,(nested names 'h 'other)))))
+
+(define (nested names factor other)
+  (define c `(at ,(first names) i))
+  (if (null? (rest names))
+      c
+      `(fl+ ,c (fl* ,factor ,(nested (rest names) other factor)))))
+
+(define (write-stages! a n places from to stages rates)
+  (define-values (slopes end) (apply values (formulas-data stages)))
+  (for ([s (in-list slopes)])
+    (emit-elements! a n places (list (reaching 'w from (rest s))))
+    (call-rates! a places 'w (first s) rates))
+  (cond [(pair? end) (emit-elements! a n places (list (reaching to from end)))]
+        [end (emit-elements! a n places `((,to (at w i))))]))
+
+;; rates : label of a procedure (numeric/machine/straight-code.rkt)
+(define (call-rates! a places from to rates)
+  (for ([r (in-list (list rdi rsi rdx))] [name (in-list (list from to 'parameters))])
+    (lea! a r (component places name 0)))
+  (call! a rates))

@@ -1,33 +1,54 @@
 #lang racket/base
-;; The formulas of a method, as Racket code and as data that say the same.
+;; The formulas of explicit methods, as Racket code and as data that say the same.
 ;;
-;; The code runs everywhere; of the data machine code is made where there can be
-;; (machine-method.rkt).  Slopes k are vectors, of which the code is given a vector of all, in the
-;; order of their names.
+;; The code runs everywhere; machine code (method-code.rkt) and exported programs are made of the
+;; data.  Slopes k are vectors, of which the code is given a vector of all, in the order of their
+;; names.
 
 (require racket/flonum
          "vector-formulas.rkt"
          "../flvector.rkt")
 
-(provide define-stages define-error define-polynomial)
+(provide explicit (struct-out explicit-formulas) formulas-data stage-names last-taken?)
 
-;; (name f! n from to w h ks) takes slopes and reaches a state:
+;; Of a method whose slopes have these names: the stages of a step, its error, the stages of an
+;; interpolant and the coefficients of its polynomial; final : the name of the slope at the end of
+;; the step, which is that of a stage, or taken when the step is accepted
+(struct explicit-formulas (names stages estimate further coefficients final) #:authentic)
+
+(define (stage-names f) (map car (car (formulas-data f))))
+
+(define (last-taken? m)
+  (and (memq (explicit-formulas-final m) (stage-names (explicit-formulas-stages m))) #t))
+
+;; run : the Racket code
+(struct formulas (run data) #:property prop:procedure 0 #:authentic)
+
+;; k ... : the slopes; h : the length of a step, from the state `old` to y; i : an index
+(define-syntax explicit
+  (syntax-rules ()
+    [(_ (k ...) final (h i old y) (_ s ...) (_ e ...) (_ t ...) (_ c ...))
+     (explicit-formulas '(k ...)
+                        (stages (k ...) s ...)
+                        (error-estimate h (k ...) e ...)
+                        (stages (k ...) t ...)
+                        (coefficients (n i h) (k ...) (old y) c ...)
+                        'final)]))
+
+;; (run f! n from to w h ks) takes slopes and reaches a state:
 ;;
 ;;     k = f(w), w = from + h Σ a k    for each of the stages in turn,
 ;;     to = from + h Σ a k             by the sum given last; or w, the last one; if there is one.
-(define-syntax define-stages
+(define-syntax stages
   (syntax-rules ()
-    [(_ (name data) (k ...) ([slope term ...] ...))
-     (define-stages (name data) (k ...) ([slope term ...] ...) #f)]
-    [(_ (name data) (k ...) ([slope term ...] ...) end)
-     (begin
-       (define (name f! n from to w h ks)
-         (define-elements ks k ...)
-         (begin (combine! n w from h term ...)
-                (f! w slope))
-         ...
-         (reach! n to from w h end))
-       (define data '(([slope term ...] ...) end)))]))
+    [(_ (k ...) ([slope term ...] ...) end)
+     (formulas (lambda (f! n from to w h ks)
+                 (define-elements ks k ...)
+                 (begin (combine! n w from h term ...)
+                        (f! w slope))
+                 ...
+                 (reach! n to from w h end))
+               '(([slope term ...] ...) end))]))
 
 (define-syntax reach!
   (syntax-rules ()
@@ -35,24 +56,22 @@
     [(_ n to from w h (term ...)) (combine! n to from h term ...)]
     [(_ n to from w h last) (flvector-copy! to w)]))
 
-;; (name n y z h ks) -> the error of a step from y to z.  Each e is the root mean square of Σ a k
+;; (run n y z h ks) -> the error of a step from y to z.  Each e is the root mean square of Σ a k
 ;; beside y and z; the error is a quotient of formulas in these, in h and in what else is named, and
 ;; 0 where the divisor is.
-(define-syntax-rule (define-error (name data) (h) (k ...) ([e term ...] ...)
+(define-syntax-rule (error-estimate h (k ...) ([e term ...] ...)
                       [x formula] ... (quotient dividend divisor))
-  (begin
-    (define (name n y z h ks)
-      (define-elements ks k ...)
-      (define-values (e ...) (root-mean-squares n i y z [(weighted i term ...) ...]))
-      (let* ([x formula] ... [d divisor])
-        (if (fl= d 0.0) 0.0 (fl/ dividend d))))
-    (define data '(([e term ...] ...) ([x formula] ...) dividend divisor))))
+  (formulas (lambda (n y z h ks)
+              (define-elements ks k ...)
+              (define-values (e ...) (root-mean-squares n i y z [(weighted i term ...) ...]))
+              (let* ([x formula] ... [d divisor])
+                (if (fl= d 0.0) 0.0 (fl/ dividend d))))
+            '(([e term ...] ...) ([x formula] ...) dividend divisor)))
 
-;; (name n h ks v ...) -> interpolant (stepper.rkt), a nested polynomial (vector-formulas.rkt); the
-;; components of its coefficients are given by formulas in those of index i
-(define-syntax-rule (define-polynomial (name data) (n i h) (k ...) (v ...) [c formula] ...)
-  (begin
-    (define (name n h ks v ...)
-      (define-elements ks k ...)
-      (nested-polynomial n i [c formula] ...))
-    (define data '([c formula] ...))))
+;; (run n h ks old y kept) stores the coefficients of a nested polynomial (vector-formulas.rkt), vectors one
+;; after the other; formulas give their components of index i, of which each may use those before it.
+(define-syntax-rule (coefficients (n i h) (k ...) (old y) [c formula] ...)
+  (formulas (lambda (n h ks old y kept)
+              (define-elements ks k ...)
+              (store-coefficients! n i kept [c formula] ...))
+            '([c formula] ...)))

@@ -2,99 +2,69 @@
 ;; Where the vectors of a method are while its machine code runs.
 ;;
 ;; A procedure is given flvectors, whose addresses it keeps in registers of its own.  One of them is
-;; the *room*: the error of a step, its divisor and h, then vectors of n components, those of the
-;; slopes and w.  The present slope is an flvector of its own, as the states are; and so is what is
-;; kept of an interpolant, the vectors of its coefficients.
+;; the *room*: the error of a step and its divisor; h, or a fraction of a step, and 1 less that, each
+;; twice; then vectors of n components, w, the slopes and squares of errors.  The states, the present
+;; slope and the coefficients of an interpolant are flvectors of their own.
 
 (require racket/list
+         "method-formulas.rkt"
          "../machine/assembler.rkt" "../machine/elements.rkt" "../machine/executable.rkt")
 
-(provide (struct-out method-formulas) last-taken? slope-name kept-name
-         room-length kept-length
-         with-vectors with-length with-room with-coefficients
-         component vector-start length-in-room)
+(provide room-length kept-length write-procedure-of-vectors! component)
 
-;; What method-formulas.rkt has defined: stages of a step, its error, stages of an interpolant and
-;; coefficients of its polynomial.  last : the name of the slope at the end of the step; it is that
-;; of a stage, or taken when the step is accepted
-(struct method-formulas (slopes error further coefficients last) #:authentic)
+;; The numbers before the vectors of the room, by their indices.
+(define numbers '((error . 0) (divisor . 1) (h . 2) (other . 4)))
+(define first-vector 6)
 
-;; ---------------------------------------------------------------------------
-;; Vectors
+(define (room-vectors m)
+  (cons 'w (append (explicit-formulas-names m)
+                   (map first (first (formulas-data (explicit-formulas-estimate m)))))))
 
-;; So many numbers are before the vectors of the room.
-(define results 3)
+(define (room-length m n) (+ first-vector (* n (length (room-vectors m)))))
+(define (kept-length m n) (* n (length (coefficient-names m))))
 
-(define (room-vectors formulas)
-  (remove-duplicates
-   (list* 'w 'k0 (append (stage-names (method-formulas-slopes formulas))
-                         (stage-names (method-formulas-further formulas))))
-   eq?))
-
-(define (stage-names stages) (map car (first stages)))
-
-(define (last-taken? formulas)
-  (and (memq (method-formulas-last formulas) (stage-names (method-formulas-slopes formulas))) #t))
-
-;; So many numbers are in the room, and with an interpolant.
-(define (room-length formulas n) (+ results (* n (length (room-vectors formulas)))))
-(define (kept-length formulas n) (* n (length (method-formulas-coefficients formulas))))
-
-;; What the flvector of the present slope is called: as the last one, if that is no stage.
-(define (slope-name formulas)
-  (if (last-taken? formulas) 'slope (method-formulas-last formulas)))
-
-;; What a coefficient is called where it is kept.
-(define (kept-name c) (string->symbol (format "kept-~a" c)))
-
-;; ---------------------------------------------------------------------------
-;; Places: name -> where that vector is
-
-;; given : those that a procedure is given, the room among them
-(define (with-room formulas n given)
-  (define base (vector-at-base (hash-ref given 'room)))
-  (for/fold ([places (hash-set* given 'error (vector-at base 0) 'divisor (vector-at base 8))])
-            ([name (in-list (room-vectors formulas))] [k (in-naturals)])
-    (hash-set places name (vector-at base (* 8 (+ results (* n k)))))))
-
-;; base : register with the address of what is kept
-(define (with-coefficients formulas n places base)
-  (for/fold ([places places])
-            ([c (in-list (method-formulas-coefficients formulas))] [k (in-naturals)])
-    (hash-set places (kept-name (first c)) (vector-at base (* 8 n k)))))
+(define (coefficient-names m) (map first (formulas-data (explicit-formulas-coefficients m))))
 
 ;; The memory of the component of index i
 (define (component places name i)
   (define v (hash-ref places name))
   (behind (vector-at-base v) (+ (vector-at-distance v) (* 8 i))))
 
-(define (vector-start places name) (component places name 0))
-
-;; Where straight code finds h
-(define (length-in-room places) (component places 'room 2))
-
-;; ---------------------------------------------------------------------------
-;; What a procedure is given
-
 (define own-registers (list rbx rbp r12 r13 r14 r15))
 
-;; A procedure of h, perhaps, and of flvectors by these names, up to six; (write places) writes what
-;; it does, while h is on the stack twice and rsp a multiple of 16.
-(define (with-vectors a names write)
+;; Writes a procedure of h, or not, and of flvectors by these names, up to six; (write places),
+;; places : name -> where that vector or number is, writes what it does, while rsp is a multiple of
+;; 16, and register 0 is h twice.
+(define (write-procedure-of-vectors! a m n h? names write)
   (for ([r (in-list own-registers)]) (push! a r))
-  (add! a rsp -24)
-  (unpcklpd! a 0 0)
-  (store-pd! a (behind rsp 0) 0)
+  (add! a rsp -8)
   (for ([_ (in-list names)] [r (in-list own-registers)]
         [given (in-list (list rdi rsi rdx rcx r8 r9))])
     (lea! a r (behind given flvector-data)))
-  (write (for/hasheq ([name (in-list names)] [r (in-list own-registers)])
-           (values name (vector-at r 0))))
-  (add! a rsp 24)
+  (define places
+    (places-of m n (for/hasheq ([name (in-list names)] [r (in-list own-registers)])
+                     (values name (vector-at r 0)))))
+  (when h?
+    (unpcklpd! a 0 0)
+    (store-pd! a (hash-ref places 'h) 0))
+  (write places)
+  (add! a rsp 8)
   (for ([r (in-list (reverse own-registers))]) (pop! a r))
   (ret! a))
 
-;; h in a register.
-(define (with-length a places)
-  (movupd! a 15 (behind rsp 0))
-  (hash-set places 'h (number-in 15)))
+;; given : places of the flvectors -> with those in the room and the coefficients kept
+(define (places-of m n given)
+  (define final (explicit-formulas-final m))
+  (define (with-vectors places base-name names from)
+    (define base (hash-ref given base-name #f))
+    (for/fold ([places places]) ([name (in-list (if base names '()))] [k (in-naturals)])
+      (hash-set places name (vector-at (vector-at-base base) (* 8 (+ from (* n k)))))))
+  (define with-numbers
+    (for/fold ([places given]) ([name (in-list (if (hash-ref given 'room #f) numbers '()))])
+      (hash-set places (car name) (component given 'room (cdr name)))))
+  (define in-room (with-vectors with-numbers 'room (room-vectors m) first-vector))
+  (with-vectors (if (and (hash-ref given 'slope #f) (not (last-taken? m)))
+                    (hash-set in-room final (hash-ref given 'slope))
+                    in-room)
+                'kept
+                (coefficient-names m) 0))

@@ -1,34 +1,43 @@
 #lang racket/base
-;; A step of a method as straight code, the rates in it again for each of its stages.
+;; Formulas of explicit methods (method-formulas.rkt) as instructions.
 ;;
-;; All is one list of instructions: what one stage computes the next takes from registers.  Of few
-;; components that is twice as fast as loops over vectors, for which each slope goes through memory.
+;; A step of few components is one list of instructions, with the rates in it again for each of its
+;; stages: a stage takes what the one before computes from registers, twice as fast as through
+;; memory.
 
-(require racket/flonum
-         "right-hand-side.rkt"
+(require racket/list
+         "right-hand-side.rkt" "method-formulas.rkt"
+         "../machine/elements.rkt" "../machine/instruction-builder.rkt"
          "../machine/straight-instruction.rkt")
 
-(provide step-code)
+(provide step-code reaching square-statements write-error!)
 
-;; r : the rates; slopes, error : as method-formulas.rkt has them
+;; r : machine-rates; m : explicit-formulas
 ;; The inputs of the step are y, its slope k0, h, and the parameters of the rates.
 ;; -> its instructions, and name -> vector of operands: z, the slopes, error and divisor
-(define (step-code r slopes error)
+(define (step-code r m)
   (define n (machine-rates-inputs r))
   (define b (make-builder (+ n n 1 (machine-rates-parameters r))))
   (define (vector-from k) (build-vector n (lambda (i) (place (+ k i)))))
-  (define start (hasheq 'y (vector-from 0) 'k0 (vector-from n) 'h (vector (place (+ n n)))))
-  (define (reached vectors terms)
-    (for/vector ([i (in-range n)])
-      (write! b i vectors `(fl+ (at y i) (fl* h (weighted i ,@terms))))))
-  (define-values (stages end) (values (car slopes) (cadr slopes)))
-  (define-values (with-slopes at-last)
-    (for/fold ([vectors start] [_ #f]) ([s (in-list stages)])
-      (define w (reached vectors (cdr s)))
-      (values (hash-set vectors (car s) (write-rates! b w r)) w)))
-  (define z (if (pair? end) (reached with-slopes end) at-last))
-  (define results (write-error! b n (hash-set with-slopes 'z z) error))
-  (values (instructions-of b) results))
+  (define (with-vector vectors s)
+    (hash-set vectors (first s)
+              (for/vector #:length n ([i (in-range n)]) (write-formula! b i vectors (second s)))))
+  (define-values (stages end) (apply values (formulas-data (explicit-formulas-stages m))))
+  (define with-slopes
+    (for/fold ([vectors (hasheq 'y (vector-from 0) 'k0 (vector-from n) 'h (vector (place (+ n n))))])
+              ([s (in-list stages)])
+      (define reached (with-vector vectors (reaching 'w 'y (rest s))))
+      (hash-set reached (first s) (write-rates! b (hash-ref reached 'w) r))))
+  (define with-z
+    (if (pair? end)
+        (with-vector with-slopes (reaching 'z 'y end))
+        (hash-set with-slopes 'z (hash-ref with-slopes 'w))))
+  (define results
+    (write-error! b n with-z m (lambda (s i) (write-formula! b i with-z (second s)))))
+  (values (written b) results))
+
+;; The statement (numeric/machine/elements.rkt) that a vector becomes from + h Σ a k
+(define (reaching to from terms) (list to `(fl+ (at ,from i) (fl* h (weighted i ,@terms)))))
 
 ;; The rates at w -> their operands
 (define (write-rates! b w r)
@@ -44,64 +53,28 @@
           [else (vector-ref computed (- k inputs))]))
   (for ([i (in-vector instructions)] [k (in-naturals)])
     (vector-set! computed k
-                 (apply emit! b (instruction-operation i) (map moved (instruction-operands i)))))
+                 (write! b (cons (instruction-operation i) (map moved (instruction-operands i))))))
   (for/vector #:length n ([o (in-vector (machine-rates-outputs r))]) (moved o)))
 
-(define (write-error! b n vectors error)
-  (define-values (means formulas dividend divisor) (apply values error))
-  (define scales
-    (for/vector ([i (in-range n)])
-      (write! b i vectors '(fl+ 1.0 (flmax (flabs (at y i)) (flabs (at z i)))))))
-  (define (mean terms)
-    (define sum
-      (for/fold ([sum 0.0]) ([i (in-range n)])
-        (define e (write! b i vectors `(weighted i ,@terms)))
-        (define x (emit! b 'divide e (vector-ref scales i)))
-        (emit! b 'add sum (emit! b 'multiply x x))))
-    (vector (emit! b 'sqrt (emit! b 'divide sum (->fl n)))))
-  (define with-means
-    (for/fold ([vectors vectors]) ([m (in-list means)])
-      (hash-set vectors (car m) (mean (cdr m)))))
-  (define with-all
-    (for/fold ([vectors with-means]) ([f (in-list formulas)])
-      (hash-set vectors (car f) (vector (write! b 0 vectors (cadr f))))))
-  (define d (write! b 0 with-all divisor))
-  (hash-set* with-all
-             'divisor (vector d)
-             'error (vector (emit! b 'divide (write! b 0 with-all dividend) d))))
-
 ;; ---------------------------------------------------------------------------
-;; Formulas (numeric/machine/elements.rkt), of the components of index i
+;; The error of a step
 
-;; vectors : name -> vector of operands, of one for a number
-(define (write! b i vectors f)
-  (define (operand f) (write! b i vectors f))
-  (define (two name) (emit! b name (operand (cadr f)) (operand (caddr f))))
-  (cond [(real? f) f]
-        [(symbol? f) (vector-ref (hash-ref vectors f) 0)]
-        [else
-         (case (car f)
-           [(at) (vector-ref (hash-ref vectors (cadr f)) i)]
-           [(fl+) (two 'add)]
-           [(fl-) (two 'subtract)]
-           [(fl*) (two 'multiply)]
-           [(fl/) (if (andmap real? (cdr f)) (apply fl/ (cdr f)) (two 'divide))]
-           [(flmax) (two 'larger)]
-           [(flabs) (emit! b 'abs (operand (cadr f)))]
-           [(flsqrt) (emit! b 'sqrt (operand (cadr f)))]
-           [(weighted)
-            (for/fold ([sum #f]) ([p (in-list (cddr f))])
-              (define x (emit! b 'multiply (operand (car p)) (operand `(at ,(cadr p) i))))
-              (if sum (emit! b 'add sum x) x))])]))
+;; Statements: the squares whose means the error is made of, each named as the mean is
+(define (square-statements m)
+  (for/list ([mean (in-list (first (formulas-data (explicit-formulas-estimate m))))])
+    (define x
+      `(fl/ (weighted i ,@(rest mean)) (fl+ 1.0 (flmax (flabs (at y i)) (flabs (at z i))))))
+    (list (first mean) `(fl* ,x ,x))))
 
-;; next : the place of the next value; written : instructions, the latest first
-(struct builder ([next #:mutable] [written #:mutable]) #:authentic)
-
-(define (make-builder first) (builder first '()))
-(define (instructions-of b) (list->vector (reverse (builder-written b))))
-
-(define (emit! b . instruction)
-  (define k (builder-next b))
-  (set-builder-next! b (+ k 1))
-  (set-builder-written! b (cons instruction (builder-written b)))
-  (place k))
+;; square : statement of squares, index -> operand
+;; -> vectors, name -> vector of operands, with error and divisor
+(define (write-error! b n vectors m square)
+  (define-values (_ named dividend divisor)
+    (apply values (formulas-data (explicit-formulas-estimate m))))
+  (define with-means
+    (for/fold ([vectors vectors]) ([s (in-list (square-statements m))])
+      (define sum (for/fold ([sum 0.0]) ([i (in-range n)]) (do! b 'add sum (square s i))))
+      (hash-set vectors (first s) (vector (do! b 'sqrt (do! b 'divide sum n))))))
+  (for/fold ([vectors with-means])
+            ([s (in-list `(,@named (divisor ,divisor) (error (fl/ ,dividend ,divisor))))])
+    (hash-set vectors (first s) (vector (write-formula! b 0 vectors (second s))))))

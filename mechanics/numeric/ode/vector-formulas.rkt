@@ -6,10 +6,12 @@
 ;; vectors of one integration are made together, of one length n.
 
 (require racket/flonum
-         racket/unsafe/ops)
+         racket/unsafe/ops
+         "../unboxed-loop.rkt")
 
 (provide define-vectors make-vectors define-elements
-         combine! weighted-sum! weighted at advance! scale! exchange! nested-polynomial
+         combine! weighted-sum! weighted at advance! scale! exchange!
+         store-coefficients! nested-polynomial
          root-mean-square root-mean-squares)
 
 (define-syntax-rule (define-vectors n id ...)
@@ -98,31 +100,34 @@
       (unsafe-flvector-set! v i (unsafe-flvector-ref w i))
       (unsafe-flvector-set! w i x))))
 
-;; -> (theta out -> void), which stores x + θ (c₀ + (1 − θ) (c₁ + θ (c₂ + ...))).  The
-;; components of index i of x, c₀ ... are given by formulas, each of which may use those
-;; before it; they are reckoned now, and kept side by side in one vector.
-(define-syntax-rule (nested-polynomial n i [c value] ...)
-  (let* ([width (length '(c ...))]
-         [kept (make-flvector (* width n))])
-    (for-each-index i n
-      (let* ([c value] ...)
-        (store! kept (unsafe-fx* width i) c ...)))
-    (lambda (theta out)
-      (let ([rest (unsafe-fl- 1.0 theta)])
-        (for-each-index i n
-          (let ([place (unsafe-fx* width i)])
-            (unsafe-flvector-set! out i (nested theta rest kept place c ...))))))))
+;; Stores in `kept` vectors one after the other, whose components of index i are given by formulas;
+;; each may use those before it.
+(define-syntax-rule (store-coefficients! n i kept [c value] ...)
+  (for-each-index i n
+    (let* ([c value] ...)
+      (store! kept i n c ...))))
 
 (define-syntax store!
   (syntax-rules ()
-    [(_ v place) (void)]
-    [(_ v place x . more)
+    [(_ v place n) (void)]
+    [(_ v place n x . more)
      (begin (unsafe-flvector-set! v place x)
-            (store! v (unsafe-fx+ place 1) . more))]))
+            (store! v (unsafe-fx+ place n) n . more))]))
 
-;; x₀ + a (x₁ + b (x₂ + a (x₃ + ...))), the x from v
-(define-syntax nested
-  (syntax-rules ()
-    [(_ a b v place c) (at v place)]
-    [(_ a b v place c . more)
-     (unsafe-fl+ (at v place) (unsafe-fl* a (nested b a v (unsafe-fx+ place 1) . more)))]))
+;; kept : coefficients x, c₀ ..., vectors of n components one after the other
+;; -> (theta out -> void), which stores x + θ (c₀ + (1 − θ) (c₁ + θ (c₂ + ...)))
+(define (nested-polynomial n kept)
+  (define last (unsafe-fx- (flvector-length kept) n))
+  (define last-by-theta? (even? (quotient (flvector-length kept) n)))
+  (lambda (theta out)
+    (define other (fl- 1.0 theta))
+    (define-values (one two) (if last-by-theta? (values theta other) (values other theta)))
+    (for-each-index i n
+      (unsafe-flvector-set! out i (nested kept n (unsafe-fx+ i last) one two)))))
+
+;; From the last coefficient on; factors take turns.
+(define-syntax-rule (nested kept n from one two)
+  (let loop ([place (unsafe-fx- from n)] [sum (at kept from)] [a one] [b two])
+    (if (unsafe-fx< place 0)
+        (unboxed sum)
+        (loop (unsafe-fx- place n) (unsafe-fl+ (at kept place) (unsafe-fl* a sum)) b a))))

@@ -32,7 +32,7 @@
 (define (program->code p language names fail)
   (define n (program-inputs p))
   (define instructions (program-instructions p))
-  (define uses (count-uses p))
+  (define uses (program-uses p))
   (define formulas (make-vector (+ n (program-length p)) #f))
   (for ([name (in-list names)] [k (in-range n)])
     (vector-set! formulas k (formula name atom)))
@@ -50,16 +50,6 @@
       (append more lines)))
   (values lines
           (for/list ([o (in-vector (program-outputs p))]) (formula-text (of o)))))
-
-;; Of each place: by how many instructions and outputs it is used.
-(define (count-uses p)
-  (define uses (make-vector (+ (program-inputs p) (program-length p)) 0))
-  (define (use! x)
-    (when (place? x)
-      (vector-set! uses (place-index x) (+ 1 (vector-ref uses (place-index x))))))
-  (for* ([i (in-vector (program-instructions p))] [x (in-list (instruction-operands i))]) (use! x))
-  (for ([o (in-vector (program-outputs p))]) (use! o))
-  uses)
 
 ;; -> formula, and the lines to come before it, the last first
 (define (instruction-code i of language name uses fail)

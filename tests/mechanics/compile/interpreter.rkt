@@ -1,12 +1,12 @@
 #lang racket/base
-;; The interpreter, which runs programs at once, does what machine code does, bit for bit.
+;; Closures, which run programs at once, do what compiled code does, bit for bit.
 
 (require racket/flonum
          (except-in rackunit fail)
          mechanics
          (only-in mechanics/compile/code program->maker)
          (only-in mechanics/compile/compile-function compiled-function-program)
-         (only-in mechanics/compile/interpreter program->interpreter-maker)
+         (only-in mechanics/compile/interpreter program->closure-maker)
          (only-in mechanics/compile/program place program program-outputs)
          (only-in mechanics/compile/tiers program->tiered-maker tiered-maker))
 
@@ -18,8 +18,8 @@
 (define (check-tiers f example inputs)
   (define p (compiled-function-program (compile-function f example)))
   (define code (program->maker p))
-  (define interpreter (program->interpreter-maker p))
-  (for ([v (in-list inputs)]) (check-equal? (run interpreter p v) (run code p v))))
+  (define closures (program->closure-maker p))
+  (for ([v (in-list inputs)]) (check-equal? (run closures p v) (run code p v))))
 
 (define every-operation
   (lambda (s)
@@ -67,7 +67,7 @@
   (check-tiers matrix start
                (list (for/flvector #:length (+ 1 (* 2 n)) ([k (in-naturals)]) (cos (+ 0.5 k))))))
 
-(test-case "a runner goes over to machine code in the end, and nobody sees it"
+(test-case "a runner goes over to compiled code in the end, and nobody sees it"
   (define p
     (program 1
              (for/vector ([k (in-range 600)]) (list 'add (place k) 1.0))

@@ -5,8 +5,8 @@
          rackunit
          mechanics/compile/code
          mechanics/compile/interpreter
-         mechanics/compile/machine-code
          mechanics/compile/program
+         mechanics/compile/tiers
          (only-in mechanics/motion/system/rates-code program-machine-rates)
          mechanics/numeric/machine/executable
          mechanics/numeric/machine/straight-code
@@ -17,23 +17,48 @@
         [(zero? (random 3)) (place (random k))]
         [else (place (max 0 (- k 1 (random (min k 25)))))]))
 
-;; calls : how often an operation is a function
-(define (random-program inputs instructions outputs calls others)
-  (define (operand k) (random-operand k))
+;; calls : how often an operation is a function; systems : how often it is a system of equations
+(define (random-program inputs instructions outputs calls systems)
+  ;; a system itself is no operand, but its first component is
+  (define places-of-systems (make-hasheqv))
+  (define (operand k)
+    (define x (random-operand k))
+    (if (and (place? x) (hash-ref places-of-systems (place-index x) #f))
+        (place (+ 1 (place-index x)))
+        x))
+  ;; k : place of the value -> list of instructions
   (define (instruction k)
-    (define names
-      (cond [(< (random) others) '(sinh tanh atan2)]
-            [(< (random) calls) '(sin cos sin cos tan exp log asin acos atan expt)]
-            [else '(add subtract multiply add subtract multiply divide negate abs sqrt)]))
-    (define name (apply random-choice names))
+    (define name
+      (apply random-choice
+             (if (< (random) calls)
+                 '(sin cos sin cos tan exp log asin acos atan atan2 expt)
+                 '(add subtract multiply add subtract multiply divide negate abs sqrt))))
     (case name
       [(add subtract multiply divide expt) (list name (operand k) (operand k))]
       [(atan2) (list 'atan (operand k) (operand k))]
       [else (list name (operand k))]))
   (define end (+ inputs instructions))
+  (define all
+    (let loop ([k inputs])
+      (cond [(>= k end) '()]
+            [(< (random) systems)
+             (define n (random-choice 1 2 3 5 8 9 12))
+             (hash-set! places-of-systems k #t)
+             (append (random-system k n (lambda () (operand k))) (loop (+ k n 1)))]
+            [else (cons (instruction k) (loop (+ k 1)))])))
   (program inputs
-           (for/vector ([k (in-range inputs end)]) (instruction k))
-           (for/vector ([_ (in-range outputs)]) (operand end))))
+           (list->vector all)
+           (for/vector ([_ (in-range outputs)]) (operand (+ inputs (length all))))))
+
+;; A system of n unknowns at the place k, symmetric or not, and its components.
+(define (random-system k n operand)
+  (define A (for*/hash ([i n] [j n]) (values (cons i j) (operand))))
+  (define symmetric? (random-choice #t #f))
+  (define (entry i j)
+    (hash-ref A (if (and symmetric? (> i j)) (cons j i) (cons i j))))
+  (cons (cons 'solve
+              (for*/list ([i n] [j (+ n 1)]) (if (= j n) (operand) (entry i j))))
+        (for/list ([j n]) (list 'component (place k) j))))
 
 (define odd-numbers
   '(0.0 -0.0 1.0 -1.0 +inf.0 -inf.0 +nan.0 1e300 1e-310 0.5 2.0 3.0 -3.0 1e22 -2.5))
@@ -54,17 +79,53 @@
     (with-check-info (['program p] ['input input])
       (check-equal? (values-by run p input) (values-by compiled p input)))))
 
+(define kinds-of-system '(definite dominant indefinite singular odd asymmetric))
+
+(define (check-system n kind)
+  (define symmetric? (not (memq kind '(dominant asymmetric))))
+  (define width (+ n 1))
+  (define (place-of i j)
+    (place (if (and symmetric? (> i j)) (+ i (* j width)) (+ j (* i width)))))
+  (define p
+    (program (* n width)
+             (list->vector
+              (cons (cons 'solve (for*/list ([i n] [j width])
+                                   (if (= j n) (place (+ n (* i width))) (place-of i j))))
+                    (for/list ([j n]) (list 'component (place (* n width)) j))))
+             (for/vector ([j n]) (place (+ 1 j (* n width))))))
+  (define run (machine-procedure p))
+  (define by-closures ((program->closure-maker p)))
+  (with-seeds 6
+    (define input
+      (for*/flvector ([i n] [j width])
+        (case kind
+          [(definite dominant) (if (= i j) (+ n (random)) (- (random) 0.5))]
+          [(singular) (if (= j n) 1.0 (fl* (->fl i) (->fl j)))]
+          [(odd) (if (zero? (random 5)) (apply random-choice odd-numbers) (random-flonum))]
+          [else (random-flonum)])))
+    (with-check-info (['n n] ['kind kind] ['input input])
+      (check-equal? (values-by run p input) (values-by by-closures p input)))))
+
 (define (check-machine-code)
   (test-case "random programs, with many calls and few"
     (with-seeds 150
       (define p (random-program 5 (random-integer 1 150) 6 (random-choice 0 0.05 0.3 1) 0))
       (check-alike p (machine-procedure p))))
 
-  (test-case "stretches, between functions that there is no code for"
-    (with-seeds 60
-      (define p (random-program 5 (random-integer 1 200) 6 0.1 (random-choice 0 0.02 0.2)))
-      (define stretches (or (machine-stretches p) (hasheqv)))
-      (check-alike p ((program->interpreter-maker p #:stretches stretches)))))
+  (test-case "random programs with systems of equations"
+    (with-seeds 100
+      (define p (random-program 5 (random-integer 1 200) 6 0.1 (random-choice 0.02 0.2)))
+      (check-alike p (machine-procedure p))))
+
+  (test-case "systems of every size and kind, well posed, singular and of odd numbers"
+    (for* ([n (in-list '(1 2 3 4 7 8 9 10 13 14 15 16 21 40))] [kind kinds-of-system])
+      (check-system n kind)))
+
+  (test-case "no code for systems of more unknowns"
+    (define n 41)
+    (check-false
+     (machine-procedure
+      (program 1 (list->vector (random-system 1 n (lambda () (random-flonum)))) (vector (place 2))))))
 
   (test-case "sine and cosine of one angle at once are those of it alone"
     (define both
@@ -92,7 +153,7 @@
                (for/vector ([k (in-range n)]) (place (+ n n k)))))
     (with-seeds 5 (check-alike p (machine-procedure p))))
 
-  (test-case "a procedure takes little of the stack: longer programs are several, or none"
+  (test-case "a procedure takes little of the stack: programs of more values at once are none"
     (define n 10000)
     (define p
       (program 1
@@ -102,16 +163,23 @@
                (vector (place (- (* 2 n) 1)) (place n) (place 17))))
     (check-false (machine-procedure p))
     (check-false (program-machine-rates p 1))
-    (define stretches (machine-stretches p))
-    (check-equal? (hash-count stretches) 3)
-    (define-values (run by-machine)
-      (values ((program->interpreter-maker p))
-              ((program->interpreter-maker p #:stretches stretches))))
     (for ([x (in-list '(-0.3 -9.0 1e-5))])
-      (check-equal? (values-by by-machine p (flvector x)) (values-by run p (flvector x)))))
+      (define v (flvector x))
+      (check-equal? (values-by ((program->tiered-maker p)) p v) (values-by ((program->maker p)) p v))))
+
+  (test-case "a long program of few values at once is one procedure"
+    (define n 9000)
+    (define p
+      (program 1
+               (for/vector ([k (in-range 1 n)])
+                 (list (if (even? k) 'add 'multiply) (place (- k 1)) (place (max 0 (- k 7)))))
+               (vector (place (- n 1)))))
+    (define-values (run by-closures) (values (machine-procedure p) ((program->closure-maker p))))
+    (for ([x (in-list '(-0.3 1.0 1e-5))])
+      (check-equal? (values-by run p (flvector x)) (values-by by-closures p (flvector x)))))
 
   (test-case "no code where there is none for a function"
     (check-false (machine-procedure (program 1 (vector (list 'sinh (place 0))) (vector (place 1)))))
-    (check-false (machine-instruction? (list 'solve 2 1)))))
+    (check-false (machine-instruction? (list 'sinh 1)))))
 
 (skip-unless (machine?) "no processor that machine code is written for" (check-machine-code))
