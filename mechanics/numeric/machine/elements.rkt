@@ -11,7 +11,7 @@
          racket/list
          "assembler.rkt" "instruction-builder.rkt" "straight-code.rkt" "straight-instruction.rkt")
 
-(provide write-formula! emit-elements! (struct-out vector-at))
+(provide write-formula! statements->instructions emit-elements! (struct-out vector-at))
 
 ;; vectors : name -> vector of operands, of one for a number
 ;; -> the operand of the component of index i

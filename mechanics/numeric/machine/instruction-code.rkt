@@ -41,7 +41,6 @@
   [(sqrt abs) (none "the processor has an instruction")]
   [(sinh cosh tanh asinh acosh atanh erf sgn) (none "our own are rounded otherwise")])
 
-
 ;; ---------------------------------------------------------------------------
 ;; An instruction
 

@@ -7,27 +7,24 @@
 ;;     x       n          the solution
 ;;     margin  n          by how much the pivots of a symmetric system are positive
 ;;     A b     n (n + 1)  row by row
-;;     L       n (n + 1)  the triangle of a large symmetric system, row by row
 ;;
 ;; Code is for one n, and is given the address of the room in rdi; registers that a function of C
 ;; may change do.  A symmetric system without a positive margin is left to elimination, which
 ;; begins with A and b as they were.
 
 (require "assembler.rkt" "instruction-builder.rkt" "straight-instruction.rkt"
-         (only-in "../linear-algebra/small-symmetric-system.rkt" [most-unknowns most-in-registers] least-part))
+         (only-in "../linear-algebra/small-symmetric-system.rkt" [most-unknowns most-small] least-part))
 
-(provide most-unknowns most-in-registers system-room solution-place entry-place
-         write-elimination! definite-solution write-margin-tests! write-Cholesky!)
+(provide most-unknowns system-room solution-place entry-place
+         write-elimination! definite-solution write-margin-tests!)
 
 ;; For more unknowns the room would be a great part of a small stack.
 (define most-unknowns 40)
 
 ;; How many flonums the room of an instruction takes.
 (define (system-room i)
-  (cond [(eq? 'solve (instruction-operation i))
-         (define n (system-unknowns i))
-         (+ n n (* n (+ n 1) (if (and (symmetric-system? i) (> n most-in-registers)) 2 1)))]
-        [else 0]))
+  (define n (if (eq? 'solve (instruction-operation i)) (system-unknowns i) 0))
+  (* n (+ n 3)))
 
 ;; Distances in the room, in bytes: of unknown k, of a margin, of entry j of [A b]
 (define (solution-place k) (* 8 k))
@@ -154,7 +151,7 @@
   (jump! a 'less again))
 
 ;; ---------------------------------------------------------------------------
-;; Few unknowns of a symmetric system (numeric/linear-algebra/small-symmetric-system.rkt)
+;; Symmetric systems
 
 ;; -> instructions whose inputs are the entries of [A b], the operands of the solution, and those of
 ;; the margins
@@ -165,119 +162,58 @@
   (define (entry i j) (vector-ref entries (+ (* i width) j)))
   (define (entry! i j x) (vector-set! entries (+ (* i width) j) x))
   (define (less! i j x y) (entry! i j (do! b 'subtract (entry i j) (do! b 'multiply x y))))
+  (define (margin k rest) (do! b 'subtract rest (do! b 'multiply least-part (place (* k (+ n 2))))))
+  (define margins
+    ((if (<= n most-small) solve-by-rows-above! solve-by-triangle!)
+     n entry entry! less! margin (lambda operation (apply do! b operation))))
+  (values (written b) (for/list ([k (in-range n)]) (entry k n)) margins))
+
+;; Both leave the solution in column n.  -> the margins
+;; Of few unknowns (numeric/linear-algebra/small-symmetric-system.rkt)
+(define (solve-by-rows-above! n entry entry! less! margin do)
   (define inverses
     (for/vector #:length n ([k (in-range n)])
-      (define inverse (do! b 'divide 1.0 (entry k k)))
+      (define inverse (do 'divide 1.0 (entry k k)))
       (for ([i (in-range (+ k 1) n)])
-        (define factor (do! b 'multiply (entry k i) inverse))
-        (for ([j (in-range i width)]) (less! i j factor (entry k j))))
+        (define factor (do 'multiply (entry k i) inverse))
+        (for ([j (in-range i (+ n 1))]) (less! i j factor (entry k j))))
       inverse))
   (for ([k (in-range (- n 1) -1 -1)])
     (for ([j (in-range (+ k 1) n)]) (less! k n (entry k j) (entry j n)))
-    (entry! k n (do! b 'multiply (entry k n) (vector-ref inverses k))))
+    (entry! k n (do 'multiply (entry k n) (vector-ref inverses k))))
+  (for/list ([k (in-range n)]) (margin k (entry k k))))
+
+;; Of more (numeric/linear-algebra/symmetric-system.rkt): the lower triangle becomes L, with the inverse
+;; entries of its diagonal.
+(define (solve-by-triangle! n entry entry! less! margin do)
+  (define (plus-product sum i j k) (do 'add sum (do 'multiply (entry i k) (entry j k))))
+  (define (row-product i j end)
+    (define in-four (* 4 (quotient end 4)))
+    (define-values (w x y z)
+      (for/fold ([w 0.0] [x 0.0] [y 0.0] [z 0.0]) ([k (in-range 0 in-four 4)])
+        (values (plus-product w i j k) (plus-product x i j (+ k 1))
+                (plus-product y i j (+ k 2)) (plus-product z i j (+ k 3)))))
+    (for/fold ([sum (if (= 0 in-four) 0.0 (do 'add (do 'add w x) (do 'add y z)))])
+              ([k (in-range in-four end)])
+      (plus-product sum i j k)))
   (define margins
-    (for/list ([k (in-range n)])
-      (do! b 'subtract (entry k k) (do! b 'multiply least-part (place (* k (+ n 2)))))))
-  (values (written b) (for/list ([k (in-range n)]) (entry k n)) margins))
+    (for/list ([i (in-range n)])
+      (for ([j (in-range i)])
+        (define rest (do 'subtract (entry i j) (row-product i j j)))
+        (entry! i j (do 'multiply rest (entry j j))))
+      (define rest (do 'subtract (entry i i) (row-product i i i)))
+      (entry! i i (do 'divide 1.0 (do 'sqrt rest)))
+      (margin i rest)))
+  (for ([i (in-range n)])
+    (for ([j (in-range i)]) (less! i n (entry i j) (entry j n)))
+    (entry! i n (do 'multiply (entry i n) (entry i i))))
+  (for ([i (in-range (- n 1) -1 -1)])
+    (entry! i n (do 'multiply (entry i n) (entry i i)))
+    (for ([j (in-range i)]) (less! j n (entry i n) (entry i j))))
+  margins)
 
 ;; Goes to the label unless the entries of the diagonal and the margins are positive.
 (define (write-margin-tests! a n label)
   (for* ([k (in-range n)] [place (in-list (list diagonal-place margin-place))])
     (movsd! a 0 (behind rdi (place n k)))
     (unless-positive! a 0 label)))
-
-;; ---------------------------------------------------------------------------
-;; Many unknowns of a symmetric system (numeric/linear-algebra/symmetric-system.rkt)
-
-;; r8, rdx : row i of A, and of L; rcx : 8 i; r9 : row j of L; rax : 8 j; r11 : the end of A
-(define (write-Cholesky! a n elimination)
-  (define-values (width right) (values (row-bytes n) (* 8 n)))
-  (define L (behind rdi (+ (entry-place n 0) (* n width))))
-  (lea! a r8 (behind rdi (entry-place n 0)))
-  (lea! a r11 L)
-  (lea! a rdx L)
-  (mov-number! a rcx 0)
-  (while-below a (r8 r11 width)
-    (lea! a r9 L)
-    (mov-number! a rax 0)
-    (while-below a (rax rcx 8)
-      (row-product! a rax)
-      (movsd! a 1 (behind r8 0 rax))
-      (subsd! a 1 0)
-      (mulsd! a 1 (behind r9 0 rax))
-      (store-sd! a (behind rdx 0 rax) 1)
-      (add! a r9 width))
-    (row-product! a rcx)
-    (write-diagonal! a elimination)
-    (add! a rdx width)
-    (add! a rcx 8))
-  (solve-by-triangle! a width right L)
-  (ret! a))
-
-;; Register 0 becomes the product of the rows at rdx and r9 up to `end`, in four sums.  At `end` the
-;; row at r9 is that at rdx, or one above.
-(define (row-product! a end)
-  (xorpd! a 0 0)
-  (xorpd! a 2 2)
-  (mov-number! a rsi 0)
-  (lea! a r10 (behind end -24))
-  (while-below a (rsi r10 32)
-    (for ([sums (in-list '(0 2))] [distance (in-list '(0 16))])
-      (movupd! a 1 (behind rdx distance rsi))
-      (movupd! a 3 (behind r9 distance rsi))
-      (mulpd! a 1 3)
-      (addpd! a sums 1)))
-  (for ([sums (in-list '(0 2))])
-    (movapd! a 1 sums)
-    (unpckhpd! a 1 1)
-    (addsd! a sums 1))
-  (addsd! a 0 2)
-  (while-below a (rsi end 8)
-    (movsd! a 1 (behind rdx 0 rsi))
-    (mulsd! a 1 (behind r9 0 rsi))
-    (addsd! a 0 1)))
-
-;; 1 / sqrt of what the product in register 0 leaves of the diagonal's entry; or elimination.
-(define (write-diagonal! a elimination)
-  (movsd! a 1 (behind r8 0 rcx))
-  (movapd! a 2 1)
-  (subsd! a 2 0)
-  (mulsd! a 1 (constant least-part))
-  (ucomisd! a 2 1)
-  (jump! a 'below-or-equal elimination)
-  (ucomisd! a 2 infinity)
-  (jump! a 'not-below elimination)
-  (sqrtsd! a 2 2)
-  (movsd! a 1 one)
-  (divsd! a 1 2)
-  (store-sd! a (behind rdx 0 rcx) 1))
-
-;; rdx : row i of L; rcx : 8 i; r8 : b_i; r10 : 8 n
-(define (solve-by-triangle! a width right L)
-  (lea! a rdx L)
-  (lea! a r8 (behind rdi (+ (* 2 right) right)))
-  (mov-number! a rcx 0)
-  (mov-number! a r10 right)
-  (while-below a (rcx r10 8)
-    (movsd! a 0 (behind r8 0))
-    (mov-number! a rax 0)
-    (while-below a (rax rcx 8)
-      (movsd! a 1 (behind rdx 0 rax))
-      (mulsd! a 1 (behind rdi 0 rax))
-      (subsd! a 0 1))
-    (mulsd! a 0 (behind rdx 0 rcx))
-    (store-sd! a (behind rdi 0 rcx) 0)
-    (add! a r8 width)
-    (add! a rdx width))
-  (let ([again (make-label)])
-    (label-here! a again)
-    (add! a rdx (- width))
-    (add! a rcx -8)
-    (movsd! a 2 (behind rdi 0 rcx))
-    (mulsd! a 2 (behind rdx 0 rcx))
-    (store-sd! a (behind rdi 0 rcx) 2)
-    (mov-number! a rax 0)
-    (while-below a (rax rcx 8) (subtract-product! a (behind rdi 0 rax) (behind rdx 0 rax)))
-    (mov-number! a rax 0)
-    (compare! a rax rcx)
-    (jump! a 'less again)))

@@ -81,11 +81,11 @@
 
 ;; -> (unknowns symmetric? -> label of the procedure that solves such systems)
 (define ((solver a) n symmetric?)
-  (define (write!)
-    (cond [(not symmetric?) (write-elimination! a n)]
-          [(> n most-in-registers) (write-Cholesky! a n ((solver a) n #f))]
-          [else (write-definite-solver! a n ((solver a) n #f))]))
-  (subroutine! a (list n symmetric?) write!))
+  (subroutine! a (list n symmetric?)
+               (lambda ()
+                 (if symmetric?
+                     (write-definite-solver! a n ((solver a) n #f))
+                     (write-elimination! a n)))))
 
 ;; elimination : label of what solves the system where it is not positive definite
 (define (write-definite-solver! a n elimination)

@@ -14,9 +14,9 @@
 (require racket/flonum
          "method-formulas.rkt" "machine-method.rkt" "vector-formulas.rkt")
 
-(provide dormand-prince-54)
+(provide dormand-prince-54 dormand-prince-54-formulas)
 
-(define formulas
+(define dormand-prince-54-formulas
   (explicit (k0 k1 k2 k3 k4 k5 k6) k6 (h i old y)
    ;; from the slope k0 at y to the others and the new state, where the last one is taken
    (stages
@@ -47,4 +47,4 @@
                          [(fl/ -1453857185.0 822651844.0) k5]
                          [(fl/ 69997945.0 29380423.0) k6]))])))
 
-(define dormand-prince-54 (explicit-method 'Dormand-Prince-54 5 formulas))
+(define dormand-prince-54 (explicit-method 'Dormand-Prince-54 5 dormand-prince-54-formulas))

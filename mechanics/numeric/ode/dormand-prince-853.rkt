@@ -21,9 +21,9 @@
 (require racket/flonum
          "method-formulas.rkt" "machine-method.rkt" "vector-formulas.rkt")
 
-(provide dormand-prince-853)
+(provide dormand-prince-853 dormand-prince-853-formulas)
 
-(define formulas
+(define dormand-prince-853-formulas
   (explicit (k0 k1 k2 k3 k4 k5 k6 k7 k8 k9 k10 k11 k12 k13 k14 k15) k12 (h i old y)
    ;; from the slope k0 at y to the others and the new state
    (stages
@@ -117,4 +117,4 @@
                          [-39.177261675615439165231486172 k14]
                          [-149.72683625798562581422125276 k15]))])))
 
-(define dormand-prince-853 (explicit-method 'Dormand-Prince-853 8 formulas))
+(define dormand-prince-853 (explicit-method 'Dormand-Prince-853 8 dormand-prince-853-formulas))

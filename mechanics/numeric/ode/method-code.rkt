@@ -115,20 +115,13 @@
   (write-stages! a n places 'old #f (explicit-formulas-further m) rates)
   (emit-elements! a n places (formulas-data (explicit-formulas-coefficients m))))
 
-;; x + θ (c₀ + (1 − θ) (c₁ + θ (c₂ + ...))); θ is where other procedures are given h.
+;; θ is where other procedures are given h.
 (define (write-value! a n m places)
   (define other (hash-ref places 'other))
   (movapd! a 1 (constant 1.0))
   (subpd! a 1 0)
   (store-pd! a other 1)
-  (define names (map first (formulas-data (explicit-formulas-coefficients m))))
-  (emit-elements! a n places `((out ,(nested names 'h 'other)))))
-
-(define (nested names factor other)
-  (define c `(at ,(first names) i))
-  (if (null? (rest names))
-      c
-      `(fl+ ,c (fl* ,factor ,(nested (rest names) other factor)))))
+  (emit-elements! a n places `((out ,(polynomial m 'h 'other)))))
 
 (define (write-stages! a n places from to stages rates)
   (define-values (slopes end) (apply values (formulas-data stages)))

@@ -9,7 +9,8 @@
          "vector-formulas.rkt"
          "../flvector.rkt")
 
-(provide explicit (struct-out explicit-formulas) formulas-data stage-names last-taken?)
+(provide explicit (struct-out explicit-formulas) formulas-data
+         stage-names coefficient-names last-taken?)
 
 ;; Of a method whose slopes have these names: the stages of a step, its error, the stages of an
 ;; interpolant and the coefficients of its polynomial; final : the name of the slope at the end of
@@ -17,6 +18,7 @@
 (struct explicit-formulas (names stages estimate further coefficients final) #:authentic)
 
 (define (stage-names f) (map car (car (formulas-data f))))
+(define (coefficient-names m) (map car (formulas-data (explicit-formulas-coefficients m))))
 
 (define (last-taken? m)
   (and (memq (explicit-formulas-final m) (stage-names (explicit-formulas-stages m))) #t))

@@ -23,8 +23,6 @@
 (define (room-length m n) (+ first-vector (* n (length (room-vectors m)))))
 (define (kept-length m n) (* n (length (coefficient-names m))))
 
-(define (coefficient-names m) (map first (formulas-data (explicit-formulas-coefficients m))))
-
 ;; The memory of the component of index i
 (define (component places name i)
   (define v (hash-ref places name))

@@ -10,7 +10,7 @@
          "../machine/elements.rkt" "../machine/instruction-builder.rkt"
          "../machine/straight-instruction.rkt")
 
-(provide step-code reaching square-statements write-error!)
+(provide step-code reaching square-statements write-error! polynomial)
 
 ;; r : machine-rates; m : explicit-formulas
 ;; The inputs of the step are y, its slope k0, h, and the parameters of the rates.
@@ -78,3 +78,14 @@
   (for/fold ([vectors with-means])
             ([s (in-list `(,@named (divisor ,divisor) (error (fl/ ,dividend ,divisor))))])
     (hash-set vectors (first s) (vector (write-formula! b 0 vectors (second s))))))
+
+;; ---------------------------------------------------------------------------
+;; Within a step
+
+;; The formula x + θ (c₀ + (1 − θ) (c₁ + θ (c₂ + ...))); theta, other : the names of θ and 1 − θ
+(define (polynomial m theta other)
+  (let nested ([names (coefficient-names m)] [factor theta] [next other])
+    (define c `(at ,(first names) i))
+    (if (null? (rest names))
+        c
+        `(fl+ ,c (fl* ,factor ,(nested (rest names) next factor))))))

@@ -8,9 +8,10 @@
          racket/list
          racket/runtime-path
          racket/string
-         "program-text.rkt" "exported-system.rkt" "variable-names.rkt" "template.rkt"
+         "exported-system.rkt" "method-text.rkt" "variable-names.rkt" "program-text.rkt" "template.rkt"
          "../../compile/program.rkt"
          "../../error/complain.rkt"
+         (only-in "../../numeric/ode/dormand-prince-853.rkt" dormand-prince-853-formulas)
          "../../operation/column.rkt")
 
 (provide C-files)
@@ -21,8 +22,10 @@
 (define (C-files who s)
   (define name (exported-name s))
   (define (fixed file) (cons file (file->string (build-path C-folder file))))
-  (define (filled file as) (cons as (fill-template (build-path C-folder file) (settings s))))
-  (list (fixed "dop853.h") (fixed "dop853.c")
+  (define (filled file as [words (settings s)])
+    (cons as (fill-template (build-path C-folder file) words)))
+  (list (fixed "dop853.h")
+        (filled "dop853.c" "dop853.c" (C-method-texts dormand-prince-853-formulas C))
         (filled "system.h" (string-append name ".h"))
         (cons (string-append name ".c") (system-source who s))
         (filled "ensemble.c" (string-append name "_ensemble.c"))
@@ -140,7 +143,7 @@ text
 
 (define C
   (language
-   (hash-set names-in-C 'wrapped "wrapped")
+   (hash-set* names-in-C 'wrapped "wrapped" 'larger "greater")
    (lambda (name rows right symmetric?)
      (define n (length right))
      (append

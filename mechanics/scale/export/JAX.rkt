@@ -5,8 +5,10 @@
 (require racket/list
          racket/runtime-path
          racket/string
-         "program-text.rkt" "exported-system.rkt" "variable-names.rkt" "python.rkt" "template.rkt"
+         "exported-system.rkt" "method-text.rkt" "program-text.rkt" "python.rkt" "template.rkt"
+         "variable-names.rkt"
          "../../error/complain.rkt"
+         (only-in "../../numeric/ode/dormand-prince-54.rkt" dormand-prince-54-formulas)
          "../../operation/column.rkt")
 
 (provide JAX-files)
@@ -15,6 +17,7 @@
 
 ;; -> alist of names of files and their texts
 (define (JAX-files who s)
+  (define-values (stages estimate) (method-tableau dormand-prince-54-formulas))
   (define words
     (hash "NAME" (exported-name s)
           "DEFINITION" (python-text (exported-definition s))
@@ -22,6 +25,8 @@
           "PARAMETERS" (python-tuple (exported-parameters s))
           "SIZE" (number->string (exported-size s))
           "CLOCK" (if (exported-clock? s) "True" "False")
+          "STAGES" (parenthesized (map parenthesized stages) ",\n      ")
+          "ERROR" (parenthesized estimate)
           "BODY" (python-body who s)))
   (list (cons (string-append (exported-name s) ".py")
               (fill-template (build-path JAX-folder "module.py") words))))
@@ -41,6 +46,9 @@
                              (list (format "return jnp.stack([~a])"
                                            (string-join (map as-array outputs) ", ")))))])
      (string-append "    " line "\n"))))
+
+;; A tuple of Python.
+(define (parenthesized texts [between ", "]) (format "(~a,)" (string-join texts between)))
 
 (define (unpacked from names)
   (for/list ([name (in-list names)] [k (in-naturals)]) (format "~a = ~a[~a]" name from k)))

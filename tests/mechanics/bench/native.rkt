@@ -11,8 +11,7 @@
 ;; components a whole step is straight code, in which a slope goes from the rates to the next stage
 ;; in registers; of many, loops work on two components at a time.  Both save what C spends on memory
 ;; between its function of the rates and its loops; and what chooses the next step's length, in
-;; Racket, takes that again.  A system that equations are solved for has no such code: the chain's
-;; stages are Racket's.
+;; Racket, takes that again.
 
 (require racket/fixnum racket/flonum racket/runtime-path racket/string
          (only-in mechanics/compile/trace trace)
