@@ -7,178 +7,180 @@
 ;; procedure the compiler keeps flonums unboxed.
 ;;
 ;; It interprets, though, what is larger than a limit.  So the instructions are
-;; divided into *sections*, each a closed procedure of its own; a value that a
-;; later section needs passes through a scratch vector.  The matrix of a system of
-;; many unknowns, whose entries are more than a section holds, is filled by sections
-;; of its own; many values are delivered by such.  Room for that, and for the
-;; systems of equations that are solved, is made once for many runs, one after the
-;; other; several threads may run the code at once, each with room of its own.
+;; divided into *sections*, each a closed procedure of its own, between which systems of
+;; equations are solved; a value that another section, a system or an output needs is stored in the
+;; flvector of all values (interpreter.rkt).
 
 (require racket/linklet
          racket/list
-         "flonum-functions.rkt" "program.rkt" "program-sections.rkt"
-         "../numeric/linear-algebra/factored-system.rkt" "../numeric/linear-algebra/symmetric-system.rkt")
+         "flonum-functions.rkt" "interpreter.rkt" "program.rkt")
 
 (provide (protect-out program->maker))
 
 ;; -> (-> (input output -> void)), which makes procedures from one flvector into
 ;; another, to be used by one thread at a time each.
 (define (program->maker p)
-  (define linklet (compile-linklet (program->form p) 'mechanics))
-  (instance-variable-value (instantiate-linklet linklet (list (functions))) 'make-run))
+  (define parts (divide p))
+  (if (at-once? p parts)
+      (let ([run (car (compile-procedures p (list (whole->procedure p))))]) (lambda () run))
+      (sections->maker p parts)))
 
-;; Every operation of the algebra, under its name, for where there is no primitive.
-(define (functions)
-  (apply make-instance 'functions #f 'constant
-         'solve-dense! solve-dense!
-         'solve-symmetric! solve-symmetric!
-         (flonum-functions)))
+;; A short program needs no flvector of all values.
+(define (at-once? p parts)
+  (and (= 1 (length parts))
+       (section? (car parts))
+       (<= (vector-length (program-outputs p)) most-outputs)))
+
+(define most-outputs 100)
+
+(define (sections->maker p parts)
+  (define sections (filter section? parts))
+  (define in-memory (values-in-memory p parts))
+  (define procedures
+    (for/hasheq ([s (in-list sections)]
+                 [f (in-list (compile-procedures
+                              p (for/list ([s (in-list sections)])
+                                  (section->procedure p s in-memory))))])
+      (values s f)))
+  (define (steps place-of)
+    (for/list ([part (in-list parts)])
+      (or (hash-ref procedures part #f) (system-step p part place-of))))
+  (steps->maker p steps))
+
+;; ---------------------------------------------------------------------------
+;; Sections
+
+;; Instructions whose places are from `start` on and before `end`.
+(struct section (start end) #:authentic)
+
+;; Racket interprets procedures of more than 10,000 symbols, numbers and ends of lists; and fails
+;; where such a one takes a sine.
+(define longest-form 7500)
+
+;; -> list of sections and, between them, places of systems
+(define (divide p)
+  (define end (+ (program-inputs p) (program-length p)))
+  (define (operation k) (and (< k end) (instruction-operation (instruction-at p k))))
+  (let loop ([k (program-inputs p)])
+    (case (operation k)
+      [(#f) '()]
+      [(solve) (cons k (loop (+ k 1)))]
+      [(component) (loop (+ k 1))]
+      [else
+       (define next (end-of-section p k end))
+       (cons (section k next) (loop next))])))
+
+;; The place where the form gets too long, or a system comes.
+(define (end-of-section p start end)
+  (let loop ([k start] [length 0])
+    (cond [(or (= k end) (eq? 'solve (instruction-operation (instruction-at p k)))) k]
+          [else
+           (define longer (+ length (length-of-form (instruction-at p k))))
+           (if (and (> longer longest-form) (> k start)) k (loop (+ k 1) longer))])))
+
+;; At most, with the operands loaded and the value stored.
+(define (length-of-form i)
+  (define operands (instruction-operands i))
+  (define loads (* 10 (count place? operands)))
+  (if (eq? 'wrapped (instruction-operation i))
+      (+ 80 loads)
+      (+ 13 loads (length operands))))
+
+;; place -> #t, where a value is an output, or needed outside its section
+(define (values-in-memory p parts)
+  (define needed (make-hasheqv))
+  (define (need! operand before)
+    (when (and (place? operand) (< (place-index operand) before))
+      (hash-set! needed (place-index operand) #t)))
+  (for ([o (in-vector (program-outputs p))]) (need! o +inf.0))
+  (for* ([part (in-list parts)]
+         [start (in-value (if (section? part) (section-start part) part))]
+         [k (in-range start (if (section? part) (section-end part) (+ part 1)))]
+         [operand (in-list (instruction-operands (instruction-at p k)))])
+    (need! operand start))
+  needed)
 
 ;; ---------------------------------------------------------------------------
 ;; The linklet
 
-(define (program->form p)
-  (define sections (divide p))
-  (define scratch (allocate-scratch p sections))
+;; forms : of procedures -> list of these
+(define (compile-procedures p forms)
   (define names
-    (for/list ([_ (in-list sections)] [k (in-naturals)])
+    (for/list ([_ (in-list forms)] [k (in-naturals)])
       (string->symbol (format "section-~a" k))))
-  `(linklet (,(list* 'solve-dense! 'solve-symmetric! (functions-used p))) (make-run)
-     ,@(for/list ([name (in-list names)] [s (in-list sections)])
-         `(define-values (,name)
-            ,(cond [(filling? s) (filling->procedure p s scratch)]
-                   [(delivery? s) (delivery->procedure p s scratch)]
-                   [else (section->procedure p s scratch)])))
-     (define-values (make-run)
-       (lambda ()
-         (let-values ([(scratch) (make-flvector ,(hash-count scratch))]
-                      [(systems) (vector ,@(systems-room p))])
-           (lambda (input output)
-             (begin ,@(for/list ([name (in-list names)]) `(,name input output scratch systems))
-                    (void))))))))
+  (define form
+    `(linklet (,(functions-used p)) (procedures)
+       ,@(for/list ([name (in-list names)] [f (in-list forms)]) `(define-values (,name) ,f))
+       (define-values (procedures) (list ,@names))))
+  (instance-variable-value (instantiate-linklet (compile-linklet form 'mechanics) (list (functions)))
+                           'procedures))
 
-;; Where systems are solved: three vectors for a size, which systems of that size share.
-(define (systems-room p)
-  (append*
-   (for/list ([n (in-list (system-sizes p))])
-     `((make-flvector ,(* n n)) (make-flvector ,n) (make-fxvector ,n)))))
+;; Every operation of the algebra, under its name, for where there is no primitive.
+(define (functions) (apply make-instance 'functions #f 'constant (flonum-functions)))
 
-(define (systems-place p system)
-  (* 3 (index-of (system-sizes p) (system-unknowns system))))
+;; The operations a program takes from `functions`.
+(define (functions-used p)
+  (remove-duplicates
+   (for*/list ([i (in-vector (program-instructions p))]
+               [name (in-value (instruction-operation i))]
+               #:unless (or (memq name '(negate solve component wrapped))
+                            (primitive-for name (length (instruction-operands i)))))
+     name)
+   eq?))
 
-;; ---------------------------------------------------------------------------
-;; A section
+;; A procedure of the flvector of all values, and of rooms, which it does not need.
+(define (section->procedure p s in-memory)
+  `(lambda (values rooms)
+     ,(bind-values p (section-start s) (section-end s) 'values
+                   (lambda (reference)
+                     (for/list ([k (in-range (section-start s) (section-end s))]
+                                #:when (hash-ref in-memory k #f))
+                       `(unsafe-flvector-set! values ,k ,(reference (place k))))))))
 
-;; Values are bound in their order; those from elsewhere where they are first
-;; needed.
-(define (section->procedure p s scratch)
+;; A procedure from the inputs to the outputs.
+(define (whole->procedure p)
+  `(lambda (input output)
+     ,(bind-values p (program-inputs p) (+ (program-inputs p) (program-length p)) 'input
+                   (lambda (reference)
+                     (for/list ([o (in-vector (program-outputs p))] [k (in-naturals)])
+                       `(unsafe-flvector-set! output ,k ,(reference o)))))))
+
+;; The form that computes the values from one place on and before another; those from elsewhere are
+;; read from the flvector of that name, where they are first needed.
+;; (stores reference) : the forms at its end; reference : operand -> form
+(define (bind-values p start end from stores)
   (define bound (make-hasheqv))
   (define (name i) (hash-ref bound i #f))
   (define (bind! i) (hash-set! bound i (string->symbol (format "v~a" i))) (name i))
+  (define (load i) `(unsafe-flvector-ref ,from ,i))
   (define (reference operand)
-    (if (place? operand) (name (place-index operand)) (real->double-flonum operand)))
+    (cond [(not (place? operand)) (real->double-flonum operand)]
+          [else (define i (place-index operand))
+                (or (name i) (load i))]))
   (define (body k)
-    (if (= k (section-end s))
-        `(begin ,@(stores p s scratch name reference) (void))
-        (let ([instruction (instruction-at p k)])
-          (with-loads (operands-read instruction)
+    (if (= k end)
+        `(begin ,@(stores reference) (void))
+        (let ([i (instruction-at p k)])
+          (with-loads (instruction-operands i)
             (lambda ()
-              (define code (instruction->form p instruction reference))
+              (define code (instruction->form i (map reference (instruction-operands i))))
               `(let-values ([(,(bind! k)) ,code]) ,(body (+ k 1))))))))
   (define (with-loads operands inside)
     (cond [(null? operands) (inside)]
           [(and (place? (car operands)) (not (name (place-index (car operands)))))
            (define i (place-index (car operands)))
-           (define v (bind! i))
-           `(let-values ([(,v) ,(load p scratch i)]) ,(with-loads (cdr operands) inside))]
+           `(let-values ([(,(bind! i)) ,(load i)]) ,(with-loads (cdr operands) inside))]
           [else (with-loads (cdr operands) inside)]))
-  `(lambda (input output scratch systems) ,(body (section-start s))))
+  (body start))
 
-(define (load p scratch i)
-  (if (< i (program-inputs p))
-      `(unsafe-flvector-ref input ,i)
-      `(unsafe-flvector-ref scratch ,(hash-ref scratch i))))
-
-;; What is stored at the end of a section: its values that are wanted later, and
-;; the outputs it computes; the first one stores the outputs nobody computes.
-(define (stores p s scratch name reference)
-  (append
-   (for*/list ([k (in-range (section-start s) (section-end s))]
-               [slot (in-value (hash-ref scratch k #f))]
-               #:when slot)
-     `(unsafe-flvector-set! scratch ,slot ,(name k)))
-   (for/list ([operand (in-vector (program-outputs p))] [i (in-naturals)]
-              #:when (and (section-outputs? s) (stored-by? p s operand)))
-     (define value
-       (if (and (place? operand) (< (place-index operand) (program-inputs p)))
-           (load p scratch (place-index operand))
-           (reference operand)))
-     `(unsafe-flvector-set! output ,i ,value))))
-
-(define (stored-by? p s operand)
-  (define first (program-inputs p))
-  (define i (and (place? operand) (place-index operand)))
-  (if (and i (>= i first))
-      (< (- (section-start s) 1) i (section-end s))
-      (= first (section-start s))))
-
-;; reference : operand -> form
-(define (instruction->form p instruction reference)
-  (define operation (instruction-operation instruction))
-  (define operands (operands-read instruction))
-  (define forms (map reference operands))
+;; forms : of the operands
+(define (instruction->form i forms)
+  (define operation (instruction-operation i))
   (define primitive (primitive-for operation (length forms)))
   (cond [primitive `(,primitive ,@forms)]
         [(eq? operation 'negate) `(unsafe-fl* -1.0 ,@forms)]
-        [(eq? operation 'solve)
-         (solving forms (system-unknowns instruction) (systems-place p instruction)
-                  (if (symmetric-system? instruction) 'solve-symmetric! 'solve-dense!))]
-        [(eq? operation 'component) `(unsafe-flvector-ref ,(car forms) ,(cadr operands))]
         [(eq? operation 'wrapped) (apply wrapping forms)]
         [else `(,operation ,@forms)]))
-
-;; The value of a system of n unknowns, given as rows of [A b], is the flvector of its
-;; solution, good until the next system is solved.  solve! : the name of what solves it
-(define (solving entries n place solve!)
-  (in-system place
-    `(begin ,@(storing entries 0 n)
-            (,solve! A ,n (unsafe-vector-ref systems ,(+ place 2)) b)
-            b)))
-
-(define (in-system place body)
-  `(let-values ([(A) (unsafe-vector-ref systems ,place)]
-                [(b) (unsafe-vector-ref systems ,(+ place 1))])
-     ,body))
-
-;; from : the number of the first of the entries
-(define (storing entries from n)
-  (define width (+ n 1))
-  (for/list ([x (in-list entries)] [k (in-naturals from)])
-    (define i (quotient k width))
-    (define j (remainder k width))
-    (if (= j n)
-        `(unsafe-flvector-set! b ,i ,x)
-        `(unsafe-flvector-set! A ,(+ (* i n) j) ,x))))
-
-(define (filling->procedure p f scratch)
-  (define system (instruction-at p (filling-system f)))
-  (define (form operand)
-    (if (place? operand) (load p scratch (place-index operand)) (real->double-flonum operand)))
-  `(lambda (input output scratch systems)
-     ,(in-system (systems-place p system)
-        `(begin ,@(storing (map form (entries-of p f)) (filling-from f)
-                           (system-unknowns system))
-                (void)))))
-
-(define (delivery->procedure p d scratch)
-  `(lambda (input output scratch systems)
-     ,@(for/list ([operand (in-list (outputs-of p d))] [k (in-naturals (delivery-from d))])
-         (define value
-           (if (place? operand)
-               (load p scratch (place-index operand))
-               (real->double-flonum operand)))
-         `(unsafe-flvector-set! output ,k ,value))
-     (void)))
 
 ;; As `wrap` of algebra/expression/operation.rkt has it.  What is not a number stays so.
 (define (wrapping x low cut period)
@@ -196,14 +198,3 @@
     [(divide) 'unsafe-fl/]
     [else (and (flonum-primitive operation arguments)
                (string->symbol (format "unsafe-fl~a" operation)))]))
-
-;; The operations a program takes from `functions`.
-(define (functions-used p)
-  (remove-duplicates
-   (for/list ([i (in-vector (program-instructions p))]
-              #:unless (in-place? (instruction-operation i) (instruction-operands i)))
-     (instruction-operation i))
-   eq?))
-
-(define (in-place? name operands)
-  (or (memq name '(negate solve component wrapped)) (primitive-for name (length operands))))

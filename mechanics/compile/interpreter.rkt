@@ -12,10 +12,23 @@
          "flonum-functions.rkt" "program.rkt"
          "../numeric/linear-algebra/factored-system.rkt" "../numeric/linear-algebra/symmetric-system.rkt")
 
-(provide (protect-out program->closure-maker))
+(provide (protect-out program->closure-maker steps->maker system-step))
 
 ;; -> (-> (input output -> void)), as program->maker has it
 (define (program->closure-maker p)
+  (define (steps place-of)
+    (for*/list ([k (in-range (program-inputs p) (+ (program-inputs p) (program-length p)))]
+                [i (in-value (instruction-at p k))]
+                #:unless (eq? 'component (instruction-operation i)))
+      (if (eq? 'solve (instruction-operation i))
+          (system-step p k place-of)
+          (operating (instruction-operation i) k (map place-of (instruction-operands i))))))
+  (steps->maker p steps))
+
+;; (steps-of place-of) : operand -> place in the flvector, which then holds it
+;;                       -> list of procedures of that, and of the rooms where systems are solved, by
+;;                          their unknowns, which store the values that later ones or outputs need
+(define (steps->maker p steps-of)
   (define inputs (program-inputs p))
   (define first-constant (+ inputs (program-length p)))
   (define constants (make-hasheqv))
@@ -24,33 +37,26 @@
         (place-index x)
         (hash-ref! constants (real->double-flonum x)
                    (lambda () (+ first-constant (hash-count constants))))))
-  (define closures
-    (for/vector #:length (program-length p) ([k (in-range inputs first-constant)])
-      (instruction->closure p k place-of)))
-  (define outputs (for/list ([x (in-vector (program-outputs p))]) (place-of x)))
+  (define steps (list->vector (steps-of place-of)))
+  (define outputs
+    (for/fxvector #:length (vector-length (program-outputs p)) ([x (in-vector (program-outputs p))])
+      (place-of x)))
   (lambda ()
     (define v (make-flvector (+ first-constant (hash-count constants))))
     (for ([(x k) (in-hash constants)]) (flvector-set! v k x))
     (define rooms (for/hasheqv ([n (in-list (system-sizes p))]) (values n (make-room n))))
     (lambda (input output)
-      (for ([k (in-range inputs)]) (flvector-set! v k (flvector-ref input k)))
-      (for ([run! (in-vector closures)]) (run! v rooms))
-      (for ([k (in-list outputs)] [i (in-naturals)])
-        (flvector-set! output i (flvector-ref v k))))))
+      (let loop ([k 0])
+        (when (unsafe-fx< k inputs)
+          (unsafe-flvector-set! v k (unsafe-flvector-ref input k))
+          (loop (unsafe-fx+ k 1))))
+      (for ([run! (in-vector steps)]) (run! v rooms))
+      (let loop ([k 0])
+        (when (unsafe-fx< k (unsafe-fxvector-length outputs))
+          (unsafe-flvector-set! output k (unsafe-flvector-ref v (unsafe-fxvector-ref outputs k)))
+          (loop (unsafe-fx+ k 1)))))))
 
-;; k : the place of its value
-;; -> closure of the values, and of the rooms where systems are solved, by their unknowns
-(define (instruction->closure p k place-of)
-  (define i (instruction-at p k))
-  (define operands (instruction-operands i))
-  (case (instruction-operation i)
-    [(solve) (solving i (map place-of operands))]
-    [(component)
-     (define n (system-unknowns (instruction-at p (place-index (car operands)))))
-     (define j (cadr operands))
-     (lambda (v rooms) (flvector-set! v k (flvector-ref (room-right (hash-ref rooms n)) j)))]
-    [else (operating (instruction-operation i) k (map place-of operands))]))
-
+;; k : the place of the value
 (define (operating name k places)
   (define a (car places))
   (define b (if (pair? (cdr places)) (cadr places) a))
@@ -74,23 +80,35 @@
 ;; Systems
 
 (struct room (matrix exchanges right) #:authentic)
+(define (list->fxvector xs) (apply fxvector xs))
 (define (make-room n) (room (make-flvector (* n n)) (make-fxvector n) (make-flvector n)))
 
-;; places : those of the rows [A b].  The solution is the room's right-hand side.
-(define (solving i places)
+;; The system at the place k, with its components, which follow it.
+(define (system-step p k place-of)
+  (define i (instruction-at p k))
   (define n (system-unknowns i))
+  (define entries (list->fxvector (map place-of (instruction-operands i))))
   (define solve! (if (symmetric-system? i) solve-symmetric! solve-dense!))
+  (define components (list->fxvector (components-after p k)))
   (lambda (v rooms)
     (define r (hash-ref rooms n))
     (define-values (A b) (values (room-matrix r) (room-right r)))
-    (let row ([i 0] [places places])
+    (let row ([i 0] [k 0])
       (when (unsafe-fx< i n)
-        (let column ([j 0] [places places])
-          (define x (unsafe-flvector-ref v (car places)))
+        (let column ([j 0] [k k])
+          (define x (unsafe-flvector-ref v (unsafe-fxvector-ref entries k)))
           (cond [(unsafe-fx< j n)
                  (unsafe-flvector-set! A (unsafe-fx+ (unsafe-fx* i n) j) x)
-                 (column (unsafe-fx+ j 1) (cdr places))]
+                 (column (unsafe-fx+ j 1) (unsafe-fx+ k 1))]
                 [else
                  (unsafe-flvector-set! b i x)
-                 (row (unsafe-fx+ i 1) (cdr places))]))))
-    (solve! A n (room-exchanges r) b)))
+                 (row (unsafe-fx+ i 1) (unsafe-fx+ k 1))]))))
+    (solve! A n (room-exchanges r) b)
+    (for ([j (in-fxvector components)] [to (in-naturals (+ k 1))])
+      (flvector-set! v to (flvector-ref b j)))))
+
+;; -> list of their indices
+(define (components-after p k)
+  (for/list ([i (in-vector (program-instructions p) (+ 1 (- k (program-inputs p))))]
+             #:break (not (eq? 'component (instruction-operation i))))
+    (second-operand i)))
