@@ -20,7 +20,8 @@
 (define longest-function 30)
 
 ;; Tables of coefficients or names, and formulas that are one.
-(define tables '(polynomial take-slopes! notations replacements functions))
+(define tables '(dormand-prince-853-formulas notations replacements functions))
+
 
 
 ;; Rooms that know nothing of others, though those are below them.

@@ -24,7 +24,8 @@
               (for/vector #:length n ([i (in-range n)]) (write-formula! b i vectors (second s)))))
   (define-values (stages end) (apply values (formulas-data (explicit-formulas-stages m))))
   (define with-slopes
-    (for/fold ([vectors (hasheq 'y (vector-from 0) 'k0 (vector-from n) 'h (vector (place (+ n n))))])
+    (for/fold ([vectors (hasheq 'y (vector-from 0) 'k0 (vector-from n)
+                                'h (vector (place (+ n n))))])
               ([s (in-list stages)])
       (define reached (with-vector vectors (reaching 'w 'y (rest s))))
       (hash-set reached (first s) (write-rates! b (hash-ref reached 'w) r))))

@@ -9,14 +9,14 @@
          mechanics
          (only-in mechanics/compile/code program->maker)
          (only-in mechanics/compile/compile-function compiled-function-program)
-         (only-in mechanics/compile/interpreter program->interpreter-maker)
+         (only-in mechanics/compile/interpreter program->closure-maker)
          (only-in mechanics/compile/program program-inputs program-length program-outputs)
          (only-in mechanics/compile/tangent-program jacobian-program tangent-program)
          (only-in mechanics/value/shape scalars structure->flvector flvector->structure))
 
 (define (program-of f example) (compiled-function-program (compile-function f example)))
 
-(define (run p input [maker program->interpreter-maker])
+(define (run p input [maker program->closure-maker])
   (define output (make-flvector (vector-length (program-outputs p))))
   (((maker p)) input output)
   output)

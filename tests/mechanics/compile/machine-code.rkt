@@ -125,7 +125,9 @@
     (define n 41)
     (check-false
      (machine-procedure
-      (program 1 (list->vector (random-system 1 n (lambda () (random-flonum)))) (vector (place 2))))))
+      (program 1
+               (list->vector (random-system 1 n (lambda () (random-flonum))))
+               (vector (place 2))))))
 
   (test-case "sine and cosine of one angle at once are those of it alone"
     (define both
@@ -165,7 +167,8 @@
     (check-false (program-machine-rates p 1))
     (for ([x (in-list '(-0.3 -9.0 1e-5))])
       (define v (flvector x))
-      (check-equal? (values-by ((program->tiered-maker p)) p v) (values-by ((program->maker p)) p v))))
+      (check-equal? (values-by ((program->tiered-maker p)) p v)
+                    (values-by ((program->maker p)) p v))))
 
   (test-case "a long program of few values at once is one procedure"
     (define n 9000)
