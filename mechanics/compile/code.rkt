@@ -112,8 +112,8 @@
     `(linklet (,(functions-used p)) (procedures)
        ,@(for/list ([name (in-list names)] [f (in-list forms)]) `(define-values (,name) ,f))
        (define-values (procedures) (list ,@names))))
-  (instance-variable-value (instantiate-linklet (compile-linklet form 'mechanics) (list (functions)))
-                           'procedures))
+  (define linklet (compile-linklet form 'mechanics))
+  (instance-variable-value (instantiate-linklet linklet (list (functions))) 'procedures))
 
 ;; Every operation of the algebra, under its name, for where there is no primitive.
 (define (functions) (apply make-instance 'functions #f 'constant (flonum-functions)))

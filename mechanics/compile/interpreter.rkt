@@ -26,8 +26,8 @@
   (steps->maker p steps))
 
 ;; (steps-of place-of) : operand -> place in the flvector, which then holds it
-;;                       -> list of procedures of that, and of the rooms where systems are solved, by
-;;                          their unknowns, which store the values that later ones or outputs need
+;; -> list of procedures of that flvector, and of the rooms where systems are solved, by their
+;; unknowns; they store the values that later ones or outputs need
 (define (steps->maker p steps-of)
   (define inputs (program-inputs p))
   (define first-constant (+ inputs (program-length p)))

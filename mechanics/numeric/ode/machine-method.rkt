@@ -21,7 +21,7 @@
 ;; y, z, slope : the present state, where a step tried leads, and f(y); old, step : where the last
 ;; step began, and its length; w, ks : room of Racket code; width : how many coefficients an
 ;; interpolant has, times n
-;; rates : machine-rates of f!, or #f; machine : machine-steps, or #f as long as steps are Racket code
+;; rates : machine-rates of f!, or #f; machine : machine-steps, or #f while steps are Racket code
 (struct integration (m f! n width y z old w ks slope rates [step #:mutable] [machine #:mutable])
   #:authentic)
 

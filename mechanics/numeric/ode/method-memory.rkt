@@ -2,9 +2,9 @@
 ;; Where the vectors of a method are while its machine code runs.
 ;;
 ;; A procedure is given flvectors, whose addresses it keeps in registers of its own.  One of them is
-;; the *room*: the error of a step and its divisor; h, or a fraction of a step, and 1 less that, each
-;; twice; then vectors of n components, w, the slopes and squares of errors.  The states, the present
-;; slope and the coefficients of an interpolant are flvectors of their own.
+;; the *room*: the error of a step and its divisor; h, or a fraction of a step, and 1 less that,
+;; each twice; then vectors of n components: w, the slopes and squares of errors.  The states, the
+;; present slope and the coefficients of an interpolant are flvectors of their own.
 
 (require racket/list
          "method-formulas.rkt"

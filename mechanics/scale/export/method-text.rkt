@@ -67,8 +67,8 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; -> rows of the coefficients of the slopes in each stage, and those in the first mean of the error,
-;; as texts
+;; -> rows of the coefficients of the slopes in each stage, and those in the first mean of the
+;; error, as texts
 (define (method-tableau m)
   (define names (explicit-formulas-names m))
   (define (row terms count)
