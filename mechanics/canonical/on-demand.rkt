@@ -15,7 +15,7 @@
                         two-particle-center-of-mass-canonical]
  ["generating-function.rkt" F1->C F2->C F3->C F4->C F1->C-inv F2->C-inv F3->C-inv F4->C-inv
                             F1->K F2->K F3->K F4->K]
- ["generated.rkt" generating-function verify-generating-function]
+ ["recover-generating-function.rkt" generating-function verify-generating-function]
  ["Hamiltonian-correction.rkt" C->K]
  ["time-evolution.rkt" shift-t C->Cp H->Hp]
  ["Lie/Lie-derivative.rkt" Lie-derivative Lie-derivative-procedure flow-derivative]

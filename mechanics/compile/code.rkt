@@ -9,11 +9,11 @@
 ;; It interprets, though, what is larger than a limit.  So the instructions are
 ;; divided into *sections*, each a closed procedure of its own, between which systems of
 ;; equations are solved; a value that another section, a system or an output needs is stored in the
-;; flvector of all values (interpreter.rkt).
+;; flvector of all values (closures.rkt).
 
 (require racket/linklet
          racket/list
-         "flonum-functions.rkt" "interpreter.rkt" "program.rkt")
+         "flonum-functions.rkt" "closures.rkt" "program.rkt")
 
 (provide (protect-out program->maker))
 

@@ -4,7 +4,7 @@
 (require racket/flonum
          racket/list
          "../algebra/expression/operation.rkt"
-         "../operation/column.rkt")
+         "../operation/operation-column.rkt")
 
 (provide flonum-functions flonum-body flonum-primitive)
 

@@ -4,7 +4,7 @@
 ;; state, which follow from the variational equations (motion/linearized-flow).
 
 (require racket/flonum
-         "period-check.rkt"
+         "map/period-check.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
          "../generic/describe.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"

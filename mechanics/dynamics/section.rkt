@@ -9,7 +9,7 @@
 
 (require racket/flonum
          (only-in racket/list remove-duplicates)
-         "period-check.rkt"
+         "map/period-check.rkt"
          "../calculus/derivative.rkt" "../calculus/perturbed-value.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt" "../error/computed-once.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"

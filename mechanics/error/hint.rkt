@@ -2,7 +2,7 @@
 ;; What to type instead, said at the end of a message, on a line of its own; "" where
 ;; there is nothing to say.
 
-(require "../operation/column.rkt")
+(require "../operation/operation-column.rkt")
 
 (provide list-hint quoted-expression? quoted-hint quoted-name-hint
          not-a-tuple symbols-hint values-first)

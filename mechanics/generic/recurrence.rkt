@@ -13,7 +13,7 @@
 ;; +inf.0 for an endless series.
 
 (require "kind.rkt" "arithmetic.rkt" "elementary.rkt" "operation-equations.rkt"
-         "../operation/column.rkt")
+         "../operation/operation-column.rkt")
 
 (provide recurrence-of (struct-out recurrence) (struct-out rows)
          (struct-out solution) (struct-out partner)

@@ -5,7 +5,7 @@
 ;; where its parentheses do not match; and it reads a file that begins with a mark of its encoding.
 
 (require "program-file.rkt"
-         (only-in "unknown-name/unbound.rkt" install-hints!)
+         (only-in "unknown-name/unknown-names.rkt" install-hints!)
          "../error/machine-limits.rkt"
          "../error/note.rkt")
 

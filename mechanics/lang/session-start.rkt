@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The settings of a session: how results and errors are printed, and which notes were given.
 
-(require "unknown-name/unbound.rkt" "printer.rkt"
+(require "unknown-name/unknown-names.rkt" "printer.rkt"
          (only-in "../error/note.rkt" start-session-of-notes!))
 
 (provide start-session! set-handlers!)

@@ -2,7 +2,7 @@
 ;; The prompt.
 
 (require (for-syntax racket/base)
-         (only-in "unknown-name/unbound.rkt" #%top note-entry!)
+         (only-in "unknown-name/unknown-names.rkt" #%top note-entry!)
          "redefinition/prompt.rkt"
          "session-start.rkt"
          (only-in "../error/progress.rkt" current-reporter terminal-reporter))

@@ -28,7 +28,7 @@
 ;;
 ;; The table is data for macros: a module requires it for-syntax and makes procedures of the
 ;; expressions, in its own arithmetic.  What other languages and other kinds of number have for
-;; an operation stands on their own floors, in columns (column.rkt).
+;; an operation stands on their own floors, in columns (operation-column.rkt).
 
 (provide entries-where find-entry entry-fact entry-name
          (struct-out entry)

@@ -7,7 +7,7 @@
 
 (require racket/math
          (only-in "../expression/numeric-functions.rkt" erf)
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 (provide (struct-out interval) everything point-interval
          interval-sum interval-product interval-quotient interval-power interval-magnitude

@@ -8,7 +8,7 @@
          "../assumption/signs.rkt"
          (only-in "../expression/numeric-functions.rkt" sgn)
          "../expression/operation.rkt"
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 (provide number->value pi->value apply-operation
          value-not-zero? value-signs values-overlap?)

@@ -11,7 +11,7 @@
 
 (require (for-syntax racket/base "../../operation/operation-table.rkt")
          "numeric-functions.rkt"
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 (provide
  ;; operations; those of the table are provided where they are defined, as op:sin

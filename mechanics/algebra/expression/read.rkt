@@ -2,7 +2,7 @@
 ;; Reading S-expressions as expressions: the datum an expression prints as gives
 ;; an equal expression back.  Expressions may stand within the datum.
 
-(require "expression.rkt" "operation.rkt" "../../operation/column.rkt")
+(require "expression.rkt" "operation.rkt" "../../operation/operation-column.rkt")
 
 (provide datum->expression operation-name?)
 

@@ -13,7 +13,7 @@
 
 (require "bounds.rkt"
          "../assumption/ledger.rkt"
-         "../expression/short-list.rkt" "../expression/simplifier.rkt"
+         "../expression/list-length-bound.rkt" "../expression/simplifier.rkt"
          "../kernel/circle.rkt" "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/monomial.rkt" "../polynomial/polynomial.rkt"
          "../polynomial/ring.rkt" "../polynomial/term-list.rkt")

@@ -5,7 +5,7 @@
 ;; The rooms below, which need parts simplified, know the workspace by its methods.
 
 (require racket/list
-         "argument-alignment.rkt" "normalize.rkt" "radicand.rkt" "settle.rkt"
+         "argument-alignment.rkt" "normalize.rkt" "radicand.rkt" "stable-form.rkt"
          (only-in "../assumption/assumption-set.rkt" plainly-real?)
          (only-in "../assumption/ledger.rkt" make-ledger)
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"

@@ -13,7 +13,7 @@
          "jet-rows.rkt" "jet-sharing.rkt" "jet-sums.rkt" "jet-work.rkt" "../program.rkt"
          "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/kernels.rkt"
          "../../numeric/Taylor/linear-system.rkt"
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 (provide program->expansion-maker maker->expander expansion-maker-branches?)
 

@@ -9,7 +9,7 @@
 
 (require racket/flonum
          (only-in racket/list range remove-duplicates)
-         "map-of-the-plane.rkt" "../period-check.rkt"
+         "map-of-the-plane.rkt" "period-check.rkt"
          "../../calculus/derivative.rkt" "../../calculus/perturbed-value.rkt"
          "../../error/complain.rkt" "../../error/refusal.rkt"
          "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"

@@ -7,7 +7,7 @@
 
 (require racket/path
          "watch.rkt"
-         "../unknown-name/unbound.rkt"
+         "../unknown-name/unknown-names.rkt"
          "../../show/display/result-receiver.rkt"
          "../../show/document/document-piece.rkt" "../../show/document/shown-result.rkt")
 

@@ -11,7 +11,7 @@
 
 (provide all-cards card-of card-names)
 
-(define-runtime-module-path-index table "table.rkt")
+(define-runtime-module-path-index table "card-table.rkt")
 
 ;; In the order of the manual.  Breaks wait: a module that is half loaded stays so.
 (define (all-cards)

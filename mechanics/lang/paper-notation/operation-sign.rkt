@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The signs of operations, which stand between operands on paper, and functions of one argument.
 
-(require "../../operation/column.rkt")
+(require "../../operation/operation-column.rkt")
 
 (provide sign? infix? functions)
 

@@ -5,7 +5,7 @@
 (require (only-in racket/list flatten remove-duplicates)
          "operation-sign.rkt"
          "../written-form.rkt"
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 
 (provide pasted-sentence)

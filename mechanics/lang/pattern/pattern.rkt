@@ -5,8 +5,8 @@
 
 (require (for-syntax racket/base
                      (only-in racket/list append-map)
-                     "incomplete.rkt" "miswritten.rkt" "pattern-syntax.rkt"
-                     "slips.rkt" "../written-form.rkt" "../plain-form.rkt")
+                     "incomplete-forms.rkt" "definition-mistakes.rkt" "pattern-syntax.rkt"
+                     "definition-notes.rkt" "../written-form.rkt" "../plain-form.rkt")
          "tuple.rkt")
 
 (provide up down

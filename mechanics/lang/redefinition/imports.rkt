@@ -2,7 +2,7 @@
 ;; Names that a module both imports and defines.
 
 (require (only-in racket/list append-map partition)
-         "clash.rkt" "definitions.rkt" "specification.rkt"
+         "import-clash.rkt" "definitions.rkt" "specification.rkt"
          (for-template racket/base
                        "start-with.rkt"))
 

@@ -9,7 +9,7 @@
                      "forms.rkt" "heads.rkt" "specification.rkt" "../imported-name.rkt"
                      (only-in "../paper-notation/typographic.rkt" tell-curly-quotes))
          (only-in racket/list partition)
-         "../imported-name.rkt" "clash.rkt" "heads.rkt"
+         "../imported-name.rkt" "import-clash.rkt" "heads.rkt"
          (only-in "../../algebra/expression/expression.rkt" node?)
          (only-in "../../error/note.rkt" note-once)
          (only-in "../../generic/up-down.rkt" tuple?))

@@ -3,7 +3,7 @@
 
 (require (only-in racket/file file->lines)
          (only-in racket/string string-join string-prefix?)
-         "../unknown-name/known-name.rkt" "marked-line.rkt" "whereabouts.rkt"
+         "../unknown-name/known-name.rkt" "marked-line.rkt" "error-location.rkt"
          "../redefinition/heads.rkt" "../redefinition/prompt.rkt")
 
 (provide own-head form-evaluated)

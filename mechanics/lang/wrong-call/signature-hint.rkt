@@ -9,7 +9,7 @@
 
 (require racket/list
          racket/string
-         "count-message.rkt" "../unknown-name/known-name.rkt" "whereabouts.rkt"
+         "count-message.rkt" "../unknown-name/known-name.rkt" "error-location.rkt"
          "../../error/spelling.rkt"
          "../help/card-lines.rkt" "../help/card.rkt" "../help/cards.rkt")
 

@@ -7,7 +7,7 @@
 
 (require math/bigfloat
          "../../error/machine-limits.rkt"
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 (provide check-bigfloats
          call-with-bits

@@ -8,7 +8,7 @@
 (require racket/list
          "assembler.rkt" "executable.rkt" "linear-system-code.rkt" "registers.rkt"
          "straight-instruction.rkt"
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 (provide machine-instruction? (struct-out context) write-instruction! load!)
 

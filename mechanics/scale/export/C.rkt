@@ -12,7 +12,7 @@
          "../../compile/program.rkt"
          "../../error/complain.rkt"
          (only-in "../../numeric/ode/dormand-prince-853.rkt" dormand-prince-853-formulas)
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 (provide C-files)
 

@@ -9,7 +9,7 @@
          "variable-names.rkt"
          "../../error/complain.rkt"
          (only-in "../../numeric/ode/dormand-prince-54.rkt" dormand-prince-54-formulas)
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 (provide JAX-files)
 

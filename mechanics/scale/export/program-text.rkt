@@ -8,7 +8,7 @@
 (require racket/list
          racket/string
          "../../compile/program.rkt"
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 (provide (struct-out language) program->code number->literal)
 

@@ -5,7 +5,7 @@
 ;; library knows more: the part of the plane that it shows, for how many coordinates it is,
 ;; which of its points leave a trail, and the marks that make a diagram of it.
 
-(require "extent.rkt" "on-demand.rkt" "shapes.rkt" "system-state.rkt"
+(require "shape-extent.rkt" "on-demand.rkt" "shapes.rkt" "system-state.rkt"
          "../display/drawing-library.rkt"
          "../../error/complain.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"

@@ -3,7 +3,7 @@
 
 (require racket/flonum
          (only-in racket/math exact-floor exact-round)
-         "frame.rkt" "layer.rkt" "style.rkt"
+         "frame.rkt" "picture-layer.rkt" "style.rkt"
          "../../generic/on-demand.rkt" "../../generic/wrong-argument.rkt"
          "../../dynamics/map/map-of-the-plane.rkt")
 

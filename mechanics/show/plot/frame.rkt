@@ -11,7 +11,7 @@
 
 (require file/convertible
          racket/serialize
-         "layer.rkt" "on-demand.rkt" "points.rkt" "style.rkt" "view.rkt"
+         "picture-layer.rkt" "on-demand.rkt" "points.rkt" "style.rkt" "view.rkt"
          "../display/picture-advice.rkt"
          "../../generic/define-plain.rkt" "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt")

@@ -8,7 +8,7 @@
          (only-in racket/class send)
          (only-in racket/draw the-color-database)
          (only-in racket/math exact-round)
-         "layer.rkt" "plot-images.rkt" "points.rkt" "view.rkt")
+         "picture-layer.rkt" "plot-images.rkt" "points.rkt" "view.rkt")
 
 (provide loaded? color-name? make-picture picture-bytes)
 

@@ -9,7 +9,7 @@
          (only-in racket/class send)
          (only-in racket/draw make-bitmap the-color-database)
          (only-in racket/math exact-round)
-         "layer.rkt" "pixels.rkt" "points.rkt")
+         "picture-layer.rkt" "pixels.rkt" "points.rkt")
 
 (provide with-dense-points with-images-beneath)
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Styles of layers, checked once.
 
-(require "layer.rkt" "on-demand.rkt"
+(require "picture-layer.rkt" "on-demand.rkt"
          "../../generic/wrong-argument.rkt")
 
 (provide make-style style-is?)

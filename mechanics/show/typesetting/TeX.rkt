@@ -5,7 +5,7 @@
 
 (require "TeX-text.rkt" "renderer.rkt"
          "../../algebra/notation/name.rkt"
-         "../../operation/column.rkt"
+         "../../operation/operation-column.rkt"
          racket/class
          (only-in racket/string string-append* string-join))
 

@@ -12,7 +12,7 @@
          scribble/manual-struct
          (only-in scribble/base get-index-entries)
          "../../../mechanics/lang/help/card.rkt"
-         "../../../mechanics/lang/help/table.rkt")
+         "../../../mechanics/lang/help/card-table.rkt")
 
 (provide with-search-index)
 

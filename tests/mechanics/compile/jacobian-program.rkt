@@ -9,7 +9,7 @@
          mechanics
          (only-in mechanics/compile/code program->maker)
          (only-in mechanics/compile/compile-function compiled-function-program)
-         (only-in mechanics/compile/interpreter program->closure-maker)
+         (only-in mechanics/compile/closures program->closure-maker)
          (only-in mechanics/compile/program program-inputs program-length program-outputs)
          (only-in mechanics/compile/tangent-program jacobian-program tangent-program)
          (only-in mechanics/value/shape scalars structure->flvector flvector->structure))

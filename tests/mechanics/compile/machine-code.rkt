@@ -4,7 +4,7 @@
 (require racket/flonum
          rackunit
          mechanics/compile/code
-         mechanics/compile/interpreter
+         mechanics/compile/closures
          mechanics/compile/program
          mechanics/compile/tiers
          (only-in mechanics/motion/system/rates-code program-machine-rates)

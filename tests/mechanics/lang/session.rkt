@@ -4,7 +4,7 @@
 
 (require (only-in mechanics/generic/kind make-kind prop:kind rank:scalar)
          mechanics/lang/printer
-         (only-in mechanics/lang/unknown-name/unbound install-hints!)
+         (only-in mechanics/lang/unknown-name/unknown-names install-hints!)
          racket/port
          racket/string
          rackunit

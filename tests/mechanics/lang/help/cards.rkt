@@ -3,7 +3,7 @@
 ;; what the manual's prompts print.
 
 ;; for-label: compiled with this file, for what is read on demand.
-(require (for-label mechanics mechanics/book mechanics/lang/help/table mechanics/plot
+(require (for-label mechanics mechanics/book mechanics/lang/help/card-table mechanics/plot
                     mechanics/scmutils)
          (only-in mechanics assume assumptions forget-assumptions ode-integration-method)
          mechanics/lang/help/card

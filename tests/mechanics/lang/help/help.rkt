@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What `help` prints.
 
-(require (for-label mechanics/lang/help/table)
+(require (for-label mechanics/lang/help/card-table)
          mechanics
          mechanics/lang/help/help-answer
          mechanics/lang/help/card

@@ -2,7 +2,7 @@
 ;; What is said beneath messages about calls that a procedure of the library does not take:
 ;; its arguments by name, the missing ones, the keyword that may have been meant.
 
-(require (for-label mechanics/lang/help/table)
+(require (for-label mechanics/lang/help/card-table)
          (only-in mechanics/lang/wrong-call/signature-hint
                   count-hint order-hint constraint-hint keyword-names)
          racket/string

@@ -6,7 +6,7 @@
          mechanics
          (only-in mechanics/compile/code program->maker)
          (only-in mechanics/compile/compile-function compiled-function-program)
-         (only-in mechanics/compile/interpreter program->closure-maker)
+         (only-in mechanics/compile/closures program->closure-maker)
          (only-in mechanics/compile/program place program program-outputs)
          (only-in mechanics/compile/tiers program->tiered-maker tiered-maker))
 

@@ -4,7 +4,7 @@
 (require racket/list
          rackunit
          mechanics/algebra/expression/operation
-         mechanics/operation/column
+         mechanics/operation/operation-column
          (except-in mechanics/operation/operation-table reciprocals)
          "../support/random.rkt")
 
@@ -12,7 +12,7 @@
 
 (define (expanded . cells)
   (expand `(module m racket/base
-             (require mechanics/operation/column)
+             (require mechanics/operation/operation-column)
              (define-column names ,@cells))))
 
 (define functions (map entry-key (entries-where 'function)))

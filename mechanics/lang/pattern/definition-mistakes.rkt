@@ -8,7 +8,7 @@
 ;; the first of them called `up`.
 
 (require (only-in racket/list last)
-         "incomplete.rkt" "on-paper.rkt"
+         "incomplete-forms.rkt" "paper-definitions.rkt"
          "../written-form.rkt")
 
 (provide check-definition check-argument-list)

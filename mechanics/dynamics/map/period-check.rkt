@@ -6,11 +6,11 @@
 ;; it: where a motion rests the drive may not be felt.  A state without the time in it has no drive,
 ;; and any time is a period of its rates.
 
-(require "../error/complain.rkt" "../error/refusal.rkt"
-         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/up-down.rkt"
-         "../search/implicit-root.rkt"
-         "../value/shape.rkt")
+(require "../../error/complain.rkt" "../../error/refusal.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
+         "../../generic/up-down.rkt"
+         "../../search/implicit-root.rkt"
+         "../../value/shape.rkt")
 
 (provide check-period timed-state? changed)
 

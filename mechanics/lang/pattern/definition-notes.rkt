@@ -14,7 +14,7 @@
          "../written-form.rkt"
          "../paper-notation/operation-sign.rkt"
          "../../error/note.rkt"
-         "../../operation/column.rkt")
+         "../../operation/operation-column.rkt")
 
 (provide check-pattern-in-head tell-slips)
 

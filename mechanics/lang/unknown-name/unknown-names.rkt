@@ -16,7 +16,7 @@
                    ["known-name.rkt" known-name?]
                    ["../paper-notation/pasted-result.rkt" pasted-sentence]
                    ["unreadable.rkt" unreadable]
-                   ["../wrong-call/whereabouts.rkt" whereabouts])
+                   ["../wrong-call/error-location.rkt" whereabouts])
 
 (provide (rename-out [top #%top])
          install-hints! note-entry!)
