@@ -13,7 +13,7 @@
 ;; from another module is trusted; any other operator, as in ((D f) x), is
 ;; tested on its way: ((callable operator) argument ...).
 ;;
-;; Where the form looks as if it were meant otherwise (mistake/misread.rkt), that is advice for
+;; Where the form looks as if it were meant otherwise (paper-notation/misread-call.rkt), that is advice for
 ;; the refusal, and for the message on an unknown name in it.
 
 (require (for-syntax racket/base

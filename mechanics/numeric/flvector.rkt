@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Flvectors as points and directions: what racket/flonum leaves out.
 ;;
-;; The inner loops of integration are written with the macros of ode/vectors.rkt, which
+;; The inner loops of integration are written with the macros of ode/vector-formulas.rkt, which
 ;; make no new vectors.
 
 (require racket/flonum

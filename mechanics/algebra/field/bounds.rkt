@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Bounds on the growth of fractions, counted in terms, never in time.
 ;;
-;; All arithmetic is charged to a meter as it happens (polynomial/meter.rkt), and
+;; All arithmetic is charged to a meter as it happens (polynomial/work-budget.rkt), and
 ;; presentation, which looks at terms again and again, in the end.  A step that
 ;; would take more than a bound is an obstacle: the expression is left
 ;; unexpanded there.  The bounds are far above what mechanics meets, and low

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Text and programs as TeX: characters that physicists use, beyond those of names
-;; (../display/formula/TeX-text.rkt).
+;; (../typesetting/TeX-text.rkt).
 
 (require racket/string
          "../typesetting/TeX-text.rkt")

@@ -54,7 +54,7 @@ like limits of a length or time.}]
 
 @section[#:tag "former-arguments"]{Old and new}
 
-What version 0.1 wrote otherwise is an error that tells what is written now.
+What version 0.2 wrote otherwise is an error that tells what is written now.
 
 @tabular[#:sep @hspace[3] #:style 'boxed #:row-properties '(bottom-border ())
  (list

@@ -125,7 +125,7 @@
   (define ((solved k) x y)
     (m:ref (m:solve-linear-left (m:matrix-by-rows (list x y 1.0) (list 0.5 (m:sin x) 2.0)
                                                   (list y 1.0 (m:* x y)))
-                                (m:column-matrix y 1.0 x))
+                                (m:up->column-matrix (m:up y 1.0 x)))
            k 0))
   (define (determinant r)
     (define (e i j) (vector-ref (vector-ref r i) j))

@@ -103,10 +103,10 @@
   ["a box that is not looked at is empty" "assumption/emptiness.rkt"
    "[(or (eqv? left 0) (null? relations)) #f]"
    "[(or (eqv? left 0) (null? relations)) #t]"]
-  ["a condition may leave the mass matrix singular" "zero/meaning.rkt"
+  ["a condition may leave the mass matrix singular" "zero/nondegeneracy.rkt"
    "(= (rank (meaning-matrix n) after) (rank (meaning-matrix m) before))"
    "#t"]
-  ["of several equations that must hold one is enough" "zero/alternatives.rkt"
+  ["of several equations that must hold one is enough" "zero/vanishing-factors.rkt"
    "(in-list (apply cartesian-product options))"
    "(map list (append* options))"]
   ["what is nowhere defined is proved" "zero/existence.rkt"
@@ -137,7 +137,7 @@
   ["a denominator's sign is dropped" "presentation/present.rkt"
    "(expt (* (if flip? -1 1) (term-coefficient below))"
    "(expt (* 1 (term-coefficient below))"]
-  ["a radicand comes back with the wrong power" "presentation/pieces.rkt"
+  ["a radicand comes back with the wrong power" "presentation/fraction-pieces.rkt"
    "(* k (base-degree b))"
    "(* k (+ 1 (base-degree b)))"]
   ["squares of sums have a wrong middle sign" "presentation/squares-of-sums.rkt"
@@ -187,10 +187,10 @@
   ["a witness has another value" "zero/witness.rkt"
    "(values (listed-point best) (shown best) 0 0)"
    "(values (listed-point best) (- (shown best)) 0 0)"]
-  ["quotients of balls are sharper than they are" "zero/ball.rkt"
+  ["quotients of balls are sharper than they are" "ball/ball.rkt"
    "(make-ball q (+ 2 (quotient spread room))"
    "(make-ball q 0"]
-  ["a sign is known where a ball holds 0" "zero/ball.rkt"
+  ["a sign is known where a ball holds 0" "ball/ball.rkt"
    "(define (ball-positive? b) (> (ball-middle b) (ball-radius b)))"
    "(define (ball-positive? b) (> (ball-middle b) 0))"]
   ["flonums are proved" "zero/flonums.rkt"

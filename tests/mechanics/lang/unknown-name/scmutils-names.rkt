@@ -3,7 +3,7 @@
 
 (require (for-label mechanics mechanics/scmutils)
          rackunit
-         mechanics/lang/mistake/scmutils-names
+         mechanics/lang/unknown-name/scmutils-names
          mechanics/lang/unknown-name/suggestion
          "../../support/house/exports.rkt")
 
