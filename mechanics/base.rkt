@@ -23,7 +23,8 @@
          "value/matrix/quotient.rkt"
          (only-in "value/on-demand.rkt" characteristic-polynomial eigenvalues eigenvectors svd
                   polynomial-roots read-expression)
-         "value/series/series-access.rkt" "value/series/calculus.rkt" "value/series/known-series.rkt"
+         "value/series/series-access.rkt" "value/series/calculus.rkt"
+         "value/series/known-series.rkt"
          (only-in "value/series/series.rkt" series? power-series?)
          "verdict/equality.rkt" "verdict/prove-zero.rkt" "verdict/verdict.rkt")
 

@@ -4,9 +4,11 @@
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)
 
-(require "show/plot/chaos-map.rkt" "show/plot/contour.rkt" "show/plot/draw.rkt" "show/explorer/explore-map.rkt"
+(require "show/plot/chaos-map.rkt" "show/plot/contour.rkt" "show/plot/draw.rkt"
+         "show/explorer/explore-map.rkt"
          "show/plot/following-orbits.rkt" "show/plot/frame.rkt" "show/plot/frame-pict.rkt"
-         "show/plot/phase-portrait.rkt" "show/plot/plot-trajectory.rkt" "show/plot/frame-file.rkt" "show/plot/frame-window.rkt")
+         "show/plot/phase-portrait.rkt" "show/plot/plot-trajectory.rkt" "show/plot/frame-file.rkt"
+         "show/plot/frame-window.rkt")
 
 (provide
  ;; frames

@@ -6,7 +6,8 @@
 ;; 7, 15, … as more are wanted.  The terms for a given dx, which may be a tuple as x
 ;; may, are the coefficients of ε in f(x + ε dx).
 
-(require "derivative-errors.rkt" "derivative.rkt" "infinitesimal-part.rkt" "Taylor-number.rkt" "perturbed-value.rkt"
+(require "derivative-errors.rkt" "derivative.rkt" "infinitesimal-part.rkt" "Taylor-number.rkt"
+         "perturbed-value.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../value/series/coefficients.rkt" "../value/series/series.rkt")

@@ -6,7 +6,8 @@
 ;; argument; a matrix is taken for the tuples it stands for.  Several arguments
 ;; are taken together as one up tuple (SICM p. 516).
 
-(require "derivative-errors.rkt" "dual.rkt" "infinitesimal-part.rkt" "Taylor-number.rkt" "perturbed-value.rkt"
+(require "derivative-errors.rkt" "dual.rkt" "infinitesimal-part.rkt" "Taylor-number.rkt"
+         "perturbed-value.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"

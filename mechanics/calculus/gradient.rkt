@@ -7,7 +7,8 @@
 ;; The values are those of D.
 
 (require "derivative-errors.rkt" "derivative.rkt" "gradient-errors.rkt"
-         (only-in "gradient-tape.rkt" tape-inputs finish-tape!) "perturbed-value.rkt" "recorded-number.rkt"
+         (only-in "gradient-tape.rkt" tape-inputs finish-tape!)
+         "perturbed-value.rkt" "recorded-number.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../numeric/vector-map.rkt"

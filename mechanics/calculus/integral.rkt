@@ -11,7 +11,8 @@
 ;; whose ends move (moving-places.rkt).
 
 (require racket/list
-         "derivative.rkt" "dual.rkt" "gradient-tape.rkt" "Taylor-number.rkt" "number-argument.rkt" "perturbed-value.rkt"
+         "derivative.rkt" "dual.rkt" "gradient-tape.rkt" "Taylor-number.rkt" "number-argument.rkt"
+         "perturbed-value.rkt"
          "moving-places.rkt" "recorded-number.rkt"
          "../generic/arithmetic.rkt" "../generic/branches.rkt" "../generic/elementary.rkt"
          "../numeric/quadrature/improper.rkt")

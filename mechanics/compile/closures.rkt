@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Programs run by closures, at once and everywhere.
 ;;
-;; What Racket's compiler makes (code.rkt) takes as long to make as some thousand runs of it save:
+;; What Racket's compiler makes (Racket-code.rkt) takes as long to make as some thousand runs of it
+;; save:
 ;; too long for a motion of a hundred steps of a big system.  So each instruction becomes a closure,
 ;; which stores its value in an flvector of all values: inputs, values of instructions, and
 ;; constants behind them.
@@ -10,7 +11,8 @@
          racket/flonum
          racket/unsafe/ops
          "flonum-functions.rkt" "program.rkt"
-         "../numeric/linear-algebra/factored-system.rkt" "../numeric/linear-algebra/symmetric-system.rkt")
+         "../numeric/linear-algebra/factored-system.rkt"
+         "../numeric/linear-algebra/symmetric-system.rkt")
 
 (provide (protect-out program->closure-maker steps->maker system-step))
 

@@ -7,7 +7,8 @@
 ;; slower, and the same in all else: what is complex is not a number there too.
 
 (require racket/flonum
-         "cache.rkt" "code-check.rkt" "closures.rkt" "program.rkt" "sweep.rkt" "trace.rkt"
+         "cache.rkt" "code-check.rkt" "closures.rkt" "program.rkt" "derivative-sweep.rkt"
+         "trace.rkt"
          "../calculus/gradient.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"

@@ -10,8 +10,8 @@
 
 ;; Racket's primitives of flonums, each named fl and its operation
 (define-column primitives
-  [sqrt flsqrt] [exp flexp] [log fllog] [expt flexpt] [abs flabs] [sin flsin] [cos flcos] [tan fltan]
-  [asin flasin] [acos flacos] [atan flatan]
+  [sqrt flsqrt] [exp flexp] [log fllog] [expt flexpt] [abs flabs] [sin flsin] [cos flcos]
+  [tan fltan] [asin flasin] [acos flacos] [atan flatan]
   [(atan2 sinh cosh tanh asinh acosh atanh erf sgn) (none "Racket has none of flonums")])
 
 ;; Names and functions in turn: the numeric body of each operation, not a number where that

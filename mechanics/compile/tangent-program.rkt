@@ -6,7 +6,7 @@
 ;; with each other, is done once: the same builder numbers all values.
 
 (require (only-in racket/list index-of)
-         "program-builder.rkt" "program.rkt" "sweep.rkt")
+         "program-builder.rkt" "program.rkt" "derivative-sweep.rkt")
 
 (provide tangent-program jacobian-program)
 

@@ -8,7 +8,7 @@
 ;; so the size of the program does not matter; what counts is how often it was run, by anybody.  All
 ;; do the same operations in the same order, and give the same values.
 
-(require "code.rkt" "closures.rkt" "program.rkt"
+(require "Racket-code.rkt" "closures.rkt" "program.rkt"
          "../numeric/machine/assembler.rkt" "../numeric/machine/executable.rkt"
          "../numeric/machine/straight-code.rkt")
 

@@ -18,7 +18,7 @@
          (only-in racket/vector vector-append vector-copy)
          "constrained-solution.rkt" "linearized.rkt"
          "../compile/program-builder.rkt" "../compile/compile-function.rkt" "../compile/program.rkt"
-         "../compile/sweep.rkt"
+         "../compile/derivative-sweep.rkt"
          "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt"
          "../motion/system/mass-matrix.rkt"

@@ -12,7 +12,8 @@
 
 (require racket/flonum
          (only-in racket/math exact-round)
-         "map/compiled-map.rkt" "map/jacobian.rkt" "map/map-of-the-plane.rkt" "map/period-check.rkt" "map/plane-points.rkt"
+         "map/compiled-map.rkt" "map/jacobian.rkt" "map/map-of-the-plane.rkt" "map/period-check.rkt"
+         "map/plane-points.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"

@@ -11,7 +11,8 @@
          (only-in racket/list remove-duplicates)
          "map/period-check.rkt"
          "../calculus/derivative.rkt" "../calculus/perturbed-value.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt" "../error/computed-once.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
+         "../error/computed-once.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/function-of-momenta.rkt"

@@ -11,7 +11,8 @@
 
 (require "external-force.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt" "../error/message-words.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
+         "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt"

@@ -13,11 +13,13 @@
 ;; from another module is trusted; any other operator, as in ((D f) x), is
 ;; tested on its way: ((callable operator) argument ...).
 ;;
-;; Where the form looks as if it were meant otherwise (paper-notation/misread-call.rkt), that is advice for
+;; Where the form looks as if it were meant otherwise (paper-notation/misread-call.rkt), that is
+;; advice for
 ;; the refusal, and for the message on an unknown name in it.
 
 (require (for-syntax racket/base
-                     "imported-name.rkt" "paper-notation/misread-call.rkt" "paper-notation/operation-sign.rkt")
+                     "imported-name.rkt" "paper-notation/misread-call.rkt"
+                     "paper-notation/operation-sign.rkt")
          (only-in "pattern/mismatch.rkt" short-text tuple-advice)
          "paper-notation/expansion-advice.rkt"
          "../error/complain.rkt" "../error/message-words.rkt"

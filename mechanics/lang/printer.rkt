@@ -8,7 +8,8 @@
 ;;
 ;; In a terminal a long result ends after a screen.
 
-(require "../show/display/picture-advice.rkt" "../show/display/display-style.rkt" "../show/display/print-shown.rkt"
+(require "../show/display/picture-advice.rkt" "../show/display/display-style.rkt"
+         "../show/display/print-shown.rkt"
          "../show/display/result-receiver.rkt" "../show/display/result.rkt"
          "../error/note.rkt"
          (only-in "../generic/cyclic-data.rkt" cyclic?)

@@ -2,7 +2,8 @@
 ;; Following a state in time (SICM 1.7, pp. 73 to 76).
 
 (require racket/flonum
-         "method-names.rkt" "observed-systems.rkt" "integration-plan.rkt" "run-system.rkt" "sample-times.rkt"
+         "method-names.rkt" "observed-systems.rkt" "integration-plan.rkt" "run-system.rkt"
+         "sample-times.rkt"
          "system/check.rkt" "system/parametric-system.rkt" "system/separable.rkt"
          "system/system.rkt"
          "../calculus/perturbed-value.rkt"
@@ -11,7 +12,7 @@
          "../error/progress.rkt"
          "../value/shape.rkt")
 
-(require-on-demand ["precise.rkt" advance-precisely follow-precisely]
+(require-on-demand ["precise-run.rkt" advance-precisely follow-precisely]
                    ["linearized-flow.rkt" advance-perturbed flow-derivative])
 
 (provide state-advancer evolve linearized-flow

@@ -5,7 +5,7 @@
          "system/check.rkt"
          "../numeric/ode/bulirsch-stoer.rkt" "../numeric/ode/dormand-prince-54.rkt"
          "../numeric/ode/dormand-prince-853.rkt" "../numeric/ode/gauss-legendre.rkt"
-         "../numeric/ode/quality-controlled.rkt" "../numeric/ode/radau.rkt"
+         "../numeric/ode/doubled-runge-kutta.rkt" "../numeric/ode/radau.rkt"
          "../numeric/ode/stepper.rkt" "../numeric/ode/taylor.rkt"
          (rename-in "../numeric/ode/symplectic.rkt" [leapfrog numeric:leapfrog]))
 

@@ -6,7 +6,7 @@
 ;; places where it differs is its zero found, by the Illinois method, as for flonums
 ;; (event/sign-change.rkt).
 
-(require "precise.rkt"
+(require "precise-run.rkt"
          "event/event.rkt" "event/sign-change.rkt"
          "../generic/compare.rkt"
          "../numeric/finite-number.rkt")

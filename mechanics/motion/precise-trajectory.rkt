@@ -2,7 +2,8 @@
 ;; Trajectories in numbers of higher precision, as trajectory.rkt makes them of flonums.
 
 (require racket/list
-         "integration-plan.rkt" "precise-event.rkt" "precise.rkt" "recording.rkt" "partial-result.rkt"
+         "integration-plan.rkt" "precise-event.rkt" "precise-run.rkt" "recording.rkt"
+         "partial-result.rkt"
          "event/event.rkt"
          "../error/progress.rkt")
 

@@ -3,7 +3,8 @@
 ;; notes of progress; a failure gives the reason and carries the partial result.
 
 (require racket/flonum
-         "integration-plan.rkt" "rest-by-rounding.rkt" "sample-times.rkt" "partial-result.rkt" "integration-failure.rkt" "choose-method.rkt"
+         "integration-plan.rkt" "rest-by-rounding.rkt" "sample-times.rkt" "partial-result.rkt"
+         "integration-failure.rkt" "choose-method.rkt"
          "system/separable.rkt" "system/system.rkt"
          "../error/progress.rkt"
          "../numeric/ode/integrate.rkt")

@@ -6,7 +6,8 @@
 ;; seems right for the next one; by default these three values.
 
 (require racket/flonum
-         "method-names.rkt" "evolution.rkt" "integration-plan.rkt" "run-system.rkt" "choose-method.rkt"
+         "method-names.rkt" "evolution.rkt" "integration-plan.rkt" "run-system.rkt"
+         "choose-method.rkt"
          "system/check.rkt" "system/separable.rkt" "system/system.rkt"
          "../compile/compile-function.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"

@@ -13,7 +13,8 @@
 ;; The frequencies are ∂E/∂Jᵢ, the row of the energy in the inverse of ∂J/∂α.
 
 (require (only-in racket/math sqr)
-         "ends-of-swing.rkt" "half-turn.rkt" "momentum-by-energy.rkt" "separation.rkt" "separated-equation.rkt"
+         "ends-of-swing.rkt" "half-turn.rkt" "momentum-by-energy.rkt" "separation.rkt"
+         "separated-equation.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
          (only-in "../canonical/closed-form.rkt" derivative-of)

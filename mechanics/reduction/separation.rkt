@@ -2,7 +2,8 @@
 ;; The Hamilton–Jacobi equation by separation of variables (SICM 6.1).
 ;;
 ;; H(q, ∂W/∂q) = E has a solution W = Σ Wᵢ(qⁱ), one term for each coordinate, if the equation
-;; falls apart (separated-equation.rkt): pᵢ = DWᵢ(qⁱ) depends on its own coordinate and the constants alone.
+;; falls apart (separated-equation.rkt): pᵢ = DWᵢ(qⁱ) depends on its own coordinate and the
+;; constants alone.
 ;; There are as many of these as coordinates: S = W − E t is a complete integral, and the constants,
 ;; as functions of the state, are conserved.
 

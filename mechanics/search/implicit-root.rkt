@@ -10,7 +10,8 @@
 ;; first step is the implicit function theorem, dx = −J⁻¹ ∂f/∂a da.  Powers of ε above
 ;; the sum of the orders of all ε there are vanish, and with them the error.
 
-(require "../calculus/Taylor-number.rkt" "../calculus/perturbed-value.rkt" "../calculus/recorded-number.rkt"
+(require "../calculus/Taylor-number.rkt" "../calculus/perturbed-value.rkt"
+         "../calculus/recorded-number.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt"
          "../numeric/linear-algebra/flonum-systems.rkt" "../numeric/linear-algebra/row-matrix.rkt"

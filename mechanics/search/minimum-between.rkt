@@ -9,7 +9,8 @@
 
 (require racket/list
          "../error/failure.rkt" "../error/note.rkt"
-         "../numeric/constants.rkt" "../numeric/checked-arguments.rkt" "../numeric/optimization/point.rkt")
+         "../numeric/constants.rkt" "../numeric/checked-arguments.rkt"
+         "../numeric/optimization/point.rkt")
 
 (provide minimum-between minima-between (struct-out found))
 

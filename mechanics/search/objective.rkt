@@ -6,7 +6,8 @@
 ;; differentiated: a search goes by their real parts.
 
 (require racket/flonum
-         "../calculus/gradient.rkt" "../calculus/number-argument.rkt" "../calculus/perturbed-value.rkt"
+         "../calculus/gradient.rkt" "../calculus/number-argument.rkt"
+         "../calculus/perturbed-value.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/describe.rkt" "../generic/up-down.rkt"
          "../value/shape.rkt")

@@ -12,7 +12,8 @@
 (require "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/kind.rkt"
-         "../numeric/special/Bessel-modified.rkt" "../numeric/special/Bessel-waves.rkt" "../numeric/constants.rkt"
+         "../numeric/special/Bessel-modified.rkt" "../numeric/special/Bessel-waves.rkt"
+         "../numeric/constants.rkt"
          "../numeric/finite-number.rkt")
 
 (provide Bessel-J Bessel-Y Bessel-I Bessel-K spherical-Bessel-j spherical-Bessel-y)

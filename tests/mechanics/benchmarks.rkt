@@ -3,7 +3,7 @@
 
 (require racket/file racket/flonum racket/list racket/string
          rackunit
-         mechanics/compile/code mechanics/compile/program mechanics/generic/arithmetic
+         mechanics/compile/Racket-code mechanics/compile/program mechanics/generic/arithmetic
          mechanics/generic/elementary
          "bench/C.rkt" "bench/motion-systems.rkt" "bench/native.rkt" "bench/program-text.rkt"
          "bench/task.rkt" "bench/tasks.rkt" "bench/teaching.rkt")

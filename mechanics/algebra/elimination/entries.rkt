@@ -17,7 +17,7 @@
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt"
-         "../simplify/normalize.rkt" "../simplify/question.rkt" "../simplify/workspace.rkt"
+         "../simplify/normalize.rkt" "../simplify/domain-question.rkt" "../simplify/workspace.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt")
 
 (provide (struct-out coefficients) (struct-out ratio) call-with-coefficients)

@@ -7,7 +7,8 @@
 ;; with one variable set to 1, which takes nothing away.
 
 (require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "inspect.rkt" "integer-factor.rkt"
-         "lifted-factor.rkt" "monomial.rkt" "gcd-splitting.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
+         "lifted-factor.rkt" "monomial.rkt" "gcd-splitting.rkt" "power.rkt" "ring.rkt"
+         "term-list.rkt")
 
 (provide poly-factor)
 

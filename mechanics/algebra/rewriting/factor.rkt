@@ -12,7 +12,8 @@
          "../field/field.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/factor.rkt" "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
-         "../presentation/form.rkt" "../presentation/fraction-pieces.rkt" "../presentation/present.rkt"
+         "../presentation/form.rkt" "../presentation/fraction-pieces.rkt"
+         "../presentation/present.rkt"
          "../presentation/sine-or-cosine.rkt" "../presentation/term.rkt"
          "../simplify/simplify-expression.rkt")
 

@@ -12,7 +12,8 @@
          "../expression/operation.rkt"
          "../field/field.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
-         "../presentation/form.rkt" "../presentation/fraction-pieces.rkt" "../presentation/present.rkt"
+         "../presentation/form.rkt" "../presentation/fraction-pieces.rkt"
+         "../presentation/present.rkt"
          "../presentation/term.rkt"
          "../simplify/simplify-expression.rkt")
 

@@ -5,7 +5,7 @@
 ;; set: with x > 0, |x| - 1 becomes x - 1.  So relations that simplify to something
 ;; else in the new set are added in that form too.
 
-(require "question.rkt" "simplify-expression.rkt"
+(require "domain-question.rkt" "simplify-expression.rkt"
          "../assumption/assumption-set.rkt" "../assumption/emptiness.rkt"
          "../assumption/narrowing.rkt"
          "../assumption/relation.rkt")

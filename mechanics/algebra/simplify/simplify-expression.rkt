@@ -2,7 +2,8 @@
 ;; Simplification: to a canonical value, and from it to a readable expression,
 ;; under assumptions about signs.
 
-(require (only-in "normalize.rkt" normal-field normal-fraction) "question.rkt" "workspace.rkt"
+(require (only-in "normalize.rkt" normal-field normal-fraction) "domain-question.rkt"
+         "workspace.rkt"
          "../assumption/assumption-set.rkt"
          (only-in "../assumption/ledger.rkt" simplifier-grounds simplifier-revision)
          "../expression/expression.rkt"

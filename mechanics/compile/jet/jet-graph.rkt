@@ -8,7 +8,8 @@
 (require "jet-forms.rkt" "jet-nodes.rkt" "../program.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
          "../../algebra/expression/pi.rkt"
-         "../../generic/elementary.rkt" "../../generic/kind.rkt" "../../generic/operation-equations.rkt"
+         "../../generic/elementary.rkt" "../../generic/kind.rkt"
+         "../../generic/operation-equations.rkt"
          "../../operation/operation-column.rkt")
 
 (provide program->graph (struct-out graph))

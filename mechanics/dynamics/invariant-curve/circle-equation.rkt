@@ -8,7 +8,8 @@
          "../../calculus/derivative.rkt"
          "../../compile/compile-function.rkt"
          "../../generic/up-down.rkt"
-         "../../numeric/constants.rkt" "../../numeric/periodic-function.rkt" "../../numeric/whole-turns.rkt")
+         "../../numeric/constants.rkt" "../../numeric/periodic-function.rkt"
+         "../../numeric/whole-turns.rkt")
 
 (provide circle-equation solve-circle curve-of-orbit)
 

@@ -19,10 +19,12 @@
 ;; squares the error.
 
 (require racket/flonum
-         "circle-equation.rkt" "invariant-curve.rkt" "../map/jacobian.rkt" "../map/map-of-the-plane.rkt"
+         "circle-equation.rkt" "invariant-curve.rkt" "../map/jacobian.rkt"
+         "../map/map-of-the-plane.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
-         "../../generic/up-down.rkt" "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/up-down.rkt" "../../generic/value-struct.rkt"
+         "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/periodic-function.rkt")
 
 (provide invariant-circle invariant-circle? invariant-circle-error invariant-circle-modes

@@ -10,10 +10,12 @@
 (require racket/flonum
          "jacobian.rkt" "map-on-tuples.rkt"
          "../../error/failure.rkt" "../../error/refusal.rkt"
-         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/value-struct.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/flvector.rkt"
-         "../../numeric/linear-algebra/flonum-systems.rkt" "../../numeric/linear-algebra/general-eigenvalues.rkt"
+         "../../numeric/linear-algebra/flonum-systems.rkt"
+         "../../numeric/linear-algebra/general-eigenvalues.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
          "../../numeric/optimization/newton.rkt")
 

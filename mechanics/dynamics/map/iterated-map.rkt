@@ -9,7 +9,8 @@
          "compiled-map.rkt" "map-of-the-plane.rkt"
          "../../compile/compile-function.rkt"
          "../../error/complain.rkt" "../../error/message-words.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/wrong-argument.rkt"
          "../../numeric/flvector.rkt")
 
 (provide iterated-map)

@@ -6,7 +6,8 @@
 ;; none.
 
 (require "../../calculus/perturbed-value.rkt"
-         "../../error/complain.rkt" "../../error/hint.rkt" "../../error/refusal.rkt" "../../error/message-words.rkt"
+         "../../error/complain.rkt" "../../error/hint.rkt" "../../error/refusal.rkt"
+         "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
          "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"

@@ -15,7 +15,8 @@
          "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
          "../../generic/scalar.rkt" "../../generic/up-down.rkt"
          "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
-         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt" "../../numeric/flvector.rkt"
+         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
+         "../../numeric/flvector.rkt"
          "../../numeric/whole-turns.rkt"
          "../../value/shape.rkt")
 

@@ -17,7 +17,8 @@
          "compiled-map.rkt" "map-of-the-plane.rkt" "map-on-tuples.rkt" "plane-points.rkt"
          "../../error/complain.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
-         "../../generic/up-down.rkt" "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/up-down.rkt" "../../generic/value-struct.rkt"
+         "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/flvector.rkt"
          "../../numeric/whole-turns.rkt")
 

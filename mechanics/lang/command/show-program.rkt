@@ -5,7 +5,8 @@
 (require racket/path
          "program-document.rkt" "written-files.rkt"
          (only-in "../program-file.rkt" about-language language-without-us)
-         "../../show/document/TeX-document.rkt" "../../show/document/web-page.rkt" "../../error/complain.rkt"
+         "../../show/document/TeX-document.rkt" "../../show/document/web-page.rkt"
+         "../../error/complain.rkt"
          "../../show/plot/picture-file.rkt")
 
 (provide show-command TeX-command write-document)

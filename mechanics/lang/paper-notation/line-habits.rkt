@@ -5,7 +5,8 @@
 ;; Each form would be evaluated by itself: f is printed, and then 3 cannot be applied.
 
 (require racket/list
-         "definition-by-sign.rkt" "misread-call.rkt" "other-notation.rkt" "prefix-form.rkt" "operation-sign.rkt"
+         "definition-by-sign.rkt" "misread-call.rkt" "other-notation.rkt" "prefix-form.rkt"
+         "operation-sign.rkt"
          "../written-form.rkt")
 
 (provide meant-as-one misread-line prime-alone)

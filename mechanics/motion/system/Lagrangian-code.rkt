@@ -15,7 +15,7 @@
          (only-in racket/vector vector-copy)
          "check.rkt" "mass-matrix.rkt"
          "../../compile/program-builder.rkt" "../../compile/compile-function.rkt"
-         "../../compile/program.rkt" "../../compile/sweep.rkt"
+         "../../compile/program.rkt" "../../compile/derivative-sweep.rkt"
          "../../generic/up-down.rkt"
          "../../lagrangian/state-derivative.rkt"
          "../../numeric/flvector.rkt"

@@ -5,7 +5,7 @@
 ;; (1, v, 0) their rates, but for the accelerations; in that of each velocity, those of the
 ;; momenta are a column of the mass matrix.
 
-(require "../../compile/program.rkt" "../../compile/sweep.rkt")
+(require "../../compile/program.rkt" "../../compile/derivative-sweep.rkt")
 
 (provide known-rates mass-matrix)
 

@@ -13,7 +13,8 @@
 ;; begins with A and b as they were.
 
 (require "assembler.rkt" "instruction-builder.rkt" "straight-instruction.rkt"
-         (only-in "../linear-algebra/small-symmetric-system.rkt" [most-unknowns most-small] least-part))
+         (only-in "../linear-algebra/small-symmetric-system.rkt" [most-unknowns most-small]
+                                                                 least-part))
 
 (provide most-unknowns system-room solution-place entry-place
          write-elimination! definite-solution write-margin-tests!)
@@ -183,7 +184,8 @@
     (entry! k n (do 'multiply (entry k n) (vector-ref inverses k))))
   (for/list ([k (in-range n)]) (margin k (entry k k))))
 
-;; Of more (numeric/linear-algebra/symmetric-system.rkt): the lower triangle becomes L, with the inverse
+;; Of more (numeric/linear-algebra/symmetric-system.rkt): the lower triangle becomes L, with the
+;; inverse
 ;; entries of its diagonal.
 (define (solve-by-triangle! n entry entry! less! margin do)
   (define (plus-product sum i j k) (do 'add sum (do 'multiply (entry i k) (entry j k))))

@@ -16,7 +16,7 @@
 
 (require racket/fixnum
          racket/flonum
-         "differentiated.rkt" "vector-formulas.rkt"
+         "rates-with-jacobian.rkt" "vector-formulas.rkt"
          (only-in "../constants.rkt" rounding) "../record-fields.rkt" "../flvector.rkt"
          "../linear-algebra/factored-system.rkt")
 

@@ -8,7 +8,8 @@
 
 (require racket/flonum
          (only-in racket/list index-of)
-         "right-hand-side.rkt" "method-formulas.rkt" "method-code.rkt" "method-memory.rkt" "stepper.rkt"
+         "right-hand-side.rkt" "method-formulas.rkt" "method-code.rkt" "method-memory.rkt"
+         "stepper.rkt"
          "vector-formulas.rkt"
          "../record-fields.rkt" "../flvector.rkt")
 

@@ -70,7 +70,8 @@
                 (if (fl= d 0.0) 0.0 (fl/ dividend d))))
             '(([e term ...] ...) ([x formula] ...) dividend divisor)))
 
-;; (run n h ks old y kept) stores the coefficients of a nested polynomial (vector-formulas.rkt), vectors one
+;; (run n h ks old y kept) stores the coefficients of a nested polynomial (vector-formulas.rkt),
+;; vectors one
 ;; after the other; formulas give their components of index i, and may use those before.
 (define-syntax-rule (coefficients (n i h) (k ...) (old y) [c formula] ...)
   (formulas (lambda (n h ks old y kept)

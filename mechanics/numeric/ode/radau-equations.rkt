@@ -21,7 +21,7 @@
 ;; for the next step where convergence was fast.
 
 (require racket/flonum
-         "differentiated.rkt" "implicit-matrices.rkt" "vector-formulas.rkt"
+         "rates-with-jacobian.rkt" "implicit-matrices.rkt" "vector-formulas.rkt"
          (only-in "../constants.rkt" rounding) "../record-fields.rkt" "../flvector.rkt")
 
 (provide make-equations solve-equations! equations-zs

@@ -19,7 +19,7 @@
 ;; step  : the length of all steps, or #f if they follow the error
 ;; start : (f! y0) -> stepper; (f! y dy) stores f(y) in dy
 ;; asks  : 'jacobian if it solves equations, for which it asks for the derivatives of f
-;;         (differentiated.rkt); 'expansion if it asks for Taylor coefficients
+;;         (rates-with-jacobian.rkt); 'expansion if it asks for Taylor coefficients
 ;;         (right-hand-side.rkt); or #f.  One that asks is told, in `start`, the error tolerated in
 ;;         a step.
 ;; alternative : of a method for separable systems alone (symplectic.rkt), what makes one

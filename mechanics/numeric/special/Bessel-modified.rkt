@@ -7,7 +7,7 @@
 ;; e^(∓x) times numbers of usual size; this factor is put in last.  For x < 2 there are series.
 
 (require racket/flonum racket/math
-         "../Bessel-recurrences.rkt" "Bessel-series.rkt")
+         "Bessel-recurrences.rkt" "Bessel-series.rkt")
 
 (provide Bessel-I+K)
 

@@ -16,7 +16,7 @@
 ;; that the fraction is short.
 
 (require racket/flonum racket/math
-         "../Bessel-recurrences.rkt" "Bessel-series.rkt")
+         "Bessel-recurrences.rkt" "Bessel-series.rkt")
 
 (provide Bessel-J+Y)
 

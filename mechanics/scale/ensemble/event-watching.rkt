@@ -4,8 +4,10 @@
 (require racket/flonum
          "task.rkt"
          "../../compile/compile-function.rkt"
-         "../../motion/event/event.rkt" "../../motion/event/event-watch.rkt" "../../motion/recording.rkt"
-         "../../motion/run-system.rkt" "../../motion/system/system.rkt" "../../motion/event/within-step.rkt"
+         "../../motion/event/event.rkt" "../../motion/event/event-watch.rkt"
+         "../../motion/recording.rkt"
+         "../../motion/run-system.rkt" "../../motion/system/system.rkt"
+         "../../motion/event/within-step.rkt"
          "../../value/shape.rkt")
 
 (provide watching)

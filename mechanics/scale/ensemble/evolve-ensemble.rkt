@@ -1,14 +1,17 @@
 #lang racket/base
 ;; Many motions of one system, on all cores.
 ;;
-;; Starts are taken in batches, in their order, as they are needed (run-batches.rkt).  Results come out in
+;; Starts are taken in batches, in their order, as they are needed (run-batches.rkt).  Results come
+;; out in
 ;; the order of the starts whatever is finished first, so that sums do not depend on chance.
 
 (require racket/future
-         "check-request.rkt" "ordered-results.rkt" "perform-task.rkt" "prepare-task.rkt" "run-batches.rkt" "start-rows.rkt"
+         "check-request.rkt" "ordered-results.rkt" "perform-task.rkt" "prepare-task.rkt"
+         "run-batches.rkt" "start-rows.rkt"
          "task.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/computed-once.rkt"
-         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/value-struct.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt"
          "../../motion/system/check.rkt" "../../motion/event/event.rkt"
          "../../motion/observed-systems.rkt"

@@ -3,10 +3,11 @@
 
 (require racket/flonum
          "task.rkt" "event-watching.rkt"
-         "../../compile/code.rkt" "../../compile/program.rkt"
+         "../../compile/Racket-code.rkt" "../../compile/program.rkt"
          "../../error/failure.rkt" "../../error/computed-once.rkt"
          "../../generic/up-down.rkt"
-         "../../motion/integration-plan.rkt" "../../motion/system/rates-code.rkt" "../../motion/run-system.rkt"
+         "../../motion/integration-plan.rkt" "../../motion/system/rates-code.rkt"
+         "../../motion/run-system.rkt"
          "../../motion/system/system.rkt"
          "../../value/shape.rkt")
 

@@ -7,7 +7,8 @@
          "../../compile/compile-function.rkt"
          "../../error/failure.rkt"
          "../../generic/up-down.rkt"
-         "../../motion/event/event.rkt" "../../motion/evolve-trajectory.rkt" "../../motion/method.rkt"
+         "../../motion/event/event.rkt" "../../motion/evolve-trajectory.rkt"
+         "../../motion/method.rkt"
          "../../motion/system/clock.rkt" "../../motion/system/parametric-system.rkt"
          "../../motion/system/rates-code.rkt" "../../motion/trajectory.rkt"
          (only-in "../../numeric/ode/stepper.rkt" method-asks)

@@ -8,7 +8,8 @@
          racket/list
          racket/runtime-path
          racket/string
-         "exported-system.rkt" "method-text.rkt" "variable-names.rkt" "program-text.rkt" "template.rkt"
+         "exported-system.rkt" "method-text.rkt" "variable-names.rkt" "program-text.rkt"
+         "template.rkt"
          "../../compile/program.rkt"
          "../../error/complain.rkt"
          (only-in "../../numeric/ode/dormand-prince-853.rkt" dormand-prince-853-formulas)

@@ -7,7 +7,8 @@
 ;; shapes are expected, lists of shapes will do, however deep.
 
 (require "../../error/complain.rkt"
-         "../../generic/describe.rkt" "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/describe.rkt" "../../generic/value-struct.rkt"
+         "../../generic/wrong-argument.rkt"
          "../plot/coordinate.rkt")
 
 (provide polyline disc label flat-shapes

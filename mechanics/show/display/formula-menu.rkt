@@ -2,7 +2,8 @@
 ;; The menu of a formula in an editor: what can be copied of it.
 
 (require "result-formula.rkt"
-         "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt" "../typesetting/drawn-text.rkt"
+         "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt"
+         "../typesetting/drawn-text.rkt"
          "../../algebra/notation/infix.rkt"
          racket/class racket/gui/base)
 

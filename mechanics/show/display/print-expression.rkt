@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Printing values on demand, simplified: what the prompt does to results.
 
-(require "display-style.rkt" "layout.rkt" "print-shown.rkt" "result-receiver.rkt" "result.rkt" "text.rkt"
+(require "display-style.rkt" "layout.rkt" "print-shown.rkt" "result-receiver.rkt" "result.rkt"
+         "text.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../value/series/series-access.rkt"
          "../../verdict/verdict.rkt")

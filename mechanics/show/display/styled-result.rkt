@@ -5,7 +5,8 @@
 ;; before there were styles, with a line that says why.
 
 (require "print-shown.rkt" "result-formula.rkt"
-         "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt" "../typesetting/drawn-text.rkt"
+         "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt"
+         "../typesetting/drawn-text.rkt"
          "../../algebra/expression/write.rkt"
          "../../algebra/notation/formula.rkt" "../../algebra/notation/infix.rkt"
          (only-in "../../algebra/notation/tree.rkt" plain?)

@@ -1,10 +1,12 @@
 #lang racket/base
 ;; Values as formulas: the tree of a value, drawn in one of several ways.
 
-(require "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt" "../typesetting/drawn-text.rkt"
+(require "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt"
+         "../typesetting/drawn-text.rkt"
          "../../algebra/notation/infix.rkt" "../../algebra/notation/read-infix.rkt"
          "../../error/note.rkt"
-         "../../generic/define-plain.rkt" "../../generic/value-tree.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/define-plain.rkt" "../../generic/value-tree.rkt"
+         "../../generic/wrong-argument.rkt"
          "../../value/read-expression.rkt")
 
 (provide ->infix ->text ->TeX ->MathML read-infix check-width)

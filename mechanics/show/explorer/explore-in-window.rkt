@@ -3,7 +3,8 @@
 ;; loaded when the first is opened.
 
 (require racket/class
-         "exploration.rkt" "exploration-program.rkt" "../plot/frame.rkt" "../plot/view.rkt" "../plot/window-screen.rkt"
+         "exploration.rkt" "exploration-program.rkt" "../plot/frame.rkt" "../plot/view.rkt"
+         "../plot/window-screen.rkt"
          "../../error/computed-once.rkt" "../../error/message-words.rkt"
          "../../generic/on-demand.rkt")
 

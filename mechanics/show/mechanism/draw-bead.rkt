@@ -3,7 +3,8 @@
 
 (require (only-in racket/list take)
          "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt" "../animation/shapes.rkt"
+         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt"
+         "../animation/shapes.rkt"
          "../../generic/describe.rkt"
          "../../numeric/constants.rkt"
          "../plot/coordinate.rkt")

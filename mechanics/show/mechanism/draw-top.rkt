@@ -4,7 +4,8 @@
 
 (require (only-in racket/list last)
          "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt" "../animation/shapes.rkt"
+         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt"
+         "../animation/shapes.rkt"
          "../../error/complain.rkt"
          "../../generic/describe.rkt")
 

@@ -2,7 +2,8 @@
 ;; Wheels: one that rolls down an incline, seen from the side, and a coin on a table.
 
 (require "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt" "../animation/shapes.rkt"
+         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt"
+         "../animation/shapes.rkt"
          "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt"
          "../plot/coordinate.rkt")

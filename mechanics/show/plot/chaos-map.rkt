@@ -7,7 +7,8 @@
          "../../generic/on-demand.rkt" "../../generic/wrong-argument.rkt"
          "../../dynamics/map/map-of-the-plane.rkt")
 
-(require-on-demand ["../../dynamics/fast-Lyapunov-indicator.rkt" indicator-grid] ["../../dynamics/map/plane-points.rkt" part-middle])
+(require-on-demand ["../../dynamics/fast-Lyapunov-indicator.rkt" indicator-grid]
+         ["../../dynamics/map/plane-points.rkt" part-middle])
 
 (provide chaos-map)
 

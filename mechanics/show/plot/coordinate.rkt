@@ -6,9 +6,11 @@
 
 (require "../../algebra/expression/constant-value.rkt" "../../algebra/expression/expression.rkt"
          "../../algebra/expression/symbols.rkt"
-         "../../error/complain.rkt" "../../error/hint.rkt" "../../error/computed-once.rkt" "../../error/message-words.rkt"
+         "../../error/complain.rkt" "../../error/hint.rkt" "../../error/computed-once.rkt"
+         "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt"
-         "../../generic/kind.rkt" "../../generic/multiplied-function.rkt" "../../generic/up-down.rkt"
+         "../../generic/kind.rkt" "../../generic/multiplied-function.rkt"
+         "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
          "../../numeric/finite-number.rkt")
 

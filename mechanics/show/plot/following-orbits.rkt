@@ -8,7 +8,8 @@
 
 (require "draw.rkt"
          "../../error/complain.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/wrong-argument.rkt"
          "../../dynamics/map/map-of-the-plane.rkt")
 
 (provide default-collector default-monitor)

@@ -9,7 +9,8 @@
 ;; It reads a request, and writes a line for each answer (answer-lines.rkt).
 
 (require "answer-lines.rkt" "open-program.rkt"
-         "../worksheet/check-answers.rkt" "../worksheet/exercise-kind.rkt" "../worksheet/exercise.rkt")
+         "../worksheet/check-answers.rkt" "../worksheet/exercise-kind.rkt"
+         "../worksheet/exercise.rkt")
 
 (provide evaluate-request (struct-out request))
 

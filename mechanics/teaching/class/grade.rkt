@@ -9,7 +9,8 @@
 (require racket/future
          (only-in racket/list count)
          "collect-answers.rkt" "isolation.rkt" "submission.rkt" "within-limits.rkt"
-         "../worksheet/defined-names.rkt" "../worksheet/exercise.rkt" "../worksheet/judge.rkt" "../worksheet/judgment.rkt")
+         "../worksheet/defined-names.rkt" "../worksheet/exercise.rkt" "../worksheet/judge.rkt"
+         "../worksheet/judgment.rkt")
 
 (provide grade-class
          (struct-out graded) graded-judgments graded-points graded-open graded-remarks

@@ -3,10 +3,13 @@
 
 (require "step-by-step.rkt"
          "../../calculus/derivative.rkt"
-         "../../show/display/print-expression.rkt" (only-in "../../show/display/result-receiver.rkt" receiver-here)
+         "../../show/display/print-expression.rkt"
+         (only-in "../../show/display/result-receiver.rkt" receiver-here)
          "../../error/complain.rkt"
-         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/elementary.rkt"
-         "../../generic/function.rkt" "../../generic/on-demand.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/elementary.rkt"
+         "../../generic/function.rkt" "../../generic/on-demand.rkt"
+         "../../generic/wrong-argument.rkt"
          "../../lagrangian/Lagrange-equations.rkt" "../../lagrangian/local-tuple.rkt"
          "../../value/compose.rkt" "../../value/simplify.rkt" "../../value/structure.rkt")
 

@@ -8,7 +8,8 @@
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../numeric/flvector.rkt"
-         "../../numeric/linear-algebra/row-matrix.rkt" "../../numeric/linear-algebra/singular-values.rkt"
+         "../../numeric/linear-algebra/row-matrix.rkt"
+         "../../numeric/linear-algebra/singular-values.rkt"
          "../../numeric/linear-algebra/symmetric-eigenvalues.rkt")
 
 (provide eigenvectors svd)

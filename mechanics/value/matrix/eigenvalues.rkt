@@ -15,7 +15,8 @@
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
          "../../numeric/finite-number.rkt" "../../numeric/flvector.rkt"
-         "../../numeric/linear-algebra/row-matrix.rkt" "../../numeric/linear-algebra/matrix-scaling.rkt")
+         "../../numeric/linear-algebra/row-matrix.rkt"
+         "../../numeric/linear-algebra/matrix-scaling.rkt")
 
 (provide characteristic-polynomial eigenvalues)
 

@@ -15,7 +15,8 @@
          "../structure.rkt"
          "../../generic/arithmetic.rkt"
          "../../numeric/flvector.rkt"
-         "../../numeric/linear-algebra/row-matrix.rkt" "../../numeric/linear-algebra/singular-values.rkt")
+         "../../numeric/linear-algebra/row-matrix.rkt"
+         "../../numeric/linear-algebra/singular-values.rkt")
 
 (provide numeric-eigenvectors)
 

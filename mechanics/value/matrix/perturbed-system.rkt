@@ -17,7 +17,8 @@
          "../../algebra/expression/expression.rkt"
          "../../generic/arithmetic.rkt" "../../generic/kind.rkt" "../../generic/scalar.rkt"
          "../../generic/tracing.rkt"
-         "../../numeric/linear-algebra/row-operations.rkt" "../../numeric/linear-algebra/row-matrix.rkt")
+         "../../numeric/linear-algebra/row-operations.rkt"
+         "../../numeric/linear-algebra/row-matrix.rkt")
 
 (provide perturbed-system? perturbed-solutions many-rows? pivots-determinant)
 

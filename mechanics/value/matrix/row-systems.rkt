@@ -5,7 +5,8 @@
 ;; into blocks (algebra/elimination/block-form.rkt), each treated by itself:
 ;;
 ;; - exact numbers by elimination without fractions (algebra/elimination/bareiss.rkt),
-;; - numbers, some of them flonums, with partial pivoting (numeric/linear-algebra/flonum-systems.rkt),
+;; - numbers, some of them flonums, with partial pivoting
+;; (numeric/linear-algebra/flonum-systems.rkt),
 ;; - those of higher precision likewise (numeric/bigfloat/bigfloat-systems.rkt),
 ;; - what is being differentiated by systems of its values (perturbed-system.rkt),
 ;; - anything else without divisions (division-free.rkt).
@@ -20,7 +21,8 @@
          "../../algebra/elimination/block-form.rkt"
          "../../generic/arithmetic.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
          "../../generic/up-down.rkt"
-         "../../numeric/linear-algebra/flonum-systems.rkt" "../../numeric/linear-algebra/row-matrix.rkt")
+         "../../numeric/linear-algebra/flonum-systems.rkt"
+         "../../numeric/linear-algebra/row-matrix.rkt")
 
 (provide rows-determinant rows-solve rows-solve-each rows-inverse
          rows-rank rows-null-space rows-characteristic rows-diagonal-blocks

@@ -6,7 +6,8 @@
          "../../algebra/expression/expression.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/message-words.rkt"
          "../../generic/describe.rkt"
-         "../../numeric/linear-algebra/flonum-systems.rkt" "../../numeric/linear-algebra/row-matrix.rkt")
+         "../../numeric/linear-algebra/flonum-systems.rkt"
+         "../../numeric/linear-algebra/row-matrix.rkt")
 
 (provide raise-singular-matrix matrix-kernel raise-no-scalars raise-too-large)
 

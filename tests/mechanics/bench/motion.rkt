@@ -51,7 +51,7 @@
 
 (define (precise-task name title run)
   (make-prepared-task name title
-                      (lambda () (dynamic-require 'mechanics/motion/precise #f))
+                      (lambda () (dynamic-require 'mechanics/motion/precise-run #f))
                       (lambda (_) (run))))
 
 ;; ---------------------------------------------------------------------------

@@ -7,7 +7,7 @@
          racket/flonum
          (except-in rackunit fail)
          mechanics
-         (only-in mechanics/compile/code program->maker)
+         (only-in mechanics/compile/Racket-code program->maker)
          (only-in mechanics/compile/compile-function compiled-function-program)
          (only-in mechanics/compile/closures program->closure-maker)
          (only-in mechanics/compile/program program-inputs program-length program-outputs)

@@ -3,7 +3,7 @@
 
 (require racket/flonum
          rackunit
-         mechanics/compile/code
+         mechanics/compile/Racket-code
          mechanics/compile/closures
          mechanics/compile/program
          mechanics/compile/tiers

@@ -5,7 +5,7 @@
          rackunit
          (prefix-in m: mechanics)
          mechanics/motion/system/make-system mechanics/motion/system/system
-         mechanics/numeric/ode/gauss-legendre mechanics/numeric/ode/quality-controlled
+         mechanics/numeric/ode/gauss-legendre mechanics/numeric/ode/doubled-runge-kutta
          mechanics/numeric/ode/stepper mechanics/numeric/ode/symplectic)
 
 ;; A pendulum, released at 1 rad: period 6.7.

@@ -8,7 +8,7 @@
          (only-in mechanics/motion/system/make-system make-system)
          (only-in mechanics/motion/system/parametric-system make-parametric-system)
          (only-in mechanics/motion/system/system system-make-jacobian! system-make-slope!)
-         (only-in mechanics/numeric/ode/differentiated differences differentiated)
+         (only-in mechanics/numeric/ode/rates-with-jacobian differences differentiated)
          (only-in mechanics/numeric/ode/integrate integrate)
          (only-in mechanics/numeric/ode/radau radau-iia-5)
          (only-in mechanics/value/shape structure->flvector flvector->structure shape-length))

@@ -13,7 +13,7 @@
          (only-in mechanics/algebra/notation/read-infix infix->datum)
          (only-in mechanics/algebra/ball/ball exact->ball ball-lower ball-upper ball-scale)
          (only-in mechanics/algebra/ball/ball-functions ball-erf)
-         mechanics/compile/code mechanics/compile/program mechanics/compile/sweep
+         mechanics/compile/Racket-code mechanics/compile/program mechanics/compile/derivative-sweep
          mechanics/compile/trace
          (only-in mechanics/show/typesetting/TeX tree->TeX)
          (only-in mechanics/algebra/notation/formula plain-datum->tree)

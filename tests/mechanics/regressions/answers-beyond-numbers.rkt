@@ -3,7 +3,8 @@
 ;; trivial: +nan.0 as a Lagrangian, for "its equations of motion are 0 = 0".
 
 (require (except-in mechanics time)
-         mechanics/teaching/worksheet/answer-data mechanics/teaching/worksheet/judge mechanics/teaching/worksheet/judgment
+         mechanics/teaching/worksheet/answer-data mechanics/teaching/worksheet/judge
+         mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
          rackunit)
 

@@ -8,7 +8,7 @@
          racket/flonum
          racket/list
          rackunit
-         (only-in mechanics/compile/code program->maker)
+         (only-in mechanics/compile/Racket-code program->maker)
          (only-in mechanics/compile/compile-function compiled-function-program))
 
 ;; The values of the code are those of f.  (Long programs are interpreted at first, by an

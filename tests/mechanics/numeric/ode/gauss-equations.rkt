@@ -3,7 +3,7 @@
 
 (require racket/flonum
          rackunit
-         mechanics/numeric/ode/differentiated
+         mechanics/numeric/ode/rates-with-jacobian
          mechanics/numeric/ode/gauss-legendre
          mechanics/numeric/ode/integrate
          mechanics/numeric/ode/stepper)

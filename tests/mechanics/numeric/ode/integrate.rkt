@@ -9,7 +9,7 @@
          mechanics/numeric/ode/dormand-prince-853
          mechanics/numeric/ode/gauss-legendre
          mechanics/numeric/ode/integrate
-         mechanics/numeric/ode/quality-controlled
+         mechanics/numeric/ode/doubled-runge-kutta
          mechanics/numeric/ode/radau
          mechanics/numeric/ode/symplectic
          mechanics/numeric/ode/stepper

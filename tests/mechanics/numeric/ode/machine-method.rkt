@@ -4,7 +4,7 @@
 
 (require racket/flonum
          rackunit
-         mechanics/compile/code
+         mechanics/compile/Racket-code
          mechanics/compile/program
          (only-in mechanics/motion/system/rates-code fix-parameters)
          mechanics/numeric/machine/executable

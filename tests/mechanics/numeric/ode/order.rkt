@@ -7,7 +7,7 @@
          rackunit
          mechanics/numeric/ode/bulirsch-stoer
          mechanics/numeric/ode/dormand-prince-54 mechanics/numeric/ode/dormand-prince-853
-         mechanics/numeric/ode/gauss-legendre mechanics/numeric/ode/quality-controlled
+         mechanics/numeric/ode/gauss-legendre mechanics/numeric/ode/doubled-runge-kutta
          mechanics/numeric/ode/radau mechanics/numeric/ode/stepper
          mechanics/numeric/ode/symplectic)
 

@@ -4,7 +4,7 @@
 (require racket/flonum
          rackunit
          mechanics/error/failure
-         mechanics/numeric/ode/differentiated
+         mechanics/numeric/ode/rates-with-jacobian
          mechanics/numeric/ode/dormand-prince-853
          mechanics/numeric/ode/integrate
          mechanics/numeric/ode/radau

@@ -9,7 +9,8 @@
          (only-in racket/sequence sequence-map)
          (except-in rackunit fail)
          mechanics/book
-         mechanics/scale/ensemble/batch mechanics/scale/ensemble/worker-pool mechanics/scale/ensemble/task
+         mechanics/scale/ensemble/batch mechanics/scale/ensemble/worker-pool
+         mechanics/scale/ensemble/task
          mechanics/compile/program
          mechanics
          tests/mechanics/support/own-process

@@ -6,7 +6,7 @@
          racket/string
          (except-in rackunit fail)
          mechanics/book
-         mechanics/compile/code mechanics/scale/export/exported-system
+         mechanics/compile/Racket-code mechanics/scale/export/exported-system
          mechanics/value/shape
          mechanics
          tests/mechanics/support/exported tests/mechanics/support/random

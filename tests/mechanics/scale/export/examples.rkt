@@ -10,7 +10,7 @@
          racket/path
          racket/runtime-path
          (except-in rackunit fail)
-         mechanics/compile/code mechanics/compile/program
+         mechanics/compile/Racket-code mechanics/compile/program
          mechanics/scale/export/export-system mechanics/scale/export/exported-system
          mechanics/lang/command/program-systems mechanics/lang/command/system-of-program
          tests/mechanics/support/exported tests/mechanics/support/random

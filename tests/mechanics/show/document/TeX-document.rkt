@@ -7,8 +7,10 @@
          racket/string
          rackunit
          mechanics mechanics/plot
-         "../../../../mechanics/show/document/TeX-document.rkt" "../../../../mechanics/show/document/TeX-prose.rkt"
-         "../../../../mechanics/show/document/document-piece.rkt" "../../../../mechanics/show/document/shown-result.rkt"
+         "../../../../mechanics/show/document/TeX-document.rkt"
+         "../../../../mechanics/show/document/TeX-prose.rkt"
+         "../../../../mechanics/show/document/document-piece.rkt"
+         "../../../../mechanics/show/document/shown-result.rkt"
          (only-in "../../../../mechanics/show/plot/on-demand.rkt" can-draw?)
          "../../support/skip.rkt")
 

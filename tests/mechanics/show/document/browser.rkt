@@ -5,7 +5,8 @@
 (require racket/file
          rackunit
          mechanics
-         "../../../../mechanics/show/document/web-page.rkt" "../../../../mechanics/show/document/document-piece.rkt"
+         "../../../../mechanics/show/document/web-page.rkt"
+         "../../../../mechanics/show/document/document-piece.rkt"
          "../../../../mechanics/show/document/shown-result.rkt"
          "../../support/browser.rkt" "../../support/skip.rkt")
 

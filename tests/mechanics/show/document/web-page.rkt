@@ -7,8 +7,10 @@
          (only-in xml document-element read-xml xml->xexpr)
          mechanics mechanics/plot
          (prefix-in t: "../../../../mechanics/algebra/notation/tree.rkt")
-         "../../../../mechanics/show/document/coloring.rkt" "../../../../mechanics/show/document/line-markup.rkt"
-         "../../../../mechanics/show/document/web-page.rkt" "../../../../mechanics/show/document/document-piece.rkt"
+         "../../../../mechanics/show/document/coloring.rkt"
+         "../../../../mechanics/show/document/line-markup.rkt"
+         "../../../../mechanics/show/document/web-page.rkt"
+         "../../../../mechanics/show/document/document-piece.rkt"
          "../../../../mechanics/show/document/shown-result.rkt"
          (only-in "../../../../mechanics/show/plot/on-demand.rkt" can-draw?)
          "../../support/skip.rkt")

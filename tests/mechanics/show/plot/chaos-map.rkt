@@ -6,7 +6,8 @@
          mechanics/book
          mechanics/plot
          (only-in mechanics/show/plot/frame frame-now)
-         (only-in mechanics/show/plot/picture-layer layer-data raster-bytes raster-height raster-width)
+         (only-in mechanics/show/plot/picture-layer
+                  layer-data raster-bytes raster-height raster-width)
          racket/serialize
          "../../support/messages.rkt")
 

@@ -6,7 +6,8 @@
          mechanics/book
          mechanics/plot
          (only-in mechanics/show/plot/frame frame-now)
-         (only-in mechanics/show/plot/picture-layer layer-data layer-kind layer-style style-color field-level)
+         (only-in mechanics/show/plot/picture-layer
+                  layer-data layer-kind layer-style style-color field-level)
          (only-in mechanics/show/plot/phase-portrait places-of-rest
                   place-q place-p place-energy place-kind)
          "../../support/close.rkt" "../../support/messages.rkt")

@@ -101,7 +101,8 @@
 
 (define (test-of-nobody i folder temporary)
   (check-eq? (isolation-level i) 'nobody)
-  (check-equal? (isolated i '(display (dynamic-require 'mechanics/teaching/worksheet/exercise 'exercise?)))
+  (check-equal? (isolated i '(display
+                              (dynamic-require 'mechanics/teaching/worksheet/exercise 'exercise?)))
                 "#<procedure:exercise?>")
   (define copy (string->path (isolated i '(display (collection-path "mechanics")))))
   (check-equal? (build-path temporary (car (directory-list temporary)) "mechanics") copy)

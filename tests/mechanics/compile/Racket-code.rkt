@@ -5,7 +5,7 @@
          rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/compile/code
+         mechanics/compile/Racket-code
          mechanics/compile/program
          mechanics/generic/arithmetic
          mechanics/generic/elementary
