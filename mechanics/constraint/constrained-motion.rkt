@@ -72,8 +72,6 @@
   (check-velocity who state)
   (void (checked-constraint-values who cs state)))
 
-(define (numeric? x) (andmap real? (scalars x)))
-
 (define ((choosing kept) xs) (for/list ([k (in-list kept)]) (list-ref xs k)))
 
 ;; ---------------------------------------------------------------------------

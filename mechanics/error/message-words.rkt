@@ -3,7 +3,7 @@
 
 (require racket/list racket/string)
 
-(provide message joined counted)
+(provide message joined counted first-line)
 
 ;; "who: " and the text, which with its parts is as `format` takes them.
 (define (message who text parts)
@@ -31,3 +31,5 @@
 ;; "1 argument", "2 arguments"
 (define (counted n noun)
   (format "~a ~a~a" n noun (if (eqv? n 1) "" "s")))
+
+(define (first-line text) (regexp-replace #rx"\n.*" text ""))

@@ -2,10 +2,13 @@
 ;; Checks of functions that a reader gives: how many arguments they take, and that their value is
 ;; a number.
 
-(require "describe.rkt" "function.rkt" "scalar.rkt"
+(require "describe.rkt" "function.rkt" "scalar.rkt" "up-down.rkt"
          "../error/complain.rkt")
 
-(provide takes-arguments? check-takes check-scalar-value)
+(provide plain-procedure? takes-arguments? check-takes check-scalar-value)
+
+;; Is x a procedure and no tuple, which answers `procedure?`, too?
+(define (plain-procedure? x) (and (procedure? x) (not (tuple? x))))
 
 ;; Is f a procedure that accepts n arguments?
 (define (takes-arguments? f n) (and (procedure? f) (accepts? f n)))

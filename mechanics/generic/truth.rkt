@@ -4,7 +4,7 @@
 ;;
 ;; A struct with the property says in a sentence what to ask instead.
 
-(require "../error/complain.rkt")
+(require "../error/complain.rkt" "../error/message-words.rkt")
 
 (provide prop:no-truth-value truth)
 
@@ -21,5 +21,3 @@
   (when (no-truth-value? v)
     (complain who "~a\n  given: ~a" (what-to-ask v) (first-line (format "~a" v))))
   v)
-
-(define (first-line text) (regexp-replace #rx"\n.*" text ""))

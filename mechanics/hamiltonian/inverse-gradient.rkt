@@ -20,6 +20,7 @@
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
          (only-in "../lagrangian/state-derivative.rkt" directions->text)
+         "../numeric/finite-number.rkt"
          "../value/by-shape.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
          "../value/simplify.rkt" "../value/structure.rkt" "../value/symbols-like.rkt"
          "../value/matrix/linear-algebra.rkt")
@@ -114,11 +115,9 @@
 
 (define (velocity-by-formula i f given w)
   (define v (evaluate-at (formula-v f) (formula-place f) (up given w)))
-  (when (ormap unreal? (scalars (plain v))) (raise-none-found i w (plain v) #f))
+  ;; No velocity has a momentum of which the formula is the logarithm of a negative number, say.
+  (when (ormap not-real? (scalars (plain v))) (raise-none-found i w (plain v) #f))
   v)
-
-;; Is x no real number, as the logarithm of a negative one?  No velocity has that momentum.
-(define (unreal? x) (and (number? x) (not (real? x))))
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers

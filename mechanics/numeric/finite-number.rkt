@@ -1,9 +1,9 @@
 #lang racket/base
-;; Is a number finite?
+;; Tests of numbers that Racket lacks.
 
 (require racket/flonum)
 
-(provide finite? positive-finite?)
+(provide finite? positive-finite? exact-rational? not-real?)
 
 ;; Is x, which may be anything, a real number and finite?  Asked of every value that an
 ;; integral takes of its integrand: of flonums, `rational?` would answer much more slowly.
@@ -13,3 +13,8 @@
       (rational? x)))
 
 (define (positive-finite? x) (and (real? x) (< 0 x +inf.0)))
+
+(define (exact-rational? x) (and (rational? x) (exact? x)))
+
+;; Is x a number with an imaginary part?
+(define (not-real? x) (and (number? x) (not (real? x))))

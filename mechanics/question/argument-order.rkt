@@ -8,13 +8,14 @@
 (require (only-in racket/list last)
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
-         "../generic/compare.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../generic/compare.rkt" "../generic/describe.rkt"
+         "../generic/function-check.rkt" "../generic/up-down.rkt"
          "../hamiltonian/known-Hamiltonians.rkt"
          "../lagrangian/name-hints.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../value/shape.rkt")
 
 (provide check-order-of-arguments check-Hamiltonian-first call-with-quantity-last
-         remarks-on-order plain-function?)
+         remarks-on-order)
 
 ;; ---------------------------------------------------------------------------
 ;; By kind
@@ -23,15 +24,13 @@
 ;; first, and a local tuple last.
 (define (check-order-of-arguments who names arguments)
   (define function-later?
-    (and (not (plain-function? (car arguments))) (ormap plain-function? (cdr arguments))))
+    (and (not (plain-procedure? (car arguments))) (ormap plain-procedure? (cdr arguments))))
   (define tuple-earlier?
     (and (memq 'local names)
          (not (tuple? (last arguments)))
          (ormap tuple? arguments)))
   (when (or function-later? tuple-earlier?)
     (complain who "the arguments come in another order: ~a" (value->text (cons who names)))))
-
-(define (plain-function? x) (and (procedure? x) (not (tuple? x))))
 
 ;; Refuses a first argument that is not known to be a Hamiltonian where another one is.
 (define (check-Hamiltonian-first who H . others)

@@ -4,7 +4,7 @@
 ;; outside H.
 
 (require "argument-order.rkt" "remarks.rkt" "kink-survey.rkt" "question-meaning.rkt"
-         "../generic/define-plain.rkt"
+         "../generic/define-plain.rkt" "../generic/function-check.rkt"
          "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../hamiltonian/Poisson-bracket.rkt"
@@ -33,7 +33,7 @@
 
 ;; Paths of one coordinate may stand for momenta as well.
 (define (solve-exchanged? H q p F)
-  (and (plain-function? q) (plain-function? p)
+  (and (plain-procedure? q) (plain-procedure? p)
        (proved? (prove-zero ((Hamilton-equations H #:force F) p q)))))
 
 (define (judged-along H q p F)

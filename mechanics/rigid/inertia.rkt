@@ -11,6 +11,7 @@
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/scalar.rkt"
+         "../numeric/finite-number.rkt"
          "../value/exact-root.rkt" "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/decompositions.rkt" "../value/matrix/eigenvalues.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
@@ -104,8 +105,6 @@
          (for/list ([moment (in-list (remove-duplicates roots))])
            (cons moment (null-space (g:- I moment))))]
         [else (eigenvectors (floating I))]))
-
-(define (exact-rational? x) (and (rational? x) (exact? x)))
 
 ;; As flonums, exactly symmetric
 (define (floating I)

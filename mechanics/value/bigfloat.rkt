@@ -14,6 +14,7 @@
          "../generic/describe.rkt" "../generic/dispatch.rkt" "../generic/kind.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt"
+         "../numeric/finite-number.rkt"
          "../numeric/linear-algebra/row-matrix.rkt")
 
 (provide bigfloat bigfloat? bigfloat-precision bigfloat->exact
@@ -100,8 +101,6 @@
         [(symbolic? b) ((generic-op-procedure op) (bigfloat->exact a) b)]
         [(trivially (generic-op-name op) a b)]
         [else (in-common-precision f a b)]))
-
-(define (not-real? x) (and (number? x) (not (real? x))))
 
 (define (in-common-precision f a b)
   (define most

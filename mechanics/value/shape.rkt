@@ -5,7 +5,7 @@
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt")
 
-(provide scalars shape-length scalars->structure unknowns-like
+(provide scalars numeric? shape-length scalars->structure unknowns-like
          structure->flvector flvector->structure vector->structure)
 
 ;; The scalars of x, a scalar or a structure of them, from the first to the last.
@@ -15,6 +15,9 @@
         (for/fold ([rest rest]) ([k (in-range (- (structure-length (adopt x)) 1) -1 -1)])
           (walk (vector-ref (tuple-elements x) k) rest))
         (cons x rest))))
+
+;; Is x a number or a structure of numbers, all real?
+(define (numeric? x) (andmap real? (scalars x)))
 
 (define (shape-length x) (length (scalars x)))
 

@@ -11,7 +11,7 @@
 
 (require "../ball/ball-tape.rkt"
          "../expression/operation.rkt" "../expression/pi.rkt"
-         "../../numeric/constants.rkt")
+         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt")
 
 (provide approximate-tape)
 
@@ -25,8 +25,6 @@
 (define (approximate-tape t lookup)
   (define result (evaluate-tape t (lambda (e head args) (item-value e head args lookup))))
   (values (car result) (cdr result)))
-
-(define (not-real? x) (and (number? x) (not (real? x))))
 
 (define (item-value e head args lookup)
   (cond [(operation? head) (approximate head args)]

@@ -12,7 +12,8 @@
          "map-of-the-plane.rkt" "period-check.rkt"
          "../../calculus/derivative.rkt" "../../calculus/perturbed-value.rkt"
          "../../error/complain.rkt" "../../error/refusal.rkt"
-         "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/compare.rkt" "../../generic/describe.rkt"
+         "../../generic/function-check.rkt" "../../generic/function.rkt"
          "../../generic/scalar.rkt" "../../generic/up-down.rkt"
          "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
          "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
@@ -89,9 +90,6 @@
             (string-append "a state derivative gives rates, it is no map of states\n  given: ~a\n"
                            "  (stroboscopic-map f period) and (Poincare-map f event) make maps of it")
             (value->text map)))
-
-;; Tuples answer `procedure?`, too.
-(define (plain-procedure? x) (and (procedure? x) (not (tuple? x))))
 
 ;; Is it a state, whose first scalar is the time?
 (define (timed? at) (and (tuple? at) (>= (structure-length (adopt at)) 3)))

@@ -106,8 +106,6 @@
   (define all (scalars x))
   (and (andmap real? all) (map real->double-flonum all)))
 
-(define (numeric? p) (andmap real? (scalars p)))
-
 ;; In place of each numeric parameter symbols of its shape; others stay.
 (define (parameter-symbols f k)
   (define ps (followed-parameters f))

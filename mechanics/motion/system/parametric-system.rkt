@@ -37,9 +37,6 @@
   (define (with-parameters run) (fix-parameters run n ps))
   (and code (system-of-code state derivative code with-parameters with-parameters ps #f)))
 
-;; Is it a number or a tuple of numbers?
-(define (numeric? parameter) (andmap real? (scalars parameter)))
-
 ;; The parameters with the given numbers in place of the numeric ones.
 (define (with-numbers parameters numbers)
   (cond [(null? parameters) '()]

@@ -6,6 +6,7 @@
          (only-in racket/list append-map)
          (only-in racket/string string-append* string-join)
          "grade.rkt" "submission.rkt"
+         "../../error/message-words.rkt"
          "../worksheet/exercise.rkt" "../worksheet/judgment-words.rkt" "../worksheet/judgment.rkt")
 
 (provide class->csv class->json graded->Gradescope class->text)
@@ -102,8 +103,6 @@
       (format "~a  ~a of ~a~a~a" (submission-person (graded-submission g))
               (number->text (graded-points g)) possible
               (if (= 0 (graded-open g)) "" (format ", ~a left to you" (graded-open g)))
-              (if (graded-problem g) (string-append ": " (one-line (graded-problem g))) ""))))
+              (if (graded-problem g) (string-append ": " (first-line (graded-problem g))) ""))))
   (define warning (class-report-warning r))
   (string-join (if warning (list* warning "" lines) lines) "\n" #:after-last "\n"))
-
-(define (one-line text) (regexp-replace #rx"\n.*" text ""))

@@ -6,7 +6,8 @@
 ;; estimated: a bound on the digits of the numbers, and on the degrees of the polynomials,
 ;; that it may come to.
 
-(require "../../algebra/expression/exact-numbers.rkt")
+(require "../../algebra/expression/exact-numbers.rkt"
+         "../../numeric/finite-number.rkt")
 
 (provide why-not-an-answer)
 
@@ -65,5 +66,3 @@
 ;; Does d hold no symbol?  Then it may be a large number.
 (define (numeric? d)
   (if (pair? d) (andmap numeric? (cdr d)) (number? d)))
-
-(define (exact-rational? x) (and (rational? x) (exact? x)))
