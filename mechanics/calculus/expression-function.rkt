@@ -11,7 +11,6 @@
 
 (provide evaluate-generically evaluate-at expression-derivative parts-of-expression)
 
-
 ;; The value of e with values in place of symbols, ((symbol . value) ...).
 (define (evaluate-generically e point)
   (node-fold e

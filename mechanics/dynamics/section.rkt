@@ -31,7 +31,7 @@
                             #:longest-step [longest +inf.0]
                             #:most-steps [most 100000])
   (check-section derivative event)
-  (define p (make-plan 'Poincare-map tolerance #f longest +inf.0 #:precision #f #:progress #f))
+  (define p (make-plan 'Poincare-map tolerance #f longest +inf.0 #:precision #f #:progress? #f))
   (check-most 'Poincare-map most)
   (define finder-for (finders derivative event p most))
   (define advance (once (lambda () (state-advancer (lambda () derivative)))))

@@ -2,8 +2,7 @@
 ;; The kinetic energy ½ Σ m_k v_k² of particles at r(t, q), as a function of (t, q, q̇).
 
 (require "masses.rkt" "particles.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../lagrangian/local-tuple.rkt")
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt")
 
 (provide kinetic-energy)
 

@@ -1,6 +1,6 @@
 #lang racket/base
-;; Arguments of version 0.2 that are written otherwise now: what a message says to who still
-;; writes them so.  The manual's page of conventions has the same table.
+;; Arguments of version 0.2 that are written otherwise now: what a message says to a reader
+;; who still writes them so.  The manual's page of conventions has the same table.
 
 (provide former-keyword former-count
          ;; for tests

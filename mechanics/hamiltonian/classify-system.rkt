@@ -5,9 +5,8 @@
 ;; the function: one that takes (t, q, p) with a down tuple p and refuses velocities is a
 ;; Hamiltonian.  With one coordinate p and v are numbers; known to be Hamiltonians are then only
 ;; functions that were made as Hamiltonians (known-Hamiltonians.rkt), that are literal with a
-;; signature of
-;; momenta, or that ask their state for its `momentum`.  A function that takes the third part of
-;; its argument by a pattern tells nothing.
+;; signature of momenta, or that ask their state for its `momentum`.  A function that takes the
+;; third part of its argument by a pattern tells nothing.
 
 (require "H-state.rkt" "known-Hamiltonians.rkt"
          "../calculus/literal-function.rkt"

@@ -129,11 +129,11 @@
   (for ([x (in-list (scalars (plain (up w given there))))])
     (unless (number? x) (raise-no-formula i x)))
   (define (excess v) (g:- (gradient v) w))
-  (define (complain e)
+  (define (raise-no-root e)
     (raise-none-found i w
                       (exn:fail:mechanics:not-convergent-value e)
                       (exn:fail:mechanics:not-convergent-error-estimate e)))
-  (with-handlers ([exn:fail:mechanics:not-convergent? complain])
+  (with-handlers ([exn:fail:mechanics:not-convergent? raise-no-root])
     (find-root excess start)))
 
 ;; The solution for a quadratic F; if it has no value, the momenta themselves.

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Functions of momenta, which are no Lagrangians.  A Hamiltonian that is known to be one carries
 ;; this mark (hamiltonian/known-Hamiltonians.rkt); a procedure that takes only Lagrangians refuses
-;; it, and
-;; names the procedure for Hamiltonians.
+;; it, and names the procedure for Hamiltonians.
 
 (require "../error/complain.rkt" "../generic/describe.rkt")
 

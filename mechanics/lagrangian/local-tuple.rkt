@@ -39,7 +39,6 @@
 
 (define (along path) (format "(Gamma ~a)" path))
 
-
 ;; q, known to be a path; a Racket vector counts as a tuple.
 (define (path who q)
   (cond [(tuple? q) (tuple-of-paths who (adopt q) q)]
@@ -119,7 +118,6 @@
 (define accelerations acceleration)
 ;; -> time, coordinates, velocities
 (define (state-parts local) (values (time local) (coordinate local) (velocity local)))
-
 
 ;; A local tuple of n coordinates with components named after `name`.
 (define (literal-Lagrangian-state n)

@@ -25,7 +25,6 @@
   (printed-function (make-eta nu t1 t2) (t)
     (g:* (g:- t t1) (g:- t t2) (nu t))))
 
-
 ;; ((parametric-path-action L t0 q0 t1 q1) qs): the action of the path of
 ;; make-path, as a function of the intermediate coordinates.
 ;; observe : called with each path and its action

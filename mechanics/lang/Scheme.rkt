@@ -9,7 +9,6 @@
          "../generic/on-demand.rkt" "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt" "../numeric/finite-number.rkt")
 
-
 (require-on-demand [racket/pretty pretty-write])
 
 (provide iota (rename-out [successor 1+] [predecessor -1+])

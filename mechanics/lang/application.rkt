@@ -14,8 +14,7 @@
 ;; tested on its way: ((callable operator) argument ...).
 ;;
 ;; Where the form looks as if it were meant otherwise (paper-notation/misread-call.rkt), that is
-;; advice for
-;; the refusal, and for the message on an unknown name in it.
+;; advice for the refusal, and for the message on an unknown name in it.
 
 (require (for-syntax racket/base
                      "imported-name.rkt" "paper-notation/misread-call.rkt"

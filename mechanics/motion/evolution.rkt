@@ -33,7 +33,7 @@
                     . arguments)
        (unless (<= least (length arguments) most) (raise-arguments (datum) takes arguments))
        (define (plan-with tolerance)
-         (make-plan who tolerance method longest most-steps #:precision bits #:progress progress?))
+         (make-plan who tolerance method longest most-steps #:precision bits #:progress? progress?))
        body ...))
    (takes-from-to least most)
    datum))
@@ -91,8 +91,8 @@
   (check-maker 'linearized-flow derivative-maker parameters)
   (define datum (apply call-datum 'linearized-flow derivative-maker parameters))
   (define check-once
-    (by-shape (lambda (state)
-                (check-rates-at 'linearized-flow derivative-maker parameters state))))
+    (for-each-shape (lambda (state)
+                      (check-rates-at 'linearized-flow derivative-maker parameters state))))
   (define (derivative plan-with parameters? state duration [tolerance #f])
     (define p (plan-with tolerance))
     (check-method-of-displacements 'linearized-flow (plan-method p))
@@ -183,12 +183,13 @@
 ;; A system is compiled once for an advancer and each shape of state it meets.
 (define (system-by-shape who derivative-maker parameters)
   (check-maker who derivative-maker parameters)
-  (by-shape (lambda (state)
-              (begin0 (make-parametric-system who derivative-maker parameters state)
-                      (note-followed derivative-maker parameters state)))))
+  (for-each-shape
+   (lambda (state)
+     (begin0 (make-parametric-system who derivative-maker parameters state)
+             (note-followed derivative-maker parameters state)))))
 
-;; (f state), called once for each shape of state
-(define (by-shape f)
+;; (f state), called once for each shape of state, of which all are kept
+(define (for-each-shape f)
   (define known '())                    ; ((state . value) ...)
   (lambda (state)
     (define entry (assf (lambda (s) (same-shape? s state)) known))

@@ -27,7 +27,7 @@
   (check-real 'evolve-trajectory "final time" end)
   (define p
     (make-plan 'evolve-trajectory tolerance method longest most
-               #:precision bits #:progress progress?))
+               #:precision bits #:progress? progress?))
   (define all-events (check-events 'evolve-trajectory events))
   (note-followed derivative '() state)
   (if bits

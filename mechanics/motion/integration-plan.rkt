@@ -16,7 +16,7 @@
 
 ;; tolerance, method : #f for the default
 (define (make-plan who tolerance method [longest +inf.0] [most +inf.0]
-                   #:precision [bits #f] #:progress [progress? (report-progress)])
+                   #:precision [bits #f] #:progress? [progress? (report-progress)])
   (check-precision who bits)
   (when tolerance (check-tolerance who tolerance bits))
   (check-longest who longest)

@@ -32,8 +32,8 @@
 (define rooms-on-demand
   '("algebra/polynomial" "algebra/kernel" "algebra/field" "algebra/simplify"
     "algebra/presentation" "algebra/rewriting" "algebra/solve" "algebra/zero"
-    "constraint" "force" "map" "rigid" "plot" "numeric/optimization" "numeric/bigfloat"
-    "worksheet"))
+    "constraint" "force" "dynamics" "rigid" "show/plot" "show/explorer" "numeric/optimization"
+    "numeric/bigfloat" "algebra/ball" "teaching/worksheet" "teaching/class"))
 
 (define files-on-demand (append-map on-demand-imports (map full-path (library-files))))
 

@@ -45,8 +45,8 @@
          #:unless (member name '("on-demand.rkt")))      ; of any room
     (check-true (there? name) (format "~a, in ~a" name page))))
 
-(test-case "the three walks name the files they pass through"
-  (for ([walk '("A residual" "`evolve-trajectory`" "`verify-solution`")])
+(test-case "the four walks name the files they pass through"
+  (for ([walk '("A residual" "`evolve-trajectory`" "`verify-solution`" "A wrong call")])
     (define found
       (regexp-match (string-append "\n[*][*]" (regexp-quote walk) ".*?\n\n(.*?)\n\n") text))
     (check-true (and found (>= (length (mapped-files (cadr found))) 6)) walk)))
@@ -73,8 +73,8 @@
                  "; see zero/proof.rkt, and (size.rkt)\n(f \"x.rkt\")\n  ;; d.rkt")
                 '("zero/proof.rkt" "size.rkt" "d.rkt"))
   (check-true (resolves? "fingerprint.rkt" "algebra/zero/proof.rkt"))
-  (check-true (resolves? "polynomial/meter.rkt" "algebra/zero/proof.rkt"))
-  (check-false (resolves? "meter.rkt" "algebra/zero/proof.rkt")))
+  (check-true (resolves? "polynomial/work-budget.rkt" "algebra/zero/proof.rkt"))
+  (check-false (resolves? "work-budget.rkt" "algebra/zero/proof.rkt")))
 
 (test-case "comments send their reader to files that are there"
   (check-equal? (for*/list ([name (in-list (library-files))]

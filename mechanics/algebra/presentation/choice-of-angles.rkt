@@ -14,7 +14,7 @@
 
 (provide spell)
 
-;; -> summands (field.rkt) whose sum equals p modulo the relations.
+;; -> summands (field/field.rkt) whose sum equals p modulo the relations.
 (define (spell F p)
   (define usual
     (contract-angles F (shortest-squares F p)

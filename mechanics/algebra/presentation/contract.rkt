@@ -33,7 +33,7 @@
 ;; combine : circle circle sign -> (circle . ±1), the circle of the sum (sign 1)
 ;; or the difference of two angles, or of its opposite.
 ;; double? : circle -> is twice its angle welcome?
-;; -> summands (field.rkt)
+;; -> summands (field/field.rkt)
 (define (contract-angles F p combine double?)
   (define circles (occurring-circles F p 1))
   (if (or (ormap double? circles)

@@ -2,7 +2,7 @@
 ;; From programs to what computes Taylor coefficients of the motions they are the rates of.
 ;;
 ;; The nodes of a graph (jet-graph.rkt) become rows of coefficients, and kernels
-;; (numeric/jet) that compute them, closures made once for an integration: no code is
+;; (numeric/Taylor) that compute them, closures made once for an integration: no code is
 ;; generated.  A node that is a polynomial in the time, as the time is itself, ends: beyond its
 ;; degree nothing is computed, so that cos ωt costs one multiplication for an order.
 

@@ -22,7 +22,7 @@
          "circle-equation.rkt" "invariant-curve.rkt" "../map/jacobian.rkt"
          "../map/map-of-the-plane.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
-         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/define-plain.rkt"
          "../../generic/up-down.rkt" "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/periodic-function.rkt")

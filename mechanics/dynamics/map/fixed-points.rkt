@@ -29,7 +29,6 @@
               (coordinates period multipliers kind determinant error matrix angles)
   #:text fixed-point->text)
 
-
 (provide-parts fixed-point? "a fixed point, as find-fixed-point finds one"
   fixed-point-coordinates fixed-point-period fixed-point-multipliers fixed-point-kind
   fixed-point-rotation-angle fixed-point-determinant fixed-point-error)

@@ -7,7 +7,6 @@
          "../written-form.rkt"
          "../../operation/operation-column.rkt")
 
-
 (provide pasted-sentence)
 
 ;; entry : a form, a datum; known? : symbol -> is anything known of the name? -> text or #f
@@ -35,11 +34,10 @@
         (and (list? d) (head? (car d)) (results? (cdr d)))
         (and (symbol? d) (or (memq d operations) (unknown? d)) #t)))
   (cond [(pair? d) (and (list? d) (head? (car d)) (results? (cdr d)))]
-        [(symbol? d) (or (memq d '(D pi)) (unknown? d) (not (memq d operations)))]
+        [(symbol? d) (or (memq d '(D pi)) (not (memq d operations)))]
         [else (number? d)]))
 
 (define operations (append '(up down D partial) (operation-names arithmetic) functions))
-
 
 (define (calls-unknown? d unknown?)
   (and (pair? d)

@@ -110,7 +110,6 @@
 (define operations
   (append '(dot-product cross-product magnitude) (operation-names arithmetic) functions))
 
-
 ;; ---------------------------------------------------------------------------
 ;; (lambda t ...)
 

@@ -3,7 +3,6 @@
 ;; of scmutils, one that has another name elsewhere, a formula written as in print, or a known name
 ;; that is spelt nearly so.
 
-
 (require "other-library.rkt" "../paper-notation/typographic.rkt" "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")
 

@@ -4,9 +4,8 @@
 ;; A coordinate is a polynomial already.  Of another function Taylor coefficients follow from
 ;; those of the state by the same recurrences.  Its radius of convergence may be less than
 ;; that of the motion, by which the step was chosen: where they do not tell zeros
-;; (certain-zeros.rkt)
-;; each half of the step has coefficients of its own, and so on; where there are still none, as at
-;; a pole, the step is looked at in places, as many as that radius asks for.
+;; (certain-zeros.rkt) each half of the step has coefficients of its own, and so on; where there are
+;; still none, as at a pole, the step is looked at in places, as many as that radius asks for.
 
 (require racket/flonum
          (only-in racket/list last)

@@ -18,8 +18,8 @@
 ;; operations     : how many flonum operations its rates take, or #f
 ;; expander       : -> expander (numeric/Taylor/expansion.rkt), or a string, the reason why there
 ;;                  is none; made when first asked for
-;; machine        : -> machine-rates (numeric/ode/right-hand-side.rkt), or #f; made when first
-;; asked for
+;; machine        : -> machine-rates (numeric/ode/right-hand-side.rkt), or #f;
+;;                  made when first asked for
 ;; parameters     : their values in these, an flvector
 ;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
 ;; spares         : a box of right-hand sides that no integration uses any more

@@ -3,10 +3,9 @@
 ;; components at a time.
 ;;
 ;; A *formula* is what Racket code has (numeric/ode/vector-formulas.rkt): a number; a symbol, which
-;; stands
-;; for one; (at v i), the component of a vector; (fl+ f g), and so with fl-, fl*, fl/ and flmax;
-;; (flabs f), (flsqrt f); or (weighted i [f v] ...), the sum of products with components of vectors.
-;; The operations are done in the order written: the values are the same to the last bit.
+;; stands for one; (at v i), the component of a vector; (fl+ f g), and so with fl-, fl*, fl/ and
+;; flmax; (flabs f), (flsqrt f); or (weighted i [f v] ...), the sum of products with components of
+;; vectors.  The operations are done in the order written: the values are the same to the last bit.
 
 (require racket/flonum
          racket/list

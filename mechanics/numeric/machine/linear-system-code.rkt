@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Machine code that solves linear systems of flonums, in the order of operations of
-;; numeric/linear, so that the solutions are the same to the last bit.
+;; numeric/linear-algebra, so that the solutions are the same to the last bit.
 ;;
 ;; A system of n unknowns has its room in memory, flonums one after the other:
 ;;
@@ -185,8 +185,7 @@
   (for/list ([k (in-range n)]) (margin k (entry k k))))
 
 ;; Of more (numeric/linear-algebra/symmetric-system.rkt): the lower triangle becomes L, with the
-;; inverse
-;; entries of its diagonal.
+;; inverse entries of its diagonal.
 (define (solve-by-triangle! n entry entry! less! margin do)
   (define (plus-product sum i j k) (do 'add sum (do 'multiply (entry i k) (entry j k))))
   (define (row-product i j end)

@@ -71,8 +71,7 @@
             '(([e term ...] ...) ([x formula] ...) dividend divisor)))
 
 ;; (run n h ks old y kept) stores the coefficients of a nested polynomial (vector-formulas.rkt),
-;; vectors one
-;; after the other; formulas give their components of index i, and may use those before.
+;; vectors one after the other; formulas give their components of index i, and may use those before.
 (define-syntax-rule (coefficients (n i h) (k ...) (old y) [c formula] ...)
   (formulas (lambda (n h ks old y kept)
               (define-elements ks k ...)

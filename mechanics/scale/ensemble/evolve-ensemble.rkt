@@ -2,8 +2,7 @@
 ;; Many motions of one system, on all cores.
 ;;
 ;; Starts are taken in batches, in their order, as they are needed (run-batches.rkt).  Results come
-;; out in
-;; the order of the starts whatever is finished first, so that sums do not depend on chance.
+;; out in the order of the starts whatever is finished first, so that sums do not depend on chance.
 
 (require racket/future
          "check-request.rkt" "ordered-results.rkt" "perform-task.rkt" "prepare-task.rkt"

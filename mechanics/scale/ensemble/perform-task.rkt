@@ -15,7 +15,7 @@
 
 ;; Returns a function from start and parameters, flvectors, to the outcome.  Code is made once.
 (define (performer who t)
-  (define plan (make-plan who (task-tolerance t) (task-method t) #:progress #f))
+  (define plan (make-plan who (task-tolerance t) (task-method t) #:progress? #f))
   (define system-for (systems t))
   (define collect (collector t))
   (define follow (if (null? (task-watches t)) (following plan) (watching plan t)))

@@ -1,7 +1,6 @@
 #lang racket/base
 ;; Has batches performed by workers (worker-pool.rkt), or here if there is only one job or the
-;; system has
-;; no code.  Batches that are in the checkpoint are not performed again.
+;; system has no code.  Batches that are in the checkpoint are not performed again.
 
 (require "batch.rkt" "checkpoint.rkt" "worker-pool.rkt" "task.rkt"
          "../../error/complain.rkt")

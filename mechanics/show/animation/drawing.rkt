@@ -8,7 +8,7 @@
 (require "shape-extent.rkt" "on-demand.rkt" "shapes.rkt" "system-state.rkt"
          "../display/drawing-library.rkt"
          "../../error/complain.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"
+         "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
          "../plot/coordinate.rkt" "../plot/view.rkt")
 

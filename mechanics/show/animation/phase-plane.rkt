@@ -2,7 +2,7 @@
 ;; The phase portrait beside a mechanism shows one function of the state against another.
 
 (require "system-state.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"
+         "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../plot/coordinate.rkt")

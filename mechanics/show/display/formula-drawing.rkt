@@ -3,7 +3,7 @@
 
 (require "../typesetting/drawing-state.rkt" "../typesetting/formula-pict.rkt" "result-formula.rkt"
          file/convertible
-         (only-in pict colorize inset make-pict-drawer pict-descent pict-height pict-width
+         (only-in pict inset make-pict-drawer pict-descent pict-height pict-width
                   text vl-append)
          racket/class
          (only-in racket/string string-split))

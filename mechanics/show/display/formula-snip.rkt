@@ -65,7 +65,7 @@
 
 ;; Where this class is, and the reader for those who have no editors.
 (send snip-class set-classname
-      (format "~s" '((lib "formula-snip.rkt" "mechanics" "display")
-                     (lib "formula-reader.rkt" "mechanics" "display"))))
+      (format "~s" '((lib "formula-snip.rkt" "mechanics" "show" "display")
+                     (lib "formula-reader.rkt" "mechanics" "show" "display"))))
 (send snip-class set-version 1)
 (send (get-the-snip-class-list) add snip-class)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; An exploration written as a program that draws it again.
 
-(require "exploration.rkt" "../plot/orbit-worker.rkt" "../plot/view.rkt")
+(require "exploration.rkt" "orbit-worker.rkt" "../plot/view.rkt")
 
 (provide write-exploration names-missing)
 

@@ -3,7 +3,7 @@
 ;; that can be undone.  It knows no window.
 
 (require racket/flonum
-         "../plot/orbit-worker.rkt" "../plot/pixels.rkt" "../plot/points.rkt")
+         "orbit-worker.rkt" "../plot/pixels.rkt" "../plot/points.rkt")
 
 (provide make-exploration exploration-bounds exploration-orbits exploration-map exploration-n
          traced-orbit traced-count exploration->dots

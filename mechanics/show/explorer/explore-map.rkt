@@ -16,7 +16,8 @@
 (provide explore-map display-map)
 
 ;; n : how many points each orbit has, or #f where the map is a collector, which follows an orbit
-;; and shows its points (following-orbits.rkt); starts : a list of points; grid : (list across up)
+;; and shows its points (plot/following-orbits.rkt); starts : a list of points;
+;; grid : (list across up)
 ;; color : of the first orbit; window? : is it to be explored in a window?
 ;; source : the expression of the map, for the program that a window saves
 ;; -> the frame
@@ -42,9 +43,8 @@
   (when window?
     (complain who
               (string-append "a collector follows its orbits by itself, from starts that are "
-                             "given, not in a window
-  (explore-map f collector #f #:starts (list "
-                             "(up x y) ...)), or #:grid (list 5 5)")))
+                             "given, not in a window\n  "
+                             "(explore-map f collector #f #:starts (list (up x y) ...)), or #:grid (list 5 5)")))
   (for ([p (in-list given)])
     (collector (car p) (cdr p) void (lambda () (raise-no-image who collector (car p) (cdr p)))))
   (for ([p (in-list grid)]) (collector (car p) (cdr p) void void)))

@@ -8,7 +8,7 @@
 
 (require racket/class
          racket/gui/base
-         "exploration.rkt" "explorer-board.rkt" "../plot/orbit-worker.rkt" "../plot/window.rkt"
+         "exploration.rkt" "explorer-board.rkt" "orbit-worker.rkt" "../plot/window.rkt"
          "../../error/message-words.rkt")
 
 (provide (rename-out [explorer-loaded? loaded?])

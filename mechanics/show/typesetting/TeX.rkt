@@ -9,7 +9,6 @@
          racket/class
          (only-in racket/string string-append* string-join))
 
-
 (provide tree->TeX)
 
 (define (tree->TeX t) (send (new TeX%) draw t))

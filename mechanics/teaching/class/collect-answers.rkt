@@ -1,10 +1,9 @@
 #lang racket/base
 ;; The answers of one submission, collected from a process of its own.
 ;;
-;; The process may cost two thirds of the seconds of a submission (process-cost.rkt), the rest
-;; being for
-;; its judgments; and its output is limited.  Beyond either limit it is ended, with all processes
-;; that it started.  Nothing that it writes is run.
+;; The process may cost two thirds of the seconds of a submission (process-cost.rkt), the rest being
+;; for its judgments; and its output is limited.  Beyond either limit it is ended, with all
+;; processes that it started.  Nothing that it writes is run.
 
 (require racket/match
          racket/port

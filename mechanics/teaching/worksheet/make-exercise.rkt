@@ -5,7 +5,7 @@
 ;; kept as data.
 
 (require racket/list
-         "answer-data.rkt" (only-in "answer-parts.rkt" same?) "clause-names.rkt"
+         "answer-data.rkt" (only-in "answer-parts.rkt" same?)
          "exercise-kind.rkt" "exercise.rkt"
          "prescribed-symbols.rkt"
          "../../error/complain.rkt" "../../error/spelling.rkt"

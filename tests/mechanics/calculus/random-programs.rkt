@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Random programs against difference quotients with many digits: closures,
 ;; branches, loops, tuples, containers, derivatives within derivatives of numbers
-;; and of functions.  A long run:  racket ../programs/main.rkt --count 10000
+;; and of functions.  A long run:  racket ../support/programs/main.rkt --count 10000
 
 (require rackunit
          "../support/bigfloats.rkt" "../support/skip.rkt"

@@ -86,7 +86,7 @@
                       (m:* (m:erf (m:coordinate s)) (m:square (m:coordinate s)))))))
   (define (text target file)
     (define folder (make-temporary-file "erf~a" 'directory))
-    (m:export-system pulled (m:up 't 'x 'xdot) #:to target #:name "pulled" #:folder folder
+    (m:export-system pulled (m:up 't 'x 'xdot) #:language target #:name "pulled" #:folder folder
                      #:replace? #t)
     (begin0 (file->string (build-path folder file))
             (delete-directory/files folder)))

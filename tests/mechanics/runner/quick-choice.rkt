@@ -30,7 +30,7 @@
           [(test-stale? (entry-of file) digests) 2]
           [else #f]))
   (define candidates
-    (sort (sort (filter rank files) < #:key seconds-of) < #:key rank))
+    (sort (sort (filter rank files) < #:key seconds-of) < #:key rank #:cache-keys? #t))
   (define chosen (within-time candidates seconds-of sources-of seconds-to-compile seconds))
   (values chosen (remove* chosen candidates)))
 

@@ -10,7 +10,7 @@
          (only-in mechanics/show/explorer/exploration-program names-missing write-exploration)
          (only-in mechanics/show/plot/frame frame-view)
          (only-in mechanics/show/plot/on-demand why-not)
-         (only-in mechanics/show/plot/orbit-worker start-worker ask-worker stop-worker)
+         (only-in mechanics/show/explorer/orbit-worker start-worker ask-worker stop-worker)
          racket/file
          rackunit
          "../../support/display.rkt" (only-in "../../support/example-programs.rkt" loaded-from)
