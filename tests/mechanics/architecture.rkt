@@ -171,6 +171,8 @@
   (check-sentences (page-faults big (lambda (folder) (string-append page "- `d.rkt`: dogs\n")))
                    '("value/README.md has d.rkt among its helpers"
                      "value/README.md lacks a.rkt among its helpers"))
+  (check-equal? (page-faults big (lambda (folder) (string-append page "- `a.rkt`: ants:\n")))
+                '("value/README.md breaks off: - `a.rkt`: ants:"))
   (check-sentences (page-faults (hash-set big "force/c.rkt" '("value/a.rkt"))
                                 (lambda (folder) (string-append page "- `a.rkt`: ants\n")))
                    '("value/README.md has a.rkt among its helpers"

@@ -42,7 +42,9 @@
             (for/list ([name (in-list (remove* expected listed))])
               (format "~aREADME.md has ~a among its ~a" folder name section))))
   (define (base name) (path->string (file-name-from-path name)))
-  (append (check "doors" (map base doors)) (check "helpers" (map base helpers))))
+  (append (check "doors" (map base doors)) (check "helpers" (map base helpers))
+          (for/list ([phrase (in-list (regexp-match* #px"(?m:^- `.*:$)" page))])
+            (format "~aREADME.md breaks off: ~a" folder phrase))))
 
 ;; Returns the modules listed under the heading, up to the next heading.
 (define (listed-under section page)
