@@ -172,7 +172,7 @@ bench: writable compile
 # What exported systems need in Python, with its versions; once there, their tests use it.
 export-python: writable
 	@python3 -m venv build/export
-	@build/export/bin/pip install --quiet -r tests/mechanics/export/requirements.txt
+	@build/export/bin/pip install --quiet -r tests/mechanics/scale/export/requirements.txt
 
 test-export: writable compile export-python
 	@$(call try-to-compile,$(RUNNER))
