@@ -29,18 +29,15 @@
 (define-runtime-path top "..")
 (define folders '("mechanics" "tests" "examples" "scribblings" ".ci"))
 
-;; Kept, though check-requires cannot see what for: facades require what tells that they are
-;; not compiled; programs run in the file's namespace.  ((file . module) ...)
+;; Kept, though check-requires cannot see what for: programs run in the file's namespace.
+;; ((file . module) ...)
 (define needed
-  (append
-   (for/list ([facade (in-list '("animate" "answers" "base" "book" "pict" "plot" "rackunit"))])
-     (cons (format "mechanics/~a.rkt" facade) "\"error/uncompiled.rkt\""))
-   '(("tests/mechanics/examples.rkt" . "mechanics/book")
-     ("tests/mechanics/examples.rkt" . "mechanics/plot")
-     ("tests/mechanics/show/plot/figures.rkt" . "mechanics/book")
-     ("tests/mechanics/show/plot/figures.rkt" . "mechanics/plot")
-     ("tests/mechanics/show/animation/programs.rkt" . "mechanics/animate")
-     ("tests/mechanics/show/animation/programs.rkt" . "mechanics/book"))))
+  '(("tests/mechanics/examples.rkt" . "mechanics/book")
+    ("tests/mechanics/examples.rkt" . "mechanics/plot")
+    ("tests/mechanics/show/plot/figures.rkt" . "mechanics/book")
+    ("tests/mechanics/show/plot/figures.rkt" . "mechanics/plot")
+    ("tests/mechanics/show/animation/programs.rkt" . "mechanics/animate")
+    ("tests/mechanics/show/animation/programs.rkt" . "mechanics/book")))
 
 ;; ---------------------------------------------------------------------------
 ;; Files

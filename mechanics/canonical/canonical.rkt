@@ -18,7 +18,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/printed-function.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"

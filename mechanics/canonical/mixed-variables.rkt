@@ -14,7 +14,6 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
-         "../generic/up-down.rkt"
          "../value/by-shape.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
          "../value/simplify.rkt"
          "../value/structure.rkt" "../value/symbols-like.rkt"

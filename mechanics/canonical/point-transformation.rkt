@@ -9,7 +9,7 @@
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/printed-function.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/simplify.rkt" "../value/structure.rkt"

@@ -11,7 +11,7 @@
 (require "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt"
-         "../generic/printed-function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/printed-function.rkt" "../generic/scalar.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/filled-shape.rkt" "../value/shape.rkt" "../value/structure.rkt")

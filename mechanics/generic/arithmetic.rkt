@@ -9,7 +9,7 @@
 
 (require racket/flonum
          "dispatch.rkt" "function.rkt" "kind.rkt" "naming.rkt" "record.rkt" "up-down.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt")
+         "../algebra/expression/expression.rkt")
 
 ;; What is taken apart here has just been recognized, and the kind of a carrier is a
 ;; kind: to test that again would take a fifth of a derivative's time.

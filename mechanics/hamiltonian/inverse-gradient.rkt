@@ -18,7 +18,6 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
-         "../generic/up-down.rkt"
          (only-in "../lagrangian/state-derivative.rkt" directions->text)
          "../numeric/finite-number.rkt"
          "../value/by-shape.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"

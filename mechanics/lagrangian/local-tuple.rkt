@@ -9,7 +9,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function-check.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/scalar.rkt" "../generic/wrong-argument.rkt"
          "../value/structure.rkt")
 
 (provide

@@ -14,7 +14,7 @@
 (require "../canonical/transformation.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/printed-function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/scalar.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/structure.rkt")

@@ -19,7 +19,7 @@
 (require racket/list
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/scalar.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/structure.rkt")

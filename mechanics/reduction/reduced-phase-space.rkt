@@ -14,7 +14,7 @@
          "../algebra/expression/symbols.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/function.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/function.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/by-shape.rkt" "../value/filled-shape.rkt" "../value/simplify.rkt"

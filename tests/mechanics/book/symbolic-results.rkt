@@ -3,7 +3,6 @@
 ;; are printed in, symbol for symbol.
 
 (require mechanics
-         mechanics/scmutils
          rackunit
          (only-in mechanics/book L-harmonic L-central-rectangular L-central-polar L-free-particle))
 

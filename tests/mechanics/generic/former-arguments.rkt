@@ -1,8 +1,9 @@
 #lang racket/base
-;; What version 0.1 wrote otherwise tells what is written now: keywords, tolerances without one,
+;; What version 0.2 wrote otherwise tells what is written now: keywords, tolerances without one,
 ;; arguments in another order.
 
-(require mechanics mechanics/plot mechanics/scmutils
+(require (for-label mechanics/plot mechanics/scmutils)
+         mechanics
          (only-in mechanics/generic/former-arguments former-keywords former-counts)
          racket/file
          racket/runtime-path

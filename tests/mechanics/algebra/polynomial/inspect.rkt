@@ -2,7 +2,6 @@
 ;; Degrees, terms, coefficients along a variable, derivatives, substitution.
 
 (require rackunit
-         (only-in mechanics/algebra/polynomial/content common-monomial)
          (only-in mechanics/algebra/polynomial/inspect poly-derivative poly-substitute)
          mechanics/algebra/polynomial/polynomial
          (only-in mechanics/algebra/polynomial/ring monomial-factors)
