@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Programs run by closures, at once and everywhere.
 ;;
-;; What Racket's compiler makes (Racket-code.rkt) takes as long to make as several thousand runs
+;; Code of Racket's compiler (Racket-code.rkt) takes as long to make as several thousand runs
 ;; of it save (tiers.rkt): too long for a motion of a hundred steps of a big system.  So each
 ;; instruction becomes a closure, which stores its value in an flvector of all values: inputs,
 ;; values of instructions, and constants behind them.

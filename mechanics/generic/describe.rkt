@@ -71,7 +71,7 @@
            (map-leaves f e))]
         [else (f x)]))
 
-;; Those leaves, in order.
+;; The leaves, in order.
 (define (leaves x)
   (define found '())
   (map-leaves (lambda (leaf) (set! found (cons leaf found)) leaf) x)

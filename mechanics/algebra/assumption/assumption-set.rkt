@@ -55,7 +55,7 @@
 ;; The datums that the ks rest on.
 (define (union ks) (remove-duplicates (append-map known-because ks)))
 
-;; What a and b say together of one expression.
+;; The relation that a and b make together for one expression.
 (define (meet a b)
   (define s (bitwise-and (known-signs a) (known-signs b)))
   (cond [(eqv? s (known-signs a)) a]

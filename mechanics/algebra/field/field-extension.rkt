@@ -58,7 +58,7 @@
 (define (relation-root F r)
   (kernel-relation (field-kernel F (relation-index r))))
 
-;; What stands under the root; the relation may be of a lower power of it.
+;; The radicand; the relation may be of a lower power of it.
 (define (radicand-of F r)
   (define x (relation-root F r))
   (if (eqv? (root-degree x) (relation-degree r))

@@ -113,7 +113,7 @@
 (define workspace-methods (methods simplify terms parts factors irreducible-factors root-parts))
 
 ;; ---------------------------------------------------------------------------
-;; What was left unexpanded
+;; The parts left unexpanded
 
 (define (leave! w nodes)
   (set-workspace-left-unexpanded! w (append (reverse nodes) (workspace-left-unexpanded w))))

@@ -34,7 +34,7 @@
               (operation-key (instruction-operation i) (length (instruction-operands i))) #f))
   (and name (C-function name)))
 
-;; Those that Racket takes from there, too: values are the same to the last bit.
+;; The functions that Racket takes from there, too: values are the same to the last bit.
 (define-column library-names
   [sin 'sin] [cos 'cos] [tan 'tan] [exp 'exp] [log 'log] [asin 'asin] [acos 'acos] [atan 'atan]
   [atan2 'atan2] [expt 'pow]
