@@ -48,7 +48,7 @@ help:
 	@echo 'make test-manual   every example of the manual; make test-figures, the pictures of the book'
 	@echo 'make test-export    exported systems in Python, over Dask and with JAX (installs them in build/export)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
-	@echo 'make lint    unused requires, long lines, tabs'
+	@echo 'make lint    requires of which no name is used, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one)'
 	@echo 'make peers   what benchmarks compare with, in a Python environment in build/python'
 	@echo 'make docs    build the manual in build/doc'
@@ -154,7 +154,7 @@ attack: writable compile
 	@$(RACKET) tests/mechanics/attack/main.rkt --count $(N) --seed $(SEED) --jobs $(JOBS) \
 	    $(if $(CLASS),--class $(CLASS))
 
-lint: racket
+lint: compile
 	@$(call try-to-compile,.ci/lint.rkt)
 	@$(RACKET) .ci/lint.rkt $(FILES)
 

@@ -20,6 +20,5 @@
                "wxme-lib"))
 (define build-deps '("at-exp-lib"
                      "drracket-tool-text-lib"
-                     "macro-debugger-text-lib"
                      "racket-doc"
                      "scribble-lib"))

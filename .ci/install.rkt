@@ -13,7 +13,6 @@
          racket/cmdline
          racket/list
          racket/path
-         racket/port
          racket/runtime-path
          racket/string
          (only-in setup/dirs find-pkgs-dir)

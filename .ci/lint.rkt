@@ -5,23 +5,19 @@
 ;;
 ;; - lines of at most 100 characters, but for a text (a message, say) that stands alone; no tabs,
 ;;   no spaces at ends of lines; one line end at the end of the file;
-;; - no require that the module does not need, as `raco check-requires` finds them; what is
-;;   excused from that is still there to be excused.
+;; - no require of which no name stands in the module (required-names.rkt); what is excused from
+;;   that is still there to be excused.
 ;;
 ;; Prints a line for each finding; the exit code is 1 if there are any.  Texts alone are read
-;; in a second: nothing is expanded or compiled for them.
+;; in a second.
 
 (require racket/cmdline
          racket/file
-         racket/future
-         racket/lazy-require
          racket/list
          racket/path
-         racket/port
          racket/runtime-path
-         racket/string)
-
-(lazy-require [macro-debugger/analysis/check-requires (show-requires)])
+         racket/string
+         "required-names.rkt")
 
 (define widest 100)
 
@@ -29,11 +25,14 @@
 (define-runtime-path top "..")
 (define folders '("mechanics" "tests" "examples" "scribblings" ".ci"))
 
-;; Kept, though check-requires cannot see what for: programs run in the file's namespace.
-;; ((file . module) ...)
+;; Kept for names that do not stand in the file: programs run in its namespace, or names are made
+;; by a macro.  ((file . module) ...)
 (define needed
-  '(("tests/mechanics/examples.rkt" . "mechanics/book")
+  '(("mechanics/algebra/expression/operation.rkt" . "\"numeric-functions.rkt\"")
+    ("tests/mechanics/examples.rkt" . "mechanics/book")
     ("tests/mechanics/examples.rkt" . "mechanics/plot")
+    ("tests/mechanics/exercises.rkt" . "mechanics/book")
+    ("tests/mechanics/exercises.rkt" . "mechanics/plot")
     ("tests/mechanics/show/plot/figures.rkt" . "mechanics/book")
     ("tests/mechanics/show/plot/figures.rkt" . "mechanics/plot")
     ("tests/mechanics/show/animation/programs.rkt" . "mechanics/animate")
@@ -97,44 +96,8 @@
   (format "~a: its requires cannot be checked: ~a" (short-name file)
           (string-replace reason "\n" " ")))
 
-;; Requires that macros bring in, or a language, do not stand in the file.  What a submodule
-;; uses is not seen, so that a module with one is not judged.
 (define (unneeded-requires file)
-  (define text (file->string file))
-  (for*/list ([entry (in-list (if (has-submodule? text) '() (show-requires file)))]
-              #:when (eq? (car entry) 'drop)
-              [module (in-value (format "~s" (cadr entry)))]
-              #:when (string-contains? (without-language text) module))
-    module))
-
-(define (has-submodule? text) (regexp-match? #rx"[(]module[+*]" text))
-
-;; `#lang racket/base` is no require.
-(define (without-language text) (regexp-replace #rx"^#lang [^\n]*" text ""))
-
-;; In several processes, as expanding takes its time.
-(define (check-requires files)
-  (define shares (filter pair? (deal files (processor-count))))
-  (define children (map start-child shares))
-  (append-map findings-of children))
-
-(struct child (process out))
-
-(define (start-child share)
-  (define-values (process out in err)
-    (apply subprocess #f #f (current-error-port)
-           (find-executable-path (find-system-path 'exec-file)) here "--requires" share))
-  (close-output-port in)
-  (child process out))
-
-;; What it found, and whether it came to its end.
-(define (findings-of c)
-  (define lines (port->lines (child-out c)))
-  (subprocess-wait (child-process c))
-  (define code (subprocess-status (child-process c)))
-  (if (eqv? code 0)
-      lines
-      (append lines (list (format "lint: a check of requires ended with exit code ~a" code)))))
+  (for/list ([module (in-list (unnamed-requires file))]) (format "~s" module)))
 
 ;; A file that is no longer there needs no excuse.
 (define (excuses-without-file)
@@ -142,32 +105,23 @@
              #:unless (file-exists? (build-path top file)))
     (format "~a: is excused, and is not there" file)))
 
-(define (deal xs n)
-  (for/list ([i (in-range n)])
-    (for/list ([x (in-list xs)] [k (in-naturals)] #:when (= (modulo k n) i)) x)))
-
 ;; ---------------------------------------------------------------------------
 
 (module+ main
   (define texts-only? #f)
-  (define requires-only? #f)
   (define given
     (command-line
      #:program "lint"
-     #:once-any
+     #:once-each
      [("--texts") "only what stands in the files' texts" (set! texts-only? #t)]
-     [("--requires") "only requires, in this process" (set! requires-only? #t)]
      #:args places places))
   (define files
     (sources (if (null? given) (map (lambda (f) (build-path top f)) folders) given)))
   (define modules (filter (lambda (p) (path-has-extension? p #".rkt")) files))
-  (cond [requires-only?
-         (for-each displayln (append-map require-findings modules))]
-        [else
-         (define findings
-           (append (excuses-without-file)
-                   (append-map check-text files)
-                   (if texts-only? '() (check-requires modules))))
-         (for-each displayln findings)
-         (printf "lint: ~a files, ~a findings\n" (length files) (length findings))
-         (exit (if (null? findings) 0 1))]))
+  (define findings
+    (append (excuses-without-file)
+            (append-map check-text files)
+            (if texts-only? '() (append-map require-findings modules))))
+  (for-each displayln findings)
+  (printf "lint: ~a files, ~a findings\n" (length files) (length findings))
+  (exit (if (null? findings) 0 1)))

@@ -44,7 +44,7 @@
   (check-equal? code 0)
   (check-equal? lines '("lint: 1 files, 0 findings")))
 
-(test-case "a file that cannot be expanded is a finding, and hides none in the others"
+(test-case "a file whose requires are not there is a finding, and hides none in the others"
   (define-values (code lines)
     (lint-findings (for/list ([name '("a.rkt" "b.rkt" "c.rkt" "d.rkt" "e.rkt" "f.rkt")]
                               [text (list broken broken idle idle idle idle)])
@@ -66,7 +66,28 @@
                         "a.rkt:4: spaces at the end" "a.rkt:end: not one line end"
                         "lint: 1 files, 4 findings")))
 
-(test-case "texts alone: what is read is told, and no module is expanded"
+(test-case "a require passes of which a name stands in the file, by whatever name it goes there"
+  (define text #<<end
+#lang racket/base
+(require (only-in racket/list [first head] last)
+         (prefix-in s: racket/string)
+         (rename-in racket/function [identity same])
+         (except-in racket/math pi)
+         (for-syntax racket/base racket/list)
+         (for-label racket/port)
+         racket/set)
+(provide (all-from-out racket/set))
+(define-syntax (m stx) (first (list #'last)))
+(define texts (s:string-trim identity pi))
+(module+ main (sgn 1))
+
+end
+    )
+  (define-values (code lines) (lint-findings (list (cons "a.rkt" text))))
+  (check-equal? code 1)
+  (check-equal? lines '("a.rkt: does not need racket/function" "lint: 1 files, 1 findings")))
+
+(test-case "texts alone: what is read is told, and no module is loaded"
   (define-values (code lines)
     (lint-findings (list (cons "a.rkt" sound) (cons "b.rkt" idle) (cons "c.rkt" broken))
                    "--texts"))

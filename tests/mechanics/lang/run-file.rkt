@@ -4,7 +4,6 @@
 (require compiler/find-exe
          racket/file
          racket/port
-         racket/string
          rackunit
          "../support/run-text.rkt" "../support/skip.rkt" "../support/terminal.rkt")
 

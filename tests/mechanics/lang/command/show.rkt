@@ -3,7 +3,6 @@
 
 (require racket/file
          racket/list
-         racket/port
          racket/string
          rackunit
          (only-in xml document-element read-xml)
