@@ -49,8 +49,9 @@
   (define nowhere (open-output-nowhere))
   (parameterize ([current-output-port nowhere] [current-error-port nowhere])
     (unless (or (< (length to-do) fewest-in-parallel) (< jobs 2))
+      ;; Places would wait for each other at every collection of garbage: a third longer.
       (parallel-compile-files to-do
-                              #:worker-count jobs
+                              #:worker-count jobs #:use-places? #f
                               #:handler (lambda (worker type work text out err)
                                           (stop-if-unwritable text))))
     (for ([file (in-list (append to-do roots))])

@@ -56,7 +56,8 @@
 ;; Those that take longest are begun first where nothing is known of an earlier run.
 (define long-test
   '("manual.rkt" "show/plot/figures.rkt" "teaching/class/hostile.rkt" "scale/export/C.rkt"
-    "lang/command/worksheet-commands.rkt" "show/explorer/explorer.rkt"))
+    "lang/command/worksheet-commands.rkt" "show/explorer/explorer.rkt" "test-runner.rkt"
+    "scale/export/python.rkt" "dynamics/invariant-circles.rkt" "exercises.rkt"))
 
 (define (long-test? file)
   (and (member (path->string (find-relative-path tests file)) long-test) #t))
