@@ -198,7 +198,7 @@ ROOTS = mechanics/main.rkt mechanics/lang/help/card-table.rkt mechanics/lang/pro
         mechanics/lang/prompt/editor.rkt mechanics/lang/run-file.rkt
 
 compile: racket
-	@$(RACKET) tests/mechanics/runner/compile.rkt --jobs $(JOBS) $(ROOTS:%=--root %) mechanics
+	@$(RACKET) .ci/compile.rkt --jobs $(JOBS) $(ROOTS:%=--root %) mechanics
 
 racket:
 	@.ci/ensure-racket.sh

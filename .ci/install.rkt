@@ -16,7 +16,7 @@
          racket/runtime-path
          racket/string
          (only-in setup/dirs find-pkgs-dir)
-         (only-in "../tests/mechanics/runner/compile.rkt" unwritable-part))
+         (only-in "compile.rkt" unwritable-part))
 
 (define-runtime-path here "install.rkt")
 (define (full-name folder) (path->directory-path (simple-form-path folder)))

@@ -7,7 +7,7 @@
          racket/runtime-path
          racket/string
          rackunit
-         "runner/compile.rkt"
+         (file "../../.ci/compile.rkt")
          "support/skip.rkt")
 
 (define-runtime-path script "../../.ci/ensure-racket.sh")

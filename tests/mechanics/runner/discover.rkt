@@ -11,14 +11,14 @@
          racket/list
          racket/path
          racket/runtime-path
-         (only-in racket/string string-prefix?))
+         (only-in racket/string string-prefix?)
+         (only-in (file "../../../.ci/compile.rkt") files-under))
 
 (provide suites          ; (listof string): their names
          suite-files     ; name -> (listof path)
          test-files      ; -> (listof path): those of all suites
          example-files   ; -> (listof path): examples with tests
-         files-under     ; path -> (listof path): the modules below or at it
-         long-test?  ; path -> boolean
+         long-test?      ; path -> boolean
          short-name      ; path -> string: from the top folder, if it is below it
          from-top        ; string, a short name -> path
          within-top?)    ; path -> boolean: is it below the top folder?
@@ -77,9 +77,3 @@
 
 ;; Read off the text, so that a file that does not compile is found too.
 (define (has-tests? file) (regexp-match? #px"\\(module[+*]?\\s+test\\b" (file->string file)))
-
-(define (files-under path) (find-files module-file? path))
-
-(define (module-file? path)
-  (and (path-has-extension? path #".rkt")
-       (not (regexp-match? #rx"^[.]|^info[.]rkt$" (path->string (file-name-from-path path))))))

@@ -11,14 +11,16 @@
 (require compiler/cm
          compiler/compilation-path
          racket/cmdline
+         racket/file
          racket/lazy-require
          racket/list
-         racket/port
-         "discover.rkt")
+         racket/path
+         racket/port)
 
 (lazy-require [setup/parallel-build (parallel-compile-files)])
 
 (provide compile-files
+         files-under         ; path -> (listof path): the modules below or at it
          compile-changed     ; folder, jobs, what -> ; raises the error of a file changed there
          outdated-files      ; paths -> those whose compiled form is not up to date
          raise-plainly       ; exception -> ; a mistake in a file without what led to it
@@ -26,6 +28,13 @@
          read-only-advice    ; folder -> what to do
          unwritable-part)    ; folder -> the nearest existing folder above it, if that is not
                              ; writable; else #f
+
+;; Hidden files, which editors make, are no modules.
+(define (files-under path) (find-files module-file? path))
+
+(define (module-file? path)
+  (and (path-has-extension? path #".rkt")
+       (not (regexp-match? #rx"^[.]|^info[.]rkt$" (path->string (file-name-from-path path))))))
 
 ;; Below this number, starting processes costs more than it saves.
 (define fewest-in-parallel 15)
@@ -46,17 +55,23 @@
      (thread-wait reporter))))
 
 (define (compile-silently to-do roots jobs)
+  (unless (or (< (length to-do) fewest-in-parallel) (< jobs 2))
+    (compile-in-processes to-do jobs))
   (define nowhere (open-output-nowhere))
   (parameterize ([current-output-port nowhere] [current-error-port nowhere])
-    (unless (or (< (length to-do) fewest-in-parallel) (< jobs 2))
-      ;; Places would wait for each other at every collection of garbage: a third longer.
-      (parallel-compile-files to-do
-                              #:worker-count jobs #:use-places? #f
-                              #:handler (lambda (worker type work text out err)
-                                          (stop-if-unwritable text))))
     (for ([file (in-list (append to-do roots))])
       (with-handlers ([exn:fail? (lambda (e) (stop-if-unwritable (exn-message e)))])
         (compile-file file)))))
+
+;; Places would wait for each other at every collection of garbage: a third longer.
+(define (compile-in-processes files jobs)
+  (call-with-output-file* (if (eq? (system-type) 'windows) "NUL" "/dev/null") #:exists 'append
+    (lambda (null-device)
+      (parameterize ([current-output-port null-device] [current-error-port null-device])
+        (parallel-compile-files files
+                                #:worker-count jobs #:use-places? #f
+                                #:handler (lambda (worker type work text out err)
+                                            (stop-if-unwritable text)))))))
 
 (define compile-file
   (let ([compile (make-caching-managed-compile-zo)])
