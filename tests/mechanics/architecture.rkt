@@ -7,8 +7,7 @@
 (require racket/file
          racket/path
          racket/runtime-path
-         rackunit
-         "support/house/graph.rkt"
+         "support/checks.rkt" "support/house/graph.rkt"
          "support/house/habits.rkt"
          "support/house/library.rkt"
          "support/house/map.rkt"

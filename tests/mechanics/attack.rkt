@@ -3,7 +3,7 @@
 ;;
 ;; `make attack` makes a large one (attack/main.rkt).
 
-(require rackunit
+(require "support/checks.rkt"
          "attack/classes/all.rkt" "attack/claims.rkt" "attack/disguise.rkt" "attack/known.rkt"
          "attack/shrink.rkt" "attack/statement.rkt" "attack/table.rkt" "attack/worker.rkt"
          "attack/judge/boxes.rkt" "attack/judge/evaluate.rkt" "attack/judge/fault.rkt"

@@ -2,9 +2,9 @@
 ;; The benchmarks can be run, and say in other languages what our compiler says.
 
 (require racket/file racket/flonum racket/list racket/string
-         rackunit
          mechanics/compile/Racket-code mechanics/compile/program mechanics/generic/arithmetic
          mechanics/generic/elementary
+         "support/checks.rkt"
          "bench/C.rkt" "bench/motion-systems.rkt" "bench/native.rkt" "bench/program-text.rkt"
          "bench/task.rkt" "bench/tasks.rkt" "bench/teaching.rkt")
 

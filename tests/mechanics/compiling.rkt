@@ -3,7 +3,7 @@
 
 (require racket/file
          racket/port
-         rackunit
+         "support/checks.rkt"
          (file "../../.ci/compile.rkt"))
 
 (define (call-with-modules n f)

@@ -6,7 +6,7 @@
          racket/port
          racket/runtime-path
          racket/string
-         rackunit)
+         "support/checks.rkt")
 
 (define-runtime-path demo "../../examples/mechanics/demo.rkt")
 

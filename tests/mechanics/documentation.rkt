@@ -11,8 +11,7 @@
          racket/list
          racket/path
          racket/runtime-path
-         rackunit
-         "support/house/exports.rkt")
+         "support/checks.rkt" "support/house/exports.rkt")
 
 (define-runtime-path manual "../../scribblings/mechanics")
 

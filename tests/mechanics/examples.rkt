@@ -7,8 +7,7 @@
          racket/path
          racket/runtime-path
          racket/string
-         rackunit
-         "runner/discover.rkt"
+         "support/checks.rkt" "runner/discover.rkt"
          "support/example-programs.rkt")
 
 (define-runtime-path examples "../../examples/mechanics")

@@ -8,8 +8,7 @@
          racket/list
          racket/runtime-path
          racket/string
-         rackunit
-         "../../scribblings/mechanics/exercises.rkt"
+         "support/checks.rkt" "../../scribblings/mechanics/exercises.rkt"
          "support/example-programs.rkt")
 
 (define-runtime-path folder "../../examples/mechanics/exercises")

@@ -2,9 +2,8 @@
 ;; Helpers of the tests that could be wrong themselves: numbers that are close, values of
 ;; expressions.
 
-(require rackunit
-         mechanics/algebra/expression/read
-         "support/close.rkt" "support/evaluate.rkt")
+(require mechanics/algebra/expression/read
+         "support/checks.rkt" "support/close.rkt" "support/evaluate.rkt")
 
 (test-case "numbers are close relative to the greater, and to 1"
   (check-true (close? 1e20 (+ 1e20 1e10)))

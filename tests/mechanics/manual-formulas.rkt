@@ -4,9 +4,8 @@
 (require racket/file
          racket/list
          racket/runtime-path
-         rackunit
          (only-in xml document-element read-xml xml->xexpr xexpr-drop-empty-attributes)
-         "../../scribblings/mechanics/look/formula.rkt")
+         "support/checks.rkt" "../../scribblings/mechanics/look/formula.rkt")
 
 (define-runtime-path manual "../../scribblings/mechanics")
 

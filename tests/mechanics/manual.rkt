@@ -17,11 +17,10 @@
          racket/runtime-path
          racket/sandbox
          racket/string
-         rackunit
          scribble/render
          (prefix-in html: scribble/html-render)
          (prefix-in text: scribble/text-render)
-         "../../scribblings/mechanics/clashes.rkt"
+         "support/checks.rkt" "../../scribblings/mechanics/clashes.rkt"
          "../../scribblings/mechanics/eval.rkt"
          "support/browser.rkt" "support/skip.rkt")
 

@@ -5,8 +5,7 @@
 (require racket/file
          racket/list
          racket/string
-         rackunit
-         "support/house/library.rkt"
+         "support/checks.rkt" "support/house/library.rkt"
          "support/house/map.rkt")
 
 (define text (map-text))

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Work that may not end is given up, and what it gives or raises is passed on.
 
-(require rackunit
-         "support/patience.rkt")
+(require "support/checks.rkt" "support/patience.rkt")
 
 (define (value thunk) (value-within 1/2 500 thunk 'given-up))
 

@@ -5,8 +5,7 @@
 (require mechanics
          racket/sandbox
          racket/string
-         rackunit
-         "../../examples/mechanics/sandbox/grader.rkt")
+         "support/checks.rkt" "../../examples/mechanics/sandbox/grader.rkt")
 
 (define (open-sandbox specs)
   (parameterize ([sandbox-namespace-specs (append (sandbox-namespace-specs) specs)]

@@ -6,7 +6,7 @@
          racket/port
          racket/runtime-path
          racket/string
-         rackunit
+         "support/checks.rkt"
          (file "../../.ci/compile.rkt")
          "support/skip.rkt")
 

@@ -9,8 +9,7 @@
          racket/runtime-path
          racket/string
          racket/system
-         rackunit
-         "runner/discover.rkt" "runner/quick-choice.rkt" "runner/record.rkt"
+         "support/checks.rkt" "runner/discover.rkt" "runner/quick-choice.rkt" "runner/record.rkt"
          "support/patience.rkt" "support/process.rkt" "support/skip.rkt")
 
 (define-runtime-path runner "runner/main.rkt")
@@ -107,7 +106,7 @@
 (define (wait-for-text file)
   (or (eventually (let ([text (string-trim (file->string file))])
                     (and (non-empty-string? text) text)))
-      (fail "the hanging file was not started")))
+      (fail-check "the hanging file was not started")))
 
 ;; Start the runner on the hanging file, which notes the number of its child.
 (define (start-hanging note)

@@ -10,11 +10,11 @@
          racket/runtime-path
          racket/stream
          (prefix-in racket: racket/base)
-         (except-in rackunit fail)
          mechanics
          mechanics/scmutils
          (only-in mechanics/book standard-map)
-         mechanics/plot)
+         mechanics/plot
+         "support/checks.rkt")
 
 ;; (bad x) gives x at first, or fails, or gives something else.
 (struct row (name ask))

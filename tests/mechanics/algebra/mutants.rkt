@@ -7,8 +7,7 @@
 ;;
 ;; tries all and tells how each was noticed.
 
-(require rackunit
-         "../support/mutation/mutants.rkt" "../support/mutation/mutate.rkt")
+(require "../support/checks.rkt" "../support/mutation/mutants.rkt" "../support/mutation/mutate.rkt")
 
 (module+ test
   (test-case "what each mutant replaces occurs exactly once"

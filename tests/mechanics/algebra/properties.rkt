@@ -5,7 +5,7 @@
 ;;
 ;; A batch runs here; ../support/property/run.rkt makes long ones and says what a seed is.
 
-(require rackunit
+(require "../support/checks.rkt"
          "../support/property/expressions.rkt" "../support/property/run.rkt")
 
 (define batch 1200)

@@ -2,8 +2,7 @@
 ;; SICM, appendix on notation (pp. 509-523).
 
 (require mechanics
-         rackunit
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (test-case "p. 511: derivatives are functions"
   (define derivative-of-sine (D sin))

@@ -3,8 +3,7 @@
 ;; for granted, and those that users of such systems expect beside them.  Each is there
 ;; for whoever requires the library's modules.
 
-(require racket/list
-         rackunit)
+(require racket/list "../support/checks.rkt")
 
 ;; Where the names are, which may all be required together: `mechanics/plot` draws, and
 ;; `mechanics/scmutils` has second names.

@@ -4,8 +4,7 @@
 ;; written out by hand.  Each line after ;=> is what the module prints next.
 
 (require racket/string
-         rackunit
-         "../support/run-text.rkt")
+         "../support/checks.rkt" "../support/run-text.rkt")
 
 (define (check-listing text)
   (define expected

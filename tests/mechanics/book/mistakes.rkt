@@ -2,8 +2,7 @@
 ;; The mistakes readers make, and what they are told: one case for each.
 
 (require mechanics
-         rackunit
-         "../support/messages.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define (g x y) (* x y))
 (define F (literal-function 'F (-> (X Real Real) Real)))

@@ -2,7 +2,7 @@
 ;; Every value prints, in each of Racket's three modes, as the expression that
 ;; makes it: no address, no tag, no dual number, no internal name.
 
-(require mechanics rackunit)
+(require mechanics "../support/checks.rkt")
 
 (define x (literal-function 'x))
 (define F (literal-function 'F (-> (X Real Real) Real)))

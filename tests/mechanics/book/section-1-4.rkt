@@ -4,8 +4,7 @@
 (require mechanics
          mechanics/book
          (only-in mechanics/plot frame frame-curves plot-function graphics-clear)
-         rackunit
-         "../support/close.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/session.rkt")
 
 (define q (up (literal-function 'x) (literal-function 'y) (literal-function 'z)))
 

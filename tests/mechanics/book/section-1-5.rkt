@@ -4,8 +4,7 @@
 (require mechanics
          mechanics/scmutils
          mechanics/book
-         rackunit
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define x (literal-function 'x))
 (define r (literal-function 'r))

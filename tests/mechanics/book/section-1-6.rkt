@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define-values (x y r phi theta ys)
   (apply values (map literal-function '(x y r phi theta y_s))))

@@ -4,8 +4,7 @@
 (require mechanics
          mechanics/book
          (only-in mechanics/plot frame frame-points)
-         (except-in rackunit fail)
-         "../support/close.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/session.rkt")
 
 (define plane (up 't (up 'x 'y) (up 'v_x 'v_y)))
 

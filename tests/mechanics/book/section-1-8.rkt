@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
-         "../support/close.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/session.rkt")
 
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
 (define space (up 't (up 'x 'y 'z) (up 'vx 'vy 'vz)))

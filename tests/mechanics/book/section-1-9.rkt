@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define q (literal-function 'q))
 (define F (literal-function 'F (-> (UP Real Real Real) Real)))

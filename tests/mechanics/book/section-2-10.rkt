@@ -2,7 +2,7 @@
 ;; SICM 2.10, Axisymmetric Tops (pp. 153-165), and the sleeping top of 3.4.
 
 (require mechanics
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define state (up 't (up 'theta 'phi 'psi) (up 'thetadot 'phidot 'psidot)))

@@ -2,7 +2,7 @@
 ;; SICM 2.11, Spin-Orbit Coupling (pp. 165-181), with the time in orbits.
 
 (require mechanics
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define orbit (* 2 pi))

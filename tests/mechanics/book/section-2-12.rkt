@@ -4,7 +4,7 @@
 (require mechanics
          mechanics/scmutils
          mechanics/book
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define q (quaternion 'q_0 'q_1 'q_2 'q_3))

@@ -2,7 +2,7 @@
 ;; SICM 2.2, Kinematics of Rotation (pp. 122-126).
 
 (require mechanics
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define w (up 'omega^x 'omega^y 'omega^z))

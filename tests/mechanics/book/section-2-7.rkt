@@ -3,7 +3,7 @@
 
 (require mechanics
          mechanics/scmutils
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define omega (up 'omega^a 'omega^b 'omega^c))

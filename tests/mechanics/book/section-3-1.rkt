@@ -4,8 +4,7 @@
 (require mechanics
          mechanics/scmutils
          mechanics/book
-         rackunit
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define V (literal-function 'V (-> (X Real Real) Real)))
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))

@@ -2,8 +2,7 @@
 ;; SICM 3.2, Poisson Brackets (pp. 218-222).
 
 (require mechanics
-         rackunit
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define s (up 't (up 'x 'y) (down 'px 'py)))
 (define-values (F G H)

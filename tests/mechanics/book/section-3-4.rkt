@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
-         "../support/close.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/session.rkt")
 
 (define top (L-axisymmetric-top 'A 'C 'gMR))
 (define H-top (Lagrangian->Hamiltonian top))

@@ -4,8 +4,7 @@
 (require mechanics
          mechanics/book
          mechanics/plot
-         rackunit
-         "../support/close.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/session.rkt")
 
 (define state (up 't 'theta 'p_theta))
 (define sysder (H-pend-sysder 'm 'l 'g 'a 'omega))

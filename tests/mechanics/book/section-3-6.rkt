@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/book
-         (except-in rackunit fail)
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define (fail) 'no-image)
 (define parse read-expression)

@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/book
-         (except-in rackunit fail)
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define (fail) 'no-image)
 (define (after n K) ((iterated-map (standard-map K) n) 1 1 list fail))

@@ -5,8 +5,7 @@
          mechanics/scmutils
          mechanics/book
          racket/stream
-         (except-in rackunit fail)
-         "../support/close.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
 (define (fail) 'no-image)
 

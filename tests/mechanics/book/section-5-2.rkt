@@ -4,7 +4,7 @@
 (require mechanics
          mechanics/scmutils
          mechanics/book
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define line (up 't 'theta 'I))

@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
-         "../support/messages.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define (state-named mark)
   (define (name i) (string->symbol (format "~a~a" mark i)))

@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define line (up 't 'q 'p))
 (define polar (up 't (up 'r 'theta) (down 'p_r 'p_theta)))

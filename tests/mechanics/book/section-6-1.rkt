@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
-         "../support/messages.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define (S-free t q) (- (* 'P q) (/ (* (square 'P) t) (* 2 'm))))
 

@@ -3,7 +3,7 @@
 
 (require mechanics
          (only-in mechanics/book H-central-polar)
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define (bracket F G)

@@ -2,8 +2,7 @@
 ;; SICM 6.5, exponential identities (pp. 451-453), and exercises 6.7 to 6.11.
 
 (require mechanics
-         rackunit
-         "../support/messages.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define line (up 't 'q 'p))
 (define (any name) (literal-function name (Hamiltonian 1)))

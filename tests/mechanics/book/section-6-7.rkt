@@ -4,8 +4,7 @@
 (require mechanics
          mechanics/book
          mechanics/plot
-         rackunit
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define E 1/12)
 (define (star) (frame -0.6 0.8 -0.6 0.6))

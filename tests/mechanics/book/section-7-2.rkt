@@ -4,8 +4,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
-         "../support/close.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/session.rkt")
 
 (define a-state (up 't 'theta 'p))
 

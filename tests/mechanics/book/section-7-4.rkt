@@ -3,8 +3,7 @@
 ;; (pp. 479-494).
 
 (require mechanics
-         rackunit
-         "../support/close.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/session.rkt")
 
 (define state (up 's (up 'phi 'theta) (down 'P 'p)))
 

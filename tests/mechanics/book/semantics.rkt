@@ -2,8 +2,7 @@
 ;; What the book's listings rely on, point by point, through the public module.
 
 (require mechanics
-         rackunit
-         "../support/close.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/session.rkt")
 
 (define x (literal-function 'x))
 (define y (literal-function 'y))

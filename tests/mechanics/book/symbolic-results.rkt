@@ -3,8 +3,8 @@
 ;; are printed in, symbol for symbol.
 
 (require mechanics
-         rackunit
-         (only-in mechanics/book L-harmonic L-central-rectangular L-central-polar L-free-particle))
+         (only-in mechanics/book L-harmonic L-central-rectangular L-central-polar L-free-particle)
+         "../support/checks.rkt")
 
 (define-syntax-rule (check-forms [value form] ...)
   (begin (check-equal? (expression (simplify value)) 'form) ...))

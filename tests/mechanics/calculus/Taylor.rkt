@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Taylor series of functions, and exponentials of operators.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
          mechanics/value/compose
@@ -14,7 +13,7 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/calculus/Taylor
-         "../support/random.rkt" "../support/same.rkt"
+         "../support/checks.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/laws/derivation.rkt")
 
 (define-syntax-rule (check-same a b) (check-true (same? a b)))

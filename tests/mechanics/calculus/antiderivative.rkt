@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Antiderivatives: known ones, and the derivative of each is what it was asked of.
 
-(require rackunit
-         (only-in mechanics + - * / expt sqrt square exp log sin cos tan literal-function D
+(require (only-in mechanics + - * / expt sqrt square exp log sin cos tan literal-function D
 
 
                              partial
@@ -11,7 +10,7 @@
          mechanics/algebra/assumption/assumption-set
          mechanics/calculus/antiderivative
          mechanics/calculus/expression-function
-         "../support/random.rkt")
+         "../support/checks.rkt" "../support/random.rkt")
 
 (define (integral e) (antiderivative e 'x no-assumptions))
 

@@ -1,15 +1,14 @@
 #lang racket/base
 ;; What D and partial say of slips: the exact text.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
          mechanics/value/matrix/matrix
          mechanics/value/signature
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (g x y) (g:* x y))
 (define (h s) (ref-0 s))

@@ -2,12 +2,12 @@
 ;; The derivative of a graph is a graph of its size, however large the tree would
 ;; be that is written on paper: a few nodes for each node, at any depth.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/sums-and-products
          mechanics/algebra/expression/expression
-         mechanics/calculus/derivative)
+         mechanics/calculus/derivative
+         "../support/checks.rkt")
 
 ;; Of the graph as it was made, equal nodes made apart counted apart.
 (define (nodes e)

@@ -2,7 +2,6 @@
 ;; D and partial: functions of every shape, orientation, nesting, programs.
 
 (require racket/match
-         rackunit
          mechanics/generic/arithmetic
          mechanics/generic/compare
          mechanics/generic/elementary
@@ -14,7 +13,7 @@
          mechanics/value/signature
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../support/same.rkt")
+         "../support/checks.rkt" "../support/same.rkt")
 
 (define V (literal-function 'V))
 (define F (literal-function 'F (-> (X Real Real) Real)))

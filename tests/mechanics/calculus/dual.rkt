@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Dual numbers: order of tags, extraction, renaming, and what they look like.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
          mechanics/generic/describe
@@ -11,7 +10,7 @@
          mechanics/calculus/perturbed-value
          mechanics/calculus/dual
          mechanics/calculus/infinitesimal-part
-         "../support/random.rkt" "../support/same.rkt")
+         "../support/checks.rkt" "../support/random.rkt" "../support/same.rkt")
 
 (test-case "a dual number without tangent is its value"
   (check-equal? (make-dual 1 'x 0) 'x)

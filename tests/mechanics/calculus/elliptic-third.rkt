@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Elliptic integrals of the third kind, and moduli from 1 on, against values of 20 digits.
 
-(require rackunit
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define-check (check-close found expected)
   (unless (<= (abs (- found expected)) (* 2e-14 (max 1.0 (abs expected))))

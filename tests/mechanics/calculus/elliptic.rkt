@@ -1,11 +1,11 @@
 #lang racket/base
 ;; Elliptic integrals and Jacobi's functions: known values, identities, derivatives.
 
-(require rackunit
-         mechanics/generic/elementary
+(require mechanics/generic/elementary
          mechanics/calculus/derivative
          mechanics/calculus/elliptic
-         mechanics/compile/definite-integral)
+         mechanics/compile/definite-integral
+         "../support/checks.rkt")
 
 (define K first-elliptic-integral)
 (define E second-elliptic-integral)

@@ -1,13 +1,12 @@
 #lang racket/base
 ;; What gradient and its kin say of slips: the exact text.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/kind
          mechanics/generic/up-down
          mechanics/calculus/gradient
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (g x y) (g:* x y))
 (define (pair s) (up (g:square (vector-ref (structure-elements s) 0)) 1))

@@ -2,8 +2,7 @@
 ;; gradient, jacobian and their products agree with D: on every operation, on
 ;; random programs, on what they are used for, and where derivatives nest.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/kind
@@ -19,6 +18,7 @@
          mechanics/compile/definite-integral
          mechanics/calculus/literal-function
          mechanics/error/failure
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/laws/derivation.rkt" "../support/laws/law.rkt"
          "../support/random/element.rkt" "../support/random/program.rkt")

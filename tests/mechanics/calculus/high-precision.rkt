@@ -4,9 +4,8 @@
 ;; The same program is run on the generic operations for its derivative, and on
 ;; bigfloats for the difference quotient, whose error h² f‴/6 is below 10⁻²⁵.
 
-(require rackunit
-         (prefix-in m: mechanics)
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+(require (prefix-in m: mechanics)
+         "../support/checks.rkt" "../support/bigfloats.rkt" "../support/skip.rkt")
 
 ;; Programs over any arithmetic: (program + * / sin exp sqrt constant) -> function.
 (define programs

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Derivatives of higher order in one run: they agree with repeated derivatives.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/simplify/simplify-expression
          mechanics/generic/arithmetic
          mechanics/generic/compare
@@ -16,7 +15,7 @@
          mechanics/value/compose
          mechanics/value/matrix/matrix
          mechanics/value/signature
-         "../support/random.rkt" "../support/same.rkt"
+         "../support/checks.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/laws/derivation.rkt" "../support/laws/law.rkt")
 
 ;; D repeated, which nests dual numbers: a plain function does not say that it is a

@@ -1,15 +1,15 @@
 #lang racket/base
 ;; Integrals of generic functions, and derivatives through them.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/error/failure
          mechanics/value/compose
          mechanics/value/structure
          mechanics/calculus/derivative
          mechanics/compile/definite-integral
-         mechanics/lagrangian/local-tuple)
+         mechanics/lagrangian/local-tuple
+         "../support/checks.rkt")
 
 (test-case "definite integrals of functions made by arithmetic"
   (check-= (definite-integral (g:square g:sin) 0 1) (/ (- 1 (* (sin 1.0) (cos 1.0))) 2) 1e-12)

@@ -1,14 +1,14 @@
 #lang racket/base
 ;; Literal functions: application, derivatives, every form of signature.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/compose
          mechanics/value/signature
          mechanics/value/structure
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/numeric-value.rkt"
          "../support/same.rkt")
 

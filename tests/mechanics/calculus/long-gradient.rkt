@@ -2,15 +2,14 @@
 ;; Gradients of long runs: on tapes of many blocks, which serve one after another, and
 ;; of tuples the components of which are made when they are asked for.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/sums-and-products
          mechanics/value/structure
          mechanics/value/vector
          mechanics/calculus/derivative
          mechanics/calculus/gradient
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define n 40000)                ; so that adjoints take several chunks
 (define point (s:generate n 'up (lambda (i) (+ 0.5 (/ (modulo (* 7919 i) 1000) 1000.0)))))

@@ -2,12 +2,12 @@
 ;; Derivatives of integrals whose integrand jumps or bends at a place that moves, against the
 ;; integrals done by hand.
 
-(require rackunit
-         mechanics/calculus/derivative
+(require mechanics/calculus/derivative
          mechanics/compile/definite-integral
          mechanics/generic/arithmetic mechanics/generic/compare mechanics/generic/elementary
          mechanics/generic/rounding
-         mechanics/value/structure)
+         mechanics/value/structure
+         "../support/checks.rkt")
 
 (define ((integral f [low 0] [high 1]) a) (definite-integral (lambda (x) (f x a)) low high))
 

@@ -2,8 +2,7 @@
 ;; Derivatives of integrals within integrals, with jumps that leave the inner range; jumps that
 ;; no sample sees; and derivatives by symbols that are in the integrand.
 
-(require rackunit
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (I f) (definite-integral f 0 1))
 (define ((twice f) a) (I (lambda (x) (I (lambda (y) (f x y a))))))

@@ -7,8 +7,7 @@
 ;; of higher-order functions"; [DVL] the examples that go with it; [E] public
 ;; threads of Emmy on derivatives that return functions.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/compose
          mechanics/value/operator
@@ -16,7 +15,7 @@
          mechanics/value/signature
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../support/same.rkt")
+         "../support/checks.rkt" "../support/same.rkt")
 
 (define e (exp 1.0))
 

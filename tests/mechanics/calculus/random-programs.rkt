@@ -3,8 +3,7 @@
 ;; branches, loops, tuples, containers, derivatives within derivatives of numbers
 ;; and of functions.  A long run:  racket ../support/programs/main.rkt --count 10000
 
-(require rackunit
-         "../support/bigfloats.rkt" "../support/skip.rkt"
+(require "../support/checks.rkt" "../support/bigfloats.rkt" "../support/skip.rkt"
          "../support/programs/check.rkt" "../support/programs/main.rkt")
 
 (define seed 20)

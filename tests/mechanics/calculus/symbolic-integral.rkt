@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Definite integrals as formulas: against closed forms, and against numbers.
 
-(require rackunit
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define-check (check-integral f low high expected)
   (define found (definite-integral f low high))

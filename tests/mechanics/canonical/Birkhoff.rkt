@@ -2,7 +2,7 @@
 ;; Birkhoff normal forms, checked against forms and numbers from elsewhere.
 
 (require mechanics
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))

@@ -2,8 +2,7 @@
 ;; Actions and angles by integration, against closed forms.
 
 (require mechanics
-         rackunit
-         "../support/close.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
 (define ((oscillator m k) (up t q p)) (+ (/ (square p) (* 2 m)) (* 1/2 k (square q))))
 

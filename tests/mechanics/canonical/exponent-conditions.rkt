@@ -1,8 +1,7 @@
 #lang racket/base
 ;; For which exponent is a transformation canonical?  (SICM, exercise 5.7)
 
-(require mechanics
-         rackunit)
+(require mechanics "../support/checks.rkt")
 
 (define line (up 't 'theta 'I))
 (define ((powers factor exponent) (up t theta I))

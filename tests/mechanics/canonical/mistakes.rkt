@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define line (up 't 'q 'p))
 (define polar (up 't (up 'r 'phi) (down 'p_r 'p_phi)))

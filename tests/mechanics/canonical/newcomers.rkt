@@ -3,8 +3,7 @@
 ;; of what was called, never of what that calls.
 
 (require mechanics
-         rackunit
-         "../support/messages.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define line (up 't 'q 'p))
 (define polar (up 't (up 'r 'phi) (down 'p_r 'p_phi)))

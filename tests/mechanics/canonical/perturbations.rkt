@@ -4,7 +4,7 @@
 (require mechanics
          (prefix-in found: mechanics/canonical/perturbation/found-perturbation)
          (only-in mechanics/canonical/perturbation/Poisson-series series-scale)
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define line (up 't 'theta 'p))

@@ -3,7 +3,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define line (up 't 'q 'p))

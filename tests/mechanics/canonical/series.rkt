@@ -4,8 +4,7 @@
 
 (require mechanics
          mechanics/book
-         rackunit
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define line (up 't 'q 'p))
 

@@ -2,14 +2,13 @@
 ;; Compiled code computes what the expression's value is, short or long.
 
 (require racket/flonum
-         rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/compile/Racket-code
          mechanics/compile/program
          mechanics/generic/arithmetic
          mechanics/generic/elementary
-         "../support/close.rkt" "../support/random.rkt"
+         "../support/checks.rkt" "../support/close.rkt" "../support/random.rkt"
          "../support/evaluate.rkt")
 
 (define (refuse e) (raise-argument-error 'program-of "an expression of the inputs" e))

@@ -2,10 +2,9 @@
 ;; Functions on numbers of higher precision: as programs, or as they are.
 
 (require (prefix-in m: mechanics)
-         rackunit
          mechanics/compile/bigfloat-function
          mechanics/numeric/bigfloat/bigfloat-arithmetic
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+         "../support/checks.rkt" "../support/bigfloats.rkt" "../support/skip.rkt")
 
 ;; -> the exact values of f at x in 64 bits, and whether f could be traced
 (define (value-and-traced f x)

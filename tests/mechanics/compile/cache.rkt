@@ -2,10 +2,10 @@
 ;; Compiled programs that are kept: served to the same program, and to no other.
 
 (require racket/flonum
-         rackunit
          (only-in mechanics up + * sin compile-function compiled-function-reason)
          mechanics/compile/cache
-         mechanics/compile/program)
+         mechanics/compile/program
+         "../support/checks.rkt")
 
 ;; The outputs of x ↦ c x and x + c x that are asked for, at 5.0.
 (define (outputs c . places)

@@ -2,13 +2,13 @@
 ;; Closures, which run programs at once, do what compiled code does, bit for bit.
 
 (require racket/flonum
-         (except-in rackunit fail)
          mechanics
          (only-in mechanics/compile/Racket-code program->maker)
          (only-in mechanics/compile/compile-function compiled-function-program)
          (only-in mechanics/compile/closures program->closure-maker)
          (only-in mechanics/compile/program place program program-outputs)
-         (only-in mechanics/compile/tiers program->tiered-maker tiered-maker))
+         (only-in mechanics/compile/tiers program->tiered-maker tiered-maker)
+         "../support/checks.rkt")
 
 (define (run maker p input)
   (define output (make-flvector (vector-length (program-outputs p))))

@@ -2,7 +2,6 @@
 ;; Functions of structures, compiled.
 
 (require racket/flonum
-         (except-in rackunit fail)
          (only-in mechanics
                   up down + - * / sin cos square sqrt ref coordinate velocity < = zero? number?
                   equal? memv member case max D partial literal-function F->C p->r
@@ -10,7 +9,7 @@
                   compiled-function-reason compiled-function-operations)
          (only-in mechanics/book L-pendulum)
          mechanics/compile/cache
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define (numbers v) (for/list ([x (in-flvector v)]) x))
 

@@ -4,9 +4,9 @@
 ;; take a placeholder for what it is, so both kinds are tried.
 
 (require racket/flonum racket/list racket/math
-         (except-in rackunit fail)
          (prefix-in m: mechanics)
-         (only-in mechanics match up down ref compile-function compiled-function-reason))
+         (only-in mechanics match up down ref compile-function compiled-function-reason)
+         "../support/checks.rkt")
 
 (define points '(-7.0 -2.5 -1.0 -0.0 0.0 0.5 1.0 2.0 3.0 4.5 10.0))
 

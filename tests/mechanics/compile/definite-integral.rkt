@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Integrals whose integrands are compiled on the way.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
          mechanics/error/failure
@@ -11,7 +10,8 @@
          mechanics/compile/one-variable
          mechanics/lagrangian/local-tuple
          (only-in mechanics [< g:<])
-         mechanics/value/compose)
+         mechanics/value/compose
+         "../support/checks.rkt")
 
 ;; 100 s of a pendulum's Lagrangian along a wiggling path: thousands of evaluations.
 (define (wiggle t) (g:+ (g:sin t) (g:* 0.1 (g:cos (g:* 20 t)))))

@@ -2,9 +2,8 @@
 ;; Compiled gradients: those of D, and of differences, for a few times the operations.
 
 (require racket/flonum
-         (except-in rackunit fail)
          mechanics
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (random-point n) (for/flvector #:length n ([_ (in-range n)]) (+ 0.2 (* 0.6 (random)))))
 

@@ -5,14 +5,14 @@
 (require (only-in math/bigfloat bf bf+ bf- bf* bf/ bfsin bfexp bfsqrt bfsqr bflog bfatan 1.bf
                   bf-precision bigfloat->flonum)
          racket/flonum
-         (except-in rackunit fail)
          mechanics
          (only-in mechanics/compile/Racket-code program->maker)
          (only-in mechanics/compile/compile-function compiled-function-program)
          (only-in mechanics/compile/closures program->closure-maker)
          (only-in mechanics/compile/program program-inputs program-length program-outputs)
          (only-in mechanics/compile/tangent-program jacobian-program tangent-program)
-         (only-in mechanics/value/shape scalars structure->flvector flvector->structure))
+         (only-in mechanics/value/shape scalars structure->flvector flvector->structure)
+         "../support/checks.rkt")
 
 (define (program-of f example) (compiled-function-program (compile-function f example)))
 

@@ -2,7 +2,6 @@
 ;; Machine code of programs has the values that Racket's compiler gives, bit for bit.
 
 (require racket/flonum
-         rackunit
          mechanics/compile/Racket-code
          mechanics/compile/closures
          mechanics/compile/program
@@ -10,7 +9,7 @@
          (only-in mechanics/motion/system/rates-code program-machine-rates)
          mechanics/numeric/machine/executable
          mechanics/numeric/machine/straight-code
-         "../support/random.rkt" "../support/skip.rkt")
+         "../support/checks.rkt" "../support/random.rkt" "../support/skip.rkt")
 
 (define (random-operand k)
   (cond [(zero? (random 10)) (random-flonum)]

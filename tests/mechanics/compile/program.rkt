@@ -1,12 +1,12 @@
 #lang racket/base
 ;; Programs: what is written once, what is computed beforehand, what is dropped.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/compile/program
          mechanics/generic/arithmetic
-         mechanics/generic/elementary)
+         mechanics/generic/elementary
+         "../support/checks.rkt")
 
 (define (refuse e) (raise (list 'no-value e)))
 

@@ -3,13 +3,13 @@
 ;; those of the generic arithmetic, kept with their state derivative, and never stale.
 
 (require racket/flonum
-         (except-in rackunit fail)
          mechanics
          (only-in mechanics/constraint/constrained-code constrained-code rates-code position-code)
          (only-in mechanics/constraint/constraint gather)
          (only-in mechanics/motion/system/make-system make-system)
          (only-in mechanics/motion/system/system system-make-jacobian!)
-         (only-in mechanics/value/shape structure->flvector flvector->structure shape-length))
+         (only-in mechanics/value/shape structure->flvector flvector->structure shape-length)
+         "../support/checks.rkt")
 
 (define (random-vector n) (for/flvector #:length n ([_ (in-range n)]) (+ 0.2 (random))))
 

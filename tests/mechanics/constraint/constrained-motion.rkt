@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Constrained motions in numbers: drift, energy, redundancy, leaving a support.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define ((L-mass m g) (up t (up x y) (up vx vy)))
   (- (* 1/2 m (+ (square vx) (square vy))) (* m g y)))

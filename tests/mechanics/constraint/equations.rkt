@@ -1,10 +1,9 @@
 #lang racket/base
 ;; Equations with multipliers: pendulum, Atwood's machine, a mass on a circle.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          (only-in mechanics/book L-free-particle)
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define-syntax-rule (check-proved verdict) (check-eq? (verdict-status verdict) 'proved))
 (define-syntax-rule (check-refuted verdict) (check-eq? (verdict-status verdict) 'refuted))

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Constraints on velocities that are constraints on coordinates, and others.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/random.rkt" "../support/session.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/random.rkt" "../support/session.rkt")
 
 (define q (up 'x 'y 'θ))
 (define-syntax-rule (form (t (x y θ) (vx vy ω)) value)

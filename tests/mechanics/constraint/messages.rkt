@@ -1,9 +1,8 @@
 #lang racket/base
 ;; What is said to those who state constraints wrongly, or too many of them.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (L (up t q v)) (- (* 1/2 'm (square v)) (* 'm 'g (ref q 1))))
 (define (on-circle t q) (- (square q) (square 'l)))

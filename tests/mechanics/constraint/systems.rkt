@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Systems whose motion is known: a disk that rolls, a ball on a turntable, any track.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/session.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/session.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; A disk that rolls and leans: centre x and y, heading φ, inclination θ, angle of rolling ψ.

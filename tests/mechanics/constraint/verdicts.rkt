@@ -1,9 +1,8 @@
 #lang racket/base
 ;; A wheel and a knife edge on an incline: what circulates about them, proved and refuted.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/session.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define-syntax-rule (check-proved verdict) (check-eq? (verdict-status verdict) 'proved))
 (define-syntax-rule (check-refuted verdict) (check-eq? (verdict-status verdict) 'refuted))

@@ -1,10 +1,9 @@
 #lang racket/base
 ;; What becomes of small displacements: matrices, multipliers, exponents.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          mechanics/book
-         "../support/close.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
 (define omega (* 4.2 (sqrt 9.8)))
 (define shaken (H-pend-sysder 1 1 9.8 .05 omega))

@@ -1,12 +1,11 @@
 #lang racket/base
 ;; Regular or chaotic, told by a displacement.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          mechanics/book
          (only-in mechanics/dynamics/fast-Lyapunov-indicator indicator-grid)
          racket/flonum
-         "../support/close.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
 (define (nan? x) (not (= x x)))
 

@@ -1,13 +1,12 @@
 #lang racket/base
 ;; Invariant circles to rounding, and how fast orbits go around.
 
-(require (except-in rackunit fail)
-         racket/flonum
+(require racket/flonum
          mechanics
          mechanics/book
          mechanics/numeric/Fourier
          mechanics/numeric/periodic-function
-         "../support/close.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
 (define golden (- 1 (/ 1 golden-ratio)))
 

@@ -1,10 +1,9 @@
 #lang racket/base
 ;; Manifolds of hyperbolic points as curves, and where they cross.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          mechanics/book
-         "../support/close.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
 (define K 1.4)
 (define T (standard-map K))

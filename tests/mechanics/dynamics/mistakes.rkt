@@ -2,9 +2,8 @@
 ;; What those who begin with maps get wrong, and what they are told.
 
 (require racket/stream
-         (except-in rackunit fail)
          mechanics mechanics/book mechanics/plot
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define f (frame 0 7 0 7))
 (define omega (* 4.2 (sqrt 9.8)))

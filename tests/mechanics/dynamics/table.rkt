@@ -5,9 +5,8 @@
 ;; Published or independently computed values: SICM's figures 3.12, 3.19 and 4.20, and integrations
 ;; to 25 digits.
 
-(require (except-in rackunit fail)
-         mechanics mechanics/book mechanics/plot
-         "../support/messages.rkt")
+(require mechanics mechanics/book mechanics/plot
+         "../support/checks.rkt" "../support/messages.rkt")
 
 ;; off : -> how far off it is; bound : how far it may be
 ;; refused : -> what raises; message : a regular expression

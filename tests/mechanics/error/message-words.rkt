@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Words put together, and what is raised with them.
 
-(require rackunit
-         mechanics/error/complain
+(require mechanics/error/complain
          mechanics/error/machine-limits
-         mechanics/error/message-words)
+         mechanics/error/message-words
+         "../support/checks.rkt")
 
 (test-case "texts are joined by commas, or as one likes"
   (check-equal? (joined '()) "")

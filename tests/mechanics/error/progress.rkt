@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Word of progress on long runs: when it is given, where, and that it goes away.
 
-(require (except-in rackunit fail)
-         mechanics
-         mechanics/error/progress)
+(require mechanics
+         mechanics/error/progress
+         "../support/checks.rkt")
 
 ;; A reporter whose clock goes on by `tick` ms each time it is read.
 (define (reporter-on port tick)

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Names that an unknown one may have been meant for.
 
-(require mechanics/error/spelling
-         rackunit)
+(require mechanics/error/spelling "../support/checks.rkt")
 
 (define known
   '(Lagrange-equations Lagrangian->energy determinant invert simplify verify-solution

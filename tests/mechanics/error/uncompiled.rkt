@@ -8,8 +8,8 @@
          racket/port
          racket/runtime-path
          racket/system
-         rackunit
          mechanics/lang/stale-files
+         "../support/checks.rkt"
          "../support/house/library.rkt" "../support/run-text.rkt" "../support/skip.rkt")
 
 (define-runtime-path room "../../../mechanics/error")

@@ -2,9 +2,8 @@
 ;; From Newton's equations to Lagrange's, for any positions and forces: each line of the
 ;; derivation is an identity, and each is seen to fail when a term is changed.
 
-(require rackunit
-         mechanics
-         "../support/forces.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/forces.rkt")
 
 (define q-1 (literal-function 'q))
 (define q-2 (up (literal-function 'a) (literal-function 'b)))

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Forces in coordinates: known ones, in all the shapes that positions have.
 
-(require rackunit
-         mechanics
-         "../support/forces.rkt" "../support/session.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/forces.rkt" "../support/session.rkt")
 
 (define swinging (up 't 'theta 'thetadot))
 (define turning (up 't (up 'r 'theta) (up 'rdot 'thetadot)))

@@ -2,10 +2,9 @@
 ;; Forces outside the Lagrangian: the same equations however they are given, and the
 ;; energy they add and take.
 
-(require rackunit
-         mechanics
+(require mechanics
          (only-in mechanics/book L-harmonic)
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define ((drag b) local) (* -2 b (velocity local)))
 (define ((driving f) local) (f (time local)))

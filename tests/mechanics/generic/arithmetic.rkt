@@ -6,8 +6,7 @@
 ;; operators from what they make of functions.  `_` marks pairs that do not
 ;; combine.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/describe
          mechanics/generic/elementary
          mechanics/generic/function
@@ -16,6 +15,7 @@
          mechanics/value/operator
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/numeric-value.rkt" "../support/same.rkt")
 
 (define operations (hasheq '+ g:+ '- g:- '* g:* '/ g:/ 'expt g:expt))

@@ -1,15 +1,15 @@
 #lang racket/base
 ;; Equality, zero and one, and order.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/up-down
          mechanics/value/matrix/matrix
          mechanics/calculus/derivative
          mechanics/calculus/dual
-         mechanics/calculus/literal-function)
+         mechanics/calculus/literal-function
+         "../support/checks.rkt")
 
 (define V (literal-function 'V))
 

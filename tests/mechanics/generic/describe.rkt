@@ -1,8 +1,7 @@
 #lang racket/base
 ;; How values print and how messages name them.
 
-(require rackunit
-         mechanics/algebra/expression/write
+(require mechanics/algebra/expression/write
          mechanics/generic/arithmetic
          mechanics/generic/describe
          mechanics/generic/elementary
@@ -11,7 +10,8 @@
          mechanics/calculus/derivative
          mechanics/calculus/dual
          mechanics/calculus/literal-function
-         mechanics/value/signature)
+         mechanics/value/signature
+         "../support/checks.rkt")
 
 (test-case "every kind of value has a description"
   (for ([x (list 3 'a (g:sin 'a) (up 1 2) (down 1) (vector 1 2) sin (g:+ sin cos) D

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; What the generic operations say of arguments they do not take: the exact text.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/up-down
@@ -10,7 +9,7 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/lang/application
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Kinds that do not combine

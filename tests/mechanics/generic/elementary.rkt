@@ -2,10 +2,9 @@
 ;; Elementary operations: values, exactness, arity.  (Their derivatives are the
 ;; matter of rules.rkt, and where they have none, of singular-derivatives.rkt.)
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
-         "../support/random.rkt" "../support/same.rkt")
+         "../support/checks.rkt" "../support/random.rkt" "../support/same.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Values

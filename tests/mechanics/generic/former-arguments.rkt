@@ -7,8 +7,7 @@
          (only-in mechanics/generic/former-arguments former-keywords former-counts)
          racket/file
          racket/runtime-path
-         rackunit
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define-runtime-path conventions "../../../scribblings/mechanics/reference/conventions.scrbl")
 

@@ -1,14 +1,14 @@
 #lang racket/base
 ;; Functions as values: arity and printing.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/function
          mechanics/generic/up-down
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         mechanics/value/signature)
+         mechanics/value/signature
+         "../support/checks.rkt")
 
 (define (printed x) (format "~s" x))
 

@@ -2,9 +2,9 @@
 ;; What derivatives note: operations that have kinks, jumps or poles somewhere, where they are
 ;; differentiated, and before anything is simplified.
 
-(require rackunit
-         (except-in mechanics expression format)
-         mechanics/generic/kinks-met)
+(require (except-in mechanics expression format)
+         mechanics/generic/kinks-met
+         "../support/checks.rkt")
 
 ;; What the derivative of f at a symbol meets, as data.
 (define (noted f [x 't])

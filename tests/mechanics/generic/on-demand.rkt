@@ -2,8 +2,7 @@
 ;; Files loaded when something of theirs is called: once, whatever happens meanwhile.
 
 (require racket/runtime-path
-         rackunit
-         "../support/patience.rkt")
+         "../support/checks.rkt" "../support/patience.rkt")
 
 (define-runtime-path asking "../runner/fixture/on-demand/asking.rkt")
 (define-runtime-path here "../runner/fixture/on-demand/here.rkt")

@@ -2,8 +2,7 @@
 ;; The equations of operations as truncated Taylor numbers read them: derivatives of
 ;; all orders, compared with those by nested rules in exact or symbolic form.
 
-(require (except-in rackunit fail)
-         (prefix-in m: mechanics))
+(require (prefix-in m: mechanics) "../support/checks.rkt")
 
 ;; The k-th coefficient of the series of f about x, and the k-th derivative of the expression
 ;; of f at a symbol, evaluated there.

@@ -1,15 +1,14 @@
 #lang racket/base
 ;; Roundings: Racket's of numbers, constant between their jumps, without a derivative there.
 
-(require rackunit
-         mechanics/calculus/derivative
+(require mechanics/calculus/derivative
          mechanics/error/failure
          mechanics/generic/arithmetic
          mechanics/generic/describe
          mechanics/generic/rounding
          mechanics/value/matrix/matrix
          mechanics/value/structure
-         "../support/messages.rkt" "../support/random.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/random.rkt")
 
 (define pairs
   (list (cons g:floor floor) (cons g:ceiling ceiling)

@@ -4,8 +4,7 @@
 ;; against the symbolic derivative, through D and partial, twice, and off the
 ;; real line.  A new entry in the table of operations is tested by being there.
 
-(require rackunit
-         mechanics/algebra/expression/operation
+(require mechanics/algebra/expression/operation
          mechanics/algebra/expression/expression
          mechanics/generic/arithmetic
          mechanics/generic/elementary
@@ -13,6 +12,7 @@
          mechanics/generic/rounding
          mechanics/value/structure
          mechanics/calculus/derivative
+         "../support/checks.rkt"
          "../support/bigfloats.rkt" "../support/close.rkt" "../support/random.rkt"
          "../support/evaluate.rkt"
          "../support/same.rkt" "../support/skip.rkt")

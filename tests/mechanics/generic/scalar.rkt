@@ -1,8 +1,7 @@
 #lang racket/base
 ;; What fills one place of a tuple, and what does not.
 
-(require rackunit
-         mechanics/calculus/derivative
+(require mechanics/calculus/derivative
          mechanics/calculus/dual
          mechanics/calculus/Taylor-number
          mechanics/calculus/literal-function
@@ -12,7 +11,7 @@
          mechanics/value/bigfloat
          mechanics/value/matrix/matrix
          mechanics/value/series/series-access
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+         "../support/checks.rkt" "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define plain (list 0 1 1/2 0.5 1+2i +nan.0))
 (define open (list 'x (g:+ 'x 1) ((literal-function 'f) 't) (make-dual 1 2 3) (displaced 1 4 'x)))

@@ -1,15 +1,14 @@
 #lang racket/base
 ;; Points where a function has a value but no derivative, and points beside them.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/rounding
          mechanics/error/failure
          mechanics/value/structure
          mechanics/calculus/derivative
-         "../support/same.rkt")
+         "../support/checks.rkt" "../support/same.rkt")
 
 (define-syntax-rule (check-singular message where expression)
   (check-exn (lambda (e)

@@ -1,12 +1,12 @@
 #lang racket/base
 ;; Sums and products over sequences.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/sums-and-products
          mechanics/generic/up-down
-         mechanics/calculus/derivative)
+         mechanics/calculus/derivative
+         "../support/checks.rkt")
 
 (test-case "sums and products of numbers are Racket's"
   (check-equal? (g:for/sum ([i 5]) i) 10)

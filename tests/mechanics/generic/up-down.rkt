@@ -1,11 +1,11 @@
 #lang racket/base
 ;; Structures as data: construction, application, products, printing.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
-         mechanics/calculus/literal-function)
+         mechanics/calculus/literal-function
+         "../support/checks.rkt")
 
 (define (printed x) (list (format "~s" x) (format "~a" x) (format "~v" x)))
 

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Structs that are values: what each clause of the form gives them.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/kind
-         mechanics/generic/value-struct)
+         mechanics/generic/value-struct
+         "../support/checks.rkt")
 
 (define (printed x) (list (format "~s" x) (format "~a" x) (format "~v" x)))
 

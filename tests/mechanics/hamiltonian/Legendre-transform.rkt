@@ -2,7 +2,7 @@
 ;; Legendre transforms: exact ones, formulas, numbers, and where there is none.
 
 (require mechanics
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt"
          "../support/systems.rkt")
 

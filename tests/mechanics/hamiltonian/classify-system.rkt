@@ -4,9 +4,8 @@
 
 (require mechanics
          mechanics/book
-         rackunit
          (only-in mechanics/hamiltonian/classify-system Hamiltonian-told?)
-         "../support/messages.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define ((H-harmonic m k) s)
   (+ (/ (square (momentum s)) (* 2 m)) (* 1/2 k (square (coordinate s)))))

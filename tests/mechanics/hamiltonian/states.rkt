@@ -2,8 +2,7 @@
 ;; Hamiltonian states: made, taken apart, and refused.
 
 (require mechanics mechanics/scmutils
-         rackunit
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))
 (define line (up 't 'q 'p))

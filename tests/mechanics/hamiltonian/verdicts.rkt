@@ -5,8 +5,7 @@
 (require mechanics
          mechanics/book
          mechanics/rackunit
-         rackunit
-         "../support/messages.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define ((H-harmonic m k) s)
   (+ (/ (square (momentum s)) (* 2 m)) (* 1/2 k (square (coordinate s)))))

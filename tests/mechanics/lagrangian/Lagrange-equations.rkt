@@ -2,8 +2,7 @@
 ;; Lagrange's equations as residuals: known systems, forces, higher order, and
 ;; what is said of bad Lagrangians and paths.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/compose
          mechanics/value/structure
@@ -14,6 +13,7 @@
          mechanics/lagrangian/generalized-LE
          mechanics/lagrangian/local-tuple
          (only-in mechanics/book L-free-particle L-harmonic L-central-polar)
+         "../support/checks.rkt"
          "../support/messages.rkt" "../support/same.rkt" "../support/systems.rkt")
 
 (define x (literal-function 'x))

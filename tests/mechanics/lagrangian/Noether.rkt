@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Noether's integrals (SICM 1.8.5, pp. 90-91).
 
-(require rackunit
-         mechanics
-         "../support/session.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define ((L-central m U) local)
   (- (* 1/2 m (square (velocity local))) (U (sqrt (square (coordinate local))))))

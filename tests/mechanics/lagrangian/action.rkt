@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Actions (SICM 1.4): V1 and what they say of what is no number.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/structure
          mechanics/calculus/derivative
@@ -10,7 +9,7 @@
          mechanics/lagrangian/action
          mechanics/lagrangian/local-tuple
          (only-in mechanics/book L-free-particle L-harmonic)
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (test-path t) (up (g:+ (g:* 4 t) 7) (g:+ (g:* 3 t) 5) (g:+ (g:* 2 t) 1)))
 

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; F->C: against formulas derived by hand, and against what it means on paths.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/compose
          mechanics/value/structure
@@ -15,7 +14,7 @@
          (only-in mechanics/book L-free-particle)
          (only-in mechanics/scmutils polar->rectangular rectangular->polar
                   spherical->rectangular rectangular->spherical)
-         "../support/same.rkt" "../support/systems.rkt")
+         "../support/checks.rkt" "../support/same.rkt" "../support/systems.rkt")
 
 (define polar (up 't (up 'r 'phi) (up 'rdot 'phidot)))
 (define spherical (up 't (up 'r 'theta 'phi) (up 'rdot 'thetadot 'phidot)))

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Energies and their change along paths (SICM 1.8.1).
 
-(require rackunit
-         mechanics
-         "../support/session.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define (T m) (lambda (local) (* 1/2 m (square (velocity local)))))
 (define (V m k) (lambda (local) (* 1/2 k (square (coordinate local)))))

@@ -1,11 +1,10 @@
 #lang racket/base
 ;; Rotations, and frames that turn or accelerate.
 
-(require rackunit
-         mechanics
+(require mechanics
          mechanics/scmutils
          (only-in mechanics/book L-free-particle)
-         "../support/random.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/random.rkt" "../support/session.rkt")
 
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
 (define space (up 't (up 'x 'y 'z) (up 'vx 'vy 'vz)))

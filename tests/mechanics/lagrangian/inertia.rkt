@@ -2,9 +2,8 @@
 ;; Mass matrices: accelerations of larger systems, and directions without
 ;; inertia.
 
-(require rackunit
-         mechanics
-         "../bench/systems.rkt"
+(require mechanics
+         "../support/checks.rkt" "../bench/systems.rkt"
          "../support/same.rkt")
 
 (define-syntax-rule (failure-of expr)

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Local tuples: Γ, its lengths, selectors and their errors.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/compose
          mechanics/value/structure
@@ -11,7 +10,7 @@
          mechanics/value/signature
          mechanics/lagrangian/local-tuple
          mechanics/scmutils
-         "../support/messages.rkt" "../support/same.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/same.rkt")
 
 (define q (literal-function 'q))
 (define path-xy (up (literal-function 'x) (literal-function 'y)))

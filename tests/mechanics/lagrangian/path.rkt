@@ -1,15 +1,14 @@
 #lang racket/base
 ;; Paths through given points, and their actions.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/structure
          mechanics/calculus/derivative
          mechanics/lagrangian/local-tuple
          mechanics/lagrangian/path
          (only-in mechanics/book L-free-particle L-harmonic)
-         "../support/random.rkt" "../support/same.rkt")
+         "../support/checks.rkt" "../support/random.rkt" "../support/same.rkt")
 
 (test-case "points evenly spaced between two others"
   (check-equal? (linear-interpolants 0 1 3) '(1/4 1/2 3/4))

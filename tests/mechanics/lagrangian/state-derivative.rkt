@@ -1,11 +1,10 @@
 #lang racket/base
 ;; Accelerations, state derivatives and equations of first order (SICM 1.7).
 
-(require rackunit
-         mechanics
+(require mechanics
          mechanics/scmutils
          (only-in mechanics/book L-harmonic L-pendulum)
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define ((L-rigid A B C) (up t (up theta phi psi) (up thetadot phidot psidot)))
   (let ([a (+ (* phidot (sin theta) (sin psi)) (* thetadot (cos psi)))]

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; The total time derivative and the Euler–Lagrange operator (SICM 1.9).
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/compose
          mechanics/value/operator
@@ -16,7 +15,7 @@
          mechanics/lagrangian/total-derivative
          (only-in mechanics/book L-harmonic)
          (only-in mechanics/scmutils LE Lagrange-equations-operator)
-         "../support/same.rkt" "../support/systems.rkt")
+         "../support/checks.rkt" "../support/same.rkt" "../support/systems.rkt")
 
 (define F (literal-function 'F (-> (UP Real Real Real) Real)))
 (define G (literal-function 'G (-> (UP Real Real Real) Real)))

@@ -2,8 +2,7 @@
 ;; V6: the variation operator δ_η obeys the rules of a derivation of functions
 ;; of paths, and commutes with the derivative by time (SICM 1.5.1, exercise 1.8).
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/compose
          mechanics/value/operator
@@ -15,7 +14,7 @@
          mechanics/lagrangian/variation
          mechanics/lagrangian/Lagrange-equations
          (only-in mechanics/book L-free-particle)
-         "../support/same.rkt" "../support/systems.rkt")
+         "../support/checks.rkt" "../support/same.rkt" "../support/systems.rkt")
 
 (define q (literal-function 'q))
 (define eta (literal-function 'eta))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What the book's programs take from MIT Scheme.
 
-(require mechanics rackunit racket/port)
+(require mechanics racket/port "../support/checks.rkt")
 
 (define (printed thunk) (with-output-to-string thunk))
 

@@ -7,8 +7,7 @@
          (only-in mechanics/value/matrix/quotient quotient-of)
          mechanics/lang/application
          mechanics/lang/pattern/pattern
-         rackunit
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define-namespace-anchor here)
 (define (expanded form)

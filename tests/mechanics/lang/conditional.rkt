@@ -1,10 +1,9 @@
 #lang racket/base
 ;; `if` and its kin are Racket's, but refuse a verdict for a test.
 
-(require rackunit
-         mechanics
+(require mechanics
          (only-in racket/base [expand racket:expand])
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define v (prove-zero 'x))
 

@@ -6,8 +6,8 @@
          racket/file
          racket/list
          racket/match
-         rackunit
-         syntax-color/module-lexer)
+         syntax-color/module-lexer
+         "../support/checks.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Arrows

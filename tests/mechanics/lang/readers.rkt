@@ -3,7 +3,7 @@
 ;; operations that it has, its names; each with what is expected of it here.
 
 (require mechanics/scmutils
-         (except-in rackunit check)
+         (except-in "../support/checks.rkt" check)
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 ;; [expression datum] : the value, simplified, is that expression.

@@ -4,7 +4,7 @@
 (require compiler/find-exe
          racket/file
          racket/port
-         rackunit
+         "../support/checks.rkt"
          "../support/run-text.rkt" "../support/skip.rkt" "../support/terminal.rkt")
 
 ;; f : the folder ->

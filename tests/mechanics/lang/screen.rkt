@@ -2,8 +2,7 @@
 ;; What of a long text a screen shows.
 
 (require mechanics/lang/screen
-         rackunit
-         "../support/run-text.rkt")
+         "../support/checks.rkt" "../support/run-text.rkt")
 
 (define-check (check-screen text rows columns expected)
   (define got (call-with-values (lambda () (first-screen text rows columns)) list))

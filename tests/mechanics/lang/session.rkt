@@ -7,8 +7,7 @@
          (only-in mechanics/lang/unknown-name/unknown-names install-hints!)
          racket/port
          racket/string
-         rackunit
-         "../support/run-text.rkt")
+         "../support/checks.rkt" "../support/run-text.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Modules

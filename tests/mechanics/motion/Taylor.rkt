@@ -1,9 +1,8 @@
 #lang racket/base
 ;; The Taylor method, compared with motions that are known exactly.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (by-Taylor derivative start duration tolerance)
   ((state-advancer (lambda () derivative)) start duration tolerance #:method 'Taylor))

@@ -2,10 +2,10 @@
 ;; Systems of many coordinates: their rates from the Lagrangian's own instructions.
 
 (require racket/flonum
-         (except-in rackunit fail)
          mechanics
          (only-in mechanics/motion/system/Lagrangian-code Lagrangian-code)
-         (only-in mechanics/value/shape structure->flvector flvector->structure shape-length))
+         (only-in mechanics/value/shape structure->flvector flvector->structure shape-length)
+         "../support/checks.rkt")
 
 (define (code L state) (Lagrangian-code 'test (Lagrangian->state-derivative L) state))
 

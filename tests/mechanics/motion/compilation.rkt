@@ -1,11 +1,11 @@
 #lang racket/base
 ;; How often motions are compiled, and that nothing stale or cut short is followed.
 
-(require (except-in rackunit fail)
-         (only-in racket/base [< racket:<] [= racket:=] [case racket:case])
+(require (only-in racket/base [< racket:<] [= racket:=] [case racket:case])
          mechanics
          mechanics/compile/cache
-         (only-in mechanics/book L-pendulum))
+         (only-in mechanics/book L-pendulum)
+         "../support/checks.rkt")
 
 (define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
 (define start (up 0 1 0))

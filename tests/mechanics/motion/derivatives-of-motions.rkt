@@ -2,8 +2,7 @@
 ;; Derivatives of where a motion leads: by its start, by the duration, of any order.
 
 (require mechanics mechanics/book mechanics/scmutils
-         rackunit
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define pendulum (Lagrangian->state-derivative (L-pendulum 1 1 1)))
 (define (swung x [t 2]) ((state-advancer pendulum) (up 0 x 0.3) t 1e-13))

@@ -2,11 +2,11 @@
 ;; Energy over a million steps: symplectic methods let it go up and down, not away.
 
 (require racket/flonum
-         rackunit
          (prefix-in m: mechanics)
          mechanics/motion/system/make-system mechanics/motion/system/system
          mechanics/numeric/ode/gauss-legendre mechanics/numeric/ode/doubled-runge-kutta
-         mechanics/numeric/ode/stepper mechanics/numeric/ode/symplectic)
+         mechanics/numeric/ode/stepper mechanics/numeric/ode/symplectic
+         "../support/checks.rkt")
 
 ;; A pendulum, released at 1 rad: period 6.7.
 (define (H state) (m:- (m:* 1/2 (m:square (m:ref state 2))) (m:cos (m:ref state 1))))

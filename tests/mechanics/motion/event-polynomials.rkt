@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Events on steps that are polynomials.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (oscillator (up t x v)) (up 1 v (- x)))
 

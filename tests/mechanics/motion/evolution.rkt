@@ -1,10 +1,9 @@
 #lang racket/base
 ;; States followed in time: SICM 1.7 and its numbers.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          (only-in mechanics/book harmonic-state-derivative pend-state-derivative)
-         "../support/close.rkt" "../support/systems.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/systems.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Systems

@@ -2,8 +2,7 @@
 ;; Motions that end before their time: the failure tells where and why, and carries
 ;; what was computed.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 ;; -> message and what the failure carries
 (define-syntax-rule (failure-of expression)

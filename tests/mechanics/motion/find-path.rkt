@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Paths of stationary action: SICM 1.4 and its numbers.
 
-(require (except-in rackunit fail)
-         mechanics
-         (only-in mechanics/book L-harmonic))
+(require mechanics
+         (only-in mechanics/book L-harmonic)
+         "../support/checks.rkt")
 
 (define (greatest-error q)
   (for/fold ([m 0]) ([k (in-range 1001)])

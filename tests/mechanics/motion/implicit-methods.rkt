@@ -2,7 +2,6 @@
 ;; What implicit methods take of a system: derivatives of its rates, made of their own code.
 
 (require racket/flonum
-         (except-in rackunit fail)
          mechanics
          (only-in mechanics/book L-pendulum)
          (only-in mechanics/motion/system/make-system make-system)
@@ -11,7 +10,8 @@
          (only-in mechanics/numeric/ode/rates-with-jacobian differences differentiated)
          (only-in mechanics/numeric/ode/integrate integrate)
          (only-in mechanics/numeric/ode/radau radau-iia-5)
-         (only-in mechanics/value/shape structure->flvector flvector->structure shape-length))
+         (only-in mechanics/value/shape structure->flvector flvector->structure shape-length)
+         "../support/checks.rkt")
 
 (define (random-vector n) (for/flvector #:length n ([_ (in-range n)]) (+ 0.2 (random))))
 

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Derivatives of motions by where they start and by parameters.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define ((oscillator omega) (up t x v)) (up 1 v (* -1 (square omega) x)))
 

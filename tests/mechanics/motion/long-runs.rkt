@@ -2,9 +2,9 @@
 ;; Long runs in numbers of higher precision: the motions of SICM 1.7 and 2.8 to all known
 ;; digits, and what flonums are worth.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          (only-in mechanics/book pend-state-derivative)
+         "../support/checks.rkt"
          "../support/bigfloats.rkt" "../support/close.rkt" "../support/skip.rkt"
          "../support/systems.rkt")
 

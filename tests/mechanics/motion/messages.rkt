@@ -1,10 +1,9 @@
 #lang racket/base
 ;; What integration says to what it was asked wrongly.
 
-(require (only-in rackunit check-exn test-case)
-         mechanics
+(require mechanics
          (only-in mechanics/book L-harmonic)
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (harmonic m k) (Lagrangian->state-derivative (L-harmonic m k)))
 (define oscillator (harmonic 1 1))

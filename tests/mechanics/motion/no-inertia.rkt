@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Mass matrices without an inverse: which directions carry no inertia.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (advance L state [method 'Dormand-Prince-853])
   ((state-advancer (lambda () (Lagrangian->state-derivative L))) state 1 1e-10 #:method method))

@@ -1,10 +1,9 @@
 #lang racket/base
 ;; Pendulums in numbers: against exact solutions, and digits computed elsewhere.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          (only-in mechanics/book L-pendulum pend-state-derivative)
-         "../support/close.rkt" "../support/systems.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/systems.rkt")
 
 (define (crossing-times derivative start end f direction)
   (map occurrence-time

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Motion in numbers of higher precision, and what it says of long runs in flonums.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
+         "../support/checks.rkt"
          "../support/bigfloats.rkt" "../support/close.rkt" "../support/skip.rkt"
          "../support/systems.rkt")
 

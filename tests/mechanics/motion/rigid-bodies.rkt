@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Rigid bodies in Euler angles, followed in time: SICM 2.8.1 and 2.10, in numbers.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/close.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/close.rkt")
 
 ;; Angular velocity along the principal axes (2.7).
 (define (body-omega s)

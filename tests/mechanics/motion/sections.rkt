@@ -2,9 +2,8 @@
 ;; Surfaces of section of Hénon and Heiles's motion, as events of a trajectory: SICM 3.6.3,
 ;; in numbers.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/close.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define (V x y)
   (+ (* 1/2 (+ (square x) (square y))) (* (square x) y) (* -1/3 (cube y))))

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Leapfrog and its like follow the systems that they are made for, and no others.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define makers (list leapfrog Yoshida-4 Yoshida-6 Yoshida-8))
 (define steps '(0.001 0.01 0.02 0.05))

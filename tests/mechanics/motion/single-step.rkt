@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Single steps, and what an advancer passes on.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define ((growth a) s) (up 1 (* a (ref s 1))))
 (define ((spread a) s) (up 1 (up (* a (ref s 1 0)) (/ (ref s 1 1) a))))

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Stiff systems, with derivatives made for them.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 ;; A pendulum in a thick fluid.  After the first moment v = -(g/mu) sin(theta) nearly,
 ;; so that tan(theta/2) falls as exp(-g t/mu).

@@ -1,10 +1,9 @@
 #lang racket/base
 ;; Trajectories and events.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          (only-in mechanics/book L-harmonic L-pendulum)
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define pendulum (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))
 (define period 2.140228719018093)                    ; from 1 rad

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Numbers that have names.
 
-(require rackunit mechanics/numeric/constants)
+(require mechanics/numeric/constants "../support/checks.rkt")
 
 (test-case "the constants are the flonums nearest to what they name"
   (check-= (sin :pi) 0 2e-16)

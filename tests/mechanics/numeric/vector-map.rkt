@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Vectors mapped, of lengths that are spelled out and of others.
 
-(require rackunit
-         mechanics/numeric/vector-map)
+(require mechanics/numeric/vector-map "../support/checks.rkt")
 
 (test-case "vectors of any length are mapped, from first to last"
   (for ([n 6])

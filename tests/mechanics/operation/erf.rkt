@@ -4,7 +4,6 @@
 
 (require racket/file
          racket/flonum
-         (except-in rackunit fail)
          (prefix-in m: mechanics)
          (only-in math/special-functions [erf math:erf])
          mechanics/algebra/expression/numeric-functions
@@ -17,6 +16,7 @@
          mechanics/compile/trace
          (only-in mechanics/show/typesetting/TeX tree->TeX)
          (only-in mechanics/algebra/notation/formula plain-datum->tree)
+         "../support/checks.rkt"
          "../support/bigfloats.rkt" "../support/exported.rkt" "../support/random.rkt"
          "../support/skip.rkt")
 

@@ -2,11 +2,10 @@
 ;; Columns of the table of operations, and the facts that the table states.
 
 (require racket/list
-         rackunit
          mechanics/algebra/expression/operation
          mechanics/operation/operation-column
          (except-in mechanics/operation/operation-table reciprocals)
-         "../support/random.rkt")
+         "../support/checks.rkt" "../support/random.rkt")
 
 (define-namespace-anchor here)
 

@@ -3,7 +3,7 @@
 ;; against itself.
 
 (require mechanics
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define (frequency E) (pendulum-frequency 1 9.8 E))

@@ -2,9 +2,8 @@
 ;; Questions whose arguments are in another order: refused where that shows, else remarked.
 
 (require mechanics
-         rackunit
          (only-in mechanics/book L-harmonic L-pendulum)
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define L (L-harmonic 'm 'k))
 (define line (up 't 'x 'v))

@@ -7,7 +7,7 @@
          racket/port
          racket/runtime-path
          racket/string
-         rackunit)
+         "../support/checks.rkt")
 
 (define-runtime-path examples "../../../examples/mechanics")
 

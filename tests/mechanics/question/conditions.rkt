@@ -2,10 +2,10 @@
 ;; Under which conditions would the answer be another?  Verdicts tell every choice of
 ;; parameters with which the question keeps its meaning.
 
-(require rackunit
-         racket/string
+(require racket/string
          mechanics
-         (only-in mechanics/book L-harmonic L-pendulum L-rotating-polar L-uniform-acceleration))
+         (only-in mechanics/book L-harmonic L-pendulum L-rotating-polar L-uniform-acceleration)
+         "../support/checks.rkt")
 
 (define (alternatives v)
   (for/list ([way (verdict-alternatives v)]) (map expression way)))

@@ -1,11 +1,10 @@
 #lang racket/base
 ;; Conserved quantities and ignorable coordinates.
 
-(require rackunit
-         mechanics
+(require mechanics
          (only-in mechanics/book L-harmonic L-central-polar)
          mechanics/rackunit
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define ((L-attraction m mu) (up t q v)) (+ (* 1/2 m (square v)) (/ mu (sqrt (square q)))))
 

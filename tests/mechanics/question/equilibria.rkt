@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Equilibria and their stability: by formulas, by numbers, as verdicts.
 
-(require rackunit
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define line (up 't 'theta 'thetadot))
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))

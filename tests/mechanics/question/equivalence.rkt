@@ -1,10 +1,9 @@
 #lang racket/base
 ;; Lagrangians with equivalent equations: the same, proportional, combined, or not.
 
-(require rackunit
-         mechanics
+(require mechanics
          (only-in mechanics/book L-harmonic)
-         "../support/messages.rkt" "../support/random.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/random.rkt")
 
 (define line (up 't 'x 'v))
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))

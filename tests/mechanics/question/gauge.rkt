@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Total time derivatives: recognised, and integrated.
 
-(require rackunit
-         mechanics
-         "../support/messages.rkt" "../support/random.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt" "../support/random.rkt")
 
 (define line (up 't 'x 'v))
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))

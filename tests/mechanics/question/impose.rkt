@@ -2,9 +2,8 @@
 ;; A condition of a verdict imposed: on values and functions, and on the question itself.
 
 (require mechanics
-         rackunit
          (only-in mechanics/book L-harmonic L-pendulum L-rotating-polar L-uniform-acceleration)
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (oscillation t) (* 'a (cos (+ (* 'omega t) 'phi))))
 (define v (verify-solution (L-harmonic 'm 'k) oscillation))

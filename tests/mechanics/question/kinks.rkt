@@ -2,10 +2,10 @@
 ;; What has a kink somewhere and is proved all the same: where no derivative meets it, where
 ;; its sign is known, where it is that of a parameter, or a distance.
 
-(require rackunit
-         mechanics
+(require mechanics
          (only-in mechanics/book L-free-particle L-harmonic)
-         (only-in "../support/systems.rkt" L-on-a-line))
+         (only-in "../support/systems.rkt" L-on-a-line)
+         "../support/checks.rkt")
 
 (define L-free (L-free-particle 'm))
 (define (L-with V) (L-on-a-line 'm V))

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Normal modes: known systems, and the equations that modes obey, of random systems.
 
-(require rackunit
-         mechanics
-         "../support/messages.rkt" "../support/random.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt" "../support/random.rkt")
 
 (define ((L-pendulums m1 m2 l g) (up t (up a b) (up va vb)))
   (- (+ (* 1/2 (+ m1 m2) (square (* l va)))

@@ -2,9 +2,8 @@
 ;; Stability of equilibria: the formula for two coordinates against frequencies computed
 ;; from numbers, and systems that change in time.
 
-(require rackunit
-         mechanics
-         "../support/messages.rkt" "../support/random.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt" "../support/random.rkt")
 
 (define (bilinear S a b)
   (for*/sum ([i 2] [j 2]) (* (ref a i) (vector-ref (vector-ref S i) j) (ref b j))))

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Verdicts on proposed paths.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/structure
          mechanics/calculus/literal-function
@@ -10,7 +9,7 @@
          mechanics/question/verify-solution
          mechanics/lagrangian/local-tuple
          (only-in mechanics/book L-free-particle L-harmonic)
-         "../support/systems.rkt")
+         "../support/checks.rkt" "../support/systems.rkt")
 
 (define (oscillation omega) (lambda (t) (g:* 'a (g:cos (g:+ (g:* omega t) 'phi)))))
 

@@ -3,7 +3,7 @@
 ;; and actions and frequencies are compared to closed forms and to integrations.
 
 (require mechanics
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))

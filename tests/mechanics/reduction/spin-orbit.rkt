@@ -5,8 +5,7 @@
 ;; order in e with the strengths 1, 7e/2 and −e/2 for k = 2, 3 and 1 (Murray and Dermott 1999, 5.4).
 
 (require mechanics
-         rackunit
-         "../support/close.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/session.rkt")
 
 (define line (up 't 'theta 'p))
 (define two (up 't (up 'phi 'theta) (down 'P 'p)))

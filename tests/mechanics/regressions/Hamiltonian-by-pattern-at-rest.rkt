@@ -2,9 +2,8 @@
 ;; A Hamiltonian of one coordinate whose state is taken apart by a pattern was taken for a
 ;; Lagrangian: the pendulum hanging down was unstable, of p²/2 + V with V for −V.
 
-(require rackunit
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (H (up t q p)) (+ (/ (square p) 2) (- 1 (cos q))))
 (define (H-two (up t (up x y) p)) (+ (/ (square p) 2) (square x) (square y)))

@@ -2,8 +2,7 @@
 ;; With one coordinate a Lagrangian was taken for a Hamiltonian by Hamilton's equations: the
 ;; pendulum fell upwards, and nothing was said though its name told.
 
-(require mechanics mechanics/book rackunit
-         "../support/messages.rkt")
+(require mechanics mechanics/book "../support/checks.rkt" "../support/messages.rkt")
 
 (define L (L-pendulum 1 1 1))
 (define state (up 0 1 0))

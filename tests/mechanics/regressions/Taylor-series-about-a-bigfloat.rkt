@@ -2,9 +2,8 @@
 ;; A Taylor series about a number of higher precision could not be applied: that number
 ;; was no scalar there, so its increment was of another shape.
 
-(require rackunit
-         (prefix-in m: mechanics)
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+(require (prefix-in m: mechanics)
+         "../support/checks.rkt" "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define (series-of-sine x dx n) (m:series:head (((m:Taylor-series m:sin) x) dx) n))
 

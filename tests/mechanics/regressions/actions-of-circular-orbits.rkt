@@ -2,9 +2,8 @@
 ;; The radial action of a circular orbit was an integral that "did not converge", for it was to
 ;; be right to twelve digits of what is nothing but rounding.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/separated-Kepler.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/separated-Kepler.rkt")
 
 (define (radial-action s) (ref (separation-actions separated-Kepler s) 0))
 

@@ -3,9 +3,8 @@
 ;; converge", and orbits far longer than their nearest distance "did not turn back".  Next to the
 ;; nearest point the energy was a small difference of large numbers.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/separated-Kepler.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/separated-Kepler.rkt")
 
 ;; By the energy without rounding: J = 1/√(−2E) − L, both frequencies (−2E)^(3/2)
 (define (check-orbit r p_r L)

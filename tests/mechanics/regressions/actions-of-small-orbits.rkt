@@ -2,7 +2,7 @@
 ;; Actions and frequencies of orbits below 1e-13 were wrong without a word, as 15 times too large
 ;; and negative: integration takes 1 for the size of things.
 
-(require mechanics rackunit)
+(require mechanics "../support/checks.rkt")
 
 (define ((oscillator m k) (up t q p)) (+ (/ (square p) (* 2 m)) (* 1/2 k (square q))))
 (define (pendulum (up t q p)) (- (/ (square p) 2) (cos q)))

@@ -3,8 +3,7 @@
 ;; powers of a Lie derivative failed with "atan-1: takes 1 argument".
 
 (require mechanics
-         rackunit
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 (define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))
 (define (H s) (+ (* 1/2 (square (momentum s))) (atan (ref s 1 1) (ref s 1 0))))

@@ -6,7 +6,7 @@
          mechanics/teaching/worksheet/answer-data mechanics/teaching/worksheet/judge
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
-         rackunit)
+         "../support/checks.rkt")
 
 (define (L s) (- (* 1/2 'm (square (velocity s))) (* 1/2 'k (square (coordinate s)))))
 

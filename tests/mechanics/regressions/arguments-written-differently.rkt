@@ -2,11 +2,11 @@
 ;; Functions of equal arguments were different functions where the arguments were
 ;; written in different angles, or roots.
 
-(require rackunit
-         mechanics/algebra/simplify/simplify-expression
+(require mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
          mechanics/algebra/zero/zero-test
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../support/checks.rkt")
 
 (define (simplified datum) (expression->datum (simplify-expression (datum->expression datum))))
 

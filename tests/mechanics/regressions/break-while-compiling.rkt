@@ -2,8 +2,7 @@
 ;; A break while the derivatives of a system were compiled was kept with it: each later
 ;; use of the advancer ended in that break again.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 ;; A system whose n-th evaluation breaks its thread, and how often it was evaluated.
 (define (breaking n)

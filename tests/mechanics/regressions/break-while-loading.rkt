@@ -4,8 +4,7 @@
 ;; room half made.
 
 ;; for-label: compiled with this file.
-(require (for-label mechanics)
-         rackunit)
+(require (for-label mechanics) "../support/checks.rkt")
 
 ;; In a namespace of its own, where nothing is loaded yet.  The break comes when the file
 ;; of that number is loaded.

@@ -2,8 +2,7 @@
 ;; impose divided by a factor of both sides, or took one of two roots, without a word; only
 ;; verify-again told.
 
-(require rackunit
-         "../support/run-text.rkt")
+(require "../support/checks.rkt" "../support/run-text.rkt")
 
 (test-case "a choice is told once in a session, beside the result"
   (define-values (output errors)

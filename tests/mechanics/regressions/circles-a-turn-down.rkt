@@ -3,9 +3,9 @@
 ;; a turn higher, was said to have broken up.  And where all displacements vanish the exponent
 ;; was no number.
 
-(require (except-in rackunit fail)
-         mechanics
-         mechanics/book)
+(require mechanics
+         mechanics/book
+         "../support/checks.rkt")
 
 (test-case "circles of rotation numbers that differ by whole turns are one"
   (define w (- (sqrt 2) 1))

@@ -3,15 +3,14 @@
 ;; said; the first is the opposite at t = 3.  Where x < 0 was declared, √(1/x) became
 ;; 1/√x, log x³ 3 log x, and √(cosh²√x) cosh √x, which is a cosine.
 
-(require rackunit
-         mechanics/algebra/simplify/simplify-expression
+(require mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/simplify/declare
          mechanics/algebra/zero/proof
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/expression/read
-         "../support/evaluate.rkt")
+         "../support/checks.rkt" "../support/evaluate.rkt")
 
 (define negative-x (declare-relations no-assumptions '((< x 0))))
 

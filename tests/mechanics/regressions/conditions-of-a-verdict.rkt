@@ -2,11 +2,11 @@
 ;; Of two conditions the second was broken as if it stood where the first ended, and
 ;; then put elsewhere: its lines did not begin below each other.
 
-(require rackunit
-         racket/string
+(require racket/string
          mechanics
          mechanics/show/display/text
-         (only-in mechanics/book L-harmonic))
+         (only-in mechanics/book L-harmonic)
+         "../support/checks.rkt")
 
 (define (proposed t) (* (exp (* -1 'gamma t)) (cos (* 'omega t))))
 (define verdict

@@ -2,8 +2,7 @@
 ;; Of an exponent that makes some brackets right, and others wrong whatever else is chosen, it was
 ;; said that all are; one that has no value there ended the question with a division by zero.
 
-(require mechanics
-         rackunit)
+(require mechanics "../support/checks.rkt")
 
 (define (remarks C state) (verdict-remarks (verify-canonical C state)))
 

@@ -2,8 +2,7 @@
 ;; A condition cleared the denominator of what was asked about: with R = −r the path had no
 ;; value.
 
-(require rackunit
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (alternatives v)
   (for/list ([way (verdict-alternatives v)]) (map expression way)))

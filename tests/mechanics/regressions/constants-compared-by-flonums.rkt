@@ -2,8 +2,7 @@
 ;; π was compared with other constants by its flonum: it was not greater than its first forty
 ;; digits, and constants that cancel were ordered by what rounding left of them.
 
-(require mechanics
-         rackunit)
+(require mechanics "../support/checks.rkt")
 
 ;; π lies between these.
 (define below 3141592653589793238462643383279502884197/1000000000000000000000000000000000000000)

@@ -2,10 +2,9 @@
 ;; Constants that met were combined even where their product is beyond the flonums:
 ;; 1e200 (1e200 x) was infinite, and 1e-200 (1e-200 x) zero, for every x.
 
-(require (except-in rackunit fail)
-         racket/flonum
+(require racket/flonum
          (except-in mechanics format)
-         "../support/random.rkt")
+         "../support/checks.rkt" "../support/random.rkt")
 
 ;; Of the function, of its code, and of its expression; equal up to rounding.
 (define-check (check-everywhere f x)

@@ -3,9 +3,8 @@
 ;; is no function, `consistent-state` in another procedure's name; a state in that place was taken
 ;; for a function, and no word was said of quotes that were too many.
 
-(require rackunit
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (L (up t q v)) (- (* 1/2 (square v)) (* 9.8 (ref q 1))))
 (define (on-rod t q) (- (square q) 25))

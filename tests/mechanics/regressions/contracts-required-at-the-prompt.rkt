@@ -2,8 +2,7 @@
 ;; What a library exports with a contract was undefined once the library was required at the
 ;; prompt: (new c%) told of "lifted/1.1", and advised to write it (/ lifted 1.1).
 
-(require rackunit
-         "../support/run-text.rkt")
+(require "../support/checks.rkt" "../support/run-text.rkt")
 
 (define (typed . lines) (apply session '("-I" "mechanics") lines))
 

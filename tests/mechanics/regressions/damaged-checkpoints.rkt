@@ -3,9 +3,9 @@
 ;; all that stood behind was lost.
 
 (require racket/file racket/list
-         (except-in rackunit fail)
          mechanics/book
-         mechanics)
+         mechanics
+         "../support/checks.rkt")
 
 (define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
 (define starts (for/list ([k 40]) (up 0 (* 0.05 k) 0.1)))

@@ -2,9 +2,8 @@
 ;; The decimal pi, in questions that π itself would settle, had four answers: undecided without
 ;; a reason, refuted, undecided at points where every such sine is zero, and decimals in the way.
 
-(require rackunit
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define note
   #rx"note: .* may be no more than what rounding leaves, as of [(]sin pi[)]: .*':pi for π")

@@ -2,8 +2,7 @@
 ;; Where a decimal met the fraction of the same value, all terms of a result cancelled, and
 ;; presentation looked for the first of them.
 
-(require rackunit
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (test-case "a decimal beside the fraction that it is"
   (check-true (proved? (prove-zero (- (cos (+ (* 9.8 'x) 'a))

@@ -2,7 +2,7 @@
 ;; √a² √b² is −a b where a b < 0, whatever the signs of a and b: these are no assumptions, but the
 ;; declaration is one.  The proof was told to rest on nothing.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (told x) (verdict-assumptions (assuming ('(< (* a b) 0)) (prove-zero x))))
 

@@ -3,11 +3,11 @@
 ;; compared as if they were indices: their rows never ended, and cos ωt cost as much as the cosine
 ;; of an unknown.
 
-(require rackunit
-         mechanics/compile/jet/jet-degrees mechanics/compile/jet/jet-graph mechanics/compile/trace
+(require mechanics/compile/jet/jet-degrees mechanics/compile/jet/jet-graph mechanics/compile/trace
          (only-in mechanics/compile/program program-inputs)
          (only-in mechanics cos evolve-trajectory ref sin square up)
-         (prefix-in g: (only-in mechanics + - * /)))
+         (prefix-in g: (only-in mechanics + - * /))
+         "../support/checks.rkt")
 
 (define (degrees-of f state)
   (define-values (p _) (trace 'test f state))

@@ -2,7 +2,7 @@
 ;; Equal fractions with roots or sines below had several forms, and functions of
 ;; them were taken for different ones.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define V (literal-function 'V))
 

@@ -3,9 +3,9 @@
 ;; which lose all digits where eigenvalues are of different sizes.
 
 (require racket/flonum
-         (except-in rackunit fail)
          mechanics mechanics/value/matrix/linear-algebra
-         tests/mechanics/support/systems)
+         tests/mechanics/support/systems
+         "../support/checks.rkt")
 
 (define (list->up xs) (apply up xs))
 (define (angles n) (for/list ([k n]) (sin (* 3.1 (+ k 1)))))

@@ -2,9 +2,9 @@
 ;; The derivatives of roots and of powers asked whether their base is zero, which ended the
 ;; trace: a Lagrangian with a distance in it was never compiled.
 
-(require (except-in rackunit fail)
-         racket/flonum
-         mechanics)
+(require racket/flonum
+         mechanics
+         "../support/checks.rkt")
 
 (define ((L-orbital mu) (up t q v))
   (+ (* 1/2 (square v)) (/ mu (sqrt (square q)))))

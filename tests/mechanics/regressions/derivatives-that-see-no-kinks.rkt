@@ -2,10 +2,10 @@
 ;; What has derivative 0 wherever it is defined may yet jump: such paths were proved to be
 ;; motions, such quantities to be conserved, such terms to change nothing.
 
-(require rackunit
-         mechanics
+(require mechanics
          (only-in mechanics/book L-free-particle L-harmonic)
-         (only-in "../support/systems.rkt" L-on-a-line))
+         (only-in "../support/systems.rkt" L-on-a-line)
+         "../support/checks.rkt")
 
 (define L-free (L-free-particle 'm))
 (define (L-with V) (L-on-a-line 'm V))

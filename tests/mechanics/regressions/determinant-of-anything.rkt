@@ -2,10 +2,10 @@
 ;; determinant, trace and transpose gave back whatever was no matrix: a list, a
 ;; function.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/value/matrix/matrix
-         mechanics/value/matrix/linear-algebra)
+         mechanics/value/matrix/linear-algebra
+         "../support/checks.rkt")
 
 (define (M x) (matrix-by-rows (list x 1) (list 2 x)))
 

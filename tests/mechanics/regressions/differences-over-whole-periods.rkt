@@ -3,8 +3,7 @@
 ;; ones may be nearly whole periods of the function: sin 1000 x at 0 had the derivative -5.3, which
 ;; four of them agreed on, within 1e-8.
 
-(require (except-in mechanics time)
-         rackunit)
+(require (except-in mechanics time) "../support/checks.rkt")
 
 (for* ([w '(1000 700 440 710 7100 314 628.3 22 1e4 1e5)] [x '(0.0 0.0003 -0.0012 0.4)])
   (define d ((D-numeric (lambda (x) (sin (* w x)))) x))

@@ -3,9 +3,9 @@
 ;; arguments of that function.  Functions made by arithmetic were passed over,
 ;; so that what they had captured was confused with it.
 
-(require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
-         mechanics/calculus/derivative mechanics/value/operator)
+(require mechanics/generic/arithmetic mechanics/generic/elementary
+         mechanics/calculus/derivative mechanics/value/operator
+         "../support/checks.rkt")
 
 ;; h ↦ h'(3)
 (define slope-at-3 ((D (lambda (x) (lambda (h) (h x)))) 3))

@@ -3,8 +3,7 @@
 ;; nearly 0, half of its digits were lost.  It is what a pendulum's momentum is that turns over
 ;; the top slowly.  The values are mpmath's, in 40 digits.
 
-(require (except-in mechanics time)
-         rackunit)
+(require (except-in mechanics time) "../support/checks.rkt")
 
 (define (dn u k) (Jacobi-elliptic-functions u k (lambda (sn cn dn) dn)))
 

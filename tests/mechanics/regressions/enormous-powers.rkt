@@ -2,7 +2,7 @@
 ;; Squares of squares of squares ... took all memory, or did not end: the growth of
 ;; coefficients was not counted, and reports were written out though their parts are shared.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (repeatedly f n x) (for/fold ([x x]) ([_ (in-range n)]) (f x)))
 

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Two matrices were equal only if their entries were of one exactness.
 
-(require rackunit
-         mechanics/generic/compare
-         mechanics/value/matrix/matrix)
+(require mechanics/generic/compare
+         mechanics/value/matrix/matrix
+         "../support/checks.rkt")
 
 (test-case "matrices are equal when their entries are"
   (check-true (g:= (matrix-by-rows '(1 2) '(3 a)) (matrix-by-rows '(1.0 2) '(3 a))))

@@ -2,9 +2,8 @@
 ;; Of Lagrangians without inertia in some direction, the equations restrict states.  Those of
 ;; any two passed for equivalent, and quantities that their motions keep were refuted.
 
-(require rackunit
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
 

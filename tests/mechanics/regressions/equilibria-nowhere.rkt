@@ -1,9 +1,8 @@
 #lang racket/base
 ;; A coordinate that is no number was an equilibrium, and unstable; none at all, Racket's affair.
 
-(require rackunit
-         (except-in mechanics time) mechanics/book
-         "../support/messages.rkt")
+(require (except-in mechanics time) mechanics/book
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define L (L-pendulum 1 1 1))
 

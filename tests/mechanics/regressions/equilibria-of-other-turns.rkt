@@ -3,7 +3,7 @@
 
 (require mechanics
          mechanics/error/note
-         rackunit)
+         "../support/checks.rkt")
 
 (define ((with-potential V) s) (- (* 1/2 (square (velocity s))) (V (coordinate s))))
 

@@ -2,8 +2,7 @@
 ;; An event just where a step ended was missed, when the state interpolated there
 ;; and the one the next step began with lay on either side of it.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (oscillator s) (up 1 (velocity s) (- (coordinate s))))
 (define (follow method . events)

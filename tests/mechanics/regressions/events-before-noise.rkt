@@ -4,8 +4,7 @@
 ;; noise was asked of the part of the step that was looked at last, and all its zeros went with it.
 ;; What is expected is known of a circle: x = sin t is -1/2 at - π/6.
 
-(require (except-in mechanics time)
-         rackunit)
+(require (except-in mechanics time) "../support/checks.rkt")
 
 (define (circle s) (up 1 (ref s 2) (* -1 (ref s 1))))
 (define (conserved s) (- (+ (square (ref s 1)) (square (ref s 2))) 1))

@@ -5,8 +5,7 @@
 ;; function of 10⁻²⁵ had its last terms unread, and four of 31 zeros; and where 64 parts of a step
 ;; do not do, as for sin 500 t, half the zeros were missed.  What is expected is known of a circle.
 
-(require (except-in mechanics time)
-         rackunit)
+(require (except-in mechanics time) "../support/checks.rkt")
 
 (define (circle s) (up 1 (ref s 2) (* -1 (ref s 1))))     ; x = cos t, v = - sin t
 (define (t s) (ref s 0))

@@ -4,8 +4,7 @@
 ;; which an angle is 2 the first was found alone, of nineteen zeros of atan tan 3t - 1/2 seven,
 ;; and of |x| = 1/2 there were some that are none.  What is expected is known of a circle.
 
-(require (except-in mechanics time)
-         rackunit)
+(require (except-in mechanics time) "../support/checks.rkt")
 
 (define (circle s) (up 1 (ref s 2) (* -1 (ref s 1))))     ; x = cos t, v = - sin t
 (define (x s) (ref s 1))

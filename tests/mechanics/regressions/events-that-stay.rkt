@@ -3,8 +3,7 @@
 ;; of eight places in a step at which it was seen to be 0, up to an eighth of the step too late:
 ;; of ⌊t⌋ = 5, that t is 5.014.  What is expected is known of a circle, x = cos t.
 
-(require (except-in mechanics time)
-         rackunit)
+(require (except-in mechanics time) "../support/checks.rkt")
 
 (define (circle s) (up 1 (ref s 2) (* -1 (ref s 1))))
 (define (x s) (ref s 1))

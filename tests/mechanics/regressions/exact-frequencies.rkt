@@ -2,7 +2,7 @@
 ;; Frequencies of exact numbers were flonums, those of symbols exact; and coordinates some
 ;; units in the last place away from pi were proved to be an equilibrium.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (shown x) (format "~a" x))
 (define (frequencies L q) (for/list ([w (small-oscillation-frequencies L q)]) (shown w)))

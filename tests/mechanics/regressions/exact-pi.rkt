@@ -4,9 +4,9 @@
 ;; any other.
 
 (require racket/flonum
-         rackunit
          mechanics
-         (only-in mechanics/book L-harmonic))
+         (only-in mechanics/book L-harmonic)
+         "../support/checks.rkt")
 
 (define (shown x) (format "~a" x))
 

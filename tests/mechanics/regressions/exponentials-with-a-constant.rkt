@@ -3,10 +3,10 @@
 ;; e^(1 - a/3) was written as one or as a product, and with it what numerator and
 ;; denominator, reduced, have in common.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/simplify/simplify-expression
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../support/checks.rkt")
 
 (define (simplified datum)
   (expression->datum (simplify-expression (datum->expression datum))))

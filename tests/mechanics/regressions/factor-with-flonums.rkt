@@ -3,9 +3,9 @@
 ;; 15 digits, what is left of flonums that are written as fractions.  The numbers of
 ;; the core are those of the residual.
 
-(require (except-in rackunit fail)
-         mechanics
-         (only-in mechanics/book L-harmonic L-pendulum))
+(require mechanics
+         (only-in mechanics/book L-harmonic L-pendulum)
+         "../support/checks.rkt")
 
 (define (factored v) (car (verdict-factored v)))
 

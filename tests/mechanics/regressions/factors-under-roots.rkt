@@ -2,11 +2,11 @@
 ;; a √(a/b) was shown as √(a³/b), which is its opposite where a is negative, and
 ;; nothing was said of it.
 
-(require rackunit
-         mechanics/algebra/simplify/simplify-expression
+(require mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
          mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../support/checks.rkt")
 
 (define (simplified datum [A no-assumptions])
   (define-values (simple notes) (simplify-expression/assumptions (datum->expression datum) A))

@@ -4,8 +4,7 @@
 ;; without a derivative was "the motion cannot be followed any further, last state: 0.0".
 
 (require (except-in mechanics time)
-         "../support/messages.rkt"
-         rackunit)
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (root s) (up 1 (sqrt (ref s 1)) (ref s 1)))
 (define at-0 (up 0 0.0 1.0))

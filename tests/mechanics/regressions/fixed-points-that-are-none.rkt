@@ -1,9 +1,9 @@
 #lang racket/base
 ;; What was said of a fixed point: that one is there, how far off it may be, and its period.
 
-(require (except-in rackunit fail)
-         mechanics
-         mechanics/book)
+(require mechanics
+         mechanics/book
+         "../support/checks.rkt")
 
 (define ((moved-by f) x y return fail) (return (+ x (f x)) (* 0.5 y)))
 (define (found f) (find-fixed-point (moved-by f) (up 0.1 0.2)))

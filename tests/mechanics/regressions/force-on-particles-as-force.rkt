@@ -3,9 +3,8 @@
 ;; equilibrium for its coordinates, a path without multipliers, functions of three arguments for
 ;; functions of the local tuple.  The complaints were Racket's, of an arity, and named nobody.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (L (up t q v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square q))))
 (define state (up 't (up 'x 'y) (up 'vx 'vy)))

@@ -2,7 +2,7 @@
 ;; Angles in no simple ratio, such as 2.1 t and 2.2 t, once were written as
 ;; multiples, by millions of millions, of a common one.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (test-case "sines and cosines of float multiples stay as they are"
   (check-equal? (expression (simplify (+ (cos (* 2.1 't)) (cos (* 2.2 't)))))

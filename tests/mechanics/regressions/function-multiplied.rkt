@@ -3,8 +3,7 @@
 ;; derivatives and parameters.
 
 (require mechanics
-         rackunit
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (L (up t q v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square q))))
 

@@ -2,7 +2,7 @@
 ;; A literal function has equal values at equal arguments, however these are written; it once
 ;; had two where one argument was a flonum, or a root that cancels.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define V (literal-function 'V))
 (define F (literal-function 'F (-> (UP Real Real) Real)))

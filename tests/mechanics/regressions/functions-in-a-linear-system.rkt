@@ -1,7 +1,7 @@
 #lang racket/base
 ;; solve-linear-left divided functions, and so refused those with tuples as values.
 
-(require mechanics rackunit)
+(require mechanics "../support/checks.rkt")
 
 (define (A t) (down (down t 1) (down 1 2)))
 (define (b t) (down t (square t)))

@@ -3,10 +3,10 @@
 ;; or in a list, but not in a box, a hash table, a promise, a parameter or a
 ;; structure: derivatives came out as 0 or too large.  Found by random programs.
 
-(require racket/promise rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary
+(require racket/promise mechanics/generic/arithmetic mechanics/generic/elementary
          mechanics/value/structure
-         mechanics/calculus/derivative)
+         mechanics/calculus/derivative
+         "../support/checks.rkt")
 
 ;; h ↦ h'(3), taking its function in a container, within itself: ∂²/∂x∂y (x sin y)
 (define (twice make open)

@@ -2,7 +2,7 @@
 ;; A function of two numbers, given where one of one number is integrated, minimized or
 ;; searched for a root, was shown as #<procedure>.
 
-(require mechanics rackunit)
+(require mechanics "../support/checks.rkt")
 
 (define (product x y) (* x y))
 

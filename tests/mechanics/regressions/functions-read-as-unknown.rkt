@@ -2,11 +2,11 @@
 ;; asinh, acosh, atanh and sgn were read as functions of nobody's: what had been printed with
 ;; them, or declared of them, spoke of something else.
 
-(require rackunit
-         mechanics
+(require mechanics
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../support/checks.rkt")
 
 (define binary (list op:+ op:- op:* op:/ op:expt))
 

@@ -4,8 +4,7 @@
 ;; is not canonical passed.
 
 (require mechanics
-         rackunit
-         "../support/session.rkt")
+         "../support/checks.rkt" "../support/session.rkt")
 
 ;; Momenta stay as they are: canonical for a = b = 0 alone
 (define ((sheared a b) (up t (up x y) p))

@@ -2,7 +2,7 @@
 ;; The hyperbolic sine of a small rational was its Taylor polynomial, an exact
 ;; number that is not the sine.
 
-(require rackunit mechanics/generic/elementary)
+(require mechanics/generic/elementary "../support/checks.rkt")
 
 (test-case "the hyperbolic functions of a rational are flonums, as exp is"
   (for ([x '(1/1000 -1/1000 1/50 3)])

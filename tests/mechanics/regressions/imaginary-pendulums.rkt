@@ -2,9 +2,8 @@
 ;; Pendulums and polar coordinates with parameters that are not positive had imaginary motions;
 ;; functions as parameters were left in results.
 
-(require rackunit
-         (except-in mechanics time)
-         "../support/close.rkt" "../support/messages.rkt")
+(require (except-in mechanics time)
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
 (says
  [(polar-canonical -1) "polar-canonical: alpha is positive; given the number -1"]

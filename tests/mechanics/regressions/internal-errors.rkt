@@ -2,8 +2,8 @@
 ;; Questions that ended in a message about the inside: the numerator of a complex number,
 ;; functions that require keywords, modes of an equation that leaves several shapes free.
 
-(require rackunit mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (test-case "numerator and denominator of complex numbers"
   (check-equal? (list (numerator (sqrt -1)) (denominator (sqrt -1))) '(+i 1))

@@ -3,8 +3,8 @@
 ;; and a normal form was computed again for each size of ring that presentation
 ;; might need: a state derivative of two pendulums took ten times as long.
 
-(require rackunit mechanics
-         "../bench/systems.rkt")
+(require mechanics
+         "../support/checks.rkt" "../bench/systems.rkt")
 
 ;; The symbols, numbers and operators one reads.
 (define (length-as-read d)

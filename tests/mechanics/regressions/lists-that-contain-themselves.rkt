@@ -4,8 +4,7 @@
 
 (require mechanics
          racket/port
-         rackunit
-         "../support/run-text.rkt")
+         "../support/checks.rkt" "../support/run-text.rkt")
 
 ;; The value that `make` gives when it is given a place for itself.
 (define (knot make)

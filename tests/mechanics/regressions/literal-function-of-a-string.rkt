@@ -2,8 +2,7 @@
 ;; A literal function of several numbers took anything that was no tuple, and
 ;; one of a single number failed inside its own error message.
 
-(require rackunit
-         mechanics/calculus/literal-function mechanics/value/signature)
+(require mechanics/calculus/literal-function mechanics/value/signature "../support/checks.rkt")
 
 (define F (literal-function 'F (-> (X Real Real) Real)))
 

@@ -3,10 +3,10 @@
 ;; log((1 - a)²) one took a to be below 1, the other above.  Where log(1 - a) has a value,
 ;; a is below 1, and nothing is assumed.
 
-(require rackunit
-         mechanics/algebra/simplify/simplify-expression
+(require mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../support/checks.rkt")
 
 (define (simplified datum)
   (define-values (simple notes) (simplify-expression/assumptions (datum->expression datum)))

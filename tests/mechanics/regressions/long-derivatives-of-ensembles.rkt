@@ -2,11 +2,11 @@
 ;; Workers were sent derivatives of any length: those of 500 coupled rates are 250000 operations,
 ;; which take longer to compile than the motions to follow.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          (only-in mechanics/scale/ensemble/prepare-task make-task)
          (only-in mechanics/scale/ensemble/task task-jacobian)
-         (only-in mechanics/value/structure structure->list))
+         (only-in mechanics/value/structure structure->list)
+         "../support/checks.rkt")
 
 ;; x_i' = x_i (1 - x₁ x₂ ... x_n)
 (define (rates s)

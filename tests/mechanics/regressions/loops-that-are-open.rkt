@@ -2,9 +2,8 @@
 ;; A turn after which the Hamiltonian is another, as 360 in degrees, gave a frequency that was
 ;; none; and an open curve an integral invariant.
 
-(require rackunit
-         (except-in mechanics time)
-         "../support/close.rkt" "../support/messages.rkt")
+(require (except-in mechanics time)
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
 (define pendulum (Hpendulum 1 9.8))
 

@@ -2,9 +2,8 @@
 ;; What made no sense was computed all the same, by functions of maps and motions, or refused in
 ;; the name of a function that the reader had not called, or with advice that led nowhere.
 
-(require (except-in rackunit fail)
-         (except-in mechanics time) mechanics/book mechanics/plot
-         "../support/messages.rkt")
+(require (except-in mechanics time) mechanics/book mechanics/plot
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define HH (HHmap 1/8 0.1 1e-10 1e-12))
 (define on-the-section (section->state 1/8 0.1 0))

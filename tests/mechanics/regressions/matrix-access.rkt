@@ -2,10 +2,10 @@
 ;; Access to what is no matrix, or beyond its edge, failed in vector-ref or in a
 ;; struct accessor.
 
-(require rackunit
-         mechanics/value/matrix/matrix
+(require mechanics/value/matrix/matrix
          mechanics/value/structure
-         mechanics/value/matrix/linear-algebra)
+         mechanics/value/matrix/linear-algebra
+         "../support/checks.rkt")
 
 (define M (matrix-by-rows '(1 2 3) '(4 5 6)))
 

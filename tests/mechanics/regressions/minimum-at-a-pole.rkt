@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/scmutils
-         rackunit
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define poles
   (list (lambda (x) (/ 1 x))

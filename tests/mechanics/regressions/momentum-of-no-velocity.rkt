@@ -3,8 +3,7 @@
 ;; was found: p = exp(v) has v = log p, which is complex for p < 0.
 
 (require mechanics
-         rackunit
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define exponential (Legendre-transform exp))
 

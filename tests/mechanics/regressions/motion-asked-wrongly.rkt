@@ -4,9 +4,8 @@
 ;; zero.
 
 (require mechanics
-         rackunit
          (only-in mechanics/book L-harmonic)
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (harmonic m k) (Lagrangian->state-derivative (L-harmonic m k)))
 (define unit (harmonic 1 1))

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; States and steps with which an integration never ended, or ended elsewhere.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define ((oscillator) s) (up 1 (velocity s) (- (coordinate s))))
 (define advance (state-advancer oscillator))

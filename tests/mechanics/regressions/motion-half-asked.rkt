@@ -3,10 +3,9 @@
 ;; frame was called for nothing, and messages spoke of "the value" without saying whose, of
 ;; an infinite time as no real number, or of a place in the library.
 
-(require rackunit
-         mechanics
+(require mechanics
          (only-in mechanics/book L-pendulum)
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (pendulum m) (Lagrangian->state-derivative (L-pendulum 9.8 m 1)))
 (define swing (pendulum 1))

@@ -3,10 +3,10 @@
 ;; value at one point of a function that Racket's tests decide, a parameter that had become
 ;; a flonum, events without a value and poles taken for zeros.
 
-(require (except-in rackunit fail)
-         (only-in racket/base [= racket:=] [case racket:case])
+(require (only-in racket/base [= racket:=] [case racket:case])
          racket/flonum
-         mechanics)
+         mechanics
+         "../support/checks.rkt")
 
 (define start (up 0 1 0))
 (define (oscillator s) (up 1 (velocity s) (- (coordinate s))))

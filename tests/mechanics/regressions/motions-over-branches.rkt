@@ -5,8 +5,7 @@
 ;; force that is nothing for so long as the series can tell was never noticed where it is nothing
 ;; again at the end: ẋ = sin⁴⁰ t from 0 to 2π gave 0.  What is expected follows from formulas.
 
-(require (except-in mechanics time)
-         rackunit)
+(require (except-in mechanics time) "../support/checks.rkt")
 
 (define (reached f start span method)
   (ref ((state-advancer (lambda () f)) start span 1e-10 #:method method) 1))

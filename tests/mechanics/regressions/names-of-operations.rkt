@@ -1,11 +1,11 @@
 #lang racket/base
 ;; Generic operations called themselves by their internal names.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/compare
-         mechanics/lang/application)
+         mechanics/lang/application
+         "../support/checks.rkt")
 
 (test-case "an operation goes by the name the reader types"
   (for ([f (list g:+ g:- g:* g:/ g:square g:cube g:negate g:invert

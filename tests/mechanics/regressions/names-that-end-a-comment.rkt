@@ -2,12 +2,12 @@
 ;; A variable or a parameter whose name has */ in it ended the comment that tells the names, and
 ;; what was exported was no C.
 
-(require (except-in rackunit fail)
-         racket/file
+(require racket/file
          racket/port
          racket/system
          mechanics
-         mechanics/book)
+         mechanics/book
+         "../support/checks.rkt")
 
 (define here (make-temporary-file "names-~a" 'directory))
 (define folder (build-path here "swing"))

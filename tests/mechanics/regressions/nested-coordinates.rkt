@@ -2,13 +2,13 @@
 ;; With the coordinates of several particles in a tuple of tuples, the mass
 ;; matrix was no matrix to determinant and no system to solve-linear-left.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/calculus/derivative
          mechanics/lagrangian/state-derivative
          mechanics/value/matrix/linear-algebra
          mechanics/value/matrix/matrix
-         mechanics/value/structure)
+         mechanics/value/structure
+         "../support/checks.rkt")
 
 ;; Two particles in the plane, on springs.
 (define (L local)

@@ -2,10 +2,10 @@
 ;; A sum of functions begun at 0 printed its 0, and the negative of a function
 ;; its -1; `Any` in a signature let lists and functions into expressions.
 
-(require rackunit
-         mechanics/generic/arithmetic mechanics/generic/sums-and-products
+(require mechanics/generic/arithmetic mechanics/generic/sums-and-products
          mechanics/calculus/derivative mechanics/calculus/literal-function
-         mechanics/value/signature mechanics/value/structure)
+         mechanics/value/signature mechanics/value/structure
+         "../support/checks.rkt")
 
 (define f (literal-function 'f))
 

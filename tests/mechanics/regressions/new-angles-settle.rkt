@@ -3,7 +3,7 @@
 ;; hyperbolic functions, was put together further when simplified again; and
 ;; (x²)^(1/3) became x^(2/3) without a word about the sign of x.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (check-settled e)
   (define once (simplify e))

@@ -3,8 +3,7 @@
 ;; was taken as if all were well: √x √x, of which the series is that of x, went on where x < 0.
 ;; There a motion ends, in whatever order its rates are given.
 
-(require (except-in mechanics time)
-         rackunit)
+(require (except-in mechanics time) "../support/checks.rkt")
 
 (define (root*root x) (* (sqrt x) (exp (* 1/2 (log x)))))
 

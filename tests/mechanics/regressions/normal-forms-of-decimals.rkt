@@ -2,8 +2,7 @@
 ;; Normal forms with flonums for frequencies were refuted for what rounding leaves, and took a
 ;; minute and a half to be judged.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define plane (up 't (up 'x 'y) (down 'a 'b)))
 

@@ -3,8 +3,7 @@
 ;; indirect proof took signs at a point of its own, so that a statement and its opposite were
 ;; both proved, each under assumptions of its own.
 
-(require rackunit
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (test-case "what has no value is not equal to itself"
   (for ([a (list (sqrt (- (atan 'y) 2)) (log (- -1 (square 'x)))

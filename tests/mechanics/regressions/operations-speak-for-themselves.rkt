@@ -2,9 +2,9 @@
 ;; A contraction complained as `+`; the negative, square and cube of what is no
 ;; value of the arithmetic complained as `*`, of a -1 that nobody wrote.
 
-(require rackunit
-         mechanics/generic/arithmetic
-         mechanics/calculus/derivative mechanics/value/structure)
+(require mechanics/generic/arithmetic
+         mechanics/calculus/derivative mechanics/value/structure
+         "../support/checks.rkt")
 
 (test-case "a contraction whose products cannot be added is a failed product"
   (check-exn

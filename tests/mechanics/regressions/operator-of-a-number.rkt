@@ -1,7 +1,7 @@
 #lang racket/base
 ;; make-operator took a number for a procedure and failed when it was applied.
 
-(require rackunit mechanics/value/operator)
+(require mechanics/value/operator "../support/checks.rkt")
 
 (test-case "an operator is made of a function of functions"
   (check-exn

@@ -3,9 +3,9 @@
 ;; said the opposite: more than half of the answers over the whole range of actions were wrong,
 ;; and circles were said to be between no actions.
 
-(require (except-in rackunit fail)
-         mechanics
-         mechanics/book)
+(require mechanics
+         mechanics/book
+         "../support/checks.rkt")
 
 (test-case "of a rotation by J, every answer is that of J itself"
   (for* ([w (list 0.05 0.2 1/3 (sqrt 0.1) 0.38196601125 0.4787 0.5 0.618034 0.75 0.98)]

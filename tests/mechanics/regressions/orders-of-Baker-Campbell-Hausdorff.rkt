@@ -2,9 +2,9 @@
 ;; Each order of the series of two Hamiltonians took six times as long as the one before: the
 ;; tenth half a minute, the twelfth a quarter of an hour.
 
-(require (except-in rackunit fail)
-         racket/list
-         mechanics)
+(require racket/list
+         mechanics
+         "../support/checks.rkt")
 
 ;; Matrices as lists of rows, of polynomials as lists of coefficients up to s^order
 (define order 12)

@@ -2,9 +2,9 @@
 ;; A swing seen at an angle beyond π, a turn further on, was followed from its mirror image, and a
 ;; turn with p < 0 was given the angle and action of one with p > 0.
 
-(require (except-in rackunit fail)
-         racket/list
-         mechanics)
+(require racket/list
+         mechanics
+         "../support/checks.rkt")
 
 (define (followed state t)
   (last (trajectory-states

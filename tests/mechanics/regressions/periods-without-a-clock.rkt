@@ -3,8 +3,7 @@
 ;; driven: no time was a period of rates that have no clock.
 
 (require mechanics
-         rackunit
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 ;; Round and round, with a third coordinate that dies away
 (define (whirl v) (up (- (ref v 1)) (ref v 0) (* -1/2 (ref v 2))))

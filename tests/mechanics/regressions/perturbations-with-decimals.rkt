@@ -5,8 +5,7 @@
 (require mechanics
          (prefix-in found: mechanics/canonical/perturbation/found-perturbation)
          (only-in mechanics/canonical/perturbation/Poisson-series series-scale)
-         rackunit
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define line (up 't 'theta 'p))
 (define two (up 't (up 'theta 'phi) (down 'p 'P)))

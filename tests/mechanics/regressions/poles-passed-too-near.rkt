@@ -3,8 +3,7 @@
 ;; there by terms as l²/θ³, while θ near π is known to 4e-16: methods that took few steps through
 ;; it lost the energy, up to a fifth of it, without a word.  The energy is the oracle.
 
-(require rackunit
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define g 9.8)
 (define (L (up t (up theta phi) (up thetadot phidot)))

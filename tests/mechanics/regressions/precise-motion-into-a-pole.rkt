@@ -2,9 +2,8 @@
 ;; In numbers of higher precision a motion into a pole went on for ever, in shorter and
 ;; shorter steps.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/bigfloats.rkt" "../support/skip.rkt")
 
 ;; y = log |t - pole|
 (define ((logarithm pole) s) (up 1 (/ 1 (- (time s) pole))))

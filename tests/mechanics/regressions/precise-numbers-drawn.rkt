@@ -4,8 +4,7 @@
 
 (require (prefix-in m: mechanics)
          mechanics/plot
-         rackunit
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+         "../support/checks.rkt" "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define (harmonic s) (m:up 1 (m:ref s 2) (m:- (m:ref s 1))))
 (define start (m:up 0 1 0))

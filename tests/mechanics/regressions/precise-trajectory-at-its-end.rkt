@@ -2,8 +2,7 @@
 ;; The last time of a precise trajectory is rounded to the bits it is computed with: asked for its
 ;; state at 1/10, where it was to end, it said that this is outside.
 
-(require mechanics
-         rackunit)
+(require mechanics "../support/checks.rkt")
 
 (define (oscillator (up t q v)) (up 1 v (* -1 q)))
 (define (follow from to) (evolve-trajectory oscillator (up from 1 0) to #:precision 100))

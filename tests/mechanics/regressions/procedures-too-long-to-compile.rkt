@@ -7,9 +7,9 @@
 (require (except-in mechanics time)
          racket/flonum
          racket/list
-         rackunit
          (only-in mechanics/compile/Racket-code program->maker)
-         (only-in mechanics/compile/compile-function compiled-function-program))
+         (only-in mechanics/compile/compile-function compiled-function-program)
+         "../support/checks.rkt")
 
 ;; The values of the code are those of f.  (Long programs are interpreted at first, by an
 ;; interpreter of our own.)

@@ -3,8 +3,7 @@
 ;; written wrongly.  Lists of values were not simplified, either.
 
 (require mechanics
-         rackunit
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define quoted "\n  a quoted list is no expression; read-expression makes one of it")
 

@@ -2,8 +2,7 @@
 ;; A state derivative that draws random numbers, or counts, has no motion: steps became ever shorter
 ;; and memory grew.  It is told now; one that decides by the state, or remembers values, is none.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (jittering s) (up 1 (ref s 2) (random)))
 

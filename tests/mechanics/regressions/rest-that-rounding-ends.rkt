@@ -2,10 +2,10 @@
 ;; A pendulum that begins upright stays for some ten swings, and then falls to a side that rounding
 ;; chose, without a word: π is no flonum.
 
-(require rackunit
-         mechanics
+(require mechanics
          mechanics/error/note
-         (only-in mechanics/book L-pendulum))
+         (only-in mechanics/book L-pendulum)
+         "../support/checks.rkt")
 
 (define swing (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))
 

@@ -2,11 +2,11 @@
 ;; solve-linear-left took a wrong right-hand side silently: the first row of a
 ;; matrix, a row for a column, a down tuple for an up.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/value/matrix/linear-algebra
          mechanics/value/matrix/matrix
-         mechanics/value/structure)
+         mechanics/value/structure
+         "../support/checks.rkt")
 
 (define M (matrix-by-rows '(1 2) '(3 4)))
 (define B (matrix-by-rows '(1 2 5) '(3 4 6)))

@@ -2,9 +2,9 @@
 ;; The root of a negative number times a root was split into two, of which one had no value
 ;; anywhere: √(-2√x), which is 0 at x = 0, became √-2 x^(1/4).
 
-(require rackunit
-         mechanics
-         (only-in mechanics/algebra/expression/read datum->expression))
+(require mechanics
+         (only-in mechanics/algebra/expression/read datum->expression)
+         "../support/checks.rkt")
 
 (define (shown datum) (expression (simplify (datum->expression datum))))
 

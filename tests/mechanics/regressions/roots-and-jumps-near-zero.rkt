@@ -2,7 +2,7 @@
 ;; What a root, or a jump, at 0 makes of an argument that is 0 but for rounding is no
 ;; refutation; the slope there once bounded the error, where there is none.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (status x) (verdict-status (prove-zero x)))
 

@@ -2,8 +2,7 @@
 ;; An orbit that comes back just after half of the steps has halves that agree, however wrong
 ;; both are: the rotation number was given "to about 0" and was off by 2e-7.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 ;; A rotation of an ellipse, w turns each step
 (define ((turning w) x y return fail)

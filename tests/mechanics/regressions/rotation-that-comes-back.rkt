@@ -2,8 +2,7 @@
 ;; Orbits compared with a rotation by an exact fraction of a turn, which is back where it began
 ;; after a few steps, were followed for twenty million more: minutes for the map of a motion.
 
-(require (except-in rackunit fail)
-         mechanics mechanics/book)
+(require mechanics mechanics/book "../support/checks.rkt")
 
 (define calls 0)
 (define ((counted map) x y return fail)

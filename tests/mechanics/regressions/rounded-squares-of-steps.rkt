@@ -5,9 +5,9 @@
 ;; them; so the bound here is on what all roundings of a step do together.
 
 (require racket/flonum
-         rackunit
          (only-in mechanics evolve ref up)
-         (prefix-in g: (only-in mechanics - *)))
+         (prefix-in g: (only-in mechanics - *))
+         "../support/checks.rkt")
 
 (define (square x) (fl* x x))
 

@@ -2,11 +2,11 @@
 ;; Racket's own rounding met dual numbers and complained of the number in them;
 ;; comparisons showed 'a and #<procedure:cos>; powers of operators were not merged.
 
-(require rackunit
-         mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/compare
+(require mechanics/generic/arithmetic mechanics/generic/elementary mechanics/generic/compare
          mechanics/generic/rounding
          mechanics/calculus/derivative mechanics/value/operator mechanics/value/structure
-         mechanics/lagrangian/local-tuple)
+         mechanics/lagrangian/local-tuple
+         "../support/checks.rkt")
 
 (test-case "exact->inexact lets derivatives through"
   (check-equal? ((D g:exact->inexact) 3) 1)

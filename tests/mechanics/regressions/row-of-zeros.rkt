@@ -3,8 +3,7 @@
 ;; 0.0 was not taken for 0.
 
 (require (except-in mechanics time)
-         "../support/messages.rkt"
-         rackunit)
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (dependent A)
   (cadr (regexp-match #rx"dependent: ([^\n]*)" (message-of (invert A) exn:fail:mechanics?))))

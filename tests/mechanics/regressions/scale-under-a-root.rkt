@@ -2,7 +2,7 @@
 ;; 0.2 is 3602879701896397/2⁵⁴, and √(0.2 (3 - y)) had the root of 2⁻⁵⁴ taken out.  What it left
 ;; were integers of 16 digits, exact in looks, one of which had been rounded.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (simple x) (expression (simplify x)))
 

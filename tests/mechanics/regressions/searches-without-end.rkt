@@ -1,9 +1,8 @@
 #lang racket/base
 ;; A tolerance of 0 was never met: a section was refined, and a curve filled with points, for ever.
 
-(require rackunit
-         (except-in mechanics time) mechanics/book mechanics/plot
-         "../support/close.rkt" "../support/messages.rkt")
+(require (except-in mechanics time) mechanics/book mechanics/plot
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
 (define advance (make-advance (state-advancer HHsysder) 1e-12))
 (define start (section->state 1/8 0.1 0))

@@ -2,8 +2,7 @@
 ;; An event without a real value was reported by "evolve-trajectory", which nobody had called, and
 ;; the first start of an ensemble that is no number without its index.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (oscillator s) (up 1 (momentum s) (- (coordinate s))))
 (define undefined (event (lambda (s) (sqrt (- (coordinate s) 0.5)))))

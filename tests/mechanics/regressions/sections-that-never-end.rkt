@@ -3,16 +3,15 @@
 ;; rest, or so fast that its Taylor coefficients overflow, a step of infinite length was tried
 ;; again and again.
 
-(require rackunit
-         (except-in mechanics time) mechanics/book
-         "../support/close.rkt" "../support/patience.rkt")
+(require (except-in mechanics time) mechanics/book
+         "../support/checks.rkt" "../support/close.rkt" "../support/patience.rkt")
 
 (define (within seconds thunk)
   (value-within seconds 1000 (lambda () (with-handlers ([exn:fail? exn-message]) (thunk)))
-                (fail "it does not end")))
+                (fail-check "it does not end")))
 
-(define-simple-check (check-says text got)
-  (and (string? got) (regexp-match? (regexp-quote text) got)))
+(define-check (check-says text got)
+  (unless (and (string? got) (regexp-match? (regexp-quote text) got)) (fail-check)))
 
 (define through-0 (event (lambda (s) (ref s 1))))
 (define pendulum (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))

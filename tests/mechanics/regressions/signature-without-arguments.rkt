@@ -2,8 +2,7 @@
 ;; A literal function without arguments was made and failed in cdr when applied;
 ;; Hamiltonian complained in the name of Lagrangian.
 
-(require rackunit
-         mechanics/calculus/literal-function mechanics/value/signature)
+(require mechanics/calculus/literal-function mechanics/value/signature "../support/checks.rkt")
 
 (test-case "a literal function has an argument"
   (check-exn #rx"^literal-function: .*given: '[(]X[)]$"

@@ -2,11 +2,11 @@
 ;; The components of a tuple took their signs each at a point of its own: what was assumed
 ;; of one contradicted what was assumed of another.
 
-(require rackunit
-         mechanics
+(require mechanics
          (only-in mechanics/value/simplify simplify/assumptions)
          (only-in mechanics/algebra/assumption/reference find-reference)
-         (only-in mechanics/algebra/assumption/assumption-set no-assumptions))
+         (only-in mechanics/algebra/assumption/assumption-set no-assumptions)
+         "../support/checks.rkt")
 
 (define (assumed x)
   (forget-assumptions)

@@ -4,8 +4,7 @@
 ;; Signs assumed were those of such factors at no point in particular, so that they held at
 ;; no real point, or contradicted what was declared or one another; the alphabet decided.
 
-(require rackunit
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define ((acceleration L) q) ((Lagrangian->acceleration L) (up 0 q 0.0)))
 

@@ -2,7 +2,7 @@
 ;; A residual that is printed as a small multiple of a sine is refuted, though the long form
 ;; loses it to rounding: the verdict was once undecided.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define small (expt 10 -12))
 

@@ -3,7 +3,7 @@
 ;; in units of where it began, and did not close; and what a small orbit that was given up had come
 ;; to was told in units of its own.
 
-(require mechanics rackunit)
+(require mechanics "../support/checks.rkt")
 
 (define (double-well (up t q p)) (+ (/ (square p) 2) (* -1/2 (square q)) (* 1/4 (expt q 4))))
 (define (shifted (up t q p)) (+ (/ (square p) 2) (* 1/2 (square (+ q 1)))))

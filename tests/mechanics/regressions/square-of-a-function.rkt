@@ -2,8 +2,7 @@
 ;; (square f) multiplied f by itself, which for a function whose value is a
 ;; tuple is the outer product instead of the sum of squares.
 
-(require rackunit
-         mechanics/generic/arithmetic mechanics/value/structure)
+(require mechanics/generic/arithmetic mechanics/value/structure "../support/checks.rkt")
 
 (define (f t) (up t 2 'a))
 

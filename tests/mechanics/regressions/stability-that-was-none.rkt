@@ -2,9 +2,8 @@
 ;; A stiffness that changes in time, or a kinetic energy that is negative, once led to
 ;; verdicts on stability; and what ∂₁∂₂L gains in time was no part of the frequencies.
 
-(require rackunit
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define ((L-driven k) (up t x v)) (- (* 1/2 (square v)) (* 1/2 (k t) (square x))))
 

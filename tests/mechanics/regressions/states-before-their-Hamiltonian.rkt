@@ -3,10 +3,9 @@
 ;; message said that a Hamiltonian is no state.  A Lagrangian in the Hamiltonian's place gave the
 ;; action of another system.
 
-(require rackunit
-         mechanics
+(require mechanics
          (only-in mechanics/book L-pendulum)
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (H (up t q p)) (* 1/2 (+ (square p) (* 4 (square q)))))
 (define at (up 0 1 0))

@@ -2,9 +2,8 @@
 ;; Questions about all states were answered at special ones: where a symbol of the state was a
 ;; parameter of a force or of a constraint as well, or where the state was of numbers.
 
-(require rackunit
-         mechanics
-         "../support/messages.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (L (up t x v)) (* 1/2 (square v)))
 (define (towards-v (up t x v)) (- 'v v))

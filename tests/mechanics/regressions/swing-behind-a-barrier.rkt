@@ -3,8 +3,7 @@
 ;; a small angular momentum: the action was that of two swings.
 
 (require mechanics
-         rackunit
-         "../support/close.rkt")
+         "../support/checks.rkt" "../support/close.rkt")
 
 (define (double-well s) (+ (* 1/2 (square (ref s 2))) (square (- (square (ref s 1)) 1))))
 

@@ -2,7 +2,7 @@
 ;; A function is judged at a symbol that is not the user's own t; it once was t
 ;; itself, and wrong solutions that mention 't were proved.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (status x) (verdict-status (prove-zero x)))
 

@@ -2,9 +2,8 @@
 ;; A tolerance of 1e12, for 1e-12, made the order of a series a complex number, which argmin
 ;; complained of.
 
-(require rackunit
-         (except-in mechanics time) mechanics/plot
-         "../support/messages.rkt")
+(require (except-in mechanics time) mechanics/plot
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define (turn (up t x v)) (up 1 v (* -1 x)))
 (define start (up 0 1.0 0.0))

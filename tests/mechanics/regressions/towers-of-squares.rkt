@@ -3,10 +3,10 @@
 ;; nodes; their hashes once agreed from depth 48, and what was left out of a text
 ;; was counted in a thousand digits.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/write
-         mechanics/show/display/layout)
+         mechanics/show/display/layout
+         "../support/checks.rkt")
 
 (define (shared n)
   (for/fold ([e 'x]) ([_ (in-range n)]) (e:+ (e:* e e) 1)))

@@ -2,8 +2,7 @@
 ;; A transformation to twice the time was proved canonical, for brackets do not see that; and of
 ;; one that mixes the time with coordinates it was said that H∘C is its Hamiltonian.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define line (up 't 'q 'p))
 (define ((changing f) s) (up (f s) (coordinate s) (momentum s)))

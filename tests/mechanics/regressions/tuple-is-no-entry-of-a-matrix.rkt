@@ -2,11 +2,11 @@
 ;; A matrix plus or over a tuple blamed an entry of the matrix, a tuple over a
 ;; matrix showed the inverse, and powers multiplied n times.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/matrix/matrix
-         mechanics/value/structure)
+         mechanics/value/structure
+         "../support/checks.rkt")
 
 (define M (matrix-by-rows '(1 2) '(3 4)))
 

@@ -3,8 +3,7 @@
 ;; these at which the motion was seen to be back counted as one: actions were 67 times too great.
 ;; And an action had no sign, though dE/dJ is the frequency.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define ((turning A) s) (- (/ (square (momentum s)) 2) (* A (cos (coordinate s)))))
 (define turn (* 2 :pi))

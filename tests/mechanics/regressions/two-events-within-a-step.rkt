@@ -4,8 +4,7 @@
 ;; two of them were missed, though the manual said that none is.  Each half of it gets a series
 ;; of its own now.  The motions here are known: two oscillators.
 
-(require (except-in mechanics time)
-         rackunit)
+(require (except-in mechanics time) "../support/checks.rkt")
 
 (define ((rates w1 w2) s)
   (up 1 (ref s 2) (up (* -1 w1 w1 (ref s 1 0)) (* -1 w2 w2 (ref s 1 1)))))

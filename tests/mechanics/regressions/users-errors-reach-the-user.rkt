@@ -7,7 +7,7 @@
          (prefix-in racket: racket/base)
          mechanics
          mechanics/scmutils
-         rackunit)
+         "../support/checks.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Ways to fail

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; A Lagrangian that returned a list or a string was differentiated all the same.
 
-(require rackunit
-         mechanics/calculus/literal-function mechanics/value/structure
-         mechanics/lagrangian/Lagrange-equations)
+(require mechanics/calculus/literal-function mechanics/value/structure
+         mechanics/lagrangian/Lagrange-equations
+         "../support/checks.rkt")
 
 (define (residual L) (((Lagrange-equations L) (literal-function 'q)) 't))
 

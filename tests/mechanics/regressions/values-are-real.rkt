@@ -2,7 +2,7 @@
 ;; Over real symbols values are real: where a part of an expression has none, that is no
 ;; place to refute it.  Such points were once tried in complex numbers.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define-syntax-rule (status relation x) (verdict-status (assuming (relation) (prove-zero x))))
 

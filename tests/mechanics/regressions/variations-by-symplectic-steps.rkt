@@ -5,8 +5,7 @@
 ;; for linearized-flow.
 
 (require (except-in mechanics time)
-         "../support/messages.rkt"
-         rackunit)
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define ((oscillator w) s) (up 1 (ref s 2) (* -1 (square w) (ref s 1))))
 (define start (up 0 1 0))

@@ -2,9 +2,9 @@
 ;; A vector counts as an up tuple, but a vector of functions was no path and had
 ;; no derivative.
 
-(require rackunit
-         mechanics/value/structure mechanics/calculus/derivative
-         mechanics/calculus/literal-function mechanics/lagrangian/local-tuple)
+(require mechanics/value/structure mechanics/calculus/derivative
+         mechanics/calculus/literal-function mechanics/lagrangian/local-tuple
+         "../support/checks.rkt")
 
 (define x (literal-function 'x))
 (define y (literal-function 'y))

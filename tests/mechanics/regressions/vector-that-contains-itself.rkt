@@ -4,8 +4,7 @@
 (require mechanics
          mechanics/generic/cyclic-data
          (only-in mechanics/lang/printer print-result)
-         rackunit
-         "../support/patience.rkt")
+         "../support/checks.rkt" "../support/patience.rkt")
 
 (define (vector-in-itself)
   (define v (vector 'a 0))

@@ -2,8 +2,8 @@
 ;; F->C of a local tuple whose velocities are not shaped like its coordinates
 ;; failed in vector-length.
 
-(require rackunit
-         mechanics/value/structure mechanics/lagrangian/coordinate-transformation)
+(require mechanics/value/structure mechanics/lagrangian/coordinate-transformation
+         "../support/checks.rkt")
 
 (test-case "F->C names coordinates and velocities that differ in shape"
   (define C (F->C p->r))

@@ -2,7 +2,7 @@
 ;; In a list of verdicts each begins a line; they once followed each other on one, with the
 ;; lines beneath them out of place.
 
-(require rackunit mechanics mechanics/show/display/result)
+(require mechanics mechanics/show/display/result "../support/checks.rkt")
 
 (define (shown x) (format "~v" (simplified-result x 60)))
 (define rests-on-a-sign (assuming ('(> a 0)) (prove-zero (- (sqrt (square 'a)) 'a))))

@@ -4,9 +4,8 @@
 ;; state, the logarithm of 0.
 
 (require mechanics
-         rackunit
          (only-in mechanics/book L-harmonic)
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define no-rates
   (string-append ": Lagrange-equations gives residuals of a path, not the rates of a state\n"

@@ -4,9 +4,8 @@
 
 (require mechanics
          (only-in racket/base [expand racket:expand])
-         rackunit
          (only-in mechanics/book L-free-particle)
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define L (L-free-particle 'm))
 (define x (literal-function 'x))

@@ -3,10 +3,9 @@
 ;; complained of in words of the inside.
 
 (require racket/string
-         rackunit
          mechanics
          (only-in mechanics/book L-harmonic L-pendulum)
-         "../support/messages.rkt"
+         "../support/checks.rkt" "../support/messages.rkt"
          "../support/run-text.rkt")
 
 (define (complaint . input)

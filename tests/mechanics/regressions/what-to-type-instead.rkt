@@ -3,9 +3,8 @@
 ;; about arithmetic deep in the residual.
 
 (require mechanics
-         rackunit
          (only-in mechanics/book L-free-particle)
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define x (literal-function 'x))
 (define y (literal-function 'y))

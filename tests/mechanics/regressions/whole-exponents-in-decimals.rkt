@@ -2,8 +2,7 @@
 ;; Derivatives of (x - 2)^4.0 at 2.0 were no numbers from the fifth on: 0.0 times 0.0 to the power
 ;; of -1.  And its powers were taken for kinks where they are smooth.
 
-(require mechanics rackunit
-         "../support/close.rkt")
+(require mechanics "../support/checks.rkt" "../support/close.rkt")
 
 (define (derivatives f x n) (for/list ([k (in-range (add1 n))]) (((expt D k) f) x)))
 

@@ -3,8 +3,7 @@
 ;; where a turn of one moved another that is no angle by a turn.  Periodic points were found that
 ;; come back by "whole turns" only.
 
-(require (except-in rackunit fail)
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define ((Henon a b) x y return fail) (return (+ 1 y (* -1 a x x)) (* b x)))
 (define (logistic x y return fail) (return (* 4 x (- 1 x)) (* 0.5 y)))

@@ -2,7 +2,7 @@
 ;; A witness named what the residual depends on.  With another number for what had cancelled the
 ;; expression may have no value, and nothing is refuted there.
 
-(require rackunit mechanics)
+(require mechanics "../support/checks.rkt")
 
 (define (names x) (map (lambda (entry) (expression (car entry))) (verdict-witness (prove-zero x))))
 

@@ -6,8 +6,7 @@
 
 (require mechanics
          (only-in mechanics/book L-harmonic)
-         rackunit
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define L (L-harmonic 'm 'k))
 (define (Lp (up t (up r phi) (up rdot phidot)))

@@ -3,7 +3,7 @@
 ;; points, and along the principal axes.
 
 (require mechanics
-         rackunit
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define (entries I) (for*/list ([i 3] [j 3]) (matrix-ref I i j)))

@@ -1,13 +1,13 @@
 #lang racket/base
 ;; What find-minimum says of what it found.
 
-(require rackunit
-         mechanics/error/failure
+(require mechanics/error/failure
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/search/minimize
          mechanics/search/minimum
-         mechanics/value/structure)
+         mechanics/value/structure
+         "../support/checks.rkt")
 
 (define (kind f . where) (minimum-kind (apply find-minimum f where)))
 (define (place f . where) (minimum-argument (apply find-minimum f where)))

@@ -2,7 +2,6 @@
 ;; Roots of generic functions.
 
 (require racket/list
-         rackunit
          mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
@@ -10,7 +9,8 @@
          (only-in mechanics/value/structure ref)
          mechanics/calculus/derivative
          mechanics/calculus/gradient
-         mechanics/search/find-root)
+         mechanics/search/find-root
+         "../support/checks.rkt")
 
 (test-case "between two numbers"
   (check-= (find-root (g:- g:cos values) 0 1) 0.7390851332151607 1e-12)

@@ -1,13 +1,13 @@
 #lang racket/base
 ;; Minima of generic functions.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/rounding
          mechanics/error/failure
          mechanics/value/structure
-         mechanics/search/minimize)
+         mechanics/search/minimize
+         "../support/checks.rkt")
 
 (test-case "a minimum of a function made by arithmetic, as (argument value steps)"
   (define result (minimize (g:+ g:square (g:* -2 values)) -3 5))

@@ -1,13 +1,13 @@
 #lang racket/base
 ;; Derivatives from values.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/error/failure
          mechanics/value/structure
          mechanics/calculus/derivative
-         mechanics/search/numeric-derivative)
+         mechanics/search/numeric-derivative
+         "../support/checks.rkt")
 
 ;; ((name f points) ...)
 (define smooth

@@ -2,11 +2,11 @@
 ;; Minima that are used to test methods (J. J. Moré, B. S. Garbow and K. E. Hillstrom,
 ;; ACM Transactions on Mathematical Software 7, 1981, 17), each from its usual start.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/value/structure
-         mechanics/search/minimize)
+         mechanics/search/minimize
+         "../support/checks.rkt")
 
 (define (sum . xs) (apply g:+ xs))
 

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Derivatives of minima by what the function depends on.
 
-(require rackunit
-         mechanics/calculus/derivative
+(require mechanics/calculus/derivative
          mechanics/calculus/gradient
          mechanics/error/failure
          mechanics/generic/arithmetic
@@ -11,7 +10,8 @@
          mechanics/search/minimize
          mechanics/search/minimum
          mechanics/search/numeric-derivative
-         mechanics/value/structure)
+         mechanics/value/structure
+         "../support/checks.rkt")
 
 ;; Least at x = -(a/4)^(1/3)
 (define ((tilted a) x) (g:+ (g:expt x 4) (g:* a x)))

@@ -2,9 +2,9 @@
 ;; Numbers that are the same up to a tolerance, alone and in whatever holds them.
 
 (require racket/flonum
-         rackunit
          mechanics/generic/up-down
-         mechanics/value/bigfloat)
+         mechanics/value/bigfloat
+         "checks.rkt")
 
 (provide
  close?          ; (close? a b [tolerance]) : relative, to the greater of them and 1

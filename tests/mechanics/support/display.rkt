@@ -6,8 +6,7 @@
          racket/file
          racket/port
          racket/string
-         rackunit
-         "skip.rkt")
+         "checks.rkt" "skip.rkt")
 
 (provide
  run-program         ; (run-program file environment argument ...) -> what it prints, a string

@@ -5,9 +5,8 @@
 ;;
 ;; A program that raises, exits or does not end is a test that fails, and the others go on.
 
-(require rackunit
-         rackunit/log
-         "patience.rkt")
+(require rackunit/log
+         "checks.rkt" "patience.rkt")
 
 (provide
  loaded-from      ; (loaded-from anchor library ...) -> namespace

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; GIF files, read by the book: what is in them, without their pixels.
 
-(require rackunit)
+(require "checks.rkt")
 
 (provide (struct-out gif-image) parse-gif
          gif-size gif-images gif-loops?)

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Error messages, compared to the letter.
 
-(require (for-syntax racket/base)
-         rackunit)
+(require (for-syntax racket/base) "checks.rkt")
 
 (provide
  check-message     ; (check-message text expression [raised?]) : a check

@@ -73,9 +73,9 @@
 ;; ---------------------------------------------------------------------------
 
 (module+ test
-  (require rackunit
-           mechanics/generic/arithmetic mechanics/generic/elementary
-           mechanics/calculus/literal-function mechanics/value/signature)
+  (require mechanics/generic/arithmetic mechanics/generic/elementary
+           mechanics/calculus/literal-function mechanics/value/signature
+           "checks.rkt")
 
   (define (central f x)
     (define h 1e-5)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Seeded randomness: a test names its seed, and a failure prints it.
 
-(require rackunit)
+(require "checks.rkt")
 
 (provide with-seed with-seeds
          random-integer random-rational random-flonum random-complex random-choice)

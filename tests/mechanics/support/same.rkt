@@ -8,7 +8,6 @@
 ;; or the series of one term that it stands for.
 
 (require (for-syntax racket/base)
-         rackunit
          mechanics/algebra/expression/expression
          (only-in mechanics/generic/arithmetic g:*)
          mechanics/generic/up-down
@@ -19,7 +18,7 @@
          mechanics/calculus/perturbed-value
          mechanics/calculus/dual
          mechanics/calculus/literal-function
-         "close.rkt" "numeric-value.rkt")
+         "checks.rkt" "close.rkt" "numeric-value.rkt")
 
 (provide
  same?         ; (same? a b [tolerance])

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Checks for files that read like a session with `mechanics`.
 
-(require rackunit
-         (only-in mechanics expression simplify verify-equal verdict-status))
+(require (only-in mechanics expression simplify verify-equal verdict-status) "checks.rkt")
 
 (provide check-prints check-unsimplified check-identity)
 

@@ -3,7 +3,7 @@
 ;; the style of a path or attributes of it, as rgb(100%,0%,0%), with spaces and more or
 ;; fewer digits, as rgb(255, 0, 0), or as #ff0000.
 
-(require rackunit)
+(require "checks.rkt")
 
 (provide strokes)      ; (strokes svg color) -> (listof natural)
 

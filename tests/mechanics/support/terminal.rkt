@@ -6,8 +6,7 @@
          racket/port
          racket/string
          racket/system
-         rackunit
-         "patience.rkt")
+         "checks.rkt" "patience.rkt")
 
 (provide terminals? libedit?
          call-at-terminal    ; (call-at-terminal arguments home f) : (f terminal)

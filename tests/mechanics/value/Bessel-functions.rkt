@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Bessel functions against values of 30 digits, computed with 50, and their derivatives.
 
-(require rackunit
-         mechanics)
+(require mechanics "../support/checks.rkt")
 
 ;; order, argument, and J, Y, I, K there; #f is not asked
 (define table

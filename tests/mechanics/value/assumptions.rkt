@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Declaring, scoping, listing and withdrawing assumptions, as users do.
 
-(require rackunit
-         (except-in mechanics define lambda let let* case-lambda λ)
-         "../support/messages.rkt")
+(require (except-in mechanics define lambda let let* case-lambda λ)
+         "../support/checks.rkt" "../support/messages.rkt")
 
 ;; Each test has a session of its own.
 (define-syntax-rule (session name body ...)

@@ -2,11 +2,11 @@
 ;; Numbers of higher precision obey the laws of fields and derivations, alone, mixed with
 ;; Racket's numbers and differentiated, to all their digits.
 
-(require rackunit
-         (only-in mechanics bigfloat D partial)
+(require (only-in mechanics bigfloat D partial)
          mechanics/calculus/dual
          mechanics/calculus/perturbed-value
          mechanics/generic/kind
+         "../support/checks.rkt"
          "../support/bigfloats.rkt" "../support/random.rkt" "../support/skip.rkt"
          "../support/laws/derivation.rkt" "../support/laws/law.rkt" "../support/laws/ring.rkt"
          "../support/random/element.rkt")

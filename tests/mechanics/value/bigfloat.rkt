@@ -1,11 +1,10 @@
 #lang racket/base
 ;; Numbers of higher precision in the generic arithmetic.
 
-(require (except-in rackunit fail)
-         (only-in racket/format ~a)
+(require (only-in racket/format ~a)
          mechanics
          (only-in mechanics/numeric/bigfloat/bigfloat-arithmetic check-bigfloats)
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+         "../support/checks.rkt" "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define (shown x) (~a x))
 

@@ -2,9 +2,8 @@
 ;; Parts and conjugates of complex expressions, against Racket's complex numbers.
 
 (require (prefix-in racket: (only-in racket/base real-part imag-part))
-         rackunit
          mechanics
-         "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define z (+ 'x (* +i 'y)))
 (define (at-point e) (exact->inexact (substitute (substitute e 'x 0.3) 'y 1.2)))

@@ -2,7 +2,8 @@
 ;; Identities of mechanics by name: each is proved, and refuted with a sign or a
 ;; factor changed.
 
-(require rackunit (except-in mechanics define lambda) (only-in racket/base define lambda))
+(require (except-in mechanics define lambda) (only-in racket/base define lambda)
+         "../support/checks.rkt")
 
 (define-syntax-rule (check-identity name zero wrong)
   (test-case name

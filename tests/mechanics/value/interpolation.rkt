@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Functions through data: what they reproduce, how fast they converge, what they refuse.
 
-(require (except-in rackunit fail)
-         mechanics
-         "../support/bigfloats.rkt" "../support/skip.rkt")
+(require mechanics
+         "../support/checks.rkt" "../support/bigfloats.rkt" "../support/skip.rkt")
 
 (define (evenly a b n) (for/list ([k (in-range (+ n 1))]) (+ a (* k (/ (- b a) n)))))
 

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Operators: algebra, printing, commutators.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
          mechanics/value/compose
@@ -10,7 +9,7 @@
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
          mechanics/value/signature
-         "../support/same.rkt")
+         "../support/checks.rkt" "../support/same.rkt")
 
 (define V (literal-function 'V))
 (define F (literal-function 'F (-> (X Real Real) Real)))

@@ -1,11 +1,10 @@
 #lang racket/base
 ;; Angles brought back to one turn.
 
-(require rackunit
-         (prefix-in m: mechanics)
+(require (prefix-in m: mechanics)
          mechanics/numeric/constants
          mechanics/value/principal-value
-         "../support/random.rkt")
+         "../support/checks.rkt" "../support/random.rkt")
 
 (test-case "an angle within the turn stays exactly as it is; the cut itself belongs to the next"
   (define principal (principal-value :pi))

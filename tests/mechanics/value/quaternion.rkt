@@ -3,8 +3,8 @@
 ;; other kinds, and derivatives.
 
 (require mechanics
-         (except-in rackunit fail)
          (only-in mechanics/value/quaternion [quaternion make])
+         "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/random.rkt"
          "../support/same.rkt" "../support/session.rkt"
          "../support/laws/law.rkt" "../support/laws/ring.rkt"

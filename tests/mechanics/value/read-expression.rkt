@@ -3,12 +3,11 @@
 
 (require (except-in mechanics format)
          mechanics/lang/printer
-         rackunit
          (only-in mechanics/algebra/expression/expression expression->datum)
          (only-in mechanics/book L-harmonic)
          (only-in "../support/property/expressions.rkt"
                   classes class-depth class-kinds random-expression)
-         "../support/messages.rkt" "../support/random.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/random.rkt")
 
 (define (printed x)
   (define port (open-output-string))

@@ -3,8 +3,7 @@
 
 (require mechanics
          mechanics/lang/printer
-         rackunit
-         "../support/random.rkt" "../support/same.rkt"
+         "../support/checks.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/random/element.rkt")
 
 (define (shown x)

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Series: arithmetic, functions of them, application, laziness, printing.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/kind
@@ -15,6 +14,7 @@
          mechanics/calculus/derivative
          mechanics/verdict/prove-zero
          mechanics/verdict/verdict
+         "../support/checks.rkt"
          "../support/messages.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/laws/law.rkt" "../support/laws/ring.rkt"
          "../support/random/element.rkt")

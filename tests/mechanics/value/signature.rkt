@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Signatures of literal functions: every form, quoted or not.
 
-(require rackunit
-         mechanics/generic/up-down
+(require mechanics/generic/up-down
          mechanics/value/signature
-         mechanics/calculus/dual)
+         mechanics/calculus/dual
+         "../support/checks.rkt")
 
 (define (domain d) (map shape->datum (signature-domain (parse-signature d))))
 (define (range d) (shape->datum (signature-range (parse-signature d))))

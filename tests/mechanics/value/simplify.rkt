@@ -2,15 +2,14 @@
 ;; Expressions, simplification and substitution on values of every shape.  What
 ;; simplification does to one expression is tested with the algebra.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
          mechanics/value/matrix/matrix
          mechanics/value/simplify
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../support/random.rkt" "../support/same.rkt"
+         "../support/checks.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/random/element.rkt")
 
 (define x (literal-function 'x))

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Special functions: values of 16 digits, and their derivatives.
 
-(require rackunit
-         mechanics mechanics/scmutils)
+(require mechanics mechanics/scmutils "../support/checks.rkt")
 
 (define-check (check-close found expected)
   (unless (<= (abs (- found expected)) (* 2e-14 (max 1.0 (abs expected))))

@@ -1,11 +1,11 @@
 #lang racket/base
 ;; Structures: access, construction, products.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/value/structure mechanics/value/symbols-like
          mechanics/calculus/literal-function
          (only-in mechanics/scmutils dual-zero)
+         "../support/checks.rkt"
          "../support/messages.rkt" "../support/random.rkt" "../support/same.rkt"
          "../support/random/element.rkt")
 

@@ -4,10 +4,9 @@
 
 (require racket/port
          racket/string
-         rackunit
          mechanics
          mechanics/error/note
-         "../support/run-text.rkt")
+         "../support/checks.rkt" "../support/run-text.rkt")
 
 (define one-by-Pythagoras (+ (square (sin 'x)) (square (cos 'x))))
 

@@ -2,8 +2,7 @@
 ;; Verdicts on values of every shape.  How an expression is judged is tested with
 ;; the algebra.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/up-down
          mechanics/value/matrix/matrix
@@ -13,7 +12,8 @@
          mechanics/calculus/literal-function
          mechanics/verdict/prove-zero
          mechanics/verdict/verdict
-         (only-in "../support/messages.rkt" check-message))
+         (only-in "../support/messages.rkt" check-message)
+         "../support/checks.rkt")
 
 (define V (literal-function 'V))
 (define F (literal-function 'F (-> (X Real Real) Real)))

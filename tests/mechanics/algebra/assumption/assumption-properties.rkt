@@ -2,8 +2,7 @@
 ;; Random expressions under random assumptions: real values are kept wherever all
 ;; that the result rests on holds, and the same again when done again.
 
-(require rackunit
-         racket/list
+(require racket/list
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/assumption/reference
          mechanics/algebra/simplify/declare
@@ -12,7 +11,7 @@
          mechanics/algebra/assumption/relation
          mechanics/algebra/assumption/signs
          mechanics/algebra/simplify/simplify-expression
-         "../../support/close.rkt" "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/close.rkt" "../../support/random.rkt"
          "../../support/evaluate.rkt")
 
 (define (choose xs) (list-ref xs (random (length xs))))

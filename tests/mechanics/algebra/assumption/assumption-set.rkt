@@ -2,13 +2,13 @@
 ;; Assumptions in the algebra: what follows from declared relations, what
 ;; simplification makes of it, and what it says it rests on.
 
-(require rackunit
-         mechanics/algebra/assumption/assumption-set
+(require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/simplify/declare
          mechanics/algebra/expression/expression
          mechanics/algebra/assumption/relation
          mechanics/algebra/simplify/simplify-expression
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../../support/checks.rkt")
 
 (define (sort-data ds) (sort ds string<? #:key (lambda (d) (format "~s" d))))
 

@@ -1,11 +1,11 @@
 #lang racket/base
 ;; What it takes for an expression to have a value, and what it does not take.
 
-(require rackunit
-         mechanics/algebra/assumption/assumption-set
+(require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/assumption/domain
          mechanics/algebra/assumption/signs
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../../support/checks.rkt")
 
 ;; The relations as ((signs . datum) ...).
 (define (domain datum)

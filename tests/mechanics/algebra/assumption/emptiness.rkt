@@ -1,12 +1,12 @@
 #lang racket/base
 ;; Relations that cannot all hold are refused, those that hold somewhere never.
 
-(require rackunit
-         mechanics/algebra/assumption/assumption-set
+(require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/read
          mechanics/algebra/expression/substitute
          mechanics/algebra/simplify/declare
-         mechanics/algebra/assumption/reference)
+         mechanics/algebra/assumption/reference
+         "../../support/checks.rkt")
 
 (define (because relations)
   (with-handlers ([exn:algebra:contradiction? exn:algebra:contradiction-because])

@@ -1,13 +1,13 @@
 #lang racket/base
 ;; Intervals hold the values of functions within them.
 
-(require rackunit
-         racket/math
+(require racket/math
          mechanics/algebra/assumption/interval
          mechanics/algebra/assumption/polynomial-range
          mechanics/algebra/assumption/range
          (only-in mechanics/algebra/expression/numeric-functions erf)
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../../support/checks.rkt")
 
 (define (ends r) (list (interval-low r) (interval-high r)))
 (define (of name low high) (ends (interval-of-operation name (interval low high))))

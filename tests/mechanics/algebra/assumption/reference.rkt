@@ -2,10 +2,10 @@
 ;; The point at which several expressions take open signs is looked for when it is first asked
 ;; for.
 
-(require rackunit
-         mechanics/algebra/assumption/assumption-set
+(require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/assumption/reference
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../../support/checks.rkt")
 
 (define large-sum
   (for/fold ([d 'x]) ([k (in-range 60000)])

@@ -2,8 +2,7 @@
 ;; Certified values of expressions: every operation has one, exact where it can be, and none
 ;; where a part of the expression has none.
 
-(require rackunit
-         mechanics/algebra/ball/ball
+(require mechanics/algebra/ball/ball
          mechanics/algebra/ball/ball-tape
          mechanics/algebra/ball/ball-value
          mechanics/algebra/assumption/signs
@@ -11,7 +10,7 @@
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/read
-         "../../support/random.rkt")
+         "../../support/checks.rkt" "../../support/random.rkt")
 
 ;; The value of e where every symbol is x, and every function its first argument.
 (define (value-at e x [p 80])

@@ -5,10 +5,10 @@
 ;; many more digits: balls are made around rationals, so each holds the value at its middle, at
 ;; a random point within, and at its ends.
 
-(require rackunit
-         mechanics/algebra/ball/ball
+(require mechanics/algebra/ball/ball
          mechanics/algebra/ball/ball-elementary
          mechanics/algebra/ball/ball-functions
+         "../../support/checks.rkt"
          "../../support/bigfloats.rkt" "../../support/random.rkt" "../../support/skip.rkt")
 
 (define (unit b) (expt 2 (ball-scale b)))

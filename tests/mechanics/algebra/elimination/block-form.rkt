@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Block triangular forms, against the definition of what they are.
 
-(require rackunit
-         mechanics/algebra/elimination/block-form
-         "../../support/random.rkt")
+(require mechanics/algebra/elimination/block-form
+         "../../support/checks.rkt" "../../support/random.rkt")
 
 (define (random-pattern n density)
   (for/vector ([i n])

@@ -2,12 +2,12 @@
 ;; Elimination without fractions: exact numbers, polynomials, values that satisfy
 ;; relations.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/elimination/bareiss
          mechanics/algebra/elimination/elimination
+         "../../support/checks.rkt"
          "../../support/matrices.rkt" "../../support/random.rkt" "../../support/same.rkt")
 
 (define (integer) (random-integer -5 5))

@@ -1,10 +1,9 @@
 #lang racket/base
 ;; Minors and characteristic polynomials: the algorithms that do not divide.
 
-(require rackunit
-         mechanics/algebra/elimination/minors
+(require mechanics/algebra/elimination/minors
          mechanics/algebra/elimination/characteristic
-         "../../support/matrices.rkt" "../../support/random.rkt")
+         "../../support/checks.rkt" "../../support/matrices.rkt" "../../support/random.rkt")
 
 (define (determinant-by-minors A)
   (define n (vector-length A))

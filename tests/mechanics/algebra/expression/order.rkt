@@ -1,10 +1,10 @@
 #lang racket/base
 ;; The order on expressions is total, and equal expressions are not apart.
 
-(require rackunit
-         racket/list
+(require racket/list
          mechanics/algebra/expression/order
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../../support/checks.rkt")
 
 (define in-order
   (map datum->expression

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Expressions for parts of expressions.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/substitute
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../../support/checks.rkt")
 
 (define (substituted d . pairs)
   (expression->datum

@@ -1,14 +1,13 @@
 #lang racket/base
 ;; Graphs that would be enormous written out, or expanded, do not hold things up.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/order
          mechanics/algebra/expression/substitute
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
-         "../../support/evaluate.rkt")
+         "../../support/checks.rkt" "../../support/evaluate.rkt")
 
 ;; step applied n times; each node is used twice, so the tree has 2^n leaves.
 (define (iterate n step start)

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; The relations simplification knows between kernels, class by class.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/simplify/simplify-expression
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../../support/checks.rkt")
 
 (define (simplified d) (expression->datum (simplify-expression (datum->expression d))))
 

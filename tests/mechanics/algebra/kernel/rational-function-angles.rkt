@@ -2,11 +2,11 @@
 ;; The addition theorems hold for angles and exponents that are fractions with sums below:
 ;; by form, by verdict and by value.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
+         "../../support/checks.rkt"
          "../../support/property/expressions.rkt" "../../support/property/property.rkt")
 
 (define (node op . args) (make-node op args))

@@ -7,7 +7,7 @@
          mechanics/algebra/notation/infix
          mechanics/algebra/notation/read-infix
          (only-in mechanics/show/typesetting/TeX tree->TeX)
-         rackunit)
+         "../../support/checks.rkt")
 
 (define (infix d) (tree->line (datum->tree d (current-way #f #t))))
 (define (TeX d) (tree->TeX (datum->tree d (current-way #t #t))))

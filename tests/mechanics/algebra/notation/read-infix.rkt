@@ -9,8 +9,7 @@
          mechanics/algebra/notation/formula
          mechanics/algebra/notation/infix
          mechanics/algebra/notation/read-infix
-         rackunit
-         "../../support/read-back.rkt")
+         "../../support/checks.rkt" "../../support/read-back.rkt")
 
 (define (line e) (tree->line (datum->tree (expression->datum e) (current-way #f #t))))
 

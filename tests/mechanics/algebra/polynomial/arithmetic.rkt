@@ -1,10 +1,9 @@
 #lang racket/base
 ;; Sums and products of polynomials are a ring, in few variables and in many.
 
-(require rackunit
-         (only-in mechanics/algebra/polynomial/inspect poly-hash poly-substitute)
+(require (only-in mechanics/algebra/polynomial/inspect poly-hash poly-substitute)
          mechanics/algebra/polynomial/polynomial
-         "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/laws/law.rkt" "../../support/laws/ring.rkt"
          "../../support/random/polynomial.rkt")
 

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Exact division.
 
-(require rackunit
-         mechanics/algebra/polynomial/polynomial
-         "../../support/random.rkt"
+(require mechanics/algebra/polynomial/polynomial
+         "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
 (for ([n '(1 3 50)])

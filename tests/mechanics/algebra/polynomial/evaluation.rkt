@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Evaluation is a homomorphism, over the rationals and over prime fields.
 
-(require rackunit
-         mechanics/algebra/polynomial/polynomial
-         "../../support/evaluate-polynomial.rkt"
+(require mechanics/algebra/polynomial/polynomial
+         "../../support/checks.rkt" "../../support/evaluate-polynomial.rkt"
          "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 

@@ -2,13 +2,12 @@
 ;; Factors over the rationals: products of random factors come apart, what is
 ;; irreducible does not.
 
-(require rackunit
-         mechanics/algebra/polynomial/polynomial
+(require mechanics/algebra/polynomial/polynomial
          mechanics/algebra/polynomial/factor
          mechanics/algebra/polynomial/integer-factor
          mechanics/algebra/polynomial/dense
          mechanics/algebra/polynomial/modular-factor
-         "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
 (define R (make-ring 4 30))

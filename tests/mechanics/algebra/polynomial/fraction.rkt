@@ -1,11 +1,10 @@
 #lang racket/base
 ;; Fractions of polynomials are a field, and canonical.
 
-(require rackunit
-         (only-in mechanics/algebra/polynomial/gcd poly-gcd)
+(require (only-in mechanics/algebra/polynomial/gcd poly-gcd)
          mechanics/algebra/polynomial/polynomial
          mechanics/algebra/polynomial/fraction
-         "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/laws/law.rkt" "../../support/laws/ring.rkt"
          "../../support/random/polynomial.rkt")
 

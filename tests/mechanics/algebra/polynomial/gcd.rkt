@@ -2,12 +2,11 @@
 ;; The greatest common divisor: its laws for the gcd as a whole and for the
 ;; remainder sequences alone, and hard cases.
 
-(require rackunit
-         (only-in mechanics/algebra/polynomial/gcd poly-gcd)
+(require (only-in mechanics/algebra/polynomial/gcd poly-gcd)
          (only-in mechanics/algebra/polynomial/square-free poly-square-free)
          mechanics/algebra/polynomial/polynomial
          (only-in mechanics/algebra/polynomial/remainder-gcd remainder-gcd)
-         "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/laws/law.rkt"
          "../../support/random/polynomial.rkt")
 

@@ -1,11 +1,10 @@
 #lang racket/base
 ;; Degrees, terms, coefficients along a variable, derivatives, substitution.
 
-(require rackunit
-         (only-in mechanics/algebra/polynomial/inspect poly-derivative poly-substitute)
+(require (only-in mechanics/algebra/polynomial/inspect poly-derivative poly-substitute)
          mechanics/algebra/polynomial/polynomial
          (only-in mechanics/algebra/polynomial/ring monomial-factors)
-         "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
 (define R (make-ring 3 12))

@@ -2,7 +2,6 @@
 ;; The modular parts of the gcd, each by itself.
 
 (require racket/fixnum
-         rackunit
          (only-in mechanics/algebra/polynomial/gcd poly-gcd)
          mechanics/algebra/polynomial/polynomial
          mechanics/algebra/polynomial/modular
@@ -10,7 +9,7 @@
          mechanics/algebra/polynomial/interpolation
          mechanics/algebra/polynomial/heuristic-gcd
          mechanics/algebra/polynomial/sparse-gcd
-         "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
 
 (define P (nth-prime 0))

@@ -1,10 +1,9 @@
 #lang racket/base
 ;; Packed monomials, in rings of one word and of several.
 
-(require rackunit
-         mechanics/algebra/polynomial/monomial
+(require mechanics/algebra/polynomial/monomial
          mechanics/algebra/polynomial/ring
-         "../../support/random.rkt")
+         "../../support/checks.rkt" "../../support/random.rkt")
 
 ;; Sizes and degrees on both sides of the word boundaries.
 (define shapes

@@ -3,12 +3,11 @@
 ;; simplified again, and in whatever order operands were written.
 
 (require racket/list
-         rackunit
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/read
-         "../../support/close.rkt" "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/close.rkt" "../../support/random.rkt"
          "../../support/random/expression.rkt")
 
 (define (simplified e) (expression->datum (simplify-expression e)))

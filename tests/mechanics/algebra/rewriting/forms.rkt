@@ -2,15 +2,14 @@
 ;; Expanded, collected, factored expressions, quotients and partial fractions:
 ;; the form expected, the value kept, and the same again when done again.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/rewriting/expand
          mechanics/algebra/rewriting/collect
          mechanics/algebra/rewriting/together
          mechanics/algebra/rewriting/apart
          mechanics/algebra/rewriting/factor
          mechanics/algebra/expression/read
-         "../../support/close.rkt" "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/close.rkt" "../../support/random.rkt"
          "../../support/random/expression.rkt")
 
 (define (first-value f . arguments)

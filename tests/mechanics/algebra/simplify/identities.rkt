@@ -2,13 +2,12 @@
 ;; Identities by name.  Each is proved, by simplification and by the zero test;
 ;; each with one thing changed is refuted, at a point where the two sides differ.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
          mechanics/algebra/expression/read
-         "../../support/evaluate.rkt")
+         "../../support/checks.rkt" "../../support/evaluate.rkt")
 
 (define (difference u v)
   (make-node op:- (list (datum->expression u) (datum->expression v))))

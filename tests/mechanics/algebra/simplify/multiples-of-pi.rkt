@@ -1,8 +1,7 @@
 #lang racket/base
 ;; π exactly, the symbol :pi: sines and cosines at its multiples, its sign and its digits.
 
-(require rackunit
-         racket/math
+(require racket/math
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/constant-value
          mechanics/algebra/expression/expression
@@ -13,7 +12,7 @@
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/zero/vanishing
          mechanics/algebra/zero/zero-test
-         "../../support/evaluate.rkt")
+         "../../support/checks.rkt" "../../support/evaluate.rkt")
 
 (define (simple d) (expression->datum (simplify-expression (datum->expression d))))
 

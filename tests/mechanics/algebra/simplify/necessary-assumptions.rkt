@@ -2,8 +2,7 @@
 ;; What a result is said to assume it needs: with the other sign it is wrong somewhere.  And what
 ;; it is not said to assume it does not need: it is right with either sign.
 
-(require rackunit
-         mechanics/algebra/assumption/assumption-set
+(require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/assumption/reference
          mechanics/algebra/assumption/relation
          mechanics/algebra/expression/read
@@ -11,7 +10,7 @@
          mechanics/algebra/simplify/necessary-assumptions
          mechanics/algebra/simplify/simplify-expression
          mechanics/error/computed-once
-         "../../support/random.rkt")
+         "../../support/checks.rkt" "../../support/random.rkt")
 
 (define (needed d)
   (define-values (simple grounds) (simplify-expression/needed (datum->expression d) no-assumptions))

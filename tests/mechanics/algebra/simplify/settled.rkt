@@ -2,15 +2,14 @@
 ;; What simplification results in it leaves as it is, whatever signs are declared, and
 ;; whether it may assume others or not; of what has a value somewhere.
 
-(require rackunit
-         racket/list
+(require racket/list
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/assumption/reference
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/read
          mechanics/algebra/simplify/declare
          mechanics/algebra/simplify/simplify-expression
-         "../../support/property/expressions.rkt")
+         "../../support/checks.rkt" "../../support/property/expressions.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Random signs

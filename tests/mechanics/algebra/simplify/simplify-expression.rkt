@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Simplified forms: what the book prints, and what a physicist would write.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/simplify/simplify-expression
-         mechanics/algebra/expression/read)
+         mechanics/algebra/expression/read
+         "../../support/checks.rkt")
 
 (define (simplified d) (expression->datum (simplify-expression (datum->expression d))))
 

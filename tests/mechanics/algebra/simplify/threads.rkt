@@ -2,12 +2,11 @@
 ;; Simplification shares nothing between threads, and a break leaves nothing
 ;; behind.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
-         "../../support/property/expressions.rkt")
+         "../../support/checks.rkt" "../../support/property/expressions.rkt")
 
 ;; Twelve expressions, from seeds.
 (define expressions

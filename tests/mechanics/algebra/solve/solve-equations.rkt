@@ -1,15 +1,14 @@
 #lang racket/base
 ;; Equations solved by factors: known ones, and every solution put back.
 
-(require rackunit
-         (only-in mechanics
+(require (only-in mechanics
                   + - * / expt square sin cos acos asin pi expression simplify
 
 
                                substitute proved? prove-zero)
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/solve/solve-equations
-         "../../support/random.rkt")
+         "../../support/checks.rkt" "../../support/random.rkt")
 
 (define (solutions equations unknowns)
   (define found (solve-equations equations unknowns no-assumptions))

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Numbers for leaves: one for each symbol, one for equal arguments of a function.
 
-(require rackunit
-         mechanics/algebra/expression/read
+(require mechanics/algebra/expression/read
          mechanics/algebra/zero/assignment
-         mechanics/algebra/ball/ball)
+         mechanics/algebra/ball/ball
+         "../../support/checks.rkt")
 
 (define (leaf d) (datum->expression d))
 

@@ -2,13 +2,13 @@
 ;; What decimals are read as, and when they are not read.
 
 (require (only-in math/flonum epsilon.0 flstep)
-         rackunit
          mechanics/algebra/assumption/reference
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/read
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/decimals
-         mechanics/algebra/zero/zero-test)
+         mechanics/algebra/zero/zero-test
+         "../../support/checks.rkt")
 
 (define (read-as x) (let ([e (read-decimal x)]) (and e (expression->datum e))))
 

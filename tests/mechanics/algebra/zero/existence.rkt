@@ -1,12 +1,12 @@
 #lang racket/base
 ;; Where an expression has a value, and which leaves decide that.
 
-(require rackunit
-         mechanics/algebra/assumption/assumption-set
+(require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/expression/read
          mechanics/algebra/simplify/declare
-         mechanics/algebra/zero/existence)
+         mechanics/algebra/zero/existence
+         "../../support/checks.rkt")
 
 (define (somewhere? d [relations '()])
   (somewhere-defined? (expression->tape (datum->expression d))

@@ -2,13 +2,12 @@
 ;; Fingerprints: what vanishes is 'zero, what does not is 'nonzero; and they cost
 ;; the graph.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/zero/zero-test
          mechanics/algebra/expression/read
-         "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/random/expression.rkt")
 
 (define (judge d) (fingerprint (datum->expression d)))

@@ -1,11 +1,11 @@
 #lang racket/base
 ;; Where operations have kinks, jumps and no value.
 
-(require rackunit
-         mechanics/algebra/assumption/assumption-set
+(require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/read
          mechanics/algebra/simplify/declare
-         mechanics/algebra/zero/kink)
+         mechanics/algebra/zero/kink
+         "../../support/checks.rkt")
 
 (define (expression d) (datum->expression d))
 (define (plain x) (read (open-input-string (format "~s" x))))

@@ -1,15 +1,15 @@
 #lang racket/base
 ;; Ways to make an expression zero, and whether a question keeps its meaning with them.
 
-(require rackunit
-         mechanics/algebra/assumption/assumption-set
+(require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/read
          mechanics/algebra/expression/substitute
          mechanics/algebra/simplify/declare
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/vanishing-factors
          mechanics/algebra/zero/nondegeneracy
-         mechanics/algebra/zero/zero-test)
+         mechanics/algebra/zero/zero-test
+         "../../support/checks.rkt")
 
 (define (ways d [variables '()] [relations '()])
   (zero-test-ways (zero-test (datum->expression d)

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Proofs of large residuals; nothing else is proved.
 
-(require rackunit
-         mechanics/algebra/expression/expression
+(require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/zero/abstraction
@@ -11,7 +10,7 @@
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/zero-test
          mechanics/algebra/expression/read
-         "../../support/evaluate.rkt"
+         "../../support/checks.rkt" "../../support/evaluate.rkt"
          "../../support/random.rkt"
          "../../support/random/expression.rkt")
 

@@ -1,11 +1,11 @@
 #lang racket/base
 ;; Zero or not, for algorithms that divide.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/calculus/literal-function
-         mechanics/algebra/zero/vanishing)
+         mechanics/algebra/zero/vanishing
+         "../../support/checks.rkt")
 
 (define f (literal-function 'f))
 

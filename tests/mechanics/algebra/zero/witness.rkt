@@ -1,13 +1,12 @@
 #lang racket/base
 ;; Witnesses: points that certify that an expression is not zero.
 
-(require rackunit
-         mechanics/algebra/assumption/relation
+(require mechanics/algebra/assumption/relation
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/expression/read
          mechanics/algebra/zero/region
          mechanics/algebra/zero/witness
-         "../../support/random.rkt"
+         "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/evaluate.rkt")
 
 ;; The expression alone is looked at, without a simpler form of it.

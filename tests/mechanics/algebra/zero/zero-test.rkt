@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Verdicts: what is proved, refuted, left undecided, and what they carry.
 
-(require rackunit
-         mechanics/algebra/assumption/assumption-set
+(require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/simplify/declare
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
@@ -10,7 +9,7 @@
          mechanics/algebra/zero/decimals
          mechanics/algebra/zero/zero-test
          mechanics/algebra/expression/read
-         "../../support/evaluate.rkt")
+         "../../support/checks.rkt" "../../support/evaluate.rkt")
 
 (define (verdict d) (zero-test (datum->expression d)))
 (define (status d) (zero-test-status (verdict d)))

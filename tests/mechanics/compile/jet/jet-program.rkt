@@ -3,11 +3,11 @@
 ;; over a circle, which know nothing of recurrences.
 
 (require racket/flonum racket/math
-         (except-in rackunit fail)
          (prefix-in m: mechanics)
          (only-in mechanics/algebra/expression/numeric-functions erf)
          mechanics/compile/jet/jet-program mechanics/compile/trace
-         mechanics/numeric/Taylor/expansion)
+         mechanics/numeric/Taylor/expansion
+         "../../support/checks.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Cauchy's formula: c_k = 1/M Σ f(r e^(iφ)) e^(−ikφ) / r^k

@@ -1,12 +1,11 @@
 #lang racket/base
 ;; Fixed and periodic points, and what maps do near them.
 
-(require (except-in rackunit fail)
-         (only-in racket/flonum flvector)
+(require (only-in racket/flonum flvector)
          mechanics
          mechanics/book
          (only-in mechanics/dynamics/map/map-on-tuples make-map-on-tuples returns-after)
-         "../../support/close.rkt" "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/close.rkt" "../../support/messages.rkt")
 
 (define (found map guess [period 1]) (find-fixed-point map guess #:period period))
 

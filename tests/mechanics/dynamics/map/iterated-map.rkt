@@ -1,11 +1,10 @@
 #lang racket/base
 ;; Maps done again and again: by calls, or compiled.
 
-(require (except-in rackunit fail)
-         racket/flonum
+(require racket/flonum
          (only-in racket/math nan?)
          mechanics
-         "../../support/close.rkt")
+         "../../support/checks.rkt" "../../support/close.rkt")
 
 (define ((standard-map K) theta I return failure)
   (let ((nI (+ I (* K (sin theta)))))

@@ -3,8 +3,7 @@
 ;; written and what is said where there is nothing to write.
 
 (require racket/file
-         rackunit
-         "../../../../mechanics/lang/command/run-command.rkt")
+         "../../support/checks.rkt" "../../../../mechanics/lang/command/run-command.rkt")
 
 ;; for-label: compiled with this file.
 (require (for-label "../../../../mechanics/lang/command/export-program.rkt"))

@@ -2,10 +2,9 @@
 ;; `raco mechanics`: its list of commands, help, and what it says to what it does not know.
 
 (require racket/list
-         rackunit
          setup/getinfo
          (only-in "../../../../mechanics/lang/command/commands.rkt" commands)
-         "../../../../mechanics/lang/command/raco-command.rkt"
+         "../../support/checks.rkt" "../../../../mechanics/lang/command/raco-command.rkt"
          "../../../../mechanics/lang/command/run-command.rkt")
 
 ;; for-label: compiled with this file.

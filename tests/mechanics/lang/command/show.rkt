@@ -4,9 +4,8 @@
 (require racket/file
          racket/list
          racket/string
-         rackunit
          (only-in xml document-element read-xml)
-         "../../../../mechanics/show/document/document-piece.rkt"
+         "../../support/checks.rkt" "../../../../mechanics/show/document/document-piece.rkt"
          "../../../../mechanics/show/document/shown-result.rkt"
          "../../../../mechanics/lang/command/run-command.rkt"
          "../../../../mechanics/lang/command/program-document.rkt")

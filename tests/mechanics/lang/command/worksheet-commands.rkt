@@ -8,8 +8,8 @@
          racket/file
          racket/list
          racket/string
-         rackunit
-         xml)
+         xml
+         "../../support/checks.rkt")
 
 (define folder (make-temporary-file "mechanics-worksheets~a" 'directory))
 

@@ -13,9 +13,8 @@
          racket/port
          racket/sandbox
          racket/string
-         rackunit
          (only-in "../../../../scribblings/mechanics/eval.rkt" close-session make-session)
-         "../../support/bigfloats.rkt"
+         "../../support/checks.rkt" "../../support/bigfloats.rkt"
          "../../support/house/exports.rkt")
 
 (define (exported)

@@ -10,8 +10,8 @@
          (only-in racket/list take)
          (only-in racket/port with-output-to-string)
          (only-in racket/string string-contains? string-join string-prefix?)
-         rackunit
-         (only-in "../../support/run-text.rkt" lines prints refusal session))
+         (only-in "../../support/run-text.rkt" lines prints refusal session)
+         "../../support/checks.rkt")
 
 (define (text about) (string-join (help-lines about) "\n"))
 

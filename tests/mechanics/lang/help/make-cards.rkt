@@ -7,7 +7,7 @@
          mechanics/lang/help/page
          mechanics/lang/help/prose
          racket/file
-         rackunit)
+         "../../support/checks.rkt")
 
 (define sample
   #<<end

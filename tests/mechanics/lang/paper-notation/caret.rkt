@@ -1,8 +1,7 @@
 #lang racket/base
 ;; `^`, for powers as they are written elsewhere.
 
-(require rackunit
-         "../../support/messages.rkt"
+(require "../../support/checks.rkt" "../../support/messages.rkt"
          "../../support/run-text.rkt")
 
 (define said "^: powers are (expt x 2)\n")

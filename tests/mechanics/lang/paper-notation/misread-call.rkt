@@ -2,8 +2,7 @@
 ;; Calls that were meant otherwise: what is said where they fail, at the prompt and in modules.
 
 (require racket/string
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (define-values (output errors)
   (session '("-I" "mechanics")

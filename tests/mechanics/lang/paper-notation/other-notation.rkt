@@ -8,8 +8,7 @@
          mechanics/lang/paper-notation/typed-formula
          mechanics/lang/paper-notation/typographic
          racket/string
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (define ours (exports 'mechanics))
 

@@ -3,8 +3,7 @@
 
 (require mechanics/lang/unknown-name/known-name
          mechanics/lang/paper-notation/pasted-result
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (define-syntax-rule (asked entry ...)
   (parameterize ([current-namespace (make-base-namespace)])

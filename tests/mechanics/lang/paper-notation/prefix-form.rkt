@@ -3,7 +3,7 @@
 
 (require mechanics/lang/paper-notation/prefix-form
          mechanics/lang/paper-notation/operation-sign
-         rackunit)
+         "../../support/checks.rkt")
 
 (define-check (check-prefix forms form)
   (define found (prefix-form forms))

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Lines of a program that were meant as one form.
 
-(require rackunit
-         "../../support/run-text.rkt")
+(require "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (define (said text in) (string-append "example:" text "\n  in: " in))
 

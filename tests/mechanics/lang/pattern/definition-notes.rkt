@@ -4,8 +4,7 @@
 
 (require racket/file
          racket/string
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 ;; What the error port gets while this is declared.
 (define (told . text)

@@ -2,8 +2,7 @@
 ;; Definitions and procedures that lack something, or have what is no name where one belongs.
 
 (require (only-in racket/string string-split)
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 ;; The first line of what is said of a form, without its place.
 (define (said form)

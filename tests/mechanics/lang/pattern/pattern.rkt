@@ -2,8 +2,7 @@
 ;; Structure patterns in the argument positions of define, lambda and let.
 
 (require mechanics/lang/pattern/pattern
-         rackunit
-         "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt")
 
 ;; The message of the syntax error that expanding a quoted form gives.
 (define-namespace-anchor here)

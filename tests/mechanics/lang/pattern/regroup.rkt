@@ -3,8 +3,7 @@
 
 (require mechanics/lang/pattern/pattern
          mechanics/lang/pattern/regroup
-         rackunit
-         "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt")
 
 (test-case "a flat pattern is told how the local tuple is taken apart"
   (define ((L m) (up t x y vx vy)) (list m t x y vx vy))

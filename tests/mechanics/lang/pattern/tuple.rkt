@@ -3,7 +3,7 @@
 
 (require mechanics/lang/pattern/pattern
          racket/match
-         rackunit)
+         "../../support/checks.rkt")
 
 (define-namespace-anchor here)
 

@@ -5,8 +5,7 @@
          mechanics/lang/paper-notation/line-habits
          mechanics/lang/prompt/typed-forms
          racket/string
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (define space (make-base-namespace))
 (parameterize ([current-namespace space])

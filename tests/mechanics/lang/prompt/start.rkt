@@ -3,8 +3,7 @@
 
 (require racket/file
          racket/string
-         rackunit
-         "../../support/process.rkt" "../../support/run-text.rkt"
+         "../../support/checks.rkt" "../../support/process.rkt" "../../support/run-text.rkt"
          "../../support/skip.rkt" "../../support/terminal.rkt")
 
 (define arguments '("-l" "mechanics/lang/prompt/start"))

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; The prompt's commands that choose how results are shown.
 
-(require rackunit
-         "../../support/run-text.rkt")
+(require "../../support/checks.rkt" "../../support/run-text.rkt")
 
 ;; What the prompt answers, line by line, the banner left out.
 (define (answers-to . input)

@@ -3,7 +3,7 @@
 
 (require mechanics/lang/prompt/typed-forms mechanics/lang/prompt/history
          racket/file
-         rackunit)
+         "../../support/checks.rkt")
 
 (define (data text) (map syntax->datum (forms-in text)))
 

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; What a `#lang mechanics` module defines again.
 
-(require rackunit
-         "../../support/run-text.rkt")
+(require "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (test-case "functions defined before see the new definition"
   (check-equal? (prints "(define (f x) (* 2 (g x)))"

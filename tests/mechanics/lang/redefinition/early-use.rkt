@@ -1,8 +1,7 @@
 #lang racket/base
 ;; What a `#lang mechanics` module uses before its definition.
 
-(require rackunit
-         "../../support/run-text.rkt")
+(require "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (define (early name line)
   (format "~a: used before its definition, which is on line ~a; a module is run from top to bottom"

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; What a `#lang mechanics` module imports and defines.
 
-(require rackunit
-         "../../support/run-text.rkt")
+(require "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (test-case "what the language exports may be used until it is replaced"
   (check-equal? (prints "(define (f) (square 3))"

@@ -3,8 +3,7 @@
 ;; is defined as in any module of Racket.
 
 (require racket/match
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 ;; How often the core forms `define-values` and `set!` of a name stand in the
 ;; expansion of a module: (list definitions assignments).

@@ -3,8 +3,7 @@
 
 (require racket/file
          racket/port
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (define (call-with-program text proc)
   (define directory (make-temporary-file "mechanics~a" 'directory))

@@ -2,8 +2,7 @@
 ;; `require` at the prompt, after definitions.
 
 (require racket/string
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 ;; The output and the errors of a session, each a list of lines.
 (define (talk . input)

@@ -2,8 +2,7 @@
 ;; What is said beneath messages of Racket's own forms and procedures, at the prompt.
 
 (require racket/string
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 ;; What an input is answered with, on the error port, without its first line; which of those
 ;; lines are ours is known by their end.

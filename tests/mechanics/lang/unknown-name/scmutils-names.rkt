@@ -2,10 +2,9 @@
 ;; A name of scmutils that is typed without its library tells its replacement.
 
 (require (for-label mechanics mechanics/scmutils)
-         rackunit
          mechanics/lang/unknown-name/scmutils-names
          mechanics/lang/unknown-name/suggestion
-         "../../support/house/exports.rkt")
+         "../../support/checks.rkt" "../../support/house/exports.rkt")
 
 (define (sorted names) (sort names symbol<?))
 

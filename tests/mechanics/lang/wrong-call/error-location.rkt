@@ -2,8 +2,7 @@
 ;; Errors of a program, told with the reader's own lines and without those of libraries.
 
 (require racket/list
-         rackunit
-         "../../support/errors-of.rkt")
+         "../../support/checks.rkt" "../../support/errors-of.rkt")
 
 (test-case "the form that was evaluated is told after the message, with its line"
   (check-equal? (errors-of "#lang mechanics" "(define a 1)" "" "(up 1 (car a))")

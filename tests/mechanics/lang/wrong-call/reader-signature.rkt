@@ -4,8 +4,7 @@
 
 (require mechanics/lang/wrong-call/count-message
          racket/file
-         rackunit
-         "../../support/run-text.rkt"
+         "../../support/checks.rkt" "../../support/run-text.rkt"
          "../../support/errors-of.rkt")
 
 (define (boilerplate name expected given)

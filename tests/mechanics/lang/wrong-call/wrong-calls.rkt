@@ -6,8 +6,7 @@
          (only-in mechanics/lang/wrong-call/signature-hint
                   count-hint order-hint constraint-hint keyword-names)
          racket/string
-         rackunit
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (define (text . lines) (string-join lines "\n"))
 

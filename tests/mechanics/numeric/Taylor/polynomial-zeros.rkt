@@ -2,8 +2,8 @@
 ;; Zeros of polynomials whose zeros are known, in (0, 1].
 
 (require racket/flonum
-         rackunit
-         mechanics/numeric/Taylor/polynomial-zeros)
+         mechanics/numeric/Taylor/polynomial-zeros
+         "../../support/checks.rkt")
 
 ;; The product of factors, each a list of coefficients.
 (define (product-of factors)

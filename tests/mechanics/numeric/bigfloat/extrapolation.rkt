@@ -2,9 +2,8 @@
 ;; Extrapolation in numbers of higher precision: order, error and tolerance.
 
 (require math/bigfloat
-         rackunit
          mechanics/numeric/bigfloat/extrapolation
-         "../../support/bigfloats.rkt" "../../support/skip.rkt")
+         "../../support/checks.rkt" "../../support/bigfloats.rkt" "../../support/skip.rkt")
 
 (define evaluations 0)
 (define (oscillator y)
@@ -30,7 +29,7 @@
     (define-values (t y)
       (parameterize ([bf-precision (+ (ceiling (* 4 digits)) (guard-bits digits))])
         ((make-integrator oscillator (start) (bf 0) (bfexpt (bf 10) (bf (- digits))) digits
-                          #:clock #f #:stuck (lambda (t y why) (fail "stuck")))
+                          #:clock #f #:stuck (lambda (t y why) (fail-check "stuck")))
          (bf T) (lambda (from y to z) #t))))
     (check-equal? (bigfloat->integer t) T)
     (parameterize ([bf-precision 600])

@@ -2,10 +2,10 @@
 ;; Quadratic forms that fall below zero, and polynomials that vanish at both ends.
 
 (require racket/flonum
-         rackunit
          mechanics/numeric/linear-algebra/definiteness
          mechanics/numeric/quadrature/end-polynomials
-         mechanics/numeric/quadrature/gauss-rule)
+         mechanics/numeric/quadrature/gauss-rule
+         "../../support/checks.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Quadratic forms

@@ -4,8 +4,8 @@
 (require racket/fixnum
          racket/flonum
          racket/list
-         rackunit
-         mechanics/numeric/linear-algebra/factored-system)
+         mechanics/numeric/linear-algebra/factored-system
+         "../../support/checks.rkt")
 
 (define seed 20)
 (define generator (make-pseudo-random-generator))

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Flonum systems: against exact arithmetic, and where they stop making sense.
 
-(require rackunit
-         mechanics/numeric/linear-algebra/flonum-systems
+(require mechanics/numeric/linear-algebra/flonum-systems
          mechanics/algebra/elimination/elimination
+         "../../support/checks.rkt"
          "../../support/close.rkt" "../../support/matrices.rkt" "../../support/random.rkt")
 
 (define (exact A) (for/vector ([row A]) (for/vector ([x row]) (inexact->exact x))))

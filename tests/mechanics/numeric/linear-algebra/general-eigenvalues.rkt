@@ -4,9 +4,9 @@
 
 (require racket/flonum
          racket/math
-         rackunit
          mechanics/numeric/linear-algebra/general-eigenvalues
-         mechanics/numeric/linear-algebra/symmetric-eigenvalues)
+         mechanics/numeric/linear-algebra/symmetric-eigenvalues
+         "../../support/checks.rkt")
 
 (define seed 2107)
 

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Matrices as vectors of rows.
 
-(require rackunit
-         mechanics/numeric/linear-algebra/row-matrix)
+(require mechanics/numeric/linear-algebra/row-matrix "../../support/checks.rkt")
 
 (define A #(#(1 2 3) #(4 5 6)))
 

@@ -2,9 +2,9 @@
 ;; Singular values of columns of flonums.
 
 (require racket/flonum
-         rackunit
          mechanics/numeric/flvector
-         mechanics/numeric/linear-algebra/singular-values)
+         mechanics/numeric/linear-algebra/singular-values
+         "../../support/checks.rkt")
 
 (define (check-decomposition columns)
   (define-values (us sizes vs) (singular-values columns))

@@ -3,10 +3,10 @@
 
 (require racket/fixnum
          racket/flonum
-         rackunit
          mechanics/numeric/linear-algebra/factored-system
          mechanics/numeric/linear-algebra/small-symmetric-system
-         mechanics/numeric/linear-algebra/symmetric-system)
+         mechanics/numeric/linear-algebra/symmetric-system
+         "../../support/checks.rkt")
 
 (random-seed 21)
 (define (random-vector n) (for/flvector #:length n ([_ (in-range n)]) (- (* 2.0 (random)) 1.0)))

@@ -2,10 +2,9 @@
 ;; Instructions do what their names say, with every register and every kind of operand.
 
 (require racket/flonum
-         rackunit
          mechanics/numeric/machine/assembler
          mechanics/numeric/machine/executable
-         "../../support/machine-run.rkt" "../../support/skip.rkt")
+         "../../support/checks.rkt" "../../support/machine-run.rkt" "../../support/skip.rkt")
 
 (define numbers (list 1.5 -2.25 0.0 -0.0 +inf.0 -inf.0 1e308 5e-324 0.1 3.0))
 

@@ -2,10 +2,10 @@
 ;; Formulas over vectors: the code has the bits that flonums of Racket have, component by component.
 
 (require racket/flonum
-         rackunit
          mechanics/numeric/machine/assembler
          mechanics/numeric/machine/elements
          mechanics/numeric/machine/executable
+         "../../support/checks.rkt"
          "../../support/machine-run.rkt" "../../support/random.rkt" "../../support/skip.rkt")
 
 ;; Vectors u, v, w behind each other; the number h.

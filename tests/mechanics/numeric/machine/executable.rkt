@@ -3,9 +3,8 @@
 ;; given back after that; threads, futures, places and collections of garbage do not disturb it.
 
 (require racket/future
-         rackunit
          mechanics/numeric/machine/executable
-         "../../support/machine-counter.rkt" "../../support/patience.rkt"
+         "../../support/checks.rkt" "../../support/machine-counter.rkt" "../../support/patience.rkt"
          "../../support/skip.rkt")
 
 (define (collect!)

@@ -2,11 +2,11 @@
 ;; Gauss–Legendre methods where their equations are not solved by repetition: stiff systems.
 
 (require racket/flonum
-         rackunit
          mechanics/numeric/ode/rates-with-jacobian
          mechanics/numeric/ode/gauss-legendre
          mechanics/numeric/ode/integrate
-         mechanics/numeric/ode/stepper)
+         mechanics/numeric/ode/stepper
+         "../../support/checks.rkt")
 
 ;; How far the state is after some steps, and how many evaluations and sets of derivatives
 ;; that took.

@@ -2,8 +2,8 @@
 ;; Systems c − J of implicit methods, whatever is zero in J.
 
 (require racket/flonum
-         rackunit
-         mechanics/numeric/ode/implicit-matrices)
+         mechanics/numeric/ode/implicit-matrices
+         "../../support/checks.rkt")
 
 (random-seed 8)
 

@@ -2,7 +2,6 @@
 ;; Integration of systems whose solutions are known.
 
 (require racket/flonum
-         rackunit
          mechanics/error/failure
          mechanics/numeric/ode/bulirsch-stoer
          mechanics/numeric/ode/dormand-prince-54
@@ -13,7 +12,8 @@
          mechanics/numeric/ode/radau
          mechanics/numeric/ode/symplectic
          mechanics/numeric/ode/stepper
-         tests/mechanics/support/rates)
+         tests/mechanics/support/rates
+         "../../support/checks.rkt")
 
 (define methods
   (list dormand-prince-853 dormand-prince-54 quality-controlled-runge-kutta-4 bulirsch-stoer

@@ -3,7 +3,6 @@
 ;; slopes and what is within a step, whatever the size of the system.
 
 (require racket/flonum
-         rackunit
          mechanics/compile/Racket-code
          mechanics/compile/program
          (only-in mechanics/motion/system/rates-code fix-parameters)
@@ -13,6 +12,7 @@
          mechanics/numeric/ode/right-hand-side
          mechanics/numeric/ode/integrate
          mechanics/numeric/ode/stepper
+         "../../support/checks.rkt"
          "../../support/machine-counter.rkt" "../../support/random.rkt" "../../support/skip.rkt")
 
 ;; Rates of n components, y' = sin a − y or cos a − y, a being a sum or product of two of them or of
@@ -80,7 +80,7 @@
       (for ([m (in-list methods)]) (check-steps m p n (random-state n) ps))))
 
   (test-case "it is machine code that is run: the rates as Racket code are not asked"
-    (define (refused y dy) (fail "rates as Racket code"))
+    (define (refused y dy) (fail-check "rates as Racket code"))
     (for ([n (in-list '(1 5 8 9 13))])
       (define p (with-seed n (random-rates n)))
       (define f!

@@ -4,12 +4,12 @@
 ;; so is that of the states between the ends of a step.
 
 (require racket/flonum racket/math
-         rackunit
          mechanics/numeric/ode/bulirsch-stoer
          mechanics/numeric/ode/dormand-prince-54 mechanics/numeric/ode/dormand-prince-853
          mechanics/numeric/ode/gauss-legendre mechanics/numeric/ode/doubled-runge-kutta
          mechanics/numeric/ode/radau mechanics/numeric/ode/stepper
-         mechanics/numeric/ode/symplectic)
+         mechanics/numeric/ode/symplectic
+         "../../support/checks.rkt")
 
 ;; f! : right-hand side; exact : t -> state
 (struct problem (f! exact start))

@@ -2,9 +2,9 @@
 ;; Steps, and what is read between them, end on the manifold.
 
 (require racket/flonum
-         rackunit
          mechanics/numeric/ode/dormand-prince-54 mechanics/numeric/ode/dormand-prince-853
-         mechanics/numeric/ode/integrate mechanics/numeric/ode/projection-method)
+         mechanics/numeric/ode/integrate mechanics/numeric/ode/projection-method
+         "../../support/checks.rkt")
 
 ;; Round the unit circle.
 (define (rotation! y dy)

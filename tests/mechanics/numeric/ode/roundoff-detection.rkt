@@ -2,12 +2,12 @@
 ;; Integrations that rounding in the right-hand side would keep going for ever.
 
 (require racket/flonum
-         rackunit
          mechanics/error/failure
          mechanics/numeric/ode/dormand-prince-54
          mechanics/numeric/ode/integrate
          mechanics/numeric/ode/roundoff-detection
-         tests/mechanics/support/rates)
+         tests/mechanics/support/rates
+         "../../support/checks.rkt")
 
 ;; x' = -1 and y' near 14, by a formula for the latter that is 0/0 where x = 0
 (define (passing! y dy)

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; The lengths of steps that are proposed from the last two errors.
 
-(require rackunit
-         mechanics/numeric/ode/step-prediction)
+(require mechanics/numeric/ode/step-prediction "../../support/checks.rkt")
 
 (test-case "a rejected step is tried shorter, never below a fifth"
   (for ([error (in-list '(1.0001 2.0 100.0 1e30))])

@@ -2,14 +2,13 @@
 ;; Stiff systems: what dies out at once, and what stays.
 
 (require racket/flonum
-         rackunit
          mechanics/error/failure
          mechanics/numeric/ode/rates-with-jacobian
          mechanics/numeric/ode/dormand-prince-853
          mechanics/numeric/ode/integrate
          mechanics/numeric/ode/radau
          mechanics/numeric/ode/stepper
-         "../../support/close.rkt")
+         "../../support/checks.rkt" "../../support/close.rkt")
 
 ;; -> the state at the end and the number of steps
 (define (follow m f! y0 end tolerance #:limit [limit +inf.0])

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Brent's minimiser.
 
-(require rackunit
-         mechanics/error/failure
-         mechanics/numeric/optimization/brent-minimum)
+(require mechanics/error/failure
+         mechanics/numeric/optimization/brent-minimum
+         "../../support/checks.rkt")
 
 (define (argument result) (car result))
 (define (value result) (cadr result))

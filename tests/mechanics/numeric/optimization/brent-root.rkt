@@ -2,10 +2,10 @@
 ;; Roots of one function of one variable, and of several of several.
 
 (require racket/flonum
-         rackunit
          mechanics/error/failure
          mechanics/numeric/optimization/newton
-         mechanics/numeric/optimization/brent-root)
+         mechanics/numeric/optimization/brent-root
+         "../../support/checks.rkt")
 
 ;; -> root and number of evaluations
 (define (root+count f low high)

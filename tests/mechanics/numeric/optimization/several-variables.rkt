@@ -2,10 +2,10 @@
 ;; Minima of functions of several variables, with and without gradients.
 
 (require racket/flonum
-         rackunit
          mechanics/error/failure
          mechanics/numeric/optimization/nelder-mead
-         mechanics/numeric/optimization/quasi-newton)
+         mechanics/numeric/optimization/quasi-newton
+         "../../support/checks.rkt")
 
 (define (x i v) (flvector-ref v i))
 

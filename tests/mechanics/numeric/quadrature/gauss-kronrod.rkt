@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Quadrature against integrals known in closed form.
 
-(require rackunit
-         mechanics/error/failure
-         mechanics/numeric/quadrature/gauss-kronrod)
+(require mechanics/error/failure
+         mechanics/numeric/quadrature/gauss-kronrod
+         "../../support/checks.rkt")
 
 (define pi 3.141592653589793)
 

@@ -2,8 +2,8 @@
 ;; Gauss and Legendre's rule.
 
 (require racket/flonum
-         rackunit
-         mechanics/numeric/quadrature/gauss-rule)
+         mechanics/numeric/quadrature/gauss-rule
+         "../../support/checks.rkt")
 
 (define (integral n f)
   (define-values (nodes weights) (gauss-legendre-rule n))

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Integrals to infinity and over singularities at ends.
 
-(require rackunit
-         mechanics/error/failure
+(require mechanics/error/failure
          mechanics/numeric/quadrature/improper
-         mechanics/numeric/quadrature/oscillating)
+         mechanics/numeric/quadrature/oscillating
+         "../../support/checks.rkt")
 
 (define pi (* 4.0 (atan 1.0)))
 (define (integral f low high)

@@ -2,12 +2,12 @@
 ;; Integrals with known values, each to several tolerances: the error is not greater
 ;; than what was asked, and not greater than the bound that comes with the value.
 
-(require rackunit
-         mechanics/error/failure
+(require mechanics/error/failure
          mechanics/numeric/quadrature/improper
          tests/mechanics/support/integrals
          tests/mechanics/support/hard-integrals
-         tests/mechanics/support/hostile-integrals)
+         tests/mechanics/support/hostile-integrals
+         "../../support/checks.rkt")
 
 (define (integrate example [tolerance 1e-10] [low entry-low] [high entry-high])
   (improper-quadrature (entry-f example) (low example) (high example) #:tolerance tolerance))

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Bessel functions: values of tables, the recurrence, and what is tiny.
 
-(require rackunit
-         mechanics/value/Bessel-functions)
+(require mechanics/value/Bessel-functions "../../support/checks.rkt")
 
 (define (check-ratio value expected)
   (check-= (/ value expected) 1 1e-13))

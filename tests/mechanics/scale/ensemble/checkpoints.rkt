@@ -6,10 +6,10 @@
          racket/runtime-path
          racket/system
          (only-in racket/list take)
-         (except-in rackunit fail)
          mechanics/book
          mechanics
-         tests/mechanics/support/skip)
+         tests/mechanics/support/skip
+         "../../support/checks.rkt")
 
 (define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
 (define count 100)

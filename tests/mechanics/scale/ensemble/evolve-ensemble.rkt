@@ -7,14 +7,14 @@
          racket/runtime-path
          racket/system
          (only-in racket/sequence sequence-map)
-         (except-in rackunit fail)
          mechanics/book
          mechanics/scale/ensemble/batch mechanics/scale/ensemble/worker-pool
          mechanics/scale/ensemble/task
          mechanics/compile/program
          mechanics
          tests/mechanics/support/own-process
-         tests/mechanics/support/skip)
+         tests/mechanics/support/skip
+         "../../support/checks.rkt")
 
 (define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
 (define count 100)

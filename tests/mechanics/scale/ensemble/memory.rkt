@@ -2,9 +2,9 @@
 ;; The memory that an ensemble takes: so many bytes for each trajectory that is returned, as the
 ;; manual says, and none for those that are folded.
 
-(require rackunit
-         mechanics
-         (only-in mechanics/book L-pendulum))
+(require mechanics
+         (only-in mechanics/book L-pendulum)
+         "../../support/checks.rkt")
 
 (define swing (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))
 

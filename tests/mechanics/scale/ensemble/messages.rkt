@@ -1,10 +1,10 @@
 #lang racket/base
 ;; What evolve-ensemble says of what it cannot follow.
 
-(require (except-in rackunit fail)
-         mechanics/book
+(require mechanics/book
          mechanics
-         tests/mechanics/support/messages)
+         tests/mechanics/support/messages
+         "../../support/checks.rkt")
 
 (define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
 (define (plane s) (up 1 (ref s 1)))

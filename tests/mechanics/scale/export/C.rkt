@@ -4,13 +4,13 @@
 (require racket/flonum
          (only-in racket/list append* fourth index-where)
          racket/string
-         (except-in rackunit fail)
          mechanics/book
          mechanics/compile/Racket-code mechanics/scale/export/exported-system
          mechanics/value/shape
          mechanics
          tests/mechanics/support/exported tests/mechanics/support/random
-         tests/mechanics/support/skip tests/mechanics/support/systems)
+         tests/mechanics/support/skip tests/mechanics/support/systems
+         "../../support/checks.rkt")
 
 (define-syntax-rule (with-compiler body ...)
   (skip-unless compiler? "exported C: there is no cc and make" body ...))

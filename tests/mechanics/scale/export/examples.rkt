@@ -9,12 +9,12 @@
          racket/flonum
          racket/path
          racket/runtime-path
-         (except-in rackunit fail)
          mechanics/compile/Racket-code mechanics/compile/program
          mechanics/scale/export/export-system mechanics/scale/export/exported-system
          mechanics/lang/command/program-systems mechanics/lang/command/system-of-program
          tests/mechanics/support/exported tests/mechanics/support/random
-         tests/mechanics/support/skip)
+         tests/mechanics/support/skip
+         "../../support/checks.rkt")
 
 (define-runtime-path examples "../../../../examples/mechanics")
 

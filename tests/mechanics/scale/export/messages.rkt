@@ -2,9 +2,9 @@
 ;; What export-system says of what it cannot export, and that it leaves nothing behind.
 
 (require racket/file
-         (except-in rackunit fail)
          mechanics mechanics/book
-         tests/mechanics/support/messages tests/mechanics/support/skip)
+         tests/mechanics/support/messages tests/mechanics/support/skip
+         "../../support/checks.rkt")
 
 (define free (Lagrangian->state-derivative (L-pendulum 'g 'm 'l)))
 (define state (up 't 'theta 'thetadot))

@@ -5,11 +5,11 @@
          racket/file
          racket/flonum
          racket/list
-         (except-in rackunit fail)
          mechanics mechanics/book
          mechanics/value/shape
          tests/mechanics/support/exported tests/mechanics/support/python
-         tests/mechanics/support/random tests/mechanics/support/skip)
+         tests/mechanics/support/random tests/mechanics/support/skip
+         "../../support/checks.rkt")
 
 (define numpy (and compiler? (python-with "numpy")))
 (define dask (and compiler? (python-with "numpy" "distributed")))

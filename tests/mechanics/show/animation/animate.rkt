@@ -11,8 +11,7 @@
          mechanics/show/animation/schedule
          (only-in mechanics/show/display/picture-advice advice)
          (only-in pict pict? pict-width pict-height pict->argb-pixels filled-rectangle blank)
-         rackunit
-         "../../support/messages.rkt" "../../support/skip.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt" "../../support/skip.rkt")
 
 (define drawable? (not (why-no-pictures)))
 (define no-drawing "the shared libraries of racket/draw are not installed: no pictures")

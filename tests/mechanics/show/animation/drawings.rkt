@@ -6,8 +6,7 @@
          (only-in mechanics/show/animation/drawing drawing-trail drawing-bounds drawing-sample)
          (only-in mechanics/show/animation/on-demand why-no-pictures)
          (only-in pict pict? pict-width pict-height pict->bitmap)
-         rackunit
-         "../../support/messages.rkt" "../../support/skip.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt" "../../support/skip.rkt")
 
 (define drawable? (not (why-no-pictures)))
 (define no-drawing "the shared libraries of racket/draw are not installed: no drawings")

@@ -10,9 +10,8 @@
          racket/list
          racket/port
          racket/string
-         rackunit
          xml
-         "../../support/gif.rkt" "../../support/messages.rkt"
+         "../../support/checks.rkt" "../../support/gif.rkt" "../../support/messages.rkt"
          "../../support/picture-programs.rkt" "../../support/skip.rkt")
 
 (define drawable? (not (why-no-pictures)))

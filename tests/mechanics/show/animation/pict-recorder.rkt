@@ -3,9 +3,8 @@
 
 (require (only-in mechanics/show/animation/on-demand why-no-pictures)
          racket/list
-         rackunit
          xml
-         "../../support/skip.rkt")
+         "../../support/checks.rkt" "../../support/skip.rkt")
 
 (skip-unless (not (why-no-pictures))
              "the shared libraries of racket/draw are not installed: nothing is recorded"

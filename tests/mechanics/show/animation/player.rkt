@@ -5,8 +5,7 @@
 
 (require racket/list
          racket/runtime-path
-         rackunit
-         "../../support/display.rkt" "../../support/skip.rkt")
+         "../../support/checks.rkt" "../../support/display.rkt" "../../support/skip.rkt")
 
 (define-runtime-path program "../../runner/fixture/player.rkt")
 

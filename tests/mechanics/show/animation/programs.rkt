@@ -9,8 +9,7 @@
          racket/path
          racket/runtime-path
          racket/string
-         rackunit
-         "../../support/example-programs.rkt" "../../support/gif.rkt"
+         "../../support/checks.rkt" "../../support/example-programs.rkt" "../../support/gif.rkt"
          "../../support/picture-programs.rkt" "../../support/skip.rkt")
 
 (define-runtime-path folder "../../../../examples/mechanics/animations")

@@ -12,7 +12,7 @@
          racket/port
          racket/pretty
          racket/string
-         rackunit
+         "../../support/checks.rkt"
          "../../support/messages.rkt" "../../support/run-text.rkt" "../../support/skip.rkt")
 
 (define ratio (/ (sqrt (square 'r)) 'theta_1))

@@ -4,12 +4,12 @@
 
 (require mechanics
          (only-in mechanics/show/typesetting/text-box columns-wide)
+         "../../support/checks.rkt"
          "../../support/golden/values.rkt" "../../support/messages.rkt" "../../support/skip.rkt"
          racket/file
          racket/port
          racket/string
          racket/system
-         rackunit
          xml)
 
 ;; ---------------------------------------------------------------------------

@@ -4,8 +4,7 @@
 (require mechanics
          (only-in mechanics/pict ->pict)
          (only-in mechanics/show/plot/on-demand why-not)
-         "../../support/messages.rkt" "../../support/skip.rkt"
-         rackunit)
+         "../../support/checks.rkt" "../../support/messages.rkt" "../../support/skip.rkt")
 
 (define (of-pict name) (dynamic-require 'pict name))
 

@@ -5,8 +5,7 @@
 (require racket/file
          racket/runtime-path
          racket/string
-         rackunit
-         "../../support/display.rkt" "../../support/skip.rkt")
+         "../../support/checks.rkt" "../../support/display.rkt" "../../support/skip.rkt")
 
 (define-runtime-path program "../../runner/fixture/editor.rkt")
 

@@ -6,7 +6,7 @@
          mechanics/show/display/layout
          racket/list
          racket/string
-         rackunit)
+         "../../support/checks.rkt")
 
 (define (lines . ls) (string-join ls "\n"))
 

@@ -2,10 +2,9 @@
 ;; display and its kin show what the prompt would.
 
 (require racket/port
-         rackunit
          mechanics
          (only-in mechanics/book L-harmonic)
-         "../../support/run-text.rkt")
+         "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (define one (+ (square (sin 'x)) (square (cos 'x))))
 (define-syntax-rule (text expression ...) (with-output-to-string (lambda () expression ...)))

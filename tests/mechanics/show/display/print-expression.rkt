@@ -6,7 +6,7 @@
          (only-in mechanics/show/display/print-expression print-labelled)
          mechanics/lang/printer
          racket/string
-         rackunit)
+         "../../support/checks.rkt")
 
 (define (text-of show x)
   (define port (open-output-string))

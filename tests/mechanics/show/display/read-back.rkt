@@ -6,9 +6,8 @@
 ;; `racket tests/mechanics/show/display/read-back.rkt 10000` is a long run.
 
 (require mechanics
-         rackunit
          (only-in "../../support/property/expressions.rkt" choose)
-         "../../support/messages.rkt" "../../support/read-back.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt" "../../support/read-back.rkt")
 
 ;; ---------------------------------------------------------------------------
 

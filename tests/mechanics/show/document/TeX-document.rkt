@@ -5,9 +5,8 @@
          racket/list
          racket/port
          racket/string
-         rackunit
          mechanics mechanics/plot
-         "../../../../mechanics/show/document/TeX-document.rkt"
+         "../../support/checks.rkt" "../../../../mechanics/show/document/TeX-document.rkt"
          "../../../../mechanics/show/document/TeX-prose.rkt"
          "../../../../mechanics/show/document/document-piece.rkt"
          "../../../../mechanics/show/document/shown-result.rkt"

@@ -3,9 +3,8 @@
 ;; the version of a formula for which there is room.
 
 (require racket/file
-         rackunit
          mechanics
-         "../../../../mechanics/show/document/web-page.rkt"
+         "../../support/checks.rkt" "../../../../mechanics/show/document/web-page.rkt"
          "../../../../mechanics/show/document/document-piece.rkt"
          "../../../../mechanics/show/document/shown-result.rkt"
          "../../support/browser.rkt" "../../support/skip.rkt")

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Comments of a program as prose and headings.
 
-(require rackunit
-         "../../../../mechanics/show/document/comments.rkt"
+(require "../../support/checks.rkt" "../../../../mechanics/show/document/comments.rkt"
          "../../../../mechanics/show/document/document-piece.rkt")
 
 (define (text . lines) (apply string-append (map (lambda (l) (string-append l "\n")) lines)))

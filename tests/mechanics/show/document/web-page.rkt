@@ -3,11 +3,10 @@
 
 (require racket/list
          racket/string
-         rackunit
          (only-in xml document-element read-xml xml->xexpr)
          mechanics mechanics/plot
          (prefix-in t: "../../../../mechanics/algebra/notation/tree.rkt")
-         "../../../../mechanics/show/document/coloring.rkt"
+         "../../support/checks.rkt" "../../../../mechanics/show/document/coloring.rkt"
          "../../../../mechanics/show/document/line-markup.rkt"
          "../../../../mechanics/show/document/web-page.rkt"
          "../../../../mechanics/show/document/document-piece.rkt"

@@ -4,8 +4,7 @@
 (require mechanics
          mechanics/book
          mechanics/plot
-         rackunit
-         "../../support/close.rkt" "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/close.rkt" "../../support/messages.rkt")
 
 (define (section) (frame 0 :2pi 0 :2pi))
 (define T (standard-map 0.6))

@@ -4,8 +4,7 @@
 
 (require racket/list
          racket/runtime-path
-         rackunit
-         "../../support/display.rkt" "../../support/skip.rkt")
+         "../../support/checks.rkt" "../../support/display.rkt" "../../support/skip.rkt")
 
 (define-runtime-path program "../../runner/fixture/explorer.rkt")
 (define-runtime-path in-DrRacket "../../runner/fixture/explorer-as-in-DrRacket.rkt")

@@ -1,15 +1,14 @@
 #lang racket/base
 ;; Pictures of where orbits are chaotic.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          mechanics/book
          mechanics/plot
          (only-in mechanics/show/plot/frame frame-now)
          (only-in mechanics/show/plot/picture-layer
                   layer-data raster-bytes raster-height raster-width)
          racket/serialize
-         "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt")
 
 (define (section) (frame 0 :2pi 0 :2pi))
 

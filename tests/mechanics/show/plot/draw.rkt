@@ -3,8 +3,7 @@
 
 (require (prefix-in m: mechanics)
          mechanics/plot
-         rackunit
-         "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt")
 
 (define (unit) (frame 0 1 0 1))
 

@@ -9,7 +9,7 @@
          racket/path
          racket/runtime-path
          racket/string
-         rackunit
+         "../../support/checks.rkt"
          "../../support/example-programs.rkt" "../../support/picture-programs.rkt"
          "../../support/skip.rkt")
 

@@ -7,8 +7,7 @@
          (only-in racket/port make-pipe-with-specials)
          racket/pretty
          racket/serialize
-         rackunit
-         "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt")
 
 (define (points-of . xys)
   (define f (frame 0 1 0 1))

@@ -2,10 +2,9 @@
 ;; What each procedure that draws says to a call it does not take.
 
 (require racket/string
-         rackunit
          mechanics/plot
          (prefix-in m: mechanics)
-         "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt")
 
 (define f (frame 0 1 0 1))
 (define tr (m:evolve-trajectory (lambda (s) (m:up 1 0)) (m:up 0 1) 1))

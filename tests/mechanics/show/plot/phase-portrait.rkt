@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Phase portraits with their separatrices.
 
-(require (except-in rackunit fail)
-         mechanics
+(require mechanics
          mechanics/book
          mechanics/plot
          (only-in mechanics/show/plot/frame frame-now)
@@ -10,7 +9,7 @@
                   layer-data layer-kind layer-style style-color field-level)
          (only-in mechanics/show/plot/phase-portrait places-of-rest
                   place-q place-p place-energy place-kind)
-         "../../support/close.rkt" "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/close.rkt" "../../support/messages.rkt")
 
 (define (levels f color)
   (for/list ([l (frame-now f)]

@@ -7,7 +7,7 @@
          (only-in pict pict-width pict-height)
          racket/file
          racket/string
-         rackunit
+         "../../support/checks.rkt"
          "../../support/messages.rkt" "../../support/picture-programs.rkt" "../../support/skip.rkt"
          "../../support/svg.rkt")
 

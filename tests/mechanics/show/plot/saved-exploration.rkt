@@ -12,7 +12,7 @@
          (only-in mechanics/show/plot/on-demand why-not)
          (only-in mechanics/show/explorer/orbit-worker start-worker ask-worker stop-worker)
          racket/file
-         rackunit
+         "../../support/checks.rkt"
          "../../support/display.rkt" (only-in "../../support/example-programs.rkt" loaded-from)
          "../../support/patience.rkt" "../../support/picture-programs.rkt" "../../support/skip.rkt")
 

@@ -5,8 +5,7 @@
 ;; is a list of laws over one record of operations.  To trust a law one must have
 ;; seen it fail: `check-broken` asks that it does, under operations made wrong.
 
-(require rackunit
-         "../random.rkt")
+(require "../checks.rkt" "../random.rkt")
 
 (provide (struct-out law) define-laws
          check-laws check-broken counterexample law-named)

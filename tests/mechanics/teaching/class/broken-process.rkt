@@ -8,7 +8,7 @@
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
          mechanics/teaching/worksheet/make-worksheet
-         rackunit)
+         "../../support/checks.rkt")
 
 (define w
   (make-worksheet "Broken" #f "broken"

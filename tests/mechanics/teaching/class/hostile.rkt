@@ -14,8 +14,8 @@
          racket/file
          racket/string
          racket/tcp
-         rackunit
          xml
+         "../../support/checks.rkt"
          "../../support/hostile-programs.rkt" "../../support/isolated.rkt"
          "../../support/patience.rkt")
 

@@ -13,7 +13,7 @@
          mechanics/teaching/worksheet/make-worksheet
          racket/file
          racket/string
-         rackunit
+         "../../support/checks.rkt"
          "../../support/isolated.rkt" "../../support/messages.rkt" "../../support/skip.rkt")
 
 (define w (make-worksheet "Levels" #f "levels"

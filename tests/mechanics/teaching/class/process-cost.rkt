@@ -4,8 +4,7 @@
 
 (require mechanics/teaching/class/process-cost
          (only-in racket/file file->string)
-         rackunit
-         "../../support/skip.rkt")
+         "../../support/checks.rkt" "../../support/skip.rkt")
 
 (define start (reading 100. 7. 3.))
 

@@ -10,7 +10,7 @@
          mechanics/teaching/worksheet/make-exercise
          mechanics/teaching/worksheet/make-worksheet
          racket/file
-         rackunit)
+         "../../support/checks.rkt")
 
 (test-case "submissions stand in the order of the numbers in their names"
   (define folder (make-temporary-file "mechanics-order~a" 'directory))

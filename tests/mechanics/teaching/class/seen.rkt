@@ -2,8 +2,7 @@
 ;; What a submission sees of the teacher's folders: this library, and nothing that stands beside
 ;; it, where worksheets and their keys may be.
 
-(require rackunit
-         "../../support/isolated.rkt")
+(require "../../support/checks.rkt" "../../support/isolated.rkt")
 
 (define collection (simplify-path (collection-path "mechanics")))
 (define around (path->string (simplify-path (build-path collection 'up))))

@@ -2,8 +2,7 @@
 ;; The limit on processes leaves room for those that the user has already.
 
 (require mechanics/teaching/class/process-cost
-         rackunit
-         "../../support/skip.rkt")
+         "../../support/checks.rkt" "../../support/skip.rkt")
 
 (define me (owner "/proc/self"))
 

@@ -9,8 +9,7 @@
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
          mechanics/teaching/worksheet/make-worksheet
-         rackunit
-         "../../support/patience.rkt")
+         "../../support/checks.rkt" "../../support/patience.rkt")
 
 (define (forever) (let loop () (loop)))
 

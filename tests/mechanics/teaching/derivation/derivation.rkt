@@ -2,7 +2,7 @@
 ;; The steps from a path to the residual: their labels, their values, and what is
 ;; said when there is nothing to derive.
 
-(require mechanics rackunit)
+(require mechanics "../../support/checks.rkt")
 
 (define x (literal-function 'x))
 (define (L (up t q v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square q))))

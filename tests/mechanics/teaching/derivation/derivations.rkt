@@ -5,9 +5,8 @@
 (require mechanics
          (only-in mechanics/teaching/derivation/step-by-step derivation derivation-lines make-step
                   step-label step-value step-verdict)
-         "../../support/messages.rkt"
-         (only-in racket/port with-output-to-string)
-         rackunit)
+         "../../support/checks.rkt" "../../support/messages.rkt"
+         (only-in racket/port with-output-to-string))
 
 (define V (literal-function 'V))
 (define (L-central local)

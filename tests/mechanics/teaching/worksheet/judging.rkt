@@ -10,7 +10,7 @@
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
          (only-in racket/string string-prefix?)
-         (except-in rackunit check))
+         (except-in "../../support/checks.rkt" check))
 
 (define-syntax-rule (an-exercise kind clause ...)
   (make-exercise 'item 'kind "?" (list (list . clause) ...)))

@@ -5,8 +5,7 @@
          mechanics/teaching/worksheet/exercise
          mechanics/teaching/worksheet/make-exercise
          mechanics/teaching/worksheet/make-worksheet
-         rackunit
-         "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt")
 
 (define (made kind . clauses) (make-exercise 'item kind "?" clauses))
 

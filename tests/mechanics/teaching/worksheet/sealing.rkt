@@ -6,7 +6,7 @@
          mechanics/teaching/worksheet/make-exercise
          mechanics/teaching/worksheet/sealed-exercises
          net/base64
-         rackunit)
+         "../../support/checks.rkt")
 
 (define e
   (make-exercise 'frequency 'expression "How fast, at #e1e99 or #x10?"

@@ -12,7 +12,7 @@
          (only-in racket/file file->string)
          (only-in racket/list count)
          racket/runtime-path
-         rackunit)
+         "../../support/checks.rkt")
 
 (define-runtime-path folder "../../../../examples/mechanics/worksheets")
 

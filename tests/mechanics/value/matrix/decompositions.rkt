@@ -3,8 +3,7 @@
 ;; matrices.
 
 (require mechanics
-         rackunit
-         "../../support/close.rkt")
+         "../../support/checks.rkt" "../../support/close.rkt")
 
 ;; sizes : how many vectors are expected, for each eigenvalue
 (define (check-eigenvectors m sizes) (void (checked-eigenvectors m sizes)))

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Characteristic polynomials and eigenvalues.
 
-(require rackunit
-         mechanics
-         "../../support/random.rkt" "../../support/same.rkt")
+(require mechanics
+         "../../support/checks.rkt" "../../support/random.rkt" "../../support/same.rkt")
 
 (test-case "the characteristic polynomial is the determinant of x - m, at any x"
   (with-seed 461

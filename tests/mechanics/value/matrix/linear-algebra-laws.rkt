@@ -2,9 +2,8 @@
 ;; Linear algebra over expressions, as it is typed: laws proved, random matrices
 ;; against their values, matrices with a name, and what singular ones say.
 
-(require rackunit
-         mechanics
-         "../../support/random.rkt" "../../support/same.rkt")
+(require mechanics
+         "../../support/checks.rkt" "../../support/random.rkt" "../../support/same.rkt")
 
 (define (symbols n [name 'a])
   (m:generate n n (lambda (i j) (string->symbol (format "~a~a~a" name i j)))))

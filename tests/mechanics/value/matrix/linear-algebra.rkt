@@ -2,15 +2,14 @@
 ;; Linear algebra on matrices and on structures: determinants, transposes,
 ;; systems, and structures as matrices.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/error/failure
          mechanics/value/matrix/linear-algebra
          mechanics/value/matrix/matrix
          mechanics/value/structure
          mechanics/calculus/derivative
-         "../../support/random.rkt" "../../support/same.rkt"
+         "../../support/checks.rkt" "../../support/random.rkt" "../../support/same.rkt"
          "../../support/random/element.rkt")
 
 (define scalars (list random-rational random-flonum random-expression random-dual))

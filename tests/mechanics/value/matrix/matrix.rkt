@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Matrices: construction, access, printing, their action on tuples.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/generic/elementary
          mechanics/generic/compare
          mechanics/value/matrix/matrix
@@ -10,7 +9,7 @@
          mechanics/value/matrix/linear-algebra
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
-         "../../support/random.rkt" "../../support/same.rkt"
+         "../../support/checks.rkt" "../../support/random.rkt" "../../support/same.rkt"
          "../../support/random/element.rkt")
 
 (define M (matrix-by-rows '(1 2 3) '(a b c)))

@@ -1,11 +1,10 @@
 #lang racket/base
 ;; The algorithms under determinants and systems, on vectors of rows.
 
-(require rackunit
-         mechanics/generic/arithmetic
+(require mechanics/generic/arithmetic
          mechanics/error/failure
          mechanics/value/matrix/row-systems
-         "../../support/random.rkt" "../../support/same.rkt")
+         "../../support/checks.rkt" "../../support/random.rkt" "../../support/same.rkt")
 
 (define (rows n entry)
   (for/vector ([i n]) (for/vector ([j n]) (entry i j))))

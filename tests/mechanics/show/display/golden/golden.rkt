@@ -7,11 +7,11 @@
 (require mechanics
          (only-in mechanics/pict ->pict)
          (only-in mechanics/show/plot/on-demand why-not)
+         "../../../support/checks.rkt"
          "../../../support/golden/values.rkt" "../../../support/skip.rkt"
          (only-in racket/file file->string)
          racket/runtime-path
-         (only-in racket/string string-join)
-         rackunit)
+         (only-in racket/string string-join))
 
 (define-runtime-path here ".")
 

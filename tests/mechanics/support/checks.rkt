@@ -1,0 +1,99 @@
+#lang racket/base
+;; The checks and test cases of rackunit, compiled in less time.
+;;
+;; A check of rackunit expands to functions with keywords, contracts and syntax objects, and there
+;; are thousands of checks.  Here it is a call of `run-check` with a datum that says where the
+;; check stands and how it reads.  What is counted and what a failure tells are rackunit's.
+;;
+;; Its `fail` is left out: maps of the book have an argument of this name.
+
+(require (for-syntax racket/base)
+         (prefix-in rackunit: rackunit)
+         (only-in rackunit
+                  current-check-handler exn:test:check exn:test:check? fail-check
+                  with-check-info))
+
+(provide
+ ;; as rackunit has them
+ check check-equal? check-eq? check-eqv? check-= check-within check-true check-false
+ check-not-equal? check-not-eq? check-not-false check-pred check-exn check-not-exn
+ check-regexp-match
+ test-case define-check
+ current-check-handler exn:test:check exn:test:check? fail-check with-check-info)
+
+;; ---------------------------------------------------------------------------
+;; Running
+
+(define (run-test name thunk)
+  (unless (string? name) (raise-argument-error 'test-case "string?" name))
+  (parameterize ([rackunit:current-test-name name]) (rackunit:test-begin (thunk))))
+
+;; place : (location . expression), a location as rackunit has it
+(define (run-check place thunk)
+  (rackunit:with-default-check-info*
+   (list (rackunit:make-check-name (cadr place))
+         (rackunit:make-check-location (car place))
+         (rackunit:make-check-expression (cdr place)))
+   (lambda () ((rackunit:current-check-around) thunk))))
+
+(define (call-with-parameters values message thunk)
+  (rackunit:with-default-check-info*
+   (cons (rackunit:make-check-params values)
+         (if message (list (rackunit:make-check-message message)) '()))
+   thunk))
+
+;; ---------------------------------------------------------------------------
+;; Expansion
+
+(begin-for-syntax
+  ;; file, line, column, position and span
+  (define (location stx)
+    (define source (syntax-source stx))
+    (list (if (path? source) (regexp-replace #rx"^.*/(?=tests/)" (path->string source) "") source)
+          (syntax-line stx) (syntax-column stx) (syntax-position stx) (syntax-span stx)))
+
+  ;; procedure : identifier -> transformer of a check
+  (define ((check-by procedure) stx)
+    (with-syntax ([place (location stx)] [procedure procedure])
+      (syntax-case stx ()
+        [(name . arguments)
+         #`(run-check '(place name . arguments)
+                      #,(syntax/loc stx (lambda () (procedure . arguments))))]
+        [name
+         #'(lambda arguments
+             (run-check '(place name) (lambda () (apply procedure arguments))))]))))
+
+(define-syntax (test-case stx)
+  (syntax-case stx ()
+    [(_ name body ...) #`(run-test name #,(syntax/loc stx (lambda () (void) body ...)))]))
+
+(define-syntax-rule (define-check (name formal ...) body ...)
+  (begin
+    (define (procedure formal ... [message #f])
+      (call-with-parameters (list formal ...) message (lambda () body ... (void))))
+    (define-syntax name (check-by #'procedure))))
+
+(define-syntax-rule (define-checks [name original] ...)
+  (begin (define-check-by name original) ...))
+
+(define-syntax-rule (define-check-by name original)
+  (begin
+    (define procedure original)
+    (define-syntax name (check-by #'procedure))))
+
+(define-checks
+  [check rackunit:check]
+  [check-equal? rackunit:check-equal?]
+  [check-eq? rackunit:check-eq?]
+  [check-eqv? rackunit:check-eqv?]
+  [check-= rackunit:check-=]
+  [check-within rackunit:check-within]
+  [check-true rackunit:check-true]
+  [check-false rackunit:check-false]
+  [check-not-equal? rackunit:check-not-equal?]
+  [check-not-eq? rackunit:check-not-eq?]
+  [check-not-false rackunit:check-not-false]
+  [check-pred rackunit:check-pred]
+  [check-exn rackunit:check-exn]
+  [check-not-exn rackunit:check-not-exn]
+  [check-regexp-match rackunit:check-regexp-match])
