@@ -3,19 +3,15 @@
 
 (require racket/file
          racket/port
-         "support/checks.rkt"
+         "support/checks.rkt" "support/folder.rkt"
          (file "../../.ci/compile.rkt"))
 
 (define (call-with-modules n f)
-  (define folder (make-temporary-file "mechanics-compiling-~a" 'directory))
-  (dynamic-wind
-   void
-   (lambda ()
-     (f (for/list ([i n])
-          (define file (build-path folder (format "m~a.rkt" i)))
-          (display-to-file (format "(module m~a '#%kernel ~a)" i i) file)
-          file)))
-   (lambda () (delete-directory/files folder))))
+  (with-folder (folder)
+    (f (for/list ([i n])
+         (define file (build-path folder (format "m~a.rkt" i)))
+         (display-to-file (format "(module m~a '#%kernel ~a)" i i) file)
+         file))))
 
 (define (compiled? file)
   (define-values (folder name directory?) (split-path file))

@@ -6,21 +6,17 @@
          racket/port
          racket/runtime-path
          racket/string
-         "support/checks.rkt")
+         "support/checks.rkt" "support/folder.rkt")
 
 (define-runtime-path lint "../../.ci/lint.rkt")
 
 ;; files : ((name . text) ...); options : those of the command, texts
 ;; -> exit code, lines without the folder
 (define (lint-findings files . options)
-  (define folder (make-temporary-file "lint-~a" 'directory))
-  (dynamic-wind
-   void
-   (lambda ()
-     (for ([file (in-list files)])
-       (display-to-file (cdr file) (build-path folder (car file))))
-     (apply run-lint folder options))
-   (lambda () (delete-directory/files folder))))
+  (with-folder (folder)
+    (for ([file (in-list files)])
+      (display-to-file (cdr file) (build-path folder (car file))))
+    (apply run-lint folder options)))
 
 (define (run-lint folder . options)
   (define-values (process out in err)

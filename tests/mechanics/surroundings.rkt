@@ -6,8 +6,12 @@
          racket/port
          racket/runtime-path
          racket/string
+<<<<<<< HEAD
          "support/checks.rkt"
          (file "../../.ci/compile.rkt")
+=======
+         "support/checks.rkt" "runner/compile.rkt" "support/folder.rkt"
+>>>>>>> 500d7152 (tests: folders of a test in support/folder.rkt, shared systems from one)
          "support/skip.rkt")
 
 (define-runtime-path script "../../.ci/ensure-racket.sh")
@@ -18,15 +22,11 @@
 ;; programs : ((name line ...) ...), shell scripts; settings : ((name . value) ...)
 ;; -> exit code, what was said
 (define (ensure programs #:settings [settings '()])
-  (define folder (make-temporary-file "mechanics-path-~a" 'directory))
-  (dynamic-wind
-   void
-   (lambda ()
-     (for ([tool (in-list tools)])
-       (make-file-or-directory-link (find-executable-path tool) (build-path folder tool)))
-     (for ([program (in-list programs)]) (make-script folder (car program) (cdr program)))
-     (run-in folder settings))
-   (lambda () (delete-directory/files folder))))
+  (with-folder (folder)
+    (for ([tool (in-list tools)])
+      (make-file-or-directory-link (find-executable-path tool) (build-path folder tool)))
+    (for ([program (in-list programs)]) (make-script folder (car program) (cdr program)))
+    (run-in folder settings)))
 
 (define (make-script folder name lines)
   (define file (build-path folder name))

@@ -8,7 +8,7 @@
          (only-in mechanics/compile/closures program->closure-maker)
          (only-in mechanics/compile/program place program program-outputs)
          (only-in mechanics/compile/tiers program->tiered-maker tiered-maker)
-         "../support/checks.rkt")
+         "../support/checks.rkt" (only-in "../support/systems.rkt" L-chain))
 
 (define (run maker p input)
   (define output (make-flvector (vector-length (program-outputs p))))
@@ -34,20 +34,8 @@
                (list (flvector 0.3 0.7) (flvector -0.3 0.7) (flvector 2.5 -1.0)
                      (flvector 0.0 0.0) (flvector +inf.0 +nan.0))))
 
-(define (chain n)
-  (compose (lambda (local)
-             (- (* 1/2 (dot-product (velocity local) (velocity local)))
-                (* 9.8 (ref (coordinate local) (- n 1) 1))))
-           (F->C (lambda (local)
-                   (let loop ([k 0] [x 0] [y 0] [places '()])
-                     (if (= k n)
-                         (apply up (reverse places))
-                         (let ([x (+ x (sin (ref (coordinate local) k)))]
-                               [y (- y (cos (ref (coordinate local) k)))])
-                           (loop (+ k 1) x y (cons (up x y) places)))))))))
-
 (test-case "systems of equations, two in one program"
-  (define one (Lagrangian->state-derivative (chain 3)))
+  (define one (Lagrangian->state-derivative (L-chain 3 9.8)))
   (define start (up 0.0 (up 0.1 0.2 0.4) (up 0.5 -0.3 0.2)))
   (check-tiers (lambda (s) (up (one s) (one (* 2 s)))) start
                (list (flvector 0.0 0.1 0.2 0.4 0.5 -0.3 0.2) (make-flvector 7 0.0))))

@@ -14,6 +14,9 @@
     (parameterize ([current-namespace space]) (dynamic-require file name)))
   (use get space))
 
+(define-syntax-rule (with-fixture (get space) body ...)
+  (call-with-fixture (lambda (get space) body ...)))
+
 (define (message-of thunk)
   (with-handlers ([exn:fail? exn-message]) (thunk)))
 
@@ -29,48 +32,44 @@
 ;; ---------------------------------------------------------------------------
 
 (test-case "a file whose body fails says the same thing every time, and is tried once"
-  (call-with-fixture
-   (lambda (get space)
-     (for ([name '(one one another)])
-       (check-equal? (message-of (get name)) "no such library here"))
-     (check-equal? ((get 'events)) '(tried)))))
+  (with-fixture (get space)
+    (for ([name '(one one another)])
+      (check-equal? (message-of (get name)) "no such library here"))
+    (check-equal? ((get 'events)) '(tried))))
 
 (test-case "a file that stands on one whose body failed says what that said"
-  (call-with-fixture
-   (lambda (get space)
-     (for ([name '(one standing standing)])
-       (check-equal? (message-of (get name)) "no such library here")))))
+  (with-fixture (get space)
+    (for ([name '(one standing standing)])
+      (check-equal? (message-of (get name)) "no such library here"))))
 
 (test-case "two threads that ask at once load once"
-  (call-with-fixture
-   (lambda (get space)
-     (define slow (get 'slow-value))
-     (define asking (make-semaphore))
-     (define threads
-       (for/list ([i 3])
-         (thread (lambda ()
-                   (semaphore-post asking)
-                   (slow)))))
-     (for ([_ 3]) (semaphore-wait asking))
-     (wait-for-loading get)
-     ((get 'open-gate))
-     (for-each thread-wait threads)
-     (check-slow-done get))))
+  (with-fixture (get space)
+    (define slow (get 'slow-value))
+    (define asking (make-semaphore))
+    (define threads
+      (for/list ([i 3])
+        (thread (lambda ()
+                  (semaphore-post asking)
+                  (slow)))))
+    (for ([_ 3]) (semaphore-wait asking))
+    (wait-for-loading get)
+    ((get 'open-gate))
+    (for-each thread-wait threads)
+    (check-slow-done get)))
 
 (test-case "a break reaches the caller while the file is loading, and the loading goes on"
-  (call-with-fixture
-   (lambda (get space)
-     (define slow (get 'slow-value))
-     (define seen #f)
-     (define caller
-       (thread (lambda ()
-                 (with-handlers ([exn:break? (lambda (e) (set! seen ((get 'events))))])
-                   (slow)))))
-     (wait-for-loading get)
-     (break-thread caller)
-     (thread-wait caller)
-     (check-equal? seen '(begun))
-     (check-slow-done get))))
+  (with-fixture (get space)
+    (define slow (get 'slow-value))
+    (define seen #f)
+    (define caller
+      (thread (lambda ()
+                (with-handlers ([exn:break? (lambda (e) (set! seen ((get 'events))))])
+                  (slow)))))
+    (wait-for-loading get)
+    (break-thread caller)
+    (thread-wait caller)
+    (check-equal? seen '(begun))
+    (check-slow-done get)))
 
 (test-case "killing the caller does no harm, nor does a limit of time"
   (define ((killed-by kill) get space)
@@ -90,22 +89,19 @@
                 (custodian-shutdown-all limits)))))
 
 (test-case "a file that is being loaded may ask for another"
-  (call-with-fixture
-   (lambda (get space)
-     ((get 'open-gate))
-     (check-equal? ((get 'nested-value)) 2))))
+  (with-fixture (get space)
+    ((get 'open-gate))
+    (check-equal? ((get 'nested-value)) 2)))
 
 (test-case "who holds the lock of the namespace may ask"
-  (call-with-fixture
-   (lambda (get space)
-     (define slow (get 'slow-value))
-     ((get 'open-gate))
-     (check-equal? (namespace-call-with-registry-lock space slow) 1))))
+  (with-fixture (get space)
+    (define slow (get 'slow-value))
+    ((get 'open-gate))
+    (check-equal? (namespace-call-with-registry-lock space slow) 1)))
 
 (test-case "a file is loaded into the namespace of the one who asks"
-  (call-with-fixture
-   (lambda (get space)
-     (check-true ((get 'same-namespace?) space)))))
+  (with-fixture (get space)
+    (check-true ((get 'same-namespace?) space))))
 
 (test-case "what wants the caller's thread is loaded there"
   (call-with-fixture

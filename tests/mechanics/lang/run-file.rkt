@@ -4,19 +4,20 @@
 (require compiler/find-exe
          racket/file
          racket/port
+<<<<<<< HEAD
          "../support/checks.rkt"
+=======
+         racket/string
+         "../support/checks.rkt" "../support/folder.rkt"
+>>>>>>> 500d7152 (tests: folders of a test in support/folder.rkt, shared systems from one)
          "../support/run-text.rkt" "../support/skip.rkt" "../support/terminal.rkt")
 
 ;; f : the folder ->
 (define (call-in-folder files f)
-  (define folder (make-temporary-file "mechanics-run-~a" 'directory))
-  (dynamic-wind
-   void
-   (lambda ()
-     (for ([file (in-list files)])
-       (display-to-file (apply lines (cdr file)) (build-path folder (car file))))
-     (f folder))
-   (lambda () (delete-directory/files folder))))
+  (with-folder (folder)
+    (for ([file (in-list files)])
+      (display-to-file (apply lines (cdr file)) (build-path folder (car file))))
+    (f folder)))
 
 ;; -> output, errors, exit code
 (define (run folder . arguments)

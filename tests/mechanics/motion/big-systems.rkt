@@ -5,7 +5,7 @@
          mechanics
          (only-in mechanics/motion/system/Lagrangian-code Lagrangian-code)
          (only-in mechanics/value/shape structure->flvector flvector->structure shape-length)
-         "../support/checks.rkt")
+         "../support/checks.rkt" (only-in "../support/systems.rkt" L-chain))
 
 (define (code L state) (Lagrangian-code 'test (Lagrangian->state-derivative L) state))
 
@@ -23,19 +23,7 @@
 
 (define (flat-state n) (up 0.0 (vector->up (make-vector n 0.3)) (vector->up (make-vector n 0.1))))
 
-;; A chain of n links, in rectangular coordinates pulled back
-(define (chain n)
-  (compose (lambda (local)
-             (define-values (q v) (values (coordinate local) (velocity local)))
-             (for/fold ([sum 0]) ([k (in-range n)])
-               (+ sum (- (* 1/2 (square (ref v k))) (* 9.8 (ref q k 1))))))
-           (F->C (lambda (local)
-                   (let loop ([k 0] [x 0] [y 0] [places '()])
-                     (if (= k n)
-                         (apply up (reverse places))
-                         (let ([x (+ x (sin (ref (coordinate local) k)))]
-                               [y (- y (cos (ref (coordinate local) k)))])
-                           (loop (+ k 1) x y (cons (up x y) places)))))))))
+(define (chain n) (L-chain n 9.8))
 
 (random-seed 170)
 

@@ -5,7 +5,7 @@
 (require racket/string
          mechanics
          (only-in mechanics/book L-harmonic L-pendulum L-rotating-polar L-uniform-acceleration)
-         "../support/checks.rkt")
+         "../support/checks.rkt" (only-in "../support/systems.rkt" L-Foucault))
 
 (define (alternatives v)
   (for/list ([way (verdict-alternatives v)]) (map expression way)))
@@ -13,11 +13,6 @@
 (define line (up 't 'x 'v))
 (define polar (up 't (up 'r 'phi) (up 'rdot 'phidot)))
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
-
-(define ((L-Foucault m k Omega beta) (up t (up x y) (up vx vy)))
-  (+ (* 1/2 m (+ (square vx) (square vy)))
-     (* m Omega (sin beta) (- (* x vy) (* y vx)))
-     (* -1/2 k (+ (square x) (square y)))))
 
 (test-case "Foucault's pendulum: the rate of its plane, for both components together"
   (define (path t)

@@ -2,7 +2,7 @@
 ;; Equilibria and their stability: by formulas, by numbers, as verdicts.
 
 (require mechanics
-         "../support/checks.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/systems.rkt")
 
 (define line (up 't 'theta 'thetadot))
 (define plane (up 't (up 'x 'y) (up 'vx 'vy)))
@@ -12,12 +12,7 @@
   (+ (* 1/2 m (square R) (+ (square v) (square (* omega (sin theta)))))
      (* m g R (cos theta))))
 
-(define ((L-pendulums m1 m2 l g) (up t (up a b) (up va vb)))
-  (- (+ (* 1/2 (+ m1 m2) (square (* l va)))
-        (* 1/2 m2 (square (* l vb)))
-        (* m2 (square l) va vb (cos (- a b))))
-     (* -1 (+ m1 m2) g l (cos a))
-     (* -1 m2 g l (cos b))))
+(define (L-pendulums m1 m2 l g) (L-double-pendulum m1 m2 l l g))
 
 (define ((L-potential V) (up t q v)) (- (* 1/2 'm (square v)) (V q)))
 

@@ -3,7 +3,8 @@
 
 (require mechanics
          (only-in mechanics/book L-harmonic L-pendulum L-rotating-polar L-uniform-acceleration)
-         "../support/checks.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt"
+         (only-in "../support/systems.rkt" L-Foucault))
 
 (define (oscillation t) (* 'a (cos (+ (* 'omega t) 'phi))))
 (define v (verify-solution (L-harmonic 'm 'k) oscillation))
@@ -69,10 +70,6 @@
 ;; The question again
 
 (define (momentum (up t (up r phi) (up rdot phidot))) (* 'm (square r) phidot))
-(define ((L-Foucault m k Omega beta) (up t (up x y) (up vx vy)))
-  (+ (* 1/2 m (+ (square vx) (square vy)))
-     (* m Omega (sin beta) (- (* x vy) (* y vx)))
-     (* -1/2 k (+ (square x) (square y)))))
 (define ((L-free m) (up t q v)) (* 1/2 m (square v)))
 (define circle (holonomic (lambda (t q) (- (square q) (square 'R)))))
 (define (damped t) (* (exp (* -1 'gamma t)) (cos (* 'omega t))))

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; What a verdict remarks on the question: answers that say less than they seem to.
 
-(require mechanics "../support/checks.rkt")
+(require mechanics (only-in mechanics/book L-harmonic) "../support/checks.rkt")
 
-(define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))
 (define ((L-forgetful m) local) (* 1/2 m (square 'v)))
 
 (define (note v) (verdict-remarks v))

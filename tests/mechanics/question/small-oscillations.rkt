@@ -2,14 +2,10 @@
 ;; Normal modes: known systems, and the equations that modes obey, of random systems.
 
 (require mechanics
-         "../support/checks.rkt" "../support/messages.rkt" "../support/random.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/random.rkt"
+         "../support/systems.rkt")
 
-(define ((L-pendulums m1 m2 l g) (up t (up a b) (up va vb)))
-  (- (+ (* 1/2 (+ m1 m2) (square (* l va)))
-        (* 1/2 m2 (square (* l vb)))
-        (* m2 (square l) va vb (cos (- a b))))
-     (* -1 (+ m1 m2) g l (cos a))
-     (* -1 m2 g l (cos b))))
+(define (L-pendulums m1 m2 l g) (L-double-pendulum m1 m2 l l g))
 
 (define ((L-plate k Omega) (up t (up x y) (up vx vy)))
   (- (* 1/2 (+ (square (- vx (* Omega y))) (square (+ vy (* Omega x)))))

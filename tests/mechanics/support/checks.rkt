@@ -97,3 +97,50 @@
   [check-exn rackunit:check-exn]
   [check-not-exn rackunit:check-not-exn]
   [check-regexp-match rackunit:check-regexp-match])
+
+;; ---------------------------------------------------------------------------
+
+(module+ test
+  ;; What the failure of a check tells: (listof (cons name value))
+  (define-syntax-rule (told check)
+    (with-handlers ([exn:test:check? information])
+      (parameterize ([current-check-handler raise]) check)))
+
+  (define (information failure)
+    (for/list ([i (in-list (rackunit:exn:test:check-stack failure))])
+      (cons (rackunit:check-info-name i) (rackunit:check-info-value i))))
+
+  (define (but-place infos) (filter (lambda (i) (not (memq (car i) '(location expression)))) infos))
+
+  (test-case "a failure tells what rackunit tells of it"
+    (define-syntax-rule (same name original argument ...)
+      (check-equal? (but-place (told (name argument ...)))
+                    (but-place (told (original argument ...)))
+                    (format "~a" 'name)))
+    (same check-equal? rackunit:check-equal? (+ 1 1) 3)
+    (same check-equal? rackunit:check-equal? (+ 1 1) 3 "a sum")
+    (same check-= rackunit:check-= 1 2 1/2)
+    (same check-true rackunit:check-true (odd? 2) "parity")
+    (same check-exn rackunit:check-exn exn:fail? void)
+    (same check-regexp-match rackunit:check-regexp-match #rx"b" "a"))
+
+  (test-case "it tells where the check stands, and how it reads"
+    (define infos (told (check-eqv? (+ 1 1) 3)))
+    (define (shown name) (format "~s" (cdr (assq name infos))))
+    (check-regexp-match #rx"[(]check-eqv[?] [(][+] 1 1[)] 3[)]" (shown 'expression))
+    (check-regexp-match #rx"tests/mechanics/support/checks.rkt\" [0-9]+ [0-9]+" (shown 'location)))
+
+  (test-case "a check of our own tells its name, what it was given and what it adds"
+    (define-check (check-odd n)
+      (with-check-info (['rest (remainder n 2)]) (unless (odd? n) (fail-check))))
+    (check-odd 3)
+    (define infos (told (check-odd 4 "of a pair")))
+    (check-equal? (map car infos) '(name location expression params message rest)))
+
+  (test-case "a check without arguments is a function"
+    (for-each check-true '(#t #t))
+    (check-pred pair? (told (for-each check-true '(#f)))))
+
+  (test-case "the name of a test case is a string"
+    (check-exn #rx"^test-case: contract violation\n  expected: string\\?"
+               (lambda () (run-test 'a void)))))

@@ -5,6 +5,7 @@
          racket/file
          racket/port
          racket/string
+         "folder.rkt"
          "run-text.rkt")
 
 (provide errors-of)
@@ -12,17 +13,13 @@
 ;; What running a file my.rkt of these lines, in a folder of its own, writes to its error port:
 ;; a list of lines.
 (define (errors-of . text)
-  (define folder (make-temporary-file "mechanics-errors-~a" 'directory))
-  (dynamic-wind
-   void
-   (lambda ()
-     (define file (build-path folder "my.rkt"))
-     (display-to-file (apply lines text) file)
-     (define-values (process out in err)
-       (parameterize ([current-directory folder]) (subprocess #f #f #f (find-exe) file)))
-     (close-output-port in)
-     (define written (port->string err))
-     (close-input-port out)
-     (close-input-port err)
-     (string-split (string-trim written) "\n"))
-   (lambda () (delete-directory/files folder))))
+  (with-folder (folder)
+    (define file (build-path folder "my.rkt"))
+    (display-to-file (apply lines text) file)
+    (define-values (process out in err)
+      (parameterize ([current-directory folder]) (subprocess #f #f #f (find-exe) file)))
+    (close-output-port in)
+    (define written (port->string err))
+    (close-input-port out)
+    (close-input-port err)
+    (string-split (string-trim written) "\n")))

@@ -2,10 +2,10 @@
 ;; Systems exported as C, built by the compiler that is here, and called.
 
 (require ffi/unsafe
-         racket/file
          racket/flonum
          racket/system
-         (only-in mechanics export-system))
+         (only-in mechanics export-system)
+         "folder.rkt")
 
 (provide compiler? build-folder call-with-export in-folder run-in
          exported-function exported-evolve exported-ensemble)
@@ -38,16 +38,12 @@
 ;; (use folder library) in a folder that is gone afterwards
 (define (call-with-export use name derivative example #:parameters [parameters #f]
                           #:derivatives? [derivatives? #f])
-  (define beside (make-temporary-file "export~a" 'directory))
-  (dynamic-wind
-   void
-   (lambda ()
-     (define folder (build-path beside name))
-     (export-system derivative example #:language 'C #:name name #:folder folder
-                    #:parameters parameters #:derivatives? derivatives?)
-     (build-folder folder)
-     (use folder (ffi-lib (build-path folder (string-append "lib" name ".so")))))
-   (lambda () (delete-directory/files beside))))
+  (with-folder (beside)
+    (define folder (build-path beside name))
+    (export-system derivative example #:language 'C #:name name #:folder folder
+                   #:parameters parameters #:derivatives? derivatives?)
+    (build-folder folder)
+    (use folder (ffi-lib (build-path folder (string-append "lib" name ".so"))))))
 
 ;; -> (state parameters -> flvector of so many numbers)
 (define (exported-function library name outputs)

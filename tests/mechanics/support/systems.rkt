@@ -3,7 +3,7 @@
 
 (require mechanics)
 
-(provide L-on-a-line L-orbital L-planar L-double-pendulum L-chain
+(provide L-Foucault L-on-a-line L-orbital L-planar L-double-pendulum L-chain
          straight-line literal-plane-path)
 
 ;; 1/2 m v² - V(x)
@@ -21,6 +21,12 @@
      (* m2 l1 l2 va vb (cos (- a b)))
      (* (+ m1 m2) g l1 (cos a))
      (* m2 g l2 (cos b))))
+
+;; A pendulum on the turning Earth, for small angles
+(define ((L-Foucault m k Omega beta) (up t (up x y) (up vx vy)))
+  (+ (* 1/2 m (+ (square vx) (square vy)))
+     (* m Omega (sin beta) (- (* x vy) (* y vx)))
+     (* -1/2 k (+ (square x) (square y)))))
 
 ;; n links of length 1 with masses 1 at their ends, hanging from one another.
 (define (L-chain n g)

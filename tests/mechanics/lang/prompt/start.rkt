@@ -3,14 +3,11 @@
 
 (require racket/file
          racket/string
-         "../../support/checks.rkt" "../../support/process.rkt" "../../support/run-text.rkt"
+         "../../support/checks.rkt"
+         "../../support/folder.rkt" "../../support/process.rkt" "../../support/run-text.rkt"
          "../../support/skip.rkt" "../../support/terminal.rkt")
 
 (define arguments '("-l" "mechanics/lang/prompt/start"))
-
-(define (call-with-home f)
-  (define home (make-temporary-file "mechanics-home-~a" 'directory))
-  (dynamic-wind void (lambda () (f home)) (lambda () (delete-directory/files home))))
 
 (define (history home)
   (for/or ([file (in-directory home)])
@@ -137,72 +134,66 @@
     (enter t "(frame 0 1 0 1)" #rx"empty\\)\n; to see a frame f: .*graphics-save"))
 
   (test-case "at a terminal without line editing"
-    (call-with-home
-     (lambda (home)
-       (call-at-terminal #:kind "dumb" arguments home check-session)
-       (check-false (history home)))))
+    (with-folder (home)
+      (call-at-terminal #:kind "dumb" arguments home check-session)
+      (check-false (history home))))
 
   (test-case "at Racket's own prompt a long result ends after a screen, too"
-    (call-with-home
-     (lambda (home)
-       (call-at-terminal
-        #:kind "dumb" '("-q" "-I" "mechanics") home
-        (lambda (t)
-          (prompted t)
-          (enter t "(for/list ([i 3000]) i)"
-                 #rx"; [0-9]+ more lines: \\(print-expression ...\\) prints all of it\n"))))))
+    (with-folder (home)
+      (call-at-terminal
+       #:kind "dumb" '("-q" "-I" "mechanics") home
+       (lambda (t)
+         (prompted t)
+         (enter t "(for/list ([i 3000]) i)"
+                #rx"; [0-9]+ more lines: \\(print-expression ...\\) prints all of it\n")))))
 
   (for ([kind '("dumb" "xterm")])
     (test-case (format "a prompt ends with its terminal, ~a" kind)
-      (call-with-home
-       (lambda (home)
-         (define note (build-path home "number"))
-         (call-at-terminal
-          #:kind kind arguments home
-          (lambda (t)
-            (prompted t)
-            (enter t "(require racket/os)" #rx"")
-            (enter t (format "(with-output-to-file ~s (lambda () (write (getpid))))"
-                             (path->string note))
-                   #rx"")
-            (type t "(up 1")
-            (close-terminal t)))
-         (check-true (gone? (file->value note)) "it still runs")))))
+      (with-folder (home)
+        (define note (build-path home "number"))
+        (call-at-terminal
+         #:kind kind arguments home
+         (lambda (t)
+           (prompted t)
+           (enter t "(require racket/os)" #rx"")
+           (enter t (format "(with-output-to-file ~s (lambda () (write (getpid))))"
+                            (path->string note))
+                  #rx"")
+           (type t "(up 1")
+           (close-terminal t)))
+        (check-true (gone? (file->value note)) "it still runs"))))
 
   (test-case "at a terminal where libedit is missing, which is said"
-    (call-with-home
-     (lambda (home)
-       (call-at-terminal
-        (list* "-l" "racket/base" "-e" (format "~s" without-editor) arguments) home
-        (lambda (t)
-          (shows t #rx"\nNo history and no completion .*apt install libedit2")
-          (check-session t))))))
+    (with-folder (home)
+      (call-at-terminal
+       (list* "-l" "racket/base" "-e" (format "~s" without-editor) arguments) home
+       (lambda (t)
+         (shows t #rx"\nNo history and no completion .*apt install libedit2")
+         (check-session t)))))
 
   (skip-unless (libedit?) "libedit (Debian: apt install libedit2) is not installed: no line editing"
     (test-case "at a terminal with line editing"
-      (call-with-home
-       (lambda (home) (call-at-terminal arguments home check-session))))
+      (with-folder (home) (call-at-terminal arguments home check-session)))
 
     (test-case "names are completed, entries come back, also in the next session"
-      (call-with-home
-       (lambda (home)
-         (call-at-terminal
-          arguments home
-          (lambda (t)
-            (prompted t)
-            (enter t "(define somewhere-else 'here)" #rx"")
-            (enter t "(list some\t)" #rx"\n'?\\(list '?here\\)|\n'\\(here\\)\n")
-            (enter t "(list Lagrangian->e\t 1)" #rx"Lagrangian->energy")
-            (type t "(define (f x)\r")
-            (shows t #rx"\n  $")
-            (enter t "   (list x 'seen))" #rx"")))
-         (check-equal? (caddr (reverse (history home))) "(list somewhere-else )")
-         (check-equal? (car (reverse (history home))) "(define (f x) (list x 'seen))")
-         (call-at-terminal
-          arguments home
-          (lambda (t)
-            (prompted t)
-            (type t (string-append escape "[A\r"))
-            (shows t #rx"\\(define \\(f x\\) \\(list x 'seen\\)\\)\n")
-            (prompted t)
-            (enter t "(f 'again)" #rx"\\(list again seen\\)|again seen"))))))))
+      (with-folder (home)
+        (call-at-terminal
+         arguments home
+         (lambda (t)
+           (prompted t)
+           (enter t "(define somewhere-else 'here)" #rx"")
+           (enter t "(list some\t)" #rx"\n'?\\(list '?here\\)|\n'\\(here\\)\n")
+           (enter t "(list Lagrangian->e\t 1)" #rx"Lagrangian->energy")
+           (type t "(define (f x)\r")
+           (shows t #rx"\n  $")
+           (enter t "   (list x 'seen))" #rx"")))
+        (check-equal? (caddr (reverse (history home))) "(list somewhere-else )")
+        (check-equal? (car (reverse (history home))) "(define (f x) (list x 'seen))")
+        (call-at-terminal
+         arguments home
+         (lambda (t)
+           (prompted t)
+           (type t (string-append escape "[A\r"))
+           (shows t #rx"\\(define \\(f x\\) \\(list x 'seen\\)\\)\n")
+           (prompted t)
+           (enter t "(f 'again)" #rx"\\(list again seen\\)|again seen")))))))

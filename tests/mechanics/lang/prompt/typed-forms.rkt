@@ -3,7 +3,7 @@
 
 (require mechanics/lang/prompt/typed-forms mechanics/lang/prompt/history
          racket/file
-         "../../support/checks.rkt")
+         "../../support/checks.rkt" "../../support/folder.rkt")
 
 (define (data text) (map syntax->datum (forms-in text)))
 
@@ -22,33 +22,26 @@
   (check-equal? (one-line "\"a\n b\"") "\"a\n b\"")
   (check-equal? (one-line ")") ")"))
 
-(define (call-with-folder f)
-  (define folder (make-temporary-file "mechanics-history-~a" 'directory))
-  (dynamic-wind void (lambda () (f folder)) (lambda () (delete-directory/files folder))))
-
 (test-case "entries are kept in the order in which they were made, in a folder that is made"
-  (call-with-folder
-   (lambda (folder)
-     (define file (build-path folder "new" "history"))
-     (check-equal? (earlier-entries file) '())
-     (for ([text '("(f x)" "λ \"q\"" "(f x)")]) (note-entry text file))
-     (check-equal? (earlier-entries file) '("(f x)" "λ \"q\"" "(f x)")))))
+  (with-folder (folder)
+    (define file (build-path folder "new" "history"))
+    (check-equal? (earlier-entries file) '())
+    (for ([text '("(f x)" "λ \"q\"" "(f x)")]) (note-entry text file))
+    (check-equal? (earlier-entries file) '("(f x)" "λ \"q\"" "(f x)"))))
 
 (test-case "a long history is cut from its beginning"
-  (call-with-folder
-   (lambda (folder)
-     (define file (build-path folder "history"))
-     (for ([i 2001]) (note-entry (number->string i) file))
-     (check-equal? (length (earlier-entries file)) 1000)
-     (check-equal? (car (file->list file)) "1001"))))
+  (with-folder (folder)
+    (define file (build-path folder "history"))
+    (for ([i 2001]) (note-entry (number->string i) file))
+    (check-equal? (length (earlier-entries file)) 1000)
+    (check-equal? (car (file->list file)) "1001")))
 
 (test-case "a file that cannot be read or written, or holds something else, is no error"
-  (call-with-folder
-   (lambda (folder)
-     (note-entry "a" folder)
-     (check-equal? (earlier-entries folder) '())
-     (define file (build-path folder "history"))
-     (display-to-file "(1 2) \"a\" )" file)
-     (check-equal? (earlier-entries file) '())
-     (display-to-file "(1 2) \"a\"" file #:exists 'truncate)
-     (check-equal? (earlier-entries file) '("a")))))
+  (with-folder (folder)
+    (note-entry "a" folder)
+    (check-equal? (earlier-entries folder) '())
+    (define file (build-path folder "history"))
+    (display-to-file "(1 2) \"a\" )" file)
+    (check-equal? (earlier-entries file) '())
+    (display-to-file "(1 2) \"a\"" file #:exists 'truncate)
+    (check-equal? (earlier-entries file) '("a"))))

@@ -14,7 +14,7 @@
          mechanics/lang/command/program-systems mechanics/lang/command/system-of-program
          tests/mechanics/support/exported tests/mechanics/support/random
          tests/mechanics/support/skip
-         "../../support/checks.rkt")
+         "../../support/checks.rkt" "../../support/folder.rkt")
 
 (define-runtime-path examples "../../../../examples/mechanics")
 
@@ -47,17 +47,13 @@
   (regexp-match? #rx"[(](evolve|evolve-trajectory|state-advancer) " own))
 
 (define (with-libraries s use)
-  (define folder (make-temporary-file "export~a" 'directory))
-  (dynamic-wind
-   void
-   (lambda ()
-     (define to (build-path folder "C"))
-     (write-exported 'test s 'C to #f "")
-     (define library (build-path to "rates.so"))
-     (run-in to "cc" "-std=c99" "-O2" "-Wall" "-Wextra" "-Werror" "-ffp-contract=off" "-fPIC"
-             "-shared" "-o" (path->string library) (string-append (exported-name s) ".c") "-lm")
-     (use (ffi-lib library)))
-   (lambda () (delete-directory/files folder))))
+  (with-folder (folder)
+    (define to (build-path folder "C"))
+    (write-exported 'test s 'C to #f "")
+    (define library (build-path to "rates.so"))
+    (run-in to "cc" "-std=c99" "-O2" "-Wall" "-Wextra" "-Werror" "-ffp-contract=off" "-fPIC"
+            "-shared" "-o" (path->string library) (string-append (exported-name s) ".c") "-lm")
+    (use (ffi-lib library))))
 
 ;; Racket's own hyperbolic functions are not those of C.
 (define own-functions '(sinh cosh tanh asinh acosh atanh erf))

@@ -2,14 +2,13 @@
 ;; Systems exported as packages of Python and modules for JAX, where these are installed.
 
 (require json
-         racket/file
          racket/flonum
          racket/list
          mechanics mechanics/book
          mechanics/value/shape
          tests/mechanics/support/exported tests/mechanics/support/python
          tests/mechanics/support/random tests/mechanics/support/skip
-         "../../support/checks.rkt")
+         "../../support/checks.rkt" "../../support/folder.rkt")
 
 (define numpy (and compiler? (python-with "numpy")))
 (define dask (and compiler? (python-with "numpy" "distributed")))
@@ -20,14 +19,10 @@
 (define example (up 't (up 'r 'phi) (up 'rdot 'phidot)))
 
 (define (call-with-exported target use)
-  (define folder (make-temporary-file "export~a" 'directory))
-  (dynamic-wind
-   void
-   (lambda ()
-     (export-system general example #:language target #:name "Kepler" #:folder folder
-                    #:replace? #t #:derivatives? #t)
-     (use folder))
-   (lambda () (delete-directory/files folder))))
+  (with-folder (folder)
+    (export-system general example #:language target #:name "Kepler" #:folder folder
+                   #:replace? #t #:derivatives? #t)
+    (use folder)))
 
 ;; What the script prints, read as JSON, with the list of rows as `rows`.
 (define (python-value python folder rows script)

@@ -11,15 +11,12 @@
          racket/port
          racket/string
          xml
-         "../../support/checks.rkt" "../../support/gif.rkt" "../../support/messages.rkt"
+         "../../support/checks.rkt"
+         "../../support/folder.rkt" "../../support/gif.rkt" "../../support/messages.rkt"
          "../../support/picture-programs.rkt" "../../support/skip.rkt")
 
 (define drawable? (not (why-no-pictures)))
 (define no-drawing "the shared libraries of racket/draw are not installed: no files")
-
-(define-syntax-rule (with-folder (folder) body ...)
-  (let ([folder (make-temporary-file "animation~a" 'directory)])
-    (dynamic-wind void (lambda () body ...) (lambda () (delete-directory/files folder)))))
 
 ;; The bytes of the file that is saved.
 (define (saved a extension)

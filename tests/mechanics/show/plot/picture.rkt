@@ -7,7 +7,7 @@
          (only-in pict pict-width pict-height)
          racket/file
          racket/string
-         "../../support/checks.rkt"
+         "../../support/checks.rkt" "../../support/folder.rkt"
          "../../support/messages.rkt" "../../support/picture-programs.rkt" "../../support/skip.rkt"
          "../../support/svg.rkt")
 
@@ -124,10 +124,6 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Files
-
-(define-syntax-rule (with-folder (folder) body ...)
-  (let ([folder (make-temporary-file "figures~a" 'directory)])
-    (dynamic-wind void (lambda () body ...) (lambda () (delete-directory/files folder)))))
 
 (skip-unless drawable? no-drawing
 
