@@ -195,8 +195,10 @@
         [(zero-here? b) (raise-no-derivative-at 'expt (list b n))]
         [else (g:* value (natural-log b))]))
 
-;; 2/√π, as exact as x
-(define (two-over-root-pi x)
+;; 2/√π, as exact as x; a series is as exact as its first coefficient
+(define (two-over-root-pi given)
+  (define component (and (has-kind? given) (kind-component (kind-of given))))
+  (define x (if component (component given 0) given))
   (cond [(number? x) 1.1283791670955126]
         [(symbolic? (comparand x)) (e:/ 2 (e:apply op:sqrt exact-pi))]
         [else (g:/ 2 (g:sqrt (g:* 4 (atan-1 (g:+ 1 (g:- x x))))))]))

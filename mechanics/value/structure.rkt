@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What one does with structures: take them apart, rebuild them, multiply them.
 
-(require "complex.rkt" "shape.rkt" "series/series-access.rkt" "series/series.rkt"
+(require "complex.rkt" "shape.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"
@@ -35,7 +35,6 @@
 ;; Component i of s, which was reached within `whole`.
 (define (ref-1 s i whole)
   (cond [(tuple? s) (tuple-ref s i)]
-        [(series? s) (series:ref s i)]
         [(and (has-kind? s) (kind-component (kind-of s))) => (lambda (component) (component s i))]
         [(procedure? s) (ref-of-function s i)]
         [(pair? s) (tuple-ref (list->vector s) i s)]
@@ -123,12 +122,6 @@
 (define (build-from f v . ws)
   (for/vector #:length (vector-length v) ([x (in-vector v)] [i (in-naturals)])
     (apply f x (for/list ([w (in-list ws)]) (vector-ref w i)))))
-
-;; f applied to each scalar, at any depth.
-(define (s:map/r f s)
-  (if (tuple? s)
-      (structure-map (lambda (e) (s:map/r f e)) (adopt s))
-      (f s)))
 
 ;; (f scalar accumulator) over all scalars, from the first to the last.
 (define (s:fold f start s)

@@ -10,7 +10,8 @@
 ;; Arguments of kernels are simplified first, by the simplifier above.
 
 (require racket/list
-         "angles.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "logarithms.rkt" "turns.rkt"
+         "angles.rkt" (only-in "circle.rkt" signed-angle) "collector.rkt" "exponentials.rkt"
+         "kernel.rkt" "logarithms.rkt" "turns.rkt"
          (only-in "../assumption/ledger.rkt" strict-sign)
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
@@ -86,6 +87,7 @@
 
 (define arithmetic (list op:+ op:- op:* op:/))
 (define inverse (operations-where arc))
+(define odd (cons op:atan (operations-where odd)))
 (define angular (append (operations-where circular) (operations-where hyperbolic)))
 
 ;; What a blocked node simplifies to stands for it; a sum as one kernel.
@@ -115,10 +117,19 @@
   (define x
     (or (exact-value simple)
         (and (memq (node-head simple) inverse)
-             (inverse-multiple (collector-simplifier c) simple))))
+             (inverse-multiple (collector-simplifier c) simple))
+        (opposite-value (collector-simplifier c) simple)))
   (if x
       (resolve-alias! c n x)
       (resolve! c n (intern-kernel! c simple))))
+
+;; -f(-u) for an odd f of a u with a negative leading term, else #f.
+(define (opposite-value s n)
+  (define (of u) (make-node (node-head n) (list u)))
+  (define args (node-args n))
+  (define signed
+    (and (null? (cdr args)) (memq (node-head n) odd) (signed-angle s (car args) of)))
+  (and signed (eqv? (cdr signed) -1) (e:negate (car signed))))
 
 ;; The value of a function of exact numbers if that is exact, as atan 0 and acos 1 are;
 ;; else #f.

@@ -2,8 +2,7 @@
 ;; What one does with series: make them, and look at as many terms as one wants.
 
 (require "coefficients.rkt" "series.rkt"
-         "../../error/complain.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
+         "../../generic/arithmetic.rkt"
          "../../generic/wrong-argument.rkt")
 
 (provide
@@ -37,22 +36,16 @@
   (check-series 'series:finite? s)
   (finite-series? s))
 
-;; The term of order k; of a power series, the coefficient.
-(define (series:ref s k)
-  (check-series 'series:ref s)
-  (check-count 'series:ref "the order of a term" k)
-  (series-term s k))
-
 ;; The list of the first n terms.
 (define (series:head s n)
   (check-series 'series:head s)
-  (check-count 'series:head "a number of terms" n)
+  (check-argument 'series:head exact-nonnegative-integer? n "a number of terms")
   (for/list ([k (in-range n)]) (series-term s k)))
 
 ;; The sum of the terms up to order n, n + 1 of them (SICM p. 463).
 (define (series:sum s n)
   (check-series 'series:sum s)
-  (check-count 'series:sum "the order of the last term" n)
+  (check-argument 'series:sum exact-nonnegative-integer? n "the order of the last term")
   (for/fold ([sum 0]) ([k (in-range (min (add1 n) (series-length s)))])
     (g:+ sum (series-term s k))))
 
@@ -64,7 +57,7 @@
 ;; usage : how to say of how many terms
 (define (for-each-term who usage f s n)
   (check-series who s)
-  (when n (check-count who "a number of terms" n))
+  (when n (check-argument who exact-nonnegative-integer? n "a number of terms"))
   (unless (or n (finite-series? s))
     (raise-arguments-error who
                            (string-append "the series does not end; say of how many terms: " usage)
@@ -80,16 +73,3 @@
      (lambda (k)
        (if (eqv? k 0) (series-term s 0) (g:+ (coefficient sums (sub1 k)) (series-term s k))))))
   (series-of sums))
-
-;; ---------------------------------------------------------------------------
-;; Errors
-
-(define (check-series who s)
-  (unless (series? s)
-    (complain who "expected a series; given ~a~a" (describe-with-value s)
-              (if (procedure? s)
-                  "\n  a function whose values are series must be applied first"
-                  ""))))
-
-(define (check-count who what n)
-  (unless (exact-nonnegative-integer? n) (complain-of-argument who what n)))

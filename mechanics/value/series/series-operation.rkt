@@ -9,6 +9,7 @@
 ;; it is known, and it looks only at what is.
 
 (require "coefficients.rkt"
+         "../../error/computed-once.rkt"
          "../../generic/arithmetic.rkt" "../../generic/kind.rkt" "../../generic/recurrence.rkt")
 
 (provide operate-1 operate-2 reduced)
@@ -97,21 +98,12 @@
   (define values (append (map wrap as) (list (wrap r))))
   (define gs
     (for/list ([partial (in-list (generic-op-partials op))])
-      (on-demand (lambda ()
-                   ;; of numbers the rule complains where there is no derivative; sequences
-                   ;; would go on with infinity
-                   (when (andmap number? numbers) (apply partial numbers))
-                   (unwrap (apply partial values))))))
+      (once (lambda ()
+              ;; of numbers the rule complains where there is no derivative; sequences
+              ;; would go on with infinity
+              (when (andmap number? numbers) (apply partial numbers))
+              (unwrap (apply partial values))))))
   r)
 
 (define (integrand a g k)
   (weighted-convolution (reader a) (coefficients-length a) g k))
-
-;; The value of a thunk, run when first needed.
-(define (on-demand thunk)
-  (define value #f)
-  (lambda ()
-    (or value
-        (let ([new (thunk)])
-          (set! value new)
-          new))))

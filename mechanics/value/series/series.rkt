@@ -14,9 +14,10 @@
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
          "../../generic/on-demand.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
-         "../../generic/value-struct.rkt")
+         "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt")
 
-(provide series? power-series? series-of power-series-of power-series-with-terms like-series
+(provide series:ref check-series
+         series? power-series? series-of power-series-of power-series-with-terms like-series
          series-coefficients series-term series-length finite-series? map-series
          coefficients-of collapse compared-terms powers-of)
 
@@ -31,6 +32,7 @@
              #:datum series-datum
              #:notation notation-of-series
              #:map (lambda (f s) (map-series (lambda (x) (map-leaves f x)) s))
+             #:component series:ref
              #:unary series-unary
              #:binary series-binary
              #:zero? (lambda (s)
@@ -62,6 +64,19 @@
 ;; A series of the same sort with other terms.
 (define (like-series s coefficients)
   (if (power-series? s) (power-series-of coefficients) (series-of coefficients)))
+
+;; The term of order k; of a power series, the coefficient.
+(define (series:ref s k)
+  (check-series 'series:ref s)
+  (check-argument 'series:ref exact-nonnegative-integer? k "the order of a term")
+  (series-term s k))
+
+(define (check-series who s)
+  (unless (series? s)
+    (complain who "expected a series; given ~a~a" (describe-with-value s)
+              (if (procedure? s)
+                  "\n  a function whose values are series must be applied first"
+                  ""))))
 
 (define (series-term s k) (coefficient (series-coefficients s) k))
 (define (series-length s) (coefficients-length (series-coefficients s)))
