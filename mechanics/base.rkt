@@ -17,7 +17,7 @@
                     assumptions-in-force call-assuming note-used! undeclared)
          "value/compose.rkt" "value/operator.rkt" "value/principal-value.rkt" "value/rewrite.rkt"
          "value/signature.rkt" "value/simplify.rkt" (except-in "value/structure.rkt" up down)
-         (only-in "value/symbols-like.rkt" typical-object)
+         (only-in "value/shape.rkt" typical-object)
          "value/complex.rkt" "value/vector.rkt"
          (except-in "value/matrix/linear-algebra.rkt" square-entries) "value/matrix/matrix.rkt"
          "value/matrix/quotient.rkt"

@@ -44,9 +44,11 @@
 
 ;; The parts of x with respect to a tag not less than any in x.
 (define (primal-part x tag)
-  (if (and (dual? x) (eqv? (dual-tag x) tag)) (dual-primal x) x))
+  (if (carries? x tag) (dual-primal x) x))
 (define (tangent-part x tag)
-  (if (and (dual? x) (eqv? (dual-tag x) tag)) (dual-tangent x) 0))
+  (if (carries? x tag) (dual-tangent x) 0))
+
+(define (carries? x tag) (and (dual? x) (eqv? (dual-tag x) tag)))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic: the chain rule
@@ -74,8 +76,6 @@
         [(constant? by-first by-second x y) value]
         [by-first (varying tag value (g:* by-first (dual-tangent a)))]
         [else (varying tag value (g:* by-second (dual-tangent b)))]))
-
-(define (carries? x tag) (and (dual? x) (eqv? (dual-tag x) tag)))
 
 ;; A quantity that varies though its first derivative vanishes, as x² at 0, keeps its ε: its
 ;; square root has no derivative, while the square root of a constant 0 has the derivative 0.

@@ -7,7 +7,7 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
          "../generic/up-down.rkt"
-         "../value/shape.rkt" (only-in "../value/structure.rkt" s:map/r))
+         "../value/shape.rkt")
 
 (provide evaluate-generically evaluate-at expression-derivative parts-of-expression)
 

@@ -29,10 +29,7 @@
 
 (define (residual who H S)
   (define (value-at t q)
-    (define value (S t q))
-    (unless (scalar? value)
-      (complain who "the value of ~a is to be a number; it is ~a"
-                (value->text S) (describe-with-value value)))
+    (check-scalar-value who "Hamilton's principal function" S (S t q))
     (define state (up t q (derivative-at (lambda (q) (S t q)) q)))
     (check-H-state who state)
     (g:+ (derivative-at (lambda (t) (S t q)) t) (H state)))

@@ -22,8 +22,7 @@
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/compose.rkt" "../value/shape.rkt" "../value/structure.rkt"
-         "../value/symbols-like.rkt")
+         "../value/compose.rkt" "../value/shape.rkt" "../value/structure.rkt")
 
 (provide canonical? compositional-canonical? canonical-H? canonical-K? qp-canonical?
          time-independent-canonical?
@@ -34,7 +33,12 @@
 ;; Two Hamiltonians
 
 ;; ((canonical? C H H') state) : the residual, (up 0 (up 0 ...) (down 0 ...)) if it holds
-(define (canonical? C H H-prime) (residual 'canonical? C H H-prime Hamiltonian->state-derivative))
+(define (canonical? C H H-prime)
+  (define checked (checked-transformation 'canonical? C))
+  (check-Hamiltonian 'canonical? H)
+  (check-Hamiltonian 'canonical? H-prime)
+  (commutation (call-datum 'canonical? C H) checked
+               (Hamiltonian->state-derivative H-prime) (Hamiltonian->state-derivative H)))
 
 ;; The same with the composition of H with C for the new Hamiltonian.
 (define (compositional-canonical? C H)
@@ -66,12 +70,6 @@
 (define (rates-of-state slopes)
   (define-values (by-q by-p) (split-at slopes (quotient (length slopes) 2)))
   (append by-p (map g:negate by-q)))
-
-(define (residual who C H H-prime flow)
-  (define checked (checked-transformation who C))
-  (check-Hamiltonian who H)
-  (check-Hamiltonian who H-prime)
-  (commutation (call-datum who C H) checked (flow H-prime) (flow H)))
 
 ;; state ↦ old(C(state)) − DC new(state), for two fields of directions
 (define (commutation datum C new old)

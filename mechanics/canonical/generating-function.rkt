@@ -68,45 +68,48 @@
 ;; new state ↦ old state
 (define (to-old who k F)
   (check-generator who k F)
-  (define solve (old-variable who k F))
-  (unary-function (call-datum who F) (state)
-    (check-H-state who state)
-    (define-values (t y) (values (time state) (part state (type-new k))))
-    (define x (solve state))
-    (state-of t (type-old k) x
-              (signed (old-sign k) (derivative-at (lambda (x) (F t x y)) x)))))
-
-;; new state ↦ the old variable in F.  The search for it begins with the coordinates or momenta of
-;; the state, as near a transformation that is close to the identity.
-(define (old-variable who k F)
-  (define number (number-valued who F))
-  (define s
-    (make-solver who (format "the old ~a" (named (type-old k))) "the new state"
-                 (lambda (place x)
-                   (define-values (t y) (time-and-variable place))
-                   (derivative-at (lambda (y) (number t x y)) y))))
-  (lambda (state)
-    (define y (part state (type-new k)))
-    (solution-at s (up (time state) y) (part state (type-old k))
-                 (signed (new-sign k) (part state (other (type-new k)))))))
+  (completed who F (new-of who k F) (old-of who k F)))
 
 ;; old state ↦ new state
 (define (to-new who k F)
   (check-generator who k F)
+  (completed who F (old-of who k F) (new-of who k F)))
+
+;; One of the two variables that F depends on: "old" or "new", 'q or 'p, the sign with which the
+;; derivative by it gives its conjugate; and F of the time, this variable and the other one
+(struct variable (age which sign at) #:authentic)
+
+(define (old-of who k F) (variable "old" (type-old k) (old-sign k) (number-valued who F)))
+(define (new-of who k F)
   (define number (number-valued who F))
-  (define s
-    (make-solver who (format "the new ~a" (named (type-new k))) "the old state"
-                 (lambda (place y)
-                   (define-values (t x) (time-and-variable place))
-                   (derivative-at (lambda (x) (number t x y)) x))))
+  (variable "new" (type-new k) (new-sign k) (lambda (t y x) (number t x y))))
+
+(define (slope v t x other) (derivative-at (lambda (x) ((variable-at v) t x other)) x))
+
+;; state with the known variable and its conjugate ↦ state with the one sought
+(define (completed who F known sought)
+  (define solve (solved who known sought))
+  (define which (variable-which sought))
   (unary-function (call-datum who F) (state)
     (check-H-state who state)
-    (define-values (t x) (values (time state) (part state (type-old k))))
-    (define y
-      (solution-at s (up t x) (part state (type-new k))
-                   (signed (old-sign k) (part state (other (type-old k))))))
-    (state-of t (type-new k) y
-              (signed (new-sign k) (derivative-at (lambda (y) (F t x y)) y)))))
+    (define-values (t x) (values (time state) (solve state)))
+    (state-of t which x
+              (signed (variable-sign sought)
+                      (slope sought t x (part state (variable-which known)))))))
+
+;; state with the known variable and its conjugate ↦ the one sought.  The search for it begins with
+;; the coordinates or momenta of the state, as near a transformation that is close to the identity.
+(define (solved who known sought)
+  (define which (variable-which known))
+  (define s
+    (make-solver who (format "the ~a ~a" (variable-age sought) (named (variable-which sought)))
+                 (format "the ~a state" (variable-age known))
+                 (lambda (place x)
+                   (define-values (t y) (time-and-variable place))
+                   (slope known t y x))))
+  (lambda (state)
+    (solution-at s (up (time state) (part state which)) (part state (variable-which sought))
+                 (signed (variable-sign known) (part state (other which))))))
 
 ;; place : (up t x), as a solver is given it
 (define (time-and-variable place) (values (ref place 0) (ref place 1)))
@@ -123,7 +126,7 @@
 
 (define (rate-of-generator who k F)
   (check-generator who k F)
-  (define solve (old-variable who k F))
+  (define solve (solved who (new-of who k F) (old-of who k F)))
   (unary-function (call-datum who F) (state)
     (check-H-state who state)
     (define-values (x y) (values (solve state) (part state (type-new k))))

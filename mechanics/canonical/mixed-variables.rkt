@@ -14,9 +14,9 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
-         "../value/by-shape.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/by-shape.rkt" "../value/shape.rkt"
          "../value/simplify.rkt"
-         "../value/structure.rkt" "../value/symbols-like.rkt"
+         "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt")
 
 (require-on-demand

@@ -14,7 +14,7 @@
          "../generic/printed-function.rkt" "../generic/scalar.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/filled-shape.rkt" "../value/shape.rkt" "../value/structure.rkt")
+         "../value/shape.rkt" "../value/structure.rkt")
 
 (provide polar-canonical polar-canonical-inverse
          two-particle-center-of-mass two-particle-center-of-mass-canonical)

@@ -8,7 +8,7 @@
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/generic-state.rkt"
-         "../value/filled-shape.rkt" "../value/shape.rkt" "../value/structure.rkt")
+         "../value/shape.rkt" "../value/structure.rkt")
 
 (provide check-transformation check-for-any-state
          transformed checked-transformation image-and-slopes)

@@ -16,7 +16,7 @@
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
          (only-in "../value/algebra.rkt" make-meaning)
-         "../value/filled-shape.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
          "../value/matrix/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
@@ -85,13 +85,8 @@
 (define (remark-on-exponents v residual state meaning)
   (define condition
     (and (null? (verdict-alternatives v))
-         (condition-on-exponents (entries residual) (scalars state) meaning)))
+         (condition-on-exponents (leaves residual) (scalars state) meaning)))
   (if condition (list (format "it is zero at all states if ~a" condition)) '()))
-
-(define (entries x)
-  (if (matrix? x)
-      (append-map vector->list (vector->list (matrix-rows x)))
-      (scalars x)))
 
 ;; Under a condition all must have values, and the transformation an inverse, as before.
 (define (meaning-of about state)

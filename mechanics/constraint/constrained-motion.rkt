@@ -22,7 +22,7 @@
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
          "../motion/system/manifold.rkt"
          "../numeric/constants.rkt"
-         "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/shape.rkt"
          (only-in "../value/structure.rkt" list->up zero-like))
 
 (provide constrained-state-derivative consistent-state)

@@ -13,7 +13,6 @@
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
          (only-in "../lagrangian/Lagrange-equations.rkt" check-Lagrangian)
-         "../value/symbols-like.rkt"
          "../value/shape.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 

@@ -14,7 +14,7 @@
          "../generic/wrong-argument.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/compose.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/compose.rkt" "../value/shape.rkt"
          (only-in "../value/structure.rkt" list->down list->up structure->list)
          "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt")
 

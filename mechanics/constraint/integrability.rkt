@@ -19,9 +19,8 @@
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../lagrangian/generic-state.rkt"
-         "../value/assumptions.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt"
          (only-in "../value/structure.rkt" list->down list->up zero-like)
-         "../value/symbols-like.rkt"
          "../value/matrix/row-systems.rkt"
          "../verdict/prove-zero.rkt" "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
 

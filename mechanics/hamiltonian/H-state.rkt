@@ -5,11 +5,12 @@
 ;; number.  With one coordinate both are numbers, and nothing in the state tells it from a
 ;; local tuple (t, q, v).
 
-(require "../error/complain.rkt" "../error/hint.rkt"
+(require (only-in "../calculus/literal-function.rkt" literal-down literal-up)
+         "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt"
-         (only-in "../value/structure.rkt" flip list->down list->up s:dimension s:length s:map/r))
+         (only-in "../value/structure.rkt" flip s:dimension s:length s:map/r))
 
 (provide ->H-state H-state? compatible-H-state?
          momentum momenta state->qp
@@ -78,11 +79,7 @@
 (define (literal-Hamiltonian-state n)
   (check-argument 'literal-Hamiltonian-state exact-positive-integer? n
                   "a number of coordinates, at least 1")
-  (define (names mark)
-    (for/list ([i (in-range n)]) (string->symbol (format mark i))))
-  (if (= n 1)
-      (up 't 'q 'p)
-      (up 't (list->up (names "q^~a")) (list->down (names "p_~a")))))
+  (if (= n 1) (up 't 'q 'p) (up 't (literal-up 'q n) (literal-down 'p n))))
 
 ;; ---------------------------------------------------------------------------
 ;; Bad states

@@ -22,11 +22,7 @@
 (define (Legendre-transform F)
   (check-takes 'Legendre-transform F 1 "expected a function of one argument, the velocities")
   (define (value given v)
-    (define x (F v))
-    (unless (scalar? x)
-      (complain 'Legendre-transform "the value of ~a is to be a number; it is ~a"
-                (value->text F) (describe-with-value x)))
-    x)
+    (check-scalar-value 'Legendre-transform "a function to be transformed" F (F v)))
   (define i (make-inverter 'Legendre-transform value))
   (printed-function (Legendre-transform F) (w)
     (transform-at i nothing-else w)))

@@ -20,8 +20,8 @@
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          (only-in "../lagrangian/state-derivative.rkt" directions->text)
          "../numeric/finite-number.rkt"
-         "../value/by-shape.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
-         "../value/simplify.rkt" "../value/structure.rkt" "../value/symbols-like.rkt"
+         "../value/by-shape.rkt" "../value/shape.rkt"
+         "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt")
 
 ;; Most Lagrangians are quadratic.

@@ -10,7 +10,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt"
-         "../value/filled-shape.rkt" "../value/shape.rkt")
+         "../value/shape.rkt")
 
 (provide phase-space-divergence)
 

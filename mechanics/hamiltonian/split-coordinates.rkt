@@ -8,7 +8,7 @@
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/filled-shape.rkt"
+         "../value/shape.rkt"
          (only-in "../value/structure.rkt" list->up s:length structure->list))
 
 (provide check-places in-two-parts parted-state joined-state)

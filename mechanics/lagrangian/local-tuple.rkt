@@ -6,7 +6,7 @@
 ;; each other.
 
 (require "several-paths.rkt"
-         "../calculus/derivative.rkt"
+         "../calculus/derivative.rkt" (only-in "../calculus/literal-function.rkt" literal-up)
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function-check.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/wrong-argument.rkt"
@@ -123,8 +123,5 @@
 (define (literal-Lagrangian-state n)
   (check-argument 'literal-Lagrangian-state exact-positive-integer? n
                   "a number of coordinates, at least 1")
-  (define (tuple name)
-    (if (= n 1)
-        name
-        (list->up (for/list ([i (in-range n)]) (string->symbol (format "~a^~a" name i))))))
+  (define (tuple name) (if (= n 1) name (literal-up name n)))
   (up 't (tuple 'q) (tuple 'qdot)))

@@ -14,7 +14,7 @@
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/printed-function.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt"
-         "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/shape.rkt"
          (only-in "../value/structure.rkt" flip ref s:map/r structure->list zero-like))
 
 (provide advance-perturbed flow-derivative

@@ -27,7 +27,7 @@
          "../lagrangian/external-force.rkt" "../lagrangian/generic-state.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../lagrangian/state-derivative.rkt" "../lagrangian/total-derivative.rkt"
-         "../value/assumptions.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/structure.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 

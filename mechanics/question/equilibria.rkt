@@ -18,7 +18,6 @@
          "../numeric/constants.rkt"
          "../search/find-root.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
-         (only-in "../value/structure.rkt" s:map/r) "../value/symbols-like.rkt"
          "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
 
 (provide verify-equilibrium equilibria find-equilibrium

@@ -26,7 +26,7 @@
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
-         "../value/assumptions.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../value/matrix/row-products.rkt"

@@ -14,7 +14,7 @@
          "../constraint/constraint.rkt"
          "../error/complain.rkt" "../error/note.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../value/algebra.rkt" "../value/shape.rkt" (only-in "../value/structure.rkt" s:map/r)
+         "../value/algebra.rkt" "../value/shape.rkt"
          "../verdict/verdict.rkt")
 
 (provide impose

@@ -29,28 +29,21 @@
 (define (meaning-of-states H states)
   (define t (string->uninterned-symbol "t"))
   (define state (states t))
-  (make-meaning (expressions-in (lambda () (H state)))
-                '()
-                (expressions-in (lambda () (state->qp state)))
-                (list t)))
+  (about H state #f #f (expressions-in (lambda () (state->qp state))) (list t)))
 
 ;; state : (up t q p) of symbols
 (define (meaning-of-quantity-in-phase-space H Q state)
-  (make-meaning (expressions-in (lambda () (H state)))
-                '()
-                (expressions-in (lambda () (Q state)))
-                (scalars state)))
+  (about H state #f #f (expressions-in (lambda () (Q state))) (scalars state)))
 
 ;; state : of symbols
 (define (meaning-of-Lagrangian L state) (about L state 1 #f '() '()))
+(define (meaning-of-Hamiltonian H state) (about H state #f #f '() '()))
 
-(define (meaning-of-Hamiltonian H state)
-  (make-meaning (expressions-in (lambda () (H state))) '() '() '()))
-
-(define (about L state n force moving variables)
-  (make-meaning (append (expressions-in (lambda () (L state)))
+;; n : the order of a Lagrangian; #f of a Hamiltonian, which has no mass matrix
+(define (about f state n force moving variables)
+  (make-meaning (append (expressions-in (lambda () (f state)))
                         (if force (expressions-in (lambda () (force state))) '()))
-                (mass-matrix L state n)
+                (if n (mass-matrix f state n) '())
                 moving
                 variables))
 

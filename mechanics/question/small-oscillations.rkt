@@ -18,7 +18,7 @@
          "../generic/up-down.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
-         "../value/filled-shape.rkt" "../value/simplify.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 

@@ -17,9 +17,8 @@
          "../generic/function.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/by-shape.rkt" "../value/filled-shape.rkt" "../value/simplify.rkt"
-         "../value/structure.rkt"
-         "../value/symbols-like.rkt")
+         "../value/by-shape.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/structure.rkt")
 
 (provide reduced-Hamiltonian state->reduced-state)
 

@@ -23,8 +23,7 @@
          "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/filled-shape.rkt" "../value/shape.rkt" "../value/simplify.rkt"
-         (only-in "../value/structure.rkt" s:map/r)
+         "../value/shape.rkt" "../value/simplify.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt")
 
 (provide separation-actions separation-frequencies)

@@ -16,7 +16,7 @@
          "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
-         "../value/assumptions.rkt" "../value/filled-shape.rkt" "../value/shape.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/simplify.rkt"
          "../verdict/prove-zero.rkt")
 

@@ -13,7 +13,8 @@
          "Euler-angles.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/printed-function.rkt")
+         "../generic/elementary.rkt" "../generic/printed-function.rkt"
+         "../numeric/optimization/golden-section.rkt")
 
 (provide V_eff top-potential nutation-range steady-precessions critical-spin)
 
@@ -97,12 +98,7 @@
 ;; -> the greatest value of f between −1 and 1, and where: f rises there to a maximum and falls,
 ;; and f(here) ≥ 0
 (define (greatest-between f here)
-  (define at
-    (let loop ([low -1.0] [high 1.0] [n 0])
-      (define-values (a b) (values (+ low (/ (- high low) 3)) (- high (/ (- high low) 3))))
-      (cond [(= n 120) (/ (+ low high) 2)]
-            [(< (f a) (f b)) (loop a high (+ n 1))]
-            [else (loop low b (+ n 1))])))
+  (define at (car (golden-section (lambda (u) (- (f u))) -1.0 1.0 (width-at-most 1e-15))))
   (define best (argmax f (list at here)))
   (values (f best) best))
 

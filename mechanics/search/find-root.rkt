@@ -118,11 +118,6 @@
 
 (define (raise-not-a-number x) (number 'derivative x))
 
-;; v : the derivatives by the first variable, by the second, ...
-(define (columns->rows n v)
-  (for/vector #:length n ([i (in-range n)])
-    (for/vector #:length n ([j (in-range n)]) (flvector-ref v (+ i (* j n))))))
-
 (define ((difference-jacobian value) x)
   (define n (flvector-length x))
   (define columns

@@ -10,14 +10,15 @@
 ;; first step is the implicit function theorem, dx = −J⁻¹ ∂f/∂a da.  Powers of ε above
 ;; the sum of the orders of all ε there are vanish, and with them the error.
 
-(require "../calculus/Taylor-number.rkt" "../calculus/perturbed-value.rkt"
+(require racket/flonum
+         "../calculus/Taylor-number.rkt" "../calculus/perturbed-value.rkt"
          "../calculus/recorded-number.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt"
          "../numeric/linear-algebra/flonum-systems.rkt" "../numeric/linear-algebra/row-matrix.rkt"
          "../value/shape.rkt")
 
-(provide plain varying-root raise-no-derivative total-order)
+(provide plain varying-root raise-no-derivative total-order columns->rows)
 
 ;; y with numbers in place of perturbed values
 (define (plain y)
@@ -51,6 +52,11 @@
 
 (define (raise-no-derivative who x [what no-inverse])
   (raise-singular who what x "at" x))
+
+;; v : the derivatives by the first variable, by the second, ...
+(define (columns->rows n v)
+  (for/vector #:length n ([i (in-range n)])
+    (for/vector #:length n ([j (in-range n)]) (flvector-ref v (+ i (* j n))))))
 
 ;; The sum of the orders of all ε in these values.
 (define (total-order xs)

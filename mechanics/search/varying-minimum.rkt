@@ -42,12 +42,12 @@
 (define no-inverse
   "the minimum has no derivative: the second derivatives have no inverse there")
 
+;; second : symmetric
 (define (second-rows who second n at)
   (unless second
     (raise-singular who "the minimum has no derivative: the function has no second ones there"
                     at "at" at))
-  (for/vector #:length n ([i (in-range n)])
-    (for/vector #:length n ([j (in-range n)]) (flvector-ref second (+ (* i n) j)))))
+  (columns->rows n second))
 
 (define (raise-kind who kind x)
   (raise-singular

@@ -1,12 +1,17 @@
 #lang racket/base
-;; Structures as their scalars in a row, of numbers as flvectors; and back.
+;; Structures as their scalars in a row, of numbers as flvectors; and back.  Structures of a given
+;; shape: made of lists, or of symbols that stand for any values.
 
 (require racket/flonum
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt")
 
-(provide scalars numeric? shape-length scalars->structure unknowns-like
-         structure->flvector flvector->structure vector->structure)
+(provide scalars numeric? shape-length
+         ;; of a given shape
+         scalars->structure list->structure flvector->structure vector->structure unit-structure
+         s:map/r unknowns-like symbols-like typical-object
+         ;; others
+         structure->flvector single-or)
 
 ;; The scalars of x, a scalar or a structure of them, from the first to the last.
 (define (scalars x)
@@ -29,21 +34,38 @@
           [else (set! k (+ k 1))
                 (f k)])))
 
+;; f applied to each scalar, at any depth.
+(define (s:map/r f s)
+  (if (tuple? s) (structure-map (lambda (e) (s:map/r f e)) (adopt s)) (f s)))
+
 (define (flvector->structure shape v)
   (scalars->structure shape (lambda (k) (flvector-ref v k))))
 
 (define (vector->structure shape v)
   (scalars->structure shape (lambda (k) (vector-ref v k))))
 
+;; xs : the scalars, in order
+(define (list->structure shape xs) (vector->structure shape (list->vector xs)))
+
+;; 1 for the scalar of index k, 0 for the others
+(define (unit-structure shape k) (scalars->structure shape (lambda (j) (if (= j k) 1 0))))
+
+;; The only element of the list xs, or (make xs)
+(define (single-or make xs) (if (and (pair? xs) (null? (cdr xs))) (car xs) (make xs)))
+
 ;; A structure of the shape of x, of symbols that stand in no expression; in place of a symbol is
 ;; one spelt like it, as it may be shown in a message.
 (define (unknowns-like x)
-  (define names (list->vector (scalars x)))
-  (scalars->structure x
-                      (lambda (k)
-                        (define name (vector-ref names k))
-                        (string->uninterned-symbol
-                         (if (symbol? name) (symbol->string name) "x")))))
+  (s:map/r (lambda (leaf)
+             (string->uninterned-symbol (if (symbol? leaf) (symbol->string leaf) "x")))
+           x))
+
+;; The same, of symbols that are numbered.
+(define (symbols-like x name)
+  (scalars->structure x (lambda (k) (string->uninterned-symbol (format "~a~a" name k)))))
+
+;; As scmutils has it
+(define (typical-object s) (symbols-like s "x"))
 
 ;; Calls (complain scalar) for a scalar that is not a real number; multiples of π are real numbers.
 (define (structure->flvector x complain)

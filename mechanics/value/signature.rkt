@@ -85,7 +85,7 @@
         [else
          (case (car d)
            [(X) (map parse-shape (cdr d))]
-           [(X* ^) (repeated d 'X values)]
+           [(X* ^) (repeated d 'X list)]
            [else (list (parse-shape d))])]))
 
 ;; A structure of functions, or a function, needs its counts before it is applied.
@@ -109,20 +109,17 @@
          (case (car d)
            [(UP X) (apply up (map parse-shape (cdr d)))]
            [(DOWN) (apply down (map parse-shape (cdr d)))]
-           [(UP* X* ^) (repeated d 'UP list->up)]
-           [(DOWN*) (repeated d 'DOWN list->down)]
+           [(UP* X* ^) (repeated d 'UP up)]
+           [(DOWN*) (repeated d 'DOWN down)]
            [else (raise-bad-shape d)])]
         [else (raise-bad-shape d)]))
-
-(define (list->up shapes) (apply up shapes))
-(define (list->down shapes) (apply down shapes))
 
 ;; (UP* shape n), or with the count open, which `^` cannot leave
 (define (repeated d kind make)
   (define parts (if (list? d) (length d) 0))
   (cond [(and (= parts 3) (exact-nonnegative-integer? (caddr d)))
          (define shape (parse-shape (cadr d)))
-         (make (for/list ([_ (in-range (caddr d))]) shape))]
+         (apply make (for/list ([_ (in-range (caddr d))]) shape))]
         [(and (= parts 2) (not (eq? (car d) '^))) (several kind (parse-shape (cadr d)))]
         [else (raise-bad-shape d)]))
 

@@ -20,8 +20,7 @@
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamilton-equations.rkt"
          "../../hamiltonian/Hamiltonian.rkt" "../../hamiltonian/Poisson-bracket.rkt"
          "../../value/by-shape.rkt" "../../value/operator.rkt" "../../value/shape.rkt"
-         "../../value/simplify.rkt" (only-in "../../value/structure.rkt" s:map/r)
-         "../../value/symbols-like.rkt")
+         "../../value/simplify.rkt")
 
 (require-on-demand ["../../calculus/expression-function.rkt" evaluate-at])
 

@@ -11,8 +11,7 @@
          "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt"
          "../../lagrangian/local-tuple.rkt"
-         "../../value/shape.rkt"
-         (only-in "../../value/structure.rkt" s:map/r))
+         "../../value/shape.rkt")
 
 (provide normal-form-transformation normal-form-inverse)
 

@@ -13,7 +13,7 @@
          "../../generic/function.rkt" "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt"
          "../../lagrangian/local-tuple.rkt"
-         "../../value/filled-shape.rkt")
+         "../../value/shape.rkt")
 
 (provide perturbation-transformation perturbation-inverse perturbation-solution
          ;; for verdicts

@@ -15,8 +15,7 @@
          "../../generic/wrong-argument.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
          "../../lagrangian/local-tuple.rkt"
-         "../../value/filled-shape.rkt" "../../value/shape.rkt" "../../value/simplify.rkt"
-         "../../value/symbols-like.rkt")
+         "../../value/shape.rkt" "../../value/simplify.rkt")
 
 (provide resonance-width resonance-center)
 

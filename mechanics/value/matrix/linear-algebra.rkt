@@ -297,8 +297,7 @@
 
 ;; The structures like s with one scalar 1 and all others 0, in order.
 (define (units s)
-  (for/list ([k (in-range (s:dimension s))])
-    (scalars->structure s (lambda (n) (if (= n k) 1 0)))))
+  (for/list ([k (in-range (s:dimension s))]) (unit-structure s k)))
 
 ;; The structure undoing rs ↦ (* ms rs).
 (define (s:inverse ls ms rs)

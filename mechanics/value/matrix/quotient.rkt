@@ -6,7 +6,7 @@
 ;; which knows of no linear algebra.
 
 (require "linear-algebra.rkt"
-         "../structure.rkt"
+         "../shape.rkt" "../structure.rkt"
          "../../algebra/expression/expression.rkt"
          "../../generic/arithmetic.rkt" "../../generic/function.rkt"
          "../../generic/kind.rkt" "../../generic/naming.rkt" "../../generic/scalar.rkt"
@@ -66,6 +66,4 @@
   (define n (structure-length like))
   (structure (flip-orientation (structure-orientation like))
              (for/vector #:length n ([j (in-range n)])
-               (solve-linear-left A (same-orientation like (unit n j))))))
-
-(define (unit n j) (for/vector #:length n ([i (in-range n)]) (if (= i j) 1 0)))
+               (solve-linear-left A (unit-structure like j)))))

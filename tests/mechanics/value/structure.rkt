@@ -2,7 +2,7 @@
 ;; Structures: access, construction, products.
 
 (require mechanics/generic/arithmetic
-         mechanics/value/structure mechanics/value/symbols-like
+         mechanics/value/structure (only-in mechanics/value/shape typical-object)
          mechanics/calculus/literal-function
          (only-in mechanics/scmutils dual-zero)
          "../support/checks.rkt"
