@@ -12,7 +12,7 @@
 (require (only-in "dual.rkt" constant?) "perturbed-value.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
-         "../generic/recurrence.rkt"
+         "../generic/recurrence.rkt" "../generic/sums-and-products.rkt"
          "../numeric/vector-map.rkt"
          "../value/series/coefficients.rkt" "../value/series/series-operation.rkt"
          "../value/series/series.rkt")
@@ -78,10 +78,10 @@
 
 ;; Other parts may contain the new ε, so that it takes arithmetic to put together.
 (define (retag tag f x)
-  (for/fold ([sum 0]) ([part (in-vector (jet-known x))] [k (in-naturals)])
+  (g:for/sum ([part (in-vector (jet-known x))] [k (in-naturals)])
     (define changed (f part))
-    (g:+ sum (cond [(eqv? k 0) changed]
-                   [else (g:* changed (make-jet tag (jet-order x) (unit k)))]))))
+    (cond [(eqv? k 0) changed]
+          [else (g:* changed (make-jet tag (jet-order x) (unit k)))])))
 
 (define (unit k)
   (define v (make-vector (add1 k) 0))

@@ -20,7 +20,7 @@
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
-(provide antiderivative)
+(provide antiderivative potential)
 
 ;; An expression whose derivative by the symbol x is e, or #f if none was found.
 ;; A : assumptions; branches? : may it have arcs, atan and asin, which jump where their
@@ -31,6 +31,13 @@
       (integral-of-waves simple x A)
       (and branches? (integral-of-quadratic simple x A))
       (integral-term-by-term simple x A branches?)))
+
+;; An expression whose derivatives by the symbols are the slopes, if they are those of any; #f where
+;; an antiderivative was not found.
+(define (potential slopes xs A)
+  (for/fold ([F 0]) ([slope (in-list slopes)] [x (in-list xs)])
+    (define rest (and F (antiderivative (e:- slope (expression-derivative F x)) x A)))
+    (and rest (simplify-expression (e:+ F rest) A))))
 
 (define (integral-term-by-term e x A branches?)
   (and (node? e)

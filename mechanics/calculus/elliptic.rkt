@@ -16,8 +16,9 @@
 
 (require "number-argument.rkt" "perturbed-value.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/rounding.rkt"
+         "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt"
          (prefix-in carlson: "../numeric/special/elliptic-integrals.rkt"))
 
@@ -61,9 +62,10 @@
   (check-modulus 'third-elliptic-integral k)
   (define who 'third-elliptic-integral)
   (unless (< (number-beneath who n) 1)
-    (complain who (string-append "expected a characteristic below 1, from where on the integral "
-                                 "does not converge; given ~a")
-              (describe-with-value n)))
+    (complain-of-argument who
+                          (string-append "a characteristic below 1, from where on the integral "
+                                         "does not converge")
+                          n))
   (pi-integral who n :pi/2 k))
 
 ;; (receive K E)
@@ -170,4 +172,4 @@
 
 (define (check-modulus who k)
   (unless (< -1 (number-beneath who k) 1)
-    (complain who "expected a modulus between -1 and 1; given ~a" (describe-with-value k))))
+    (complain-of-argument who "a modulus between -1 and 1" k)))

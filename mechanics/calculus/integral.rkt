@@ -15,6 +15,7 @@
          "perturbed-value.rkt"
          "moving-places.rkt" "recorded-number.rkt"
          "../generic/arithmetic.rkt" "../generic/branches.rkt" "../generic/elementary.rkt"
+         "../generic/sums-and-products.rkt"
          "../numeric/quadrature/improper.rkt")
 
 (provide integrate integral-by-components)
@@ -103,14 +104,14 @@
 ;; A short piece needs less relative precision, and allows no more: its ends are rounded.
 (define (sum-of-pieces t f ends)
   (define whole (abs (- (innermost (last ends)) (innermost (first ends)))))
-  (for/fold ([sum 0]) ([from (in-list ends)] [to (in-list (cdr ends))])
+  (g:for/sum ([from (in-list ends)] [to (in-list (cdr ends))])
     (define-values (a b) (values (innermost from) (innermost to)))
     (define part (/ (abs (- b a)) whole))
     (define tolerance
       (if (< 0.0 part 1.0)
           (min 1.0 (/ (task-tolerance t) part))
           (task-tolerance t)))
-    (g:+ sum (moving-piece t f from to (max tolerance (task-tolerance t))))))
+    (moving-piece t f from to (max tolerance (task-tolerance t)))))
 
 (define (moving-piece t f low high tolerance)
   (define-values (a b) (values (innermost low) (innermost high)))
@@ -184,9 +185,9 @@
 ;; order : of a jet, #f for a dual number
 (define (integral-by-parts integral f tag order)
   (define ε (if order (displaced tag order 0) (perturb tag 0)))
-  (for/fold ([sum 0]) ([k (in-range (add1 (or order 1)))])
+  (g:for/sum ([k (in-range (add1 (or order 1)))])
     (define part (integral (lambda (x) (coefficient-part (f x) tag k))))
-    (g:+ sum (if (eqv? k 0) part (g:* part (g:expt ε k))))))
+    (if (eqv? k 0) part (g:* part (g:expt ε k)))))
 
 ;; The coefficient of εᵏ in x, for the ε of this tag.
 (define (coefficient-part x tag k)

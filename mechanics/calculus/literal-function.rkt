@@ -13,6 +13,7 @@
          "../error/complain.rkt" "../error/hint.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/notation.rkt" "../generic/recurrence.rkt"
+         "../generic/sums-and-products.rkt"
          "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../value/signature.rkt"
@@ -174,11 +175,10 @@
   (make-dual
    tag
    (apply-head head point)
-   (for*/fold ([sum 0])
-              ([leaf (in-list leaves)]
-               [t (in-value (tangent-part (cdr leaf) tag))]
-               #:unless (eqv? t 0))
-     (g:+ sum (g:* (apply-head (literal-head-derivative head (car leaf)) point) t)))))
+   (g:for*/sum ([leaf (in-list leaves)]
+                [t (in-value (tangent-part (cdr leaf) tag))]
+                #:unless (eqv? t 0))
+     (g:* (apply-head (literal-head-derivative head (car leaf)) point) t))))
 
 ;; r = f(x₁, x₂, …) has r' = Σ ∂f/∂xᵢ xᵢ', whose coefficients are
 ;; k r_k = Σᵢ Σ_j j xᵢ_j (∂f/∂xᵢ)_{k-j}, those of ∂f/∂xᵢ being found alike, to an
@@ -195,8 +195,8 @@
            (define r (make-vector (add1 order) 0))
            (vector-set! r 0 (apply-head head point))
            (for ([k (in-range 1 (add1 order))])
-             (vector-set! r k (g:/ (for/fold ([sum 0]) ([leaf (in-list varying)])
-                                     (g:+ sum (weighted leaf head (sub1 order) k)))
+             (vector-set! r k (g:/ (g:for/sum ([leaf (in-list varying)])
+                                     (weighted leaf head (sub1 order) k))
                                    k)))
            (hash-set! known (literal-head-index head) r)
            r]))

@@ -3,9 +3,10 @@
 
 (require "perturbed-value.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
-         "../error/complain.rkt" "../error/hint.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/multiplied-function.rkt")
+         "../error/hint.rkt"
+         "../generic/function.rkt"
+         "../generic/kind.rkt" "../generic/multiplied-function.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide number number-beneath check-function-of-one-variable)
 
@@ -16,10 +17,10 @@
         [(other-number? x) (comparand x)]
         [(and (symbolic? x) (constant-value x))]
         [else
-         (complain who "expected a real number; given ~a~a" (describe-with-value x)
-                   (if (symbolic? x)
-                       (string-append symbols-hint ": (substitute expression 'm 3 ...)")
-                       (string-append (multiplied-hint x) (list-hint x))))]))
+         (complain-of-argument who "a real number" x
+                               (if (symbolic? x)
+                                   (string-append symbols-hint ": (substitute expression 'm 3 ...)")
+                                   (string-append (multiplied-hint x) (list-hint x))))]))
 
 ;; The same of an x that may be in the course of being differentiated
 (define (number-beneath who x) (number who (innermost x)))

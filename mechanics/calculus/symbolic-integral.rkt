@@ -11,7 +11,7 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"
-         "../generic/describe.rkt"
+         "../generic/describe.rkt" "../generic/wrong-argument.rkt"
          "../value/assumptions.rkt")
 
 (provide symbolic-integral)
@@ -58,9 +58,7 @@
 ;; y : the integrand at x; note! : is told the conditions
 (define (between-expressions who x y low high note!)
   (define A (assumptions-in-force))
-  (unless (expression? y)
-    (complain who "expected a function that gives an expression or a number; given ~a"
-              (describe-with-value y)))
+  (check-argument who expression? y "a function that gives an expression or a number")
   (define e (simplify-expression y A))
   (define F (antiderivative e x A #t))
   (unless F

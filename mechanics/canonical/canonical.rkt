@@ -16,9 +16,8 @@
          "transformation.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/printed-function.rkt"
+         "../generic/arithmetic.rkt" "../generic/function.rkt"
+         "../generic/printed-function.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
@@ -95,10 +94,10 @@
 ;; No Hamiltonian
 
 ;; ((time-independent-canonical? C) state) : J v − DC J (v DC) at a v of symbols (1st edition)
-(define (time-independent-canonical? C)
+(define-printed (time-independent-canonical? C)
   (define who 'time-independent-canonical?)
   (define checked (checked-transformation who C))
-  (printed-function (time-independent-canonical? C) (state)
+  (lambda (state)
     (define slope ((D checked) state))
     (define v (unknown-gradient state (checked state)))
     (g:- (J-func v) (g:* slope (J-func (g:* v slope))))))
@@ -122,9 +121,11 @@
 ;; The direction (0, c, −b) in which the gradient (a, b, c) of a Hamiltonian moves a state
 (define (J-func gradient)
   (unless (and (down? gradient) (= (s:length gradient) 3))
-    (complain 'J-func "expected the derivative of a function of the state, (down a b c); given ~a~a"
-              (describe-with-value gradient)
-              (if (H-state? gradient) "\n  of H at a state: (J-func ((D H) state))" "")))
+    (complain-of-argument 'J-func "the derivative of a function of the state, (down a b c)"
+                          gradient
+                          (if (H-state? gradient)
+                              "\n  of H at a state: (J-func ((D H) state))"
+                              "")))
   (up 0 (s:ref gradient 2) (g:negate (s:ref gradient 1))))
 
 ;; v ↦ A v
@@ -137,6 +138,6 @@
 (define (linear-function->multiplier F argument) ((D F) argument))
 
 ;; (multiplicative-transpose w) : A ↦ the B with B w = w A
-(define (multiplicative-transpose w)
-  (printed-function (multiplicative-transpose w) (A)
+(define-printed (multiplicative-transpose w)
+  (lambda (A)
     (linear-function->multiplier (Phi* A) w)))

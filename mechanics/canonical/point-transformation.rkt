@@ -18,16 +18,16 @@
 (provide F->CH F->K)
 
 ;; (F->CH F) : (t, q', p') ↦ (t, F(t, q'), p' (∂₁F)⁻¹)
-(define (F->CH F)
+(define-printed (F->CH F)
   (check-transformation 'F->CH F)
-  (printed-function (F->CH F) (state)
+  (lambda (state)
     (define-values (q p) (old-coordinates-and-momenta 'F->CH F state))
     (up (time state) q p)))
 
 ;; (F->K F) : (t, q', p') ↦ −p ∂₀F(t, q')
-(define (F->K F)
+(define-printed (F->K F)
   (check-transformation 'F->K F)
-  (printed-function (F->K F) (state)
+  (lambda (state)
     (define-values (q p) (old-coordinates-and-momenta 'F->K F state))
     (g:negate (g:* p (((partial 0) F) state)))))
 

@@ -11,7 +11,7 @@
 (require "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt"
-         "../generic/printed-function.rkt" "../generic/scalar.rkt"
+         "../generic/printed-function.rkt" "../generic/scalar.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt" "../value/structure.rkt")
@@ -20,18 +20,18 @@
          two-particle-center-of-mass two-particle-center-of-mass-canonical)
 
 ;; (t, θ, I) ↦ (t, x, p), of one coordinate or of each of several
-(define (polar-canonical alpha)
+(define-printed (polar-canonical alpha)
   (check-alpha 'polar-canonical alpha)
-  (printed-function (polar-canonical alpha) (state)
+  (lambda (state)
     (by-degrees 'polar-canonical state
                 (lambda (theta I)
                   (values (g:* (g:sqrt (g:/ (g:* 2 I) alpha)) (g:sin theta))
                           (g:* (g:sqrt (g:* 2 alpha I)) (g:cos theta)))))))
 
 ;; (t, x, p) ↦ (t, θ, I)
-(define (polar-canonical-inverse alpha)
+(define-printed (polar-canonical-inverse alpha)
   (check-alpha 'polar-canonical-inverse alpha)
-  (printed-function (polar-canonical-inverse alpha) (state)
+  (lambda (state)
     (by-degrees 'polar-canonical-inverse state
                 (lambda (x p)
                   (values (g:atan (g:* alpha x) p)
@@ -65,20 +65,20 @@
 ;; Two particles
 
 ;; state with (up x₁ x₂) ↦ (up X x), the centre of mass and x₂ − x₁
-(define (two-particle-center-of-mass m1 m2)
+(define-printed (two-particle-center-of-mass m1 m2)
   (define who 'two-particle-center-of-mass)
   (for ([m (in-list (list m1 m2))]) (check-parameter who "a mass" m))
-  (printed-function (two-particle-center-of-mass m1 m2) (state)
+  (lambda (state)
     (define-values (x1 x2) (two who (coordinate state)))
     (up (g:/ (g:+ (g:* m1 x1) (g:* m2 x2)) (g:+ m1 m2))
         (g:- x2 x1))))
 
 ;; The same with the momenta: p₁ + p₂, and (m₁ p₂ − m₂ p₁)/(m₁ + m₂)
-(define (two-particle-center-of-mass-canonical m1 m2)
+(define-printed (two-particle-center-of-mass-canonical m1 m2)
   (define who 'two-particle-center-of-mass-canonical)
   (for ([m (in-list (list m1 m2))]) (check-parameter who "a mass" m))
   (define positions (two-particle-center-of-mass m1 m2))
-  (printed-function (two-particle-center-of-mass-canonical m1 m2) (state)
+  (lambda (state)
     (check-H-state who state)
     (define-values (p1 p2) (two who (momentum state)))
     (up (time state)
@@ -88,6 +88,5 @@
 
 (define (two who x)
   (unless (and (tuple? x) (= (s:length x) 2))
-    (complain who "expected the state of two particles, (up t (up x1 x2) (down p1 p2)); given ~a"
-              (describe-with-value x)))
+    (complain-of-argument who "the state of two particles, (up t (up x1 x2) (down p1 p2))" x))
   (values (s:ref x 0) (s:ref x 1)))

@@ -13,7 +13,8 @@
          "transformation.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/printed-function.rkt"
+         "../generic/sums-and-products.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
@@ -82,17 +83,17 @@
 
 ;; a, b : derivatives by n coordinates and n momenta
 (define (bracket a b n)
-  (for/fold ([sum 0]) ([k (in-range n)])
-    (g:+ sum (g:- (g:* (vector-ref a k) (vector-ref b (+ k n)))
-                  (g:* (vector-ref a (+ k n)) (vector-ref b k))))))
+  (g:for/sum ([k (in-range n)])
+    (g:- (g:* (vector-ref a k) (vector-ref b (+ k n)))
+         (g:* (vector-ref a (+ k n)) (vector-ref b k)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Derivatives of transformations as matrices
 
 ;; ((D-as-matrix F) state) : a row for each scalar of the value, a column for each of the state
-(define (D-as-matrix F)
+(define-printed (D-as-matrix F)
   (check-transformation 'D-as-matrix F)
-  (printed-function (D-as-matrix F) (state)
+  (lambda (state)
     (apply matrix-by-rows (rows-of-derivatives F state))))
 
 ;; -> for each scalar of F(state) the list of its derivatives by the scalars of the state
@@ -103,8 +104,7 @@
 ;; The matrix without the row and the column of the time.
 (define (qp-submatrix M)
   (unless (and (matrix? M) (> (m:num-rows M) 1) (> (m:num-cols M) 1))
-    (complain 'qp-submatrix "expected a matrix with a row and a column for the time; given ~a"
-              (describe-with-value M)))
+    (complain-of-argument 'qp-submatrix "a matrix with a row and a column for the time" M))
   (m:submatrix M 1 (m:num-rows M) 1 (m:num-cols M)))
 
 ;; ---------------------------------------------------------------------------

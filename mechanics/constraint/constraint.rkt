@@ -11,7 +11,7 @@
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          (only-in "../lagrangian/Lagrange-equations.rkt" check-Lagrangian)
          "../value/shape.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
@@ -75,10 +75,10 @@
         [else
          (define parts (parts-of given))
          (unless (and parts (pair? parts) (andmap constraint? parts))
-           (complain who
-                     (string-append "expected a constraint, (holonomic G) or (nonholonomic A), "
-                                    "or a list of them\n  given: ~a~a")
-                     (describe-with-value given) (instead-hint given)))
+           (complain-of-argument who
+                                 (string-append "a constraint, (holonomic G) or (nonholonomic A), "
+                                                "or a list of them")
+                                 given (instead-hint given)))
          (constraint-set parts #f)]))
 
 (define (instead-hint given)

@@ -3,9 +3,9 @@
 ;; its multipliers are not determined, in words.
 
 (require "../error/failure.rkt" "../error/message-words.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/up-down.rkt"
          "../value/simplify.rkt"
-         "../value/matrix/row-systems.rkt")
+         "../value/matrix/row-systems.rkt" (only-in "../value/matrix/singular.rkt" last-by-others))
 
 (provide raise-undetermined independent-rows dependences dependences->text)
 
@@ -33,17 +33,12 @@
 
 ;; The last constraint in the dependence y, as a combination of the others.
 (define (dependence->text y)
-  (define end (for/last ([c (in-vector y)] [i (in-naturals)] #:unless (eqv? c 0)) i))
-  (define terms
-    (for/list ([c (in-vector y)] [i (in-range end)] #:unless (eqv? c 0))
-      (define factor (readable (simplify (g:negate (g:/ c (vector-ref y end))))))
-      (if (member factor '(1 1.0))
-          (format "constraint ~a" i)
-          (format "~a times constraint ~a" (value->text factor) i))))
+  (define-values (end others)
+    (last-by-others y "constraint" (lambda (a b) (readable (simplify (g:negate (g:/ a b)))))))
   (format "constraint ~a demands ~a" end
-          (if (null? terms)
-              "nothing here: its derivatives by the coordinates are zero"
-              (string-append "the same as " (joined terms " plus ")))))
+          (if others
+              (string-append "the same as " others)
+              "nothing here: its derivatives by the coordinates are zero")))
 
 ;; Without the last digits of a flonum, which are those of rounding.
 (define (readable x)

@@ -15,9 +15,10 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/expression-function.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/printed-function.rkt"
+         "../generic/sums-and-products.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt"
          (only-in "../value/structure.rkt" list->down list->up zero-like)
@@ -59,8 +60,7 @@
 
 (define (check-coordinates who cs q)
   (unless (and (andmap symbol? (scalars q)) (not (memq 't (scalars q))))
-    (complain who "expected coordinates that are symbols other than t, such as (up 'x 'y); given ~a"
-              (describe-with-value q)))
+    (complain-of-argument who "coordinates that are symbols other than t, such as (up 'x 'y)" q))
   (check-generic who cs (up 't q (symbols-like q "v"))))
 
 ;; A vector (b a₁ a₂ ...) for each scalar of the constraints.
@@ -95,11 +95,11 @@
     (component i j slope)))
 
 (define (on-pair slopes X Y)
-  (for/fold ([sum 0]) ([c (in-list slopes)])
+  (g:for/sum ([c (in-list slopes)])
     (define-values (i j) (values (component-i c) (component-j c)))
-    (g:+ sum (g:* (component-value c)
-                  (g:- (g:* (vector-ref X i) (vector-ref Y j))
-                       (g:* (vector-ref X j) (vector-ref Y i)))))))
+    (g:* (component-value c)
+         (g:- (g:* (vector-ref X i) (vector-ref Y j))
+              (g:* (vector-ref X j) (vector-ref Y i))))))
 
 (define (simple e) (simplify-expression e (assumptions-in-force)))
 
@@ -127,7 +127,7 @@
   (define v (Frobenius-verdict who variables (lambda () (list w))))
   (unless (proved? v) (raise-not-integrable who cs v))
   (or (for/or ([factor (in-list (integrating-factors w variables))])
-        (integral-of-gradient (for/vector ([a (in-vector w)]) (simple (e:* factor a))) variables))
+        (integral-of-gradient (for/list ([a (in-vector w)]) (simple (e:* factor a))) variables))
       (raise-no-answer who
                        "the constraint is integrable; its integral was not found\n  constraint: ~a"
                        (value->text cs))))
@@ -166,13 +166,8 @@
 
 ;; The expression whose derivatives by the variables are the slopes, or #f.
 (define (integral-of-gradient slopes variables)
-  (define G
-    (for/fold ([G 0]) ([x (in-list variables)] [slope (in-vector slopes)])
-      (define rest
-        (and G (antiderivative (simple (e:- slope (expression-derivative G x))) x
-                               (assumptions-in-force))))
-      (and rest (simple (e:+ G rest)))))
+  (define G (potential slopes variables (assumptions-in-force)))
   (and G
-       (for/and ([x (in-list variables)] [slope (in-vector slopes)])
+       (for/and ([x (in-list variables)] [slope (in-list slopes)])
          (proved? (verify-equal (expression-derivative G x) slope)))
        G))

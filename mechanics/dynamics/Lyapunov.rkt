@@ -26,32 +26,27 @@
 (provide Lyapunov-exponents maximal-Lyapunov-exponent Lyapunov?)
 
 ;; values : the largest first; history : list of (cons time values)
-(value-struct growth (values history)
-  #:text growth->text)
+(value-struct Lyapunov (values history)
+  #:text Lyapunov->text)
 
-(define (Lyapunov? x) (growth? x))
-
-(provide-parts growth? "what Lyapunov-exponents or maximal-Lyapunov-exponent gives"
+(provide-parts Lyapunov? "what Lyapunov-exponents or maximal-Lyapunov-exponent gives"
   Lyapunov-values Lyapunov-history Lyapunov-change)
-
-(define (Lyapunov-values g) (growth-values g))
-(define (Lyapunov-history g) (growth-history g))
 
 ;; Returns the greatest change of an exponent over the last half of the time.
 (define (Lyapunov-change g)
-  (define history (growth-history g))
+  (define history (Lyapunov-history g))
   (define later (list-tail history (quotient (length history) 2)))
   (for/fold ([most 0.0]) ([entry (in-list later)])
-    (for/fold ([most most]) ([x (in-list (cdr entry))] [end (in-list (growth-values g))])
+    (for/fold ([most most]) ([x (in-list (cdr entry))] [end (in-list (Lyapunov-values g))])
       (if (fl= x end) most (flmax most (flabs (fl- x end)))))))
 
-(define (growth->text g)
-  (define end (car (car (reverse (growth-history g)))))
+(define (Lyapunov->text g)
+  (define values (Lyapunov-values g))
+  (define single? (null? (cdr values)))
+  (define end (car (car (reverse (Lyapunov-history g)))))
   (format "Lyapunov exponent~a ~a after ~a\n  changed by ~a over the last half"
-          (if (null? (cdr (growth-values g))) "" "s")
-          (if (null? (cdr (growth-values g)))
-              (car (growth-values g))
-              (value->text (growth-values g)))
+          (if single? "" "s")
+          (if single? (car values) (value->text values))
           end (Lyapunov-change g)))
 
 ;; ---------------------------------------------------------------------------
@@ -136,7 +131,7 @@
     (define now
       (if (> k 0) (cons (cons t (sort (map (lambda (s) (fl/ s t)) sums) >)) history) history))
     (cond [(= k steps)
-           (growth (cdr (car now)) (reverse now))]
+           (Lyapunov (cdr (car now)) (reverse now))]
           [else
            (define-values (next moved) (step x vs))
            (define-values (turned lengths) (orthonormal moved))

@@ -43,11 +43,9 @@
 
 (define (check-section derivative e)
   (check-state-derivative 'Poincare-map derivative)
-  (unless (event? e)
-    (complain 'Poincare-map
-              (string-append "expected an event; (event f #:direction 'rising) makes one of a "
-                             "function of the state\n  given: ~a")
-              (describe-with-value e))))
+  (check-argument 'Poincare-map event? e
+                  (string-append "an event; (event f #:direction 'rising) makes one of a "
+                                 "function of the state")))
 
 (define (check-state-derivative who f)
   (unless (and (procedure? f) (accepts? f 1))

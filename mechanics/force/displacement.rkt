@@ -6,17 +6,16 @@
 ;; if the constraint moves, no motion need go that way.
 
 (require "particles.rkt" "several-arguments.rkt"
-         "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/printed-function.rkt"
+         "../generic/printed-function.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt")
 
 (provide particle-velocities virtual-displacement)
 
 ;; (particle-velocities r) : (t, q, q̇) ↦ the velocities
-(define (particle-velocities r)
+(define-printed (particle-velocities r)
   (define who 'particle-velocities)
   (check-positions who r)
-  (printed-function (particle-velocities r) (local)
+  (lambda (local)
     (check-local who local)
     (define-values (positions velocities) (motion-along who r local))
     velocities))
@@ -26,9 +25,7 @@
   (define who 'virtual-displacement)
   (check-positions who r)
   (function-of (local dq) (call-datum who r)
-    (unless (local-tuple? local)
-      (complain who "expected a local tuple (up t q v), then a displacement; given ~a"
-                (describe-with-value local)))
+    (check-argument who local-tuple? local "a local tuple (up t q v), then a displacement")
     (check-displacement who dq (coordinate local))
     (define-values (positions changes)
       (motion-at who r (time local) (coordinate local) 0 dq))

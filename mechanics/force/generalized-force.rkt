@@ -16,11 +16,11 @@
 (provide generalized-force static-equilibrium along-coordinates)
 
 ;; (generalized-force r F) : (t, q, q̇) ↦ a down tuple, or a scalar if q is one
-(define (generalized-force r F)
+(define-printed (generalized-force r F)
   (define who 'generalized-force)
   (check-positions who r)
   (check-force who F)
-  (printed-function (generalized-force r F) (local)
+  (lambda (local)
     (check-local who local)
     (define-values (t q v) (state-parts local))
     (generalized-force-at who r F t q v)))

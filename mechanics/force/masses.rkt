@@ -4,7 +4,7 @@
 
 (require "../error/complain.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/scalar.rkt"
-         "../generic/up-down.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          (only-in "../value/structure.rkt" list->up s:length structure->list))
 
 (provide check-masses check-masses-fit times-masses masses->datum)
@@ -12,13 +12,12 @@
 (define (check-masses who masses)
   (unless (or (scalar? masses)
               (and (pair? masses) (list? masses) (andmap scalar? masses)))
-    (complain who "expected a mass, or a list of the masses of several particles; given ~a~a"
-              (describe-with-value masses)
-              (cond [(tuple? masses)
-                     (format "\n  as a list: ~a"
-                             (cons 'list (cdr (value->datum (adopt masses)))))]
-                    [(procedure? masses) "\n  masses come first, then the positions r"]
-                    [else ""]))))
+    (complain-of-argument who "a mass, or a list of the masses of several particles" masses
+                          (cond [(tuple? masses)
+                                 (format "\n  as a list: ~a"
+                                         (cons 'list (cdr (value->datum (adopt masses)))))]
+                                [(procedure? masses) "\n  masses come first, then the positions r"]
+                                [else ""]))))
 
 ;; One mass, one particle; n of them, n particles.
 (define (check-masses-fit who masses positions)

@@ -10,7 +10,9 @@
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
-         "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/scalar.rkt"
+         "../generic/sums-and-products.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt"
          (only-in "../value/structure.rkt" ref s:length structure->list))
 
@@ -39,8 +41,8 @@
 (define (scaled-sum a b)
   (cond [(or (eqv? a 0) (eqv? b 0)) 0]
         [(tuple? b)
-         (for/fold ([sum 0]) ([x (in-list (structure->list a))] [y (in-list (structure->list b))])
-           (g:+ sum (scaled-sum x y)))]
+         (g:for/sum ([x (in-list (structure->list a))] [y (in-list (structure->list b))])
+           (scaled-sum x y))]
         [else (g:* a b)]))
 
 ;; ---------------------------------------------------------------------------
@@ -106,8 +108,7 @@
 
 (define (check-local who local)
   (unless (and (local-tuple? local) (>= (s:length local) 3))
-    (complain who "expected a local tuple (up t q v); given ~a~a" (describe-with-value local)
-              (list-hint local "(up t q v)")))
+    (complain-of-argument who "a local tuple (up t q v)" local (list-hint local "(up t q v)")))
   (check-alike who "velocities" (velocity local) (coordinate local)))
 
 (define (check-displacement who displacement q)

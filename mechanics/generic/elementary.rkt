@@ -12,7 +12,8 @@
          "kinks-met.rkt" "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/pi.rkt"
-         "../error/complain.rkt")
+         "../error/complain.rkt"
+         "sums-and-products.rkt")
 
 ;; Provided where they are defined: g:sin and the like, g:sec and the like.
 (provide g:abs g:sgn g:log g:atan g:expt
@@ -70,10 +71,10 @@
   (when (carrier? a) (note-sign! (lambda () a))))
 
 (define (sum-of-squares a)
-  (for/fold ([sum 0]) ([x (in-vector (tuple-elements a))])
-    (g:+ sum (cond [(tuple? x) (sum-of-squares x)]
-                   [(and (number? x) (not (real? x))) (g:square (magnitude x))]
-                   [else (g:square x)]))))
+  (g:for/sum ([x (in-vector (tuple-elements a))])
+    (cond [(tuple? x) (sum-of-squares x)]
+          [(and (number? x) (not (real? x))) (g:square (magnitude x))]
+          [else (g:square x)])))
 
 (define-syntax (define-reciprocals stx)
   (with-syntax ([(name ...) (map car reciprocals)]

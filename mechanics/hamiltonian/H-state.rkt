@@ -41,12 +41,12 @@
 (define (momentum state)
   (note-asked! state)
   (unless (and (up? state) (> (s:length state) 2))
-    (complain 'momentum "expected a Hamiltonian state (up t q p); given ~a~a"
-              (describe-with-value state)
-              (if (pointwise? state)
-                  (string-append (value-first-hint 'momentum)
-                                 "\n  the momenta of a Lagrangian L are ((partial 2) L)")
-                  (list-hint state "(up t q p)"))))
+    (complain-of-argument 'momentum "a Hamiltonian state (up t q p)" state
+                          (if (pointwise? state)
+                              (string-append
+                               (value-first-hint 'momentum)
+                               "\n  the momenta of a Lagrangian L are ((partial 2) L)")
+                              (list-hint state "(up t q p)"))))
   (define-values (q p) (values (part state 1) (part state 2)))
   (when (and (tuple? q) (tuple? p) (same-shape? q p)) (raise-not-dual 'momentum q p))
   p)
@@ -86,8 +86,8 @@
 
 (define (check-H-state who state)
   (unless (triple? state)
-    (complain who "expected a Hamiltonian state (up t q p); given ~a~a"
-              (describe-with-value state) (list-hint state "(up t q p)")))
+    (complain-of-argument who "a Hamiltonian state (up t q p)" state
+                          (list-hint state "(up t q p)")))
   (define-values (q p) (values (part state 1) (part state 2)))
   (unless (dual? q p) (raise-not-dual who q p)))
 

@@ -6,9 +6,8 @@
 
 (require "H-state.rkt" "Hamiltonian.rkt" "inverse-gradient.rkt" "known-Hamiltonians.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/function-check.rkt" "../generic/function.rkt"
-         "../generic/printed-function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/function-check.rkt" "../generic/function.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          (only-in "../lagrangian/state-derivative.rkt" check-velocity)
          (only-in "../value/structure.rkt" ref))
@@ -74,18 +73,18 @@
 ;; States
 
 ;; ((Lstate->Hstate L) local) : (t, q, ∂₂L)
-(define (Lstate->Hstate L)
+(define-printed (Lstate->Hstate L)
   (check-Lagrangian 'Lstate->Hstate L)
   (define P ((partial 2) (scalar-valued 'Lstate->Hstate L)))
-  (printed-function (Lstate->Hstate L) (local)
+  (lambda (local)
     (check-local-length 'Lstate->Hstate local 3)
     (check-velocity 'Lstate->Hstate local)
     (up (time local) (coordinate local) (P local))))
 
 ;; ((Hstate->Lstate H) state) : (t, q, ∂₂H)
-(define (Hstate->Lstate H)
+(define-printed (Hstate->Lstate H)
   (check-Hamiltonian 'Hstate->Lstate H)
   (define V ((partial 2) (number-valued 'Hstate->Lstate H)))
-  (printed-function (Hstate->Lstate H) (state)
+  (lambda (state)
     (check-H-state 'Hstate->Lstate state)
     (up (time state) (coordinate state) (V state))))

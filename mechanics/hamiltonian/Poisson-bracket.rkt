@@ -14,10 +14,10 @@
 
 (provide Poisson-bracket rate-of-quantity)
 
-(define (Poisson-bracket f g)
+(define-printed (Poisson-bracket f g)
   (check-bracketed f)
   (check-bracketed g)
-  (printed-function (Poisson-bracket f g) (state)
+  (lambda (state)
     (check-H-state 'Poisson-bracket state)
     (define value (g state))
     (if (scalar? value)

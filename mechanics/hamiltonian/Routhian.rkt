@@ -74,16 +74,16 @@
 ;; where ẏ = ∂R/∂p_y and ṗ_y = −∂R/∂y.
 
 ;; (Routhian->acceleration R) : state ↦ ẍ
-(define (Routhian->acceleration R)
+(define-printed (Routhian->acceleration R)
   (check-Routhian 'Routhian->acceleration R)
-  (printed-function (Routhian->acceleration R) (state)
+  (lambda (state)
     (define-values (acceleration y-rate p-rate) (rates-at 'Routhian->acceleration R state))
     acceleration))
 
 ;; (Routhian->state-derivative R) : state ↦ (1, (ẋ, ẏ), (ẍ, ṗ_y))
-(define (Routhian->state-derivative R)
+(define-printed (Routhian->state-derivative R)
   (check-Routhian 'Routhian->state-derivative R)
-  (printed-function (Routhian->state-derivative R) (state)
+  (lambda (state)
     (define-values (acceleration y-rate p-rate) (rates-at 'Routhian->state-derivative R state))
     (up 1
         (up (ref state 2 0) y-rate)

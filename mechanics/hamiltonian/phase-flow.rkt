@@ -8,20 +8,19 @@
 (require (only-in racket/list list-set)
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
-         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/describe.rkt" "../generic/function-check.rkt" "../generic/printed-function.rkt"
+         "../generic/sums-and-products.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/shape.rkt")
 
 (provide phase-space-divergence)
 
 ;; derivative : (t, q, p) ↦ (1, q̇, ṗ); of any states whose first part is the time
-(define (phase-space-divergence derivative)
+(define-printed (phase-space-divergence derivative)
   (check-takes 'phase-space-divergence derivative 1
                "expected a state derivative, a function of the state")
-  (printed-function (phase-space-divergence derivative) (state)
+  (lambda (state)
     (unless (and (tuple? state) (> (structure-length (adopt state)) 1))
-      (complain 'phase-space-divergence "expected a state (up t q p); given ~a"
-                (describe-with-value state)))
+      (complain-of-argument 'phase-space-divergence "a state (up t q p)" state))
     (check-shape state (derivative state))
     (trace-beyond-time derivative state)))
 
@@ -37,7 +36,7 @@
 
 (define (trace-beyond-time derivative state)
   (define names (scalars state))
-  (for/fold ([sum 0]) ([x (in-list (cdr names))] [k (in-naturals 1)])
+  (g:for/sum ([x (in-list (cdr names))] [k (in-naturals 1)])
     (define (rate y)
       (list-ref (scalars (derivative (list->structure state (list-set names k y)))) k))
-    (g:+ sum (derivative-at rate x))))
+    (derivative-at rate x)))

@@ -3,7 +3,7 @@
 
 (require "H-state.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt"
+         "../generic/describe.rkt" "../generic/wrong-argument.rkt"
          "../value/shape.rkt" "../value/matrix/matrix.rkt")
 
 (provide H-state->matrix matrix->H-state)
@@ -15,9 +15,8 @@
 ;; like : a state of the shape wanted; without it, coordinates and momenta that are tuples
 (define (matrix->H-state m [like #f])
   (unless (and (matrix? m) (= (m:num-cols m) 1) (odd? (m:num-rows m)) (> (m:num-rows m) 2))
-    (complain 'matrix->H-state
-              "expected a matrix of one column, with the time, n coordinates and n momenta; given ~a"
-              (describe-with-value m)))
+    (complain-of-argument 'matrix->H-state
+                          "a matrix of one column, with the time, n coordinates and n momenta" m))
   (when like (check-H-state 'matrix->H-state like))
   (define shape (or like (literal-Hamiltonian-state (quotient (m:num-rows m) 2))))
   (unless (= (shape-length shape) (m:num-rows m))

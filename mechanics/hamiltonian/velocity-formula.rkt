@@ -22,7 +22,7 @@
          "../algebra/expression/substitute.rkt"
          "../algebra/solve/solve-equations.rkt"
          "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/sums-and-products.rkt" "../generic/up-down.rkt"
          "../value/assumptions.rkt" "../value/rewrite.rkt" "../value/shape.rkt"
          "../value/simplify.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
@@ -42,7 +42,8 @@
   (define n (length g))
   (define H (rows-of (map simplify (scalars slopes)) n))
   (define found (make-vector n #f))
-  (for ([block (in-list (blocks H))])
+  (define (joined? i j) (not (eqv? 0 (matrix-ref H i j))))
+  (for ([block (in-list (joined-groups n joined?))])
     (define (those xs) (for/list ([i (in-list block)]) (list-ref xs i)))
     (define solution
       (solve-block (those g)
@@ -55,18 +56,6 @@
   (and (andmap values all) all))
 
 (define (rows-of xs n) (m:generate n n (lambda (i j) (list-ref xs (+ j (* i n))))))
-
-;; The indices 0, 1 ... in groups that no entry of H joins.
-(define (blocks H)
-  (define n (m:num-rows H))
-  (define (joined? i j) (not (eqv? 0 (matrix-ref H i j))))
-  (for/fold ([groups '()] #:result (reverse groups)) ([i (in-range n)])
-    (define-values (near far)
-      (for/fold ([near (list i)] [far '()]) ([group (in-list groups)])
-        (if (ormap (lambda (j) (joined? i j)) group)
-            (values (append near group) far)
-            (values near (cons group far)))))
-    (cons (sort near <) (reverse far))))
 
 ;; ---------------------------------------------------------------------------
 ;; Velocities that belong together
@@ -98,10 +87,9 @@
   (define x (string->uninterned-symbol "x"))
   (define moved (for/list ([v (in-list vs)] [d (in-list ds)]) (cons v (g:* x d))))
   (define equation
-    (for/fold ([sum 0])
-              ([g (in-list g)] [b (in-list b)] [Md (in-list (rows-times-list M ds))]
-               [d (in-list ds)])
-      (g:+ sum (g:* (g:- (put g moved) b Md) d))))
+    (g:for/sum ([g (in-list g)] [b (in-list b)] [Md (in-list (rows-times-list M ds))]
+                [d (in-list ds)])
+      (g:* (g:- (put g moved) b Md) d)))
   (define none (map (lambda (d) (cons d 0)) (cdr ds)))
   (define (from-rest? solution)
     (zero? (put (put (g:* solution (car ds)) none) (list (cons (car ds) 0)))))

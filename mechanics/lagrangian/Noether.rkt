@@ -21,11 +21,11 @@
 
 ;; ((Noether-integral L F-tilde) local): a scalar for one parameter, a down tuple for
 ;; several.
-(define (Noether-integral L F-tilde)
+(define-printed (Noether-integral L F-tilde)
   (check-Lagrangian 'Noether-integral L)
   (define n (parameter-count F-tilde))
   (define P ((partial 2) (scalar-valued 'Noether-integral L)))
-  (printed-function (Noether-integral L F-tilde) (local)
+  (lambda (local)
     (define momenta (P local))
     (define integrals
       (for/list ([k (in-range n)])

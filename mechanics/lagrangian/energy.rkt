@@ -23,16 +23,16 @@
   (g:- kinetic-energy potential-energy))
 
 ;; (Lagrangian->energy L) : (t, q, v) ↦ P v − L
-(define (Lagrangian->energy L)
+(define-printed (Lagrangian->energy L)
   (check-Lagrangian 'Lagrangian->energy L)
   (define L-scalar (scalar-valued 'Lagrangian->energy L))
   (define P ((partial 2) L-scalar))
-  (printed-function (Lagrangian->energy L) (state)
+  (lambda (state)
     (check-local-length 'Lagrangian->energy state 3)
     (g:- (g:* (P state) (velocity state)) (L-scalar state))))
 
 ;; ((Lagrangian->power-loss L) q) : t ↦ the rate of change of the energy along q
-(define (Lagrangian->power-loss L)
+(define-printed (Lagrangian->power-loss L)
   (define energy (Lagrangian->energy L))
-  (printed-function (Lagrangian->power-loss L) (q)
+  (lambda (q)
     (D (compose energy (Gamma (path 'Lagrangian->power-loss q))))))

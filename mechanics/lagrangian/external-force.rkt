@@ -16,8 +16,8 @@
 
 (provide Rayleigh-dissipation external-force force-like force->datum)
 
-(define (Rayleigh-dissipation k)
-  (printed-function (Rayleigh-dissipation k) (local)
+(define-printed (Rayleigh-dissipation k)
+  (lambda (local)
     (g:* k (g:square (velocity local)))))
 
 ;; Q − ∂₂F, of which either may be #f; #f if both are.

@@ -7,8 +7,7 @@
 ;; others, so that the residual of the path is that of the local tuple.
 
 (require "coordinate-transformation.rkt" "Lagrange-equations.rkt" "local-tuple.rkt"
-         "../error/complain.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/define-plain.rkt" "../generic/wrong-argument.rkt"
          "../value/structure.rkt")
 
 (provide generalized-LE)
@@ -19,8 +18,8 @@
 (define (residual-at L local)
   (define n (- (quotient (s:length local) 2) 1))
   (unless (and (even? (s:length local)) (positive? n))
-    (complain 'generalized-LE
-              (string-append "expected a path or a local tuple of 4 or 6 or ... components: "
-                             "(up t q v a); given ~a")
-              (describe-with-value local)))
+    (complain-of-argument 'generalized-LE
+                          (string-append "a path or a local tuple of 4 or 6 or ... components: "
+                                         "(up t q v a)")
+                          local))
   (((Lagrange-equations L #:order n) (osculating-path local)) (time local)))

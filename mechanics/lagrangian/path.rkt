@@ -6,6 +6,7 @@
          "action.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt"
+         "../generic/sums-and-products.rkt"
          "../generic/wrong-argument.rkt")
 
 (provide make-path make-eta parametric-path-action
@@ -20,9 +21,9 @@
                  (append (list t0) (linear-interpolants t0 t1 (length qs)) (list t1))))
 
 ;; t ↦ ν(t) (t - t1) (t - t2), a variation that leaves the ends where they are.
-(define (make-eta nu t1 t2)
+(define-printed (make-eta nu t1 t2)
   (check-argument 'make-eta procedure? nu "a function of time, or a tuple of them")
-  (printed-function (make-eta nu t1 t2) (t)
+  (lambda (t)
     (g:* (g:- t t1) (g:- t t2) (nu t))))
 
 ;; ((parametric-path-action L t0 q0 t1 q1) qs): the action of the path of
@@ -70,8 +71,8 @@
        (values (g:+ sum (g:* before after c)) (g:* before distance))))))
 
 (define (product-of-distances xi i xs)
-  (for/fold ([p 1]) ([xj (in-list xs)] [j (in-naturals)] #:unless (= i j))
-    (g:* p (g:- xi xj))))
+  (g:for/product ([xj (in-list xs)] [j (in-naturals)] #:unless (= i j))
+    (g:- xi xj)))
 
 ;; (a b c d) -> (bcd cd d 1)
 (define (products-after xs)

@@ -1,8 +1,9 @@
 #lang racket/base
 ;; Paths given one by one, x and y, where one path of all coordinates is wanted: (up x y).
 
-(require "../error/complain.rkt" "../error/message-words.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt")
+(require "../error/message-words.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide one-path-hint check-time-of-path)
 
@@ -26,5 +27,7 @@
 ;; t is given where the time of the path q is expected; a second path, or a state, is refused.
 (define (check-time-of-path who q t [call values])
   (when (or (pointwise? t) (tuple? t) (pair? t))
-    (complain who "expected a time; given ~a~a" (describe-with-value t)
-              (if (and (pointwise? q) (pointwise? t)) (one-path-hint (list q t) call) ""))))
+    (complain-of-argument who "a time" t
+                          (if (and (pointwise? q) (pointwise? t))
+                              (one-path-hint (list q t) call)
+                              ""))))

@@ -15,6 +15,7 @@
          "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/compose.rkt" "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt")
 
@@ -69,10 +70,10 @@
 ;; Without this check a difference in shape would show only where parts of the equations are added.
 (define (check-velocity who state)
   (unless (and (local-tuple? state) (>= (s:length state) 3))
-    (complain who "expected a state (up t q v); given ~a~a" (describe-with-value state)
-              (if (local-tuple? state)
-                  "\n  the velocities are missing"
-                  (list-hint state "(up t q v)"))))
+    (complain-of-argument who "a state (up t q v)" state
+                          (if (local-tuple? state)
+                              "\n  the velocities are missing"
+                              (list-hint state "(up t q v)"))))
   (define-values (q v) (values (coordinate state) (velocity state)))
   (unless (same-shape? q v)
     (complain who "the velocities are of another shape than the coordinates~a~a"

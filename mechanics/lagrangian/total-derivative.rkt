@@ -80,6 +80,5 @@
 
 ;; All components but the last.
 (define (trim-last-argument local)
-  (unless (up? local)
-    (complain 'trim-last-argument "expected a local tuple; given ~a" (describe-with-value local)))
+  (check-argument 'trim-last-argument up? local "a local tuple")
   ((clip-state (sub1 (s:length local))) local))

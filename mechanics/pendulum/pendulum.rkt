@@ -34,8 +34,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Energy and motion
 
-(define (Hpendulum alpha beta)
-  (printed-function (Hpendulum alpha beta) (state)
+(define-printed (Hpendulum alpha beta)
+  (lambda (state)
     (check-H-state 'Hpendulum state)
     (g:- (g:/ (g:square (momentum state)) (g:* 2 alpha))
          (g:* beta (g:cos (coordinate state))))))
@@ -119,29 +119,29 @@
 ;; ---------------------------------------------------------------------------
 ;; Motions: functions of the time since θ = 0
 
-(define (pendulum-oscillating-angle alpha beta E)
+(define-printed (pendulum-oscillating-angle alpha beta E)
   (check-swinging 'pendulum-oscillating-angle alpha beta E)
   (define k (modulus beta E))
-  (printed-function (pendulum-oscillating-angle alpha beta E) (t)
+  (lambda (t)
     (Jacobi-elliptic-functions (g:* (omega-0 alpha beta) t) k
                                (lambda (sn cn dn) (g:* 2.0 (g:asin (g:* k sn)))))))
 
-(define (pendulum-oscillating-angular-momentum alpha beta E)
+(define-printed (pendulum-oscillating-angular-momentum alpha beta E)
   (check-swinging 'pendulum-oscillating-angular-momentum alpha beta E)
   (define-values (k omega) (values (modulus beta E) (omega-0 alpha beta)))
-  (printed-function (pendulum-oscillating-angular-momentum alpha beta E) (t)
+  (lambda (t)
     (Jacobi-elliptic-functions (g:* omega t) k
                                (lambda (sn cn dn) (g:* 2.0 alpha omega k cn)))))
 
 ;; Between −π and π, of the turn that t is in
-(define (pendulum-circulating-angle alpha beta E)
+(define-printed (pendulum-circulating-angle alpha beta E)
   (check-turning 'pendulum-circulating-angle alpha beta E)
-  (printed-function (pendulum-circulating-angle alpha beta E) (t)
+  (lambda (t)
     (in-turn alpha beta E t (lambda (sn cn dn) (g:* 2.0 (g:asin sn))))))
 
-(define (pendulum-circulating-angular-momentum alpha beta E)
+(define-printed (pendulum-circulating-angular-momentum alpha beta E)
   (check-turning 'pendulum-circulating-angular-momentum alpha beta E)
-  (printed-function (pendulum-circulating-angular-momentum alpha beta E) (t)
+  (lambda (t)
     (in-turn alpha beta E t
              (lambda (sn cn dn) (g:* 2.0 alpha (omega-R alpha beta E) dn)))))
 
@@ -152,14 +152,14 @@
   (define turns (round (number-of 'pendulum-circulating-angle "the time" (g:/ t period))))
   (Jacobi-elliptic-functions (g:* omega (g:- t (g:* turns period))) k receive))
 
-(define (pendulum-separatrix-angle alpha beta)
+(define-printed (pendulum-separatrix-angle alpha beta)
   (check-parameters 'pendulum-separatrix-angle alpha beta)
-  (printed-function (pendulum-separatrix-angle alpha beta) (t)
+  (lambda (t)
     (g:* 2 (gudermannian (g:* (omega-0 alpha beta) t)))))
 
-(define (pendulum-separatrix-angular-momentum alpha beta)
+(define-printed (pendulum-separatrix-angular-momentum alpha beta)
   (check-parameters 'pendulum-separatrix-angular-momentum alpha beta)
-  (printed-function (pendulum-separatrix-angular-momentum alpha beta) (t)
+  (lambda (t)
     (g:/ (g:* 2 (g:sqrt (g:* alpha beta))) (g:cosh (g:* (omega-0 alpha beta) t)))))
 
 ;; gd x = ∫ dx/cosh x = 2 atan eˣ − π/2

@@ -96,15 +96,15 @@
 ;; ---------------------------------------------------------------------------
 ;; Energies of actions
 
-(define (pendulum-oscillating-action-to-E alpha beta)
-  (printed-function (pendulum-oscillating-action-to-E alpha beta) (action)
+(define-printed (pendulum-oscillating-action-to-E alpha beta)
+  (lambda (action)
     (check-action 'pendulum-oscillating-action-to-E action 0
                   (pendulum-separatrix-action alpha beta))
     (define (E k) (g:* beta (g:- (g:* 2 (g:square k)) 1)))
     (energy-of-action pendulum-oscillating-action alpha beta action E 1e-9)))
 
-(define (pendulum-circulating-action-to-E alpha beta)
-  (printed-function (pendulum-circulating-action-to-E alpha beta) (action)
+(define-printed (pendulum-circulating-action-to-E alpha beta)
+  (lambda (action)
     (check-action 'pendulum-circulating-action-to-E action
                   (g:* 1/2 (pendulum-separatrix-action alpha beta)) +inf.0)
     (define (E k) (g:* beta (g:- (g:/ 2 (g:square k)) 1)))

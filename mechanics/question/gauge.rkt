@@ -19,13 +19,12 @@
 (require racket/list
          "argument-order.rkt"
          "../algebra/expression/expression.rkt"
-         "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/derivative.rkt"
          "../calculus/expression-function.rkt" "../calculus/integral.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function-check.rkt"
-         "../generic/function.rkt"
+         "../generic/function.rkt" "../generic/sums-and-products.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/function-of-momenta.rkt"
          "../lagrangian/total-derivative.rkt"
@@ -120,15 +119,8 @@
 
 ;; An expression for f at the local tuple without its last part, or #f.
 (define (closed-form F slopes local)
-  (define A (assumptions-in-force))
   (define short (trim-last-argument local))
-  (define (less-derivative slope f x)
-    (simplify-expression (g:- slope (expression-derivative f x)) A))
-  (define f
-    (for/fold ([f 0]) ([x (in-list (scalars short))]
-                       [slope (in-list (gradient-at slopes short))])
-      (define rest (and f (antiderivative (less-derivative slope f x) x A)))
-      (and rest (simplify-expression (e:+ f rest) A))))
+  (define f (potential (gradient-at slopes short) (scalars short) (assumptions-in-force)))
   (define (value at) (evaluate-at f short at))
   (and f (proved? (verify-equal ((Dt value) local) (F local))) f))
 
@@ -138,9 +130,9 @@
   (check-start F slopes start)
   (define way (g:- at start))
   (define (slope-along s)
-    (for/fold ([sum 0]) ([slope (in-list (gradient-at slopes (g:+ start (g:* s way))))]
-                         [step (in-list (scalars way))])
-      (g:+ sum (g:* slope step))))
+    (g:for/sum ([slope (in-list (gradient-at slopes (g:+ start (g:* s way))))]
+                [step (in-list (scalars way))])
+      (g:* slope step)))
   (integrate 'gauge-function slope-along 0 1 1e-12))
 
 ;; The integrand may be 0/0 at the start and yet pass for 0 on all lines from there.

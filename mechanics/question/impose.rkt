@@ -14,6 +14,7 @@
          "../constraint/constraint.rkt"
          "../error/complain.rkt" "../error/note.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/kind.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/algebra.rkt" "../value/shape.rkt"
          "../verdict/verdict.rkt")
 
@@ -39,8 +40,7 @@
              (list? x))
          (void)]
         [else
-         (complain 'impose "expected a value, a function or a constraint; given ~a"
-                   (describe-with-value x))]))
+         (complain-of-argument 'impose "a value, a function or a constraint" x)]))
 
 ;; note! : called with what is replaced somewhere
 (define (put replacements equations x [note! void])

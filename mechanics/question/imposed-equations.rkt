@@ -10,7 +10,7 @@
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/operation.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt"
+         "../generic/describe.rkt" "../generic/wrong-argument.rkt"
          "../value/algebra.rkt" "../value/read-expression.rkt"
          "../verdict/verdict.rkt")
 
@@ -27,9 +27,8 @@
         [(list-of-equations? condition)
          (for/list ([q (in-list condition)]) (read-equation who q))]
         [else
-         (complain who "expected a verdict, an equation '(= k 1) or a list of them; given ~a~a"
-                   (describe-with-value condition)
-                   (condition-hint condition other))]))
+         (complain-of-argument who "a verdict, an equation '(= k 1) or a list of them" condition
+                               (condition-hint condition other))]))
 
 (define (condition-hint x other)
   (define (list-of? what?) (and (pair? x) (list? x) (andmap what? x)))

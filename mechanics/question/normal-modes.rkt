@@ -15,9 +15,10 @@
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/on-demand.rkt"
          "../numeric/linear-algebra/row-matrix.rkt"
-         "../value/exact-root.rkt" "../value/simplify.rkt")
+         "../value/exact-root.rkt" "../value/simplify.rkt"
+         "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt")
 
-(provide modes-of frequencies-of constant-value raise-not-positive)
+(provide modes-of constant-value frequency-equation raise-not-positive)
 
 (require-on-demand ["../numeric/linear-algebra/numeric-modes.rkt" symmetric-modes gyroscopic-modes])
 
@@ -41,8 +42,6 @@
         e
         (real-value e (lambda (leaf arguments) (return #f))))))
 
-(define (frequencies-of who M K G) (map car (modes-of who M K G)))
-
 ;; Zeros where the block has no coordinate.
 (define (spread shape block n)
   (for/list ([i (in-range n)])
@@ -53,48 +52,32 @@
   (define (joined? i j)
     (for/or ([rows (in-list matrices)])
       (not (and (g:zero? (entry rows i j)) (g:zero? (entry rows j i))))))
-  (define (reached found todo)
-    (cond [(null? todo) (sort found <)]
-          [else
-           (define new
-             (for/list ([j (in-range n)]
-                        #:unless (memv j found) #:when (joined? (car todo) j))
-               j))
-           (reached (append new found) (append (cdr todo) new))]))
-  (let loop ([i 0] [blocks '()])
-    (cond [(= i n) (reverse blocks)]
-          [(ormap (lambda (block) (memv i block)) blocks) (loop (+ i 1) blocks)]
-          [else (loop (+ i 1) (cons (reached (list i) (list i)) blocks))])))
+  (joined-groups n joined?))
 
 (define (block-modes who M K G)
-  (define all (append-map entries (list M K G)))
+  (define all (append-map leaves (list M K G)))
   (cond [(and (andmap real? all) (or (> (vector-length M) 2) (ormap flonum? all)))
          (numeric-modes who M K G)]
         [(> (vector-length M) 2) (scaled-modes who M K G)]
-        [(g:zero? (simplify (det M))) (raise-not-positive who M)]
+        [(g:zero? (simplify (rows-determinant M))) (raise-not-positive who M)]
         [(= (vector-length M) 2) (two-modes M K G)]
         [else (one-mode (entry M 0 0) (entry K 0 0))]))
-
-;; Of one row or two.
-(define (det A)
-  (if (= (vector-length A) 1)
-      (entry A 0 0)
-      (g:- (g:* (entry A 0 0) (entry A 1 1)) (g:* (entry A 0 1) (entry A 1 0)))))
-
-(define (entries rows) (for*/list ([row (in-vector rows)] [x (in-vector row)]) x))
 
 ;; ---------------------------------------------------------------------------
 ;; One coordinate and two
 
 (define (one-mode m k) (list (list (exact-root (g:/ k m)) 1)))
 
+;; -> |M|, the coefficient b of −ω², and |K|
+(define (frequency-equation M K G)
+  (define (times i j k l) (g:* (entry M i j) (entry K k l)))
+  (values (rows-determinant M)
+          (g:+ (times 0 0 1 1) (times 1 1 0 0) (g:* -2 (times 0 1 0 1)) (g:square (entry G 0 1)))
+          (rows-determinant K)))
+
 (define (two-modes M K G)
-  (define g (entry G 0 1))
-  (define a (det M))
-  (define b
-    (g:+ (g:* (entry M 0 0) (entry K 1 1)) (g:* (entry M 1 1) (entry K 0 0))
-         (g:* -2 (entry M 0 1) (entry K 0 1)) (g:square g)))
-  (define root (exact-root (simplify (g:- (g:square b) (g:* 4 a (det K))))))
+  (define-values (a b c) (frequency-equation M K G))
+  (define root (exact-root (simplify (g:- (g:square b) (g:* 4 a c)))))
   (define (frequency sign) (exact-root (simplify (g:/ (g:+ b (g:* sign root)) (g:* 2 a)))))
   (if (g:zero? root)
       (equal-frequencies (frequency 1) M K G)
@@ -126,25 +109,23 @@
 
 (define (numeric-modes who M K G)
   (define modes
-    (if (andmap g:zero? (entries G)) (symmetric-modes M K) (gyroscopic-modes M K G)))
+    (if (all-entries? g:zero? G) (symmetric-modes M K) (gyroscopic-modes M K G)))
   (or modes (raise-not-positive who M)))
 
 ;; M = μ M₀, K = κ K₀: ω² is κ/μ times that of the numbers M₀ and K₀.
 (define (scaled-modes who M K G)
   (define-values (mu M0) (numbers-with-factor M))
   (define-values (kappa K0) (numbers-with-factor K))
-  (unless (and M0 K0 (andmap g:zero? (entries G))) (raise-no-formula who M))
+  (unless (and M0 K0 (all-entries? g:zero? G)) (raise-no-formula who M))
   (for/list ([mode (in-list (or (symmetric-modes M0 K0) (raise-not-positive who M)))])
     (cons (simplify (g:* (car mode) (g:sqrt (g:/ kappa mu)))) (cdr mode))))
 
 ;; The first entry that is not zero, unless it is a number, and the quotients by it;
 ;; #f in their place if some are not numbers.
 (define (numbers-with-factor rows)
-  (define first-entry (for/first ([x (in-list (entries rows))] #:unless (g:zero? x)) x))
+  (define first-entry (for/first ([x (in-list (leaves rows))] #:unless (g:zero? x)) x))
   (define factor (if (or (not first-entry) (number? first-entry)) 1 first-entry))
-  (define quotients
-    (for/vector ([row (in-vector rows)])
-      (for/vector ([x (in-vector row)]) (simplify (g:/ x factor)))))
+  (define quotients (rows-map (lambda (x) (simplify (g:/ x factor))) rows))
   (values factor (and (all-entries? real? quotients) quotients)))
 
 (define (raise-no-formula who M)

@@ -25,9 +25,9 @@
 (provide mass-matrix stiffness-matrix gyroscopic-matrix
          normal-modes small-oscillation-frequencies
          ;; for stability
-         check-autonomous)
+         check-autonomous forms)
 
-(require-on-demand ["normal-modes.rkt" modes-of frequencies-of constant-value])
+(require-on-demand ["normal-modes.rkt" modes-of constant-value])
 
 ;; ---------------------------------------------------------------------------
 ;; The linearised equations
@@ -66,18 +66,12 @@
 
 ;; A list of (up frequency shape), slow before fast where all are numbers.
 (define (normal-modes L q)
-  (define-values (M K G) (forms-at-equilibrium 'normal-modes L q))
-  (define modes (modes-of 'normal-modes M K G))
-  (note-growth (map car modes))
-  (for/list ([mode (in-list modes)])
+  (for/list ([mode (in-list (modes-at 'normal-modes L q))])
     (up (car mode) (list->structure q (cdr mode)))))
 
 ;; The frequencies only.
 (define (small-oscillation-frequencies L q)
-  (define-values (M K G) (forms-at-equilibrium 'small-oscillation-frequencies L q))
-  (define omegas (frequencies-of 'small-oscillation-frequencies M K G))
-  (note-growth omegas)
-  omegas)
+  (map car (modes-at 'small-oscillation-frequencies L q)))
 
 ;; With e^{iωt} goes e^{-iωt}: where ω is not real, one of the two grows.
 (define (note-growth omegas)
@@ -90,19 +84,24 @@
                             "grows as (exp (* ~a t)); the equilibrium is unstable")
              rate))))
 
+;; -> a list of (frequency component ...)
+(define (modes-at who given q)
+  (check-order-of-arguments who '(L q) (list given q))
+  (check-coordinates who q)
+  (define L (number-valued who given q))
+  (check-equilibrium who L q)
+  (define-values (M K G) (forms L q))
+  (check-autonomous who L q)
+  (define modes (modes-of who M K G))
+  (note-growth (map car modes))
+  modes)
+
 ;; -> the entries of the three matrices, vectors of rows
-(define (forms-at-equilibrium who L given)
-  (check-order-of-arguments who '(L q) (list L given))
-  (check-coordinates who given)
-  (define L-scalar (number-valued who L given))
-  (check-equilibrium who L-scalar given)
+(define (forms L q)
   (define (entries form)
-    (define S (simplify (form L-scalar given)))
+    (define S (simplify (form L q)))
     (if (matrix? S) (matrix-rows S) (vector (vector S))))
-  (define-values (M K G)
-    (values (entries mass-form) (entries stiffness-form) (entries gyroscopic-form)))
-  (check-autonomous who L-scalar given)
-  (values M K G))
+  (values (entries mass-form) (entries stiffness-form) (entries gyroscopic-form)))
 
 ;; Rounded coordinates, such as pi, leave a force of the size of rounding.
 (define (check-equilibrium who L q)

@@ -27,7 +27,8 @@
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/assumptions.rkt" "../value/simplify.rkt"
-         "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
+         "../numeric/linear-algebra/row-matrix.rkt"
+         "../value/matrix/row-systems.rkt"
          "../verdict/verdict.rkt")
 
 (provide equilibrium-stability stability?)
@@ -49,13 +50,12 @@
   (check-coordinates 'equilibrium-stability q)
   (define-values (L _none) (as-Lagrangian 'equilibrium-stability given q))
   (check-equilibrium L q)
-  (check-autonomous 'equilibrium-stability (scalar-valued 'equilibrium-stability L) q)
-  (define-values (M K G)
-    (values (entries (mass-matrix L q)) (entries (stiffness-matrix L q))
-            (entries (gyroscopic-matrix L q))))
+  (define number (scalar-valued 'equilibrium-stability L))
+  (check-autonomous 'equilibrium-stability number q)
+  (define-values (M K G) (forms number q))
   (check-inertia M)
   (define at-rest (judged 'stable (leading-minors K)))
-  (if (and (turning? G)
+  (if (and (not (all-entries? g:zero? G))
            (not (and (eq? (stability-kind at-rest) 'stable)
                      (null? (stability-conditions at-rest)))))
       (turning-stability L q M K G)
@@ -68,38 +68,27 @@
               "these coordinates are not an equilibrium\n  coordinates: ~a\n  residual: ~a"
               (value->text q) (value->text (verdict-residual v)))))
 
+;; M, K, G : vectors of rows
 ;; M > 0, unless its parameters leave that open.
 (define (check-inertia M)
   (when (ormap (lambda (minor) (memv (known-sign minor) '(-1 0))) (leading-minors M))
-    (raise-not-positive 'equilibrium-stability (matrix-rows M))))
-
-;; A square matrix, of one entry for a scalar.
-(define (entries S)
-  (define simple (simplify S))
-  (if (matrix? simple) simple (matrix-by-rows (list simple))))
-
-(define (turning? G)
-  (not (for*/and ([row (in-vector (matrix-rows G))] [x (in-vector row)]) (g:zero? x))))
+    (raise-not-positive 'equilibrium-stability M)))
 
 (define (leading-minors K)
-  (for/list ([n (in-range 1 (add1 (m:num-rows K)))])
-    (simplify (determinant (m:submatrix K 0 n 0 n)))))
+  (for/list ([n (in-range 1 (add1 (vector-length K)))])
+    (simplify (rows-determinant (submatrix K (range n) (range n))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Where velocities act
 
 (define (turning-stability L q M K G)
-  (cond [(= (m:num-rows M) 2) (judged 'linearly-stable (oscillation-conditions M K G))]
+  (cond [(= (vector-length M) 2) (judged 'linearly-stable (oscillation-conditions M K G))]
         [else (by-frequencies (map constant-value (small-oscillation-frequencies L q)))]))
 
 ;; |K|, b and b² − 4 |M| |K|
 (define (oscillation-conditions M K G)
-  (define (times i j k l) (g:* (matrix-ref M i j) (matrix-ref K k l)))
-  (define b
-    (g:+ (times 0 0 1 1) (times 1 1 0 0) (g:* -2 (times 0 1 0 1))
-         (g:* (matrix-ref G 0 1) (matrix-ref G 0 1))))
-  (define product (g:* (determinant M) (determinant K)))
-  (map simplify (list (determinant K) b (g:- (g:* b b) (g:* 4 product)))))
+  (define-values (a b c) (frequency-equation M K G))
+  (map simplify (list c b (g:- (g:square b) (g:* 4 a c)))))
 
 ;; Of numbers: oscillations of different frequencies, or some that grow.
 (define (by-frequencies omegas)

@@ -14,7 +14,7 @@
 (require "../canonical/transformation.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/printed-function.rkt"
-         "../generic/scalar.rkt"
+         "../generic/scalar.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/structure.rkt")
@@ -23,18 +23,18 @@
          periodic-extension)
 
 ;; ((extended-Hamiltonian H) (up s (up t q) (down p_t p))) = p_t + H(t, q, p)
-(define (extended-Hamiltonian H)
+(define-printed (extended-Hamiltonian H)
   (check-Hamiltonian 'extended-Hamiltonian H)
-  (printed-function (extended-Hamiltonian H) (state)
+  (lambda (state)
     (define inner (reduced 'extended-Hamiltonian state))
     (g:+ (s:ref (momentum state) 0) (H inner))))
 
 ;; (s, (t, q'), (p_t', p')) ↦ (s, (t, q), (p_t' + K(t, q', p'), p))
-(define (extended-transformation C K)
+(define-printed (extended-transformation C K)
   (define who 'extended-transformation)
   (check-transformation who C)
   (check-Hamiltonian who K)
-  (printed-function (extended-transformation C K) (state)
+  (lambda (state)
     (define inner (reduced who state))
     (define old (transformed who C inner))
     (up (time state)
@@ -42,12 +42,12 @@
         (down (g:+ (s:ref (momentum state) 0) (K inner)) (momentum old)))))
 
 ;; ((periodic-extension H ω) (up s (up φ q) (down P p))) = ω P + H(φ/ω, q, p)
-(define (periodic-extension H omega)
+(define-printed (periodic-extension H omega)
   (check-Hamiltonian 'periodic-extension H)
   (when (or (not (scalar? omega)) (eqv? omega 0))
     (complain 'periodic-extension "the frequency is a number other than 0, or a symbol; given ~a"
               (describe-with-value omega)))
-  (printed-function (periodic-extension H omega) (state)
+  (lambda (state)
     (define inner (reduced 'periodic-extension state))
     (g:+ (g:* omega (s:ref (momentum state) 0))
          (H (up (g:/ (time inner) omega) (coordinate inner) (momentum inner))))))
@@ -66,8 +66,8 @@
   (check-H-state who state)
   (define q (coordinate state))
   (unless (and (tuple? q) (= (s:length q) 2))
-    (complain who
-              (string-append "expected a state of the extended phase space, "
-                             "(up s (up t q) (down p_t p)); given ~a")
-              (describe-with-value state)))
+    (complain-of-argument who
+                          (string-append "a state of the extended phase space, "
+                                         "(up s (up t q) (down p_t p))")
+                          state))
   (up (s:ref q 0) (s:ref q 1) (s:ref (momentum state) 1)))

@@ -19,7 +19,7 @@
 (require racket/list
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/wrong-argument.rkt"
+         "../generic/scalar.rkt" "../generic/sums-and-products.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/structure.rkt")
@@ -128,7 +128,7 @@
 
 (define (of-Sun who masses f)
   (define ms (mass-list who masses))
-  (define M (for/fold ([M 0]) ([m (in-list ms)]) (g:+ M m)))
+  (define M (g:for/sum ([m (in-list ms)]) m))
   (of-bodies who (length ms) (list who (value->datum masses)) (lambda (xs ps) (f ms M xs ps))))
 
 (define (sum-of-products ms xs)
@@ -154,8 +154,7 @@
 (define (mass-list who masses)
   (define ms (if (tuple? masses) (structure->list masses) masses))
   (unless (and (list? ms) (andmap scalar? ms) (>= (length ms) 2))
-    (complain who "expected the masses of the bodies, a list of at least two; given ~a"
-              (describe-with-value masses)))
+    (complain-of-argument who "the masses of the bodies, a list of at least two" masses))
   ms)
 
 (define (check-links who n links)

@@ -14,7 +14,7 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
-         "../generic/arithmetic.rkt"
+         "../generic/arithmetic.rkt" "../generic/sums-and-products.rkt"
          (only-in "../value/algebra.rkt" expand-expression numerator-and-denominator)
          "../value/assumptions.rkt" "../value/simplify.rkt")
 
@@ -71,7 +71,7 @@
          (list o (sum own) (sum rest)))))
 
 (define (terms-of e) (if (and (node? e) (eq? (node-head e) op:+)) (node-args e) (list e)))
-(define (sum terms) (simplify-strictly (for/fold ([s 0]) ([t (in-list terms)]) (g:+ s t))))
+(define (sum terms) (simplify-strictly (g:for/sum ([t (in-list terms)]) t)))
 (define (holds? e x) (and (symbol? x) (occurs? x e)))
 
 (define (expanded e)

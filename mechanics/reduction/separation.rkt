@@ -14,6 +14,7 @@
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/on-demand.rkt" "../generic/printed-function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/local-tuple.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt"
@@ -45,9 +46,7 @@
   (separation H state energy result))
 
 (define (check-separation who s)
-  (unless (separation? s)
-    (complain who "expected what separate-Hamilton-Jacobi gives; given ~a"
-              (describe-with-value s))))
+  (check-argument who separation? s "what separate-Hamilton-Jacobi gives"))
 
 ;; ---------------------------------------------------------------------------
 ;; The arguments: a Hamiltonian without explicit time, in which all momenta are, and an energy that

@@ -9,6 +9,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt"
+         "../generic/wrong-argument.rkt"
          "../lagrangian/coordinate-transformation.rkt" "../lagrangian/local-tuple.rkt"
          "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
@@ -54,12 +55,11 @@
 
 (define (antisymmetric->column-matrix A)
   (unless (m:antisymmetric? A)
-    (complain 'antisymmetric->column-matrix
-              "expected an antisymmetric 3 by 3 matrix; given ~a~a" (describe-with-value A)
-              (if (matrix-of? A 3 3)
-                  (format "\n  with its transpose it adds up to: ~a"
-                          (value->text (simplify (symmetric-part A))))
-                  "")))
+    (complain-of-argument 'antisymmetric->column-matrix "an antisymmetric 3 by 3 matrix" A
+                          (if (matrix-of? A 3 3)
+                              (format "\n  with its transpose it adds up to: ~a"
+                                      (value->text (simplify (symmetric-part A))))
+                              "")))
   (vector-of A))
 
 (define (symmetric-part A) (g:+ A (transpose A)))
@@ -74,4 +74,4 @@
 (define (wcross->w A)
   (cond [(matrix-of? A 3 3) (column-matrix->up (vector-of A))]
         [(and (tuple? A) (= (s:length A) 3)) (up (ref A 1 2) (ref A 2 0) (ref A 0 1))]
-        [else (complain 'wcross->w "expected a 3 by 3 matrix; given ~a" (describe-with-value A))]))
+        [else (complain-of-argument 'wcross->w "a 3 by 3 matrix" A)]))

@@ -18,13 +18,13 @@
 ;; ---------------------------------------------------------------------------
 ;; Of the angular velocity on principal axes
 
-(define (T-body A B C)
-  (printed-function (T-body A B C) (omega)
+(define-printed (T-body A B C)
+  (lambda (omega)
     (define-values (a b c) (three 'T-body "the angular velocity" omega))
     (g:* 1/2 (g:+ (g:* A (g:square a)) (g:* B (g:square b)) (g:* C (g:square c))))))
 
-(define (L-body A B C)
-  (printed-function (L-body A B C) (omega)
+(define-printed (L-body A B C)
+  (lambda (omega)
     (define-values (a b c) (three 'L-body "the angular velocity" omega))
     (down (g:* A a) (g:* B b) (g:* C c))))
 
@@ -44,16 +44,16 @@
 ;; ---------------------------------------------------------------------------
 ;; Of the state in Euler angles
 
-(define (T-body-Euler A B C)
-  (printed-function (T-body-Euler A B C) (state)
+(define-printed (T-body-Euler A B C)
+  (lambda (state)
     ((T-body A B C) (Euler-state->omega-body state))))
 
-(define (L-body-Euler A B C)
-  (printed-function (L-body-Euler A B C) (state)
+(define-printed (L-body-Euler A B C)
+  (lambda (state)
     ((L-body A B C) (Euler-state->omega-body state))))
 
-(define (L-space-Euler A B C)
-  (printed-function (L-space-Euler A B C) (state)
+(define-printed (L-space-Euler A B C)
+  (lambda (state)
     (define omega (Euler-state->omega-body state))
     (((L-space (Euler->M (coordinate state))) A B C) omega)))
 
@@ -66,10 +66,10 @@
                 (describe-with-value moment)))))
 
 ;; The motion of a body that is free to turn, for evolve (p. 145)
-(define (rigid-sysder A B C)
+(define-printed (rigid-sysder A B C)
   (check-moments 'rigid-sysder A B C)
   (define derivative (Lagrangian->state-derivative (T-body-Euler A B C)))
-  (printed-function (rigid-sysder A B C) (state)
+  (lambda (state)
     (angles-and-rates 'rigid-sysder state)
     (check-off-pole 'rigid-sysder state)
     (derivative state)))

@@ -10,7 +10,7 @@
          "three-vector.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/scalar.rkt"
+         "../generic/scalar.rkt" "../generic/wrong-argument.rkt"
          "../numeric/finite-number.rkt"
          "../value/exact-root.rkt" "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/decompositions.rkt" "../value/matrix/eigenvalues.rkt"
@@ -61,8 +61,8 @@
 
 (define (check-tensor who I)
   (unless (matrix-of? I 3 3)
-    (complain who "expected an inertia tensor, a 3 by 3 matrix; given ~a~a" (describe-with-value I)
-              (list-hint I "(matrix-by-rows ...)")))
+    (complain-of-argument who "an inertia tensor, a 3 by 3 matrix" I
+                          (list-hint I "(matrix-by-rows ...)")))
   (define turned (g:- I (transpose I)))
   (unless (for*/and ([i (in-range 3)] [j (in-range i)])
             (negligible? (matrix-ref turned i j) (g:+ (matrix-ref I i i) (matrix-ref I j j))))

@@ -10,6 +10,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/printed-function.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/quaternion.rkt" "../value/structure.rkt"
          "../value/matrix/matrix.rkt")
 
@@ -105,13 +106,13 @@
 
 (define (4x4->quaternion M)
   (unless (matrix-of? M 4 4)
-    (complain '4x4->quaternion "expected a 4 by 4 matrix; given ~a" (describe-with-value M)))
+    (complain-of-argument '4x4->quaternion "a 4 by 4 matrix" M))
   (make-quaternion (m:nth-row M 0)))
 
 ;; ((q:rotate q) v), for a unit quaternion
-(define (q:rotate q)
+(define-printed (q:rotate q)
   (check-quaternion 'q:rotate q)
   (check-unit 'q:rotate "the quaternion" (quaternion->vector q))
-  (printed-function (q:rotate q) (v)
+  (lambda (v)
     (define-values (x y z) (three 'q:rotate "a vector" v))
     (quaternion->3vector (g:* q (g:* (quaternion 0 x y z) (q:conjugate q))))))

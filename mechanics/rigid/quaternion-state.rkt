@@ -43,16 +43,16 @@
               what (describe-with-value x)))
   (make-quaternion x))
 
-(define (T-quaternion-state A B C)
-  (printed-function (T-quaternion-state A B C) (state)
+(define-printed (T-quaternion-state A B C)
+  (lambda (state)
     ((T-body A B C) (quaternion-state->omega-body state))))
 
 ;; ---------------------------------------------------------------------------
 ;; (up t q omega)
 
-(define (qw-sysder A B C)
+(define-printed (qw-sysder A B C)
   (check-moments 'qw-sysder A B C)
-  (printed-function (qw-sysder A B C) (state)
+  (lambda (state)
     (define-values (q a b c) (parts-of 'qw-sysder state))
     (up 1
         (quaternion->vector (g:* 1/2 (g:* q (quaternion 0 a b c))))
@@ -60,13 +60,13 @@
             (g:* (g:/ (g:- C A) B) (g:* c a))
             (g:* (g:/ (g:- A B) C) (g:* a b))))))
 
-(define (qw-state->L-body A B C)
-  (printed-function (qw-state->L-body A B C) (state)
+(define-printed (qw-state->L-body A B C)
+  (lambda (state)
     (define-values (q a b c) (parts-of 'qw-state->L-body state))
     ((L-body A B C) (up a b c))))
 
-(define (qw-state->L-space A B C)
-  (printed-function (qw-state->L-space A B C) (state)
+(define-printed (qw-state->L-space A B C)
+  (lambda (state)
     (define-values (q a b c) (parts-of 'qw-state->L-space state))
     (((L-space (quaternion->rotation-matrix q)) A B C) (up a b c))))
 

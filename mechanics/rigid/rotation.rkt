@@ -13,7 +13,7 @@
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/elementary.rkt" "../generic/tracing.rkt"
+         "../generic/elementary.rkt" "../generic/tracing.rkt" "../generic/wrong-argument.rkt"
          "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
@@ -85,7 +85,7 @@
 
 (define (check-3-by-3 who M)
   (unless (matrix-of? M 3 3)
-    (complain who "expected a rotation, a 3 by 3 matrix; given ~a" (describe-with-value M))))
+    (complain-of-argument who "a rotation, a 3 by 3 matrix" M)))
 
 ;; (up (Mᵀ M − 1) (det M − 1)), zero if M is a rotation
 (define (shortfall M)

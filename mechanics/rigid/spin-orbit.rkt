@@ -11,17 +11,17 @@
 (require "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/function-check.rkt"
-         "../generic/printed-function.rkt"
+         "../generic/printed-function.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/structure.rkt")
 
 (provide L-spin-orbit spin-orbit-sysder out-of-roundness)
 
 ;; a/R and f are functions of the time.
-(define (L-spin-orbit C n epsilon a/R f)
+(define-printed (L-spin-orbit C n epsilon a/R f)
   (for ([g (in-list (list a/R f))])
     (check-takes 'L-spin-orbit g 1 "a/R and f are functions of the time"))
-  (printed-function (L-spin-orbit C n epsilon a/R f) (local)
+  (lambda (local)
     (check-local-length 'L-spin-orbit local 3)
     (define-values (t theta thetadot) (state-parts local))
     (g:+ (g:* 1/2 C (g:square thetadot))
@@ -29,12 +29,11 @@
               (g:* (g:cube (a/R t)) (g:cos (g:* 2 (g:- theta (f t)))))))))
 
 ;; The motion of states (up t theta thetadot f) on an orbit of eccentricity e, for evolve
-(define (spin-orbit-sysder n epsilon e)
+(define-printed (spin-orbit-sysder n epsilon e)
   (check-eccentricity e)
-  (printed-function (spin-orbit-sysder n epsilon e) (state)
+  (lambda (state)
     (unless (and (up? state) (= (s:length state) 4))
-      (complain 'spin-orbit-sysder "expected a state (up t theta thetadot f); given ~a"
-                (describe-with-value state)))
+      (complain-of-argument 'spin-orbit-sysder "a state (up t theta thetadot f)" state))
     (define-values (_t theta thetadot f) (apply values (structure->list state)))
     (define a/R (g:/ (g:+ 1 (g:* e (g:cos f))) (g:- 1 (g:square e))))
     (up 1

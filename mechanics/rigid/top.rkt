@@ -14,20 +14,21 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/printed-function.rkt"
+         "../generic/wrong-argument.rkt"
          "../numeric/optimization/golden-section.rkt")
 
 (provide V_eff top-potential nutation-range steady-precessions critical-spin)
 
 ;; ((V_eff p A C gMR) theta), of the sleeping top
-(define (V_eff p A C gMR)
-  (printed-function (V_eff p A C gMR) (theta)
+(define-printed (V_eff p A C gMR)
+  (lambda (theta)
     (g:+ (g:/ (g:square p) (g:* 2 C))
          (g:* (g:/ (g:square p) (g:* 2 A)) (g:square (g:tan (g:/ theta 2))))
          (g:* gMR (g:cos theta)))))
 
 ;; ((top-potential A C gMR p_phi p_psi) theta)
-(define (top-potential A C gMR p_phi p_psi)
-  (printed-function (top-potential A C gMR p_phi p_psi) (theta)
+(define-printed (top-potential A C gMR p_phi p_psi)
+  (lambda (theta)
     (g:+ (g:/ (g:square (g:- p_phi (g:* p_psi (g:cos theta))))
               (g:* 2 A (g:square (g:sin theta))))
          (g:/ (g:square p_psi) (g:* 2 C))
@@ -85,8 +86,7 @@
 (define (cubic A C gMR state)
   (define-values (theta phi psi thetadot phidot psidot) (angles-and-rates 'nutation-range state))
   (for ([x (in-list (list A C gMR theta thetadot phidot psidot))])
-    (unless (real? x)
-      (complain 'nutation-range "expected numbers; given ~a" (describe-with-value x))))
+    (check-argument 'nutation-range real? x "numbers"))
   (define u (cos (exact->inexact theta)))
   (define p_psi (* C (+ psidot (* phidot u))))
   (define s^2 (expt (sin theta) 2))

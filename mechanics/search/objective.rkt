@@ -8,8 +8,8 @@
 (require racket/flonum
          "../calculus/gradient.rkt" "../calculus/number-argument.rkt"
          "../calculus/perturbed-value.rkt"
-         "../error/complain.rkt" "../error/refusal.rkt"
-         "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../error/refusal.rkt"
+         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/shape.rkt")
 
 (provide make-target target-who
@@ -84,8 +84,7 @@
   (cond [(list? x) (apply up (for/list ([y (in-list x)]) (list->tuple who y)))]
         [(or (tuple? x) (real? (innermost x))) x]
         [else
-         (complain who "expected real numbers to start from, in a list or a tuple; given ~a"
-                   (describe-with-value x))]))
+         (complain-of-argument who "real numbers to start from, in a list or a tuple" x)]))
 
 (define (tuple-like given s)
   (if (list? given)

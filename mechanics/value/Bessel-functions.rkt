@@ -11,7 +11,7 @@
 
 (require "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
-         "../generic/kind.rkt"
+         "../generic/kind.rkt" "../generic/wrong-argument.rkt"
          "../numeric/special/Bessel-modified.rkt" "../numeric/special/Bessel-waves.rkt"
          "../numeric/constants.rkt"
          "../numeric/finite-number.rkt")
@@ -28,7 +28,7 @@
     (define (value x)
       (cond [(has-kind? x) (dispatch-unary op x)]
             [else
-             (check-argument 'name x)
+             (check-finite 'name x)
              (check-size 'name n x (numeric 'name n (real->double-flonum x)))]))
     (define op (generic-op 'name #f value (list (lambda (x value) slope)) #f '((0.3 0.9))))
     (value x)))
@@ -129,13 +129,12 @@
     (complain who "expected a real number below ~a in size as order; given ~a"
               100000 (describe-with-value order))))
 
-(define (check-argument who x)
+(define (check-finite who x)
   (unless (and (real? x) (finite? (real->double-flonum x)))
-    (complain who "expected a finite real number; given ~a" (describe-with-value x))))
+    (complain-of-argument who "a finite real number" x)))
 
 (define (check-natural who n)
-  (unless (exact-nonnegative-integer? n)
-    (complain who "expected a natural number as order; given ~a" (describe-with-value n))))
+  (check-argument who exact-nonnegative-integer? n "a natural number as order"))
 
 (define (check-positive who x)
   (unless (> x 0.0)

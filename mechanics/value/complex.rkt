@@ -15,7 +15,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt")
+         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt")
 
 (provide conjugate
          (rename-out [make-complex make-rectangular] [make-polar-complex make-polar]
@@ -36,7 +36,7 @@
 
 (define (check-parts who . parts)
   (for ([x (in-list parts)])
-    (unless (scalar? x) (complain who "expected two numbers; given ~a" (describe-with-value x)))))
+    (check-argument who scalar? x "two numbers")))
 
 (define (real-part-of x) (of-leaves generic:real-part x (lambda (re im) re)))
 (define (imag-part-of x) (of-leaves generic:imag-part x (lambda (re im) im)))

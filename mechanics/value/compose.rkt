@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Composition, the identity, constant functions.
 
-(require "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt")
+(require "../generic/describe.rkt" "../generic/function.rkt" "../generic/wrong-argument.rkt")
 
 (provide compose identity constant-function
          make-function accepts?)
@@ -26,8 +25,7 @@
    (lambda () (list 'compose (value->datum f) (value->datum g)))))
 
 (define (check f)
-  (unless (procedure? f)
-    (complain 'compose "expected functions; given ~a" (describe-with-value f))))
+  (check-argument 'compose procedure? f "functions"))
 
 (define (identity x) x)
 

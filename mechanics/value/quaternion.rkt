@@ -12,7 +12,9 @@
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/dispatch.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
          "../generic/notation.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt")
+         "../generic/scalar.rkt"
+         "../generic/sums-and-products.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide quaternion? quaternion make-quaternion real&3vector->quaternion
          quaternion->vector quaternion->3vector quaternion->real-part quaternion-ref
@@ -68,8 +70,7 @@
 (define (make-quaternion v)
   (define four (cond [(tuple? v) (structure->list v)] [(list? v) v] [else '()]))
   (unless (= (length four) 4)
-    (complain 'make-quaternion "expected a tuple of 4 numbers, the real part first; given ~a"
-              (describe-with-value v)))
+    (complain-of-argument 'make-quaternion "a tuple of 4 numbers, the real part first" v))
   (apply quaternion four))
 
 (define (real&3vector->quaternion r v)
@@ -78,15 +79,14 @@
 
 (define (check-vector who v)
   (unless (and (tuple? v) (= (s:length v) 3))
-    (complain who "expected a tuple of 3 components; given ~a~a" (describe-with-value v)
-              (list-hint v))))
+    (complain-of-argument who "a tuple of 3 components" v (list-hint v))))
 
 (define (check-quaternion who q)
   (unless (hamilton? q)
-    (complain who "expected a quaternion; given ~a~a" (describe-with-value q)
-              (if (and (tuple? q) (= (s:length q) 4))
-                  "\n  (make-quaternion ...) makes one of a tuple of 4"
-                  ""))))
+    (complain-of-argument who "a quaternion" q
+                          (if (and (tuple? q) (= (s:length q) 4))
+                              "\n  (make-quaternion ...) makes one of a tuple of 4"
+                              ""))))
 
 (define (quaternion->vector q)
   (check-quaternion 'quaternion->vector q)
@@ -124,7 +124,7 @@
   (scale (lambda (x) (g:/ x size)) q))
 
 ;; q q*, a number
-(define (norm q) (for/fold ([sum 0]) ([x (in-list (parts q))]) (g:+ sum (g:square x))))
+(define (norm q) (g:for/sum ([x (in-list (parts q))]) (g:square x)))
 
 (define (scale f q) (apply hamilton (map f (parts q))))
 

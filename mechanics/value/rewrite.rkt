@@ -96,9 +96,7 @@
 ;; Complaints
 
 (define (check-unknown who e)
-  (unless (unknown? e)
-    (complain who "expected a symbol, or a literal function applied such as ((D f) 't); given ~a"
-              (describe-with-value e))))
+  (check-argument who unknown? e "a symbol, or a literal function applied such as ((D f) 't)"))
 
 (define (raise-no-unknown who usage x)
   (complain who "it is not said in what; use ~a\n  given only: ~a" usage (value->text x)))

@@ -18,8 +18,7 @@
 ;; they are.
 (define (simplify x)
   (cond [(quoted-expression? x)
-         (complain 'simplify "expected a value; given ~a~a" (describe-with-value x)
-                   (quoted-hint x))]
+         (complain-of-argument 'simplify "a value" x (quoted-hint x))]
         [(list? x) (map simplify x)]
         [else
          (define-values (simple assumptions) (simplify/found x))
@@ -105,11 +104,10 @@
 
 ;; use : of the value of x, if it is a function
 (define (raise-no-expression who x use)
-  (complain who "expected an expression, or a tuple or matrix of them; given ~a~a"
-            (describe-with-value x)
-            (if (procedure? x)
-                (format "\n  apply the function first, and ~a its value" use)
-                (quoted-hint x))))
+  (complain-of-argument who "an expression, or a tuple or matrix of them" x
+                        (if (procedure? x)
+                            (format "\n  apply the function first, and ~a its value" use)
+                            (quoted-hint x))))
 
 (define (pair-up xs)
   (cond [(null? xs) '()]

@@ -10,8 +10,8 @@
          (only-in racket/math nan?)
          "Bessel-functions.rkt" "series/coefficients.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
-         "../generic/elementary.rkt" "../generic/kind.rkt")
+         "../generic/arithmetic.rkt" "../generic/dispatch.rkt"
+         "../generic/elementary.rkt" "../generic/kind.rkt" "../generic/wrong-argument.rkt")
 
 (provide gamma (rename-out [factorial-of factorial])
          log-gamma beta erfc zeta Lambert-W
@@ -82,13 +82,12 @@
 
 (define (factorial-of n)
   (unless (exact-nonnegative-integer? n)
-    (complain 'factorial "expected a natural number; given ~a~a" (describe-with-value n)
-              (if (real? n) "; of other numbers x it is (gamma (+ x 1))" "")))
+    (complain-of-argument 'factorial "a natural number" n
+                          (if (real? n) "\n  of other numbers x it is (gamma (+ x 1))" "")))
   (factorial n))
 
 (define (bessj n x)
-  (unless (exact-integer? n)
-    (complain 'bessj "expected a whole order; given ~a" (describe-with-value n)))
+  (check-argument 'bessj exact-integer? n "a whole order")
   (unless (has-kind? x)
     (check-real 'bessj x)
     (unless (< (abs x) most)
@@ -102,4 +101,4 @@
 
 (define (check-real who x)
   (unless (and (real? x) (not (nan? (real->double-flonum x))))
-    (complain who "expected a real number; given ~a" (describe-with-value x))))
+    (complain-of-argument who "a real number" x)))

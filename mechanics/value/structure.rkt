@@ -4,7 +4,8 @@
 (require "complex.rkt" "shape.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/function.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/kind.rkt"
+         "../generic/sums-and-products.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt")
 
 (provide
@@ -169,9 +170,9 @@
          (unless (= (structure-length s) (structure-length t))
            (raise-arguments-error 'dot-product "the tuples differ in length"
                                   "first" s "second" t))
-         (for/fold ([sum 0]) ([x (in-vector (structure-elements s))]
-                              [y (in-vector (structure-elements t))])
-           (g:+ sum (dot-product x y)))]
+         (g:for/sum ([x (in-vector (structure-elements s))]
+                     [y (in-vector (structure-elements t))])
+           (dot-product x y))]
         [(and (procedure? a) (procedure? b) (not (tuple? a)) (not (tuple? b)))
          (product-of-functions 'dot-product dot-product a b)]
         [(or (tuple? a) (tuple? b))
@@ -220,5 +221,4 @@
   (if (tuple? s) (adopt s) (raise-not-a-tuple who s)))
 
 (define (raise-not-a-tuple who s)
-  (complain who "expected a tuple; given ~a~a" (describe-with-value s)
-            (list-hint s)))
+  (complain-of-argument who "a tuple" s (list-hint s)))

@@ -3,7 +3,7 @@
 ;; vectors they are in Scheme (SICM p. 96).
 
 (require "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/naming.rkt" "../generic/up-down.rkt")
+         "../generic/naming.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt")
 
 (provide tuple-vector-ref tuple-vector-length tuple-vector->list tuple-vector-map)
 
@@ -21,8 +21,7 @@
   (lambda (f first . more)
     (define all
       (for/list ([v (in-list (cons first more))])
-        (unless (tuple? v)
-          (complain 'vector-map "expected tuples or vectors; given ~a" (describe-with-value v)))
+        (check-argument 'vector-map tuple? v "tuples or vectors")
         (tuple-elements v)))
     (unless (for/and ([v (in-list all)]) (= (vector-length v) (vector-length (car all))))
       (complain 'vector-map "the tuples differ in length: ~a" (map vector-length all)))

@@ -95,9 +95,8 @@
 ;; kinks-found : -> kinks and grounds
 (define (judge leaf A variables kinks-found)
   (unless (expression? leaf)
-    (complain 'prove-zero
-              "expected a number, an expression, a tuple of them, or a function; given ~a~a"
-              (describe-with-value leaf) (quoted-hint leaf)))
+    (complain-of-argument 'prove-zero "a number, an expression, a tuple of them, or a function"
+                          leaf (quoted-hint leaf)))
   (define z (zero-test leaf A variables))
   (define-values (kinks _)
     (if (and (eq? (zero-test-status z) 'refuted) (looks-at-jumps? leaf))

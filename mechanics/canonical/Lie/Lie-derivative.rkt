@@ -32,10 +32,10 @@
 (define (Lie-derivative H) (derivation-of 'Lie-derivative H 0))
 
 ;; The same as a function, which the book makes an operator of (p. 448)
-(define (Lie-derivative-procedure H)
+(define-printed (Lie-derivative-procedure H)
   (define who 'Lie-derivative-procedure)
   (check-Hamiltonian who H)
-  (printed-function (Lie-derivative-procedure H) (F)
+  (lambda (F)
     (check-quantity who F)
     (Poisson-bracket F H)))
 

@@ -36,10 +36,10 @@
 
 ;; (Lie-transformation W ε n) : the state ↦ its coordinates and momenta along the series, summed
 ;; up to order n; canonical up to terms of order n + 1.
-(define (Lie-transformation W epsilon order)
+(define-printed (Lie-transformation W epsilon order)
   (check-argument 'Lie-transformation exact-nonnegative-integer? order "the order of the last term")
   (define E (exponential 'Lie-transformation Lie-derivative W epsilon))
   (define-values (q p) (values (E coordinate) (E momentum)))
-  (printed-function (Lie-transformation W epsilon order) (state)
+  (lambda (state)
     (check-H-state 'Lie-transformation state)
     (up (time state) (series:sum (q state) order) (series:sum (p state) order))))

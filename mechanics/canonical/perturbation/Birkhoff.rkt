@@ -31,8 +31,7 @@
   #:text normal-form->text)
 
 (define (check-normal-form who N)
-  (unless (normal-form? N)
-    (complain who "expected what Birkhoff-normal-form gives; given ~a" (describe-with-value N))))
+  (check-argument who normal-form? N "what Birkhoff-normal-form gives"))
 
 (provide-parts normal-form? "what Birkhoff-normal-form gives"
   normal-form-frequencies normal-form-divisors)

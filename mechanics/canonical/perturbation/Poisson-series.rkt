@@ -14,6 +14,7 @@
          "../../algebra/expression/symbols.rkt"
          "../../calculus/expression-function.rkt"
          "../../generic/arithmetic.rkt" "../../generic/elementary.rkt"
+         "../../generic/sums-and-products.rkt"
          "../../value/simplify.rkt")
 
 (provide (struct-out wave) constant-series zero-series angle-series one-wave
@@ -162,8 +163,8 @@
 ;; thetas : values of the angles
 (define (series->expression s thetas)
   (define (combination numbers)
-    (for/fold ([sum 0]) ([c (in-list numbers)] [theta (in-list thetas)])
-      (g:+ sum (g:* c theta))))
+    (g:for/sum ([c (in-list numbers)] [theta (in-list thetas)])
+      (g:* c theta)))
   (for/fold ([sum (combination (Poisson-series-linear s))])
             ([k (in-list (sort (wave-numbers s) earlier?))])
     (define w (hash-ref (Poisson-series-waves s) k))

@@ -9,11 +9,10 @@
          "../Lie/Lie-derivative.rkt"
          "Poisson-series.rkt" "homological.rkt" "named-decimals.rkt"
          "../../calculus/expression-function.rkt"
-         "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt"
          "../../generic/function.rkt"
-         "../../generic/value-struct.rkt"
+         "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
          "../../hamiltonian/H-state.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../../value/shape.rkt" "../../value/simplify.rkt"
@@ -35,8 +34,7 @@
 (define (actions-of P) (scalars (momentum (perturbation-state P))))
 
 (define (check-perturbation who P)
-  (unless (perturbation? P)
-    (complain who "expected what perturbation-series gives; given ~a" (describe-with-value P))))
+  (check-argument who perturbation? P "what perturbation-series gives"))
 
 ;; ---------------------------------------------------------------------------
 ;; The results

@@ -8,7 +8,7 @@
 ;; momenta, which cannot be removed, and those that are asked for.
 
 (require "Poisson-series.rkt" "vanishing-divisor.rkt"
-         "../../generic/arithmetic.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/sums-and-products.rkt"
          "../../value/simplify.rkt")
 
 (provide solve-homological (struct-out removed))
@@ -19,8 +19,8 @@
 ;; k·ω
 (define (divisor k frequencies)
   (simplify-strictly
-   (for/fold ([sum 0]) ([i (in-list k)] [omega (in-list frequencies)])
-     (g:+ sum (g:* i omega)))))
+   (g:for/sum ([i (in-list k)] [omega (in-list frequencies)])
+     (g:* i omega))))
 
 ;; h : a Poisson series; resonant? : k -> is it to be kept?; number : an expression -> the same
 ;; with its decimals (named-decimals.rkt), which tell whether it vanishes

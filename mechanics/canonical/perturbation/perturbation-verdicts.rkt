@@ -16,7 +16,8 @@
          "../Lie/Lie-derivative.rkt" "../Lie/Lie-triangle.rkt"
          "../../calculus/derivative.rkt"
          "../../error/computed-once.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/up-down.rkt"
+         "../../generic/arithmetic.rkt"
+         "../../generic/sums-and-products.rkt" "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Poisson-bracket.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../../value/shape.rkt"
@@ -92,9 +93,9 @@
   (for/list ([m (in-range 1 (length (perturbation-terms P)))])
     (apply up (for/list ([pair (in-combinations components 2)])
                 (define-values (a b) (values (car pair) (cadr pair)))
-                (for/fold ([sum 0]) ([i (in-range (add1 m))])
-                  (g:+ sum ((Poisson-bracket (list-ref a i) (list-ref b (- m i)))
-                            (perturbation-state P))))))))
+                (g:for/sum ([i (in-range (add1 m))])
+                  ((Poisson-bracket (list-ref a i) (list-ref b (- m i)))
+                   (perturbation-state P)))))))
 
 ;; C, followed by its inverse as a Lie transform, and what the formulas of perturbation-inverse
 ;; miss that by

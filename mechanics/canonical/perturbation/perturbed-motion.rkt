@@ -10,7 +10,8 @@
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt"
-         "../../generic/function.rkt" "../../generic/up-down.rkt"
+         "../../generic/function.rkt"
+         "../../generic/sums-and-products.rkt" "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../../value/shape.rkt")
@@ -50,9 +51,9 @@
     (evaluate-at formula place state)))
 
 (define (summed P terms)
-  (for/fold ([sum 0]) ([s (in-list terms)] [k (in-naturals)])
-    (g:+ sum (g:* (g:expt (perturbation-parameter P) k)
-                  (series->formula P s)))))
+  (g:for/sum ([s (in-list terms)] [k (in-naturals)])
+    (g:* (g:expt (perturbation-parameter P) k)
+         (series->formula P s))))
 
 ;; ---------------------------------------------------------------------------
 ;; Resonances among the divisors

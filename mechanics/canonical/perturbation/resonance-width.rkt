@@ -11,7 +11,8 @@
          "../../calculus/derivative.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/elementary.rkt" "../../generic/up-down.rkt"
+         "../../generic/elementary.rkt"
+         "../../generic/sums-and-products.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
          "../../lagrangian/local-tuple.rkt"
@@ -70,7 +71,7 @@
     (define p (list->structure (momentum state) (list-set I j x)))
     (define omegas
       (scalars (derivative-at (lambda (p) (H0 (up (time state) (coordinate state) p))) p)))
-    (for/fold ([sum 0]) ([n (in-list k)] [omega (in-list omegas)]) (g:+ sum (g:* n omega))))
+    (g:for/sum ([n (in-list k)] [omega (in-list omegas)]) (g:* n omega)))
   (define rate (simplify (derivative-at slope 0)))
   (check-linear who slope rate k j)
   (simplify (g:negate (g:/ (slope 0) rate))))

@@ -27,8 +27,7 @@
          "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/periodic-function.rkt")
 
-(provide invariant-circle invariant-circle? invariant-circle-error invariant-circle-modes
-         invariant-circle-ordinate
+(provide invariant-circle invariant-circle? invariant-circle-ordinate
          ;; for their limits
          circle-for)
 
@@ -40,12 +39,10 @@
 
 (define (invariant-circle? x) (circle? x))
 
-(define (invariant-circle-error c) (circle-error (checked 'invariant-circle-error c)))
-(define (invariant-circle-modes c) (circle-modes (checked 'invariant-circle-modes c)))
-
-(define (checked who c)
-  (check-argument who circle? c "a circle, as invariant-circle finds one")
-  c)
+(define a-circle "a circle, as invariant-circle finds one")
+(provide-parts circle? a-circle invariant-circle-error invariant-circle-modes)
+(define invariant-circle-error circle-error)
+(define invariant-circle-modes circle-modes)
 
 (define (point-at c angle)
   (define theta (flonum 'invariant-circle angle))
@@ -55,7 +52,7 @@
 
 ;; The ordinate of the circle at an abscissa, by the secant method.
 (define (invariant-circle-ordinate c abscissa)
-  (checked 'invariant-circle-ordinate c)
+  (check-argument 'invariant-circle-ordinate circle? c a-circle)
   (define x (flonum 'invariant-circle-ordinate abscissa))
   (define (miss theta) (fl- (fl+ theta ((circle-x c) theta)) x))
   (let loop ([a (fl- x 1e-3)] [at-a (miss (fl- x 1e-3))] [b x] [at-b (miss x)] [n 0])

@@ -64,9 +64,7 @@
 ;; differentiated, as those made of motions can.
 ;; Returns the fixed point of m, an iterate of the map, and its coordinates as an flvector.
 (define (fixed-point-of who map m tolerance [limit 100])
-  (define (less-unit rows)
-    (for/vector ([row (in-vector rows)] [i (in-naturals)])
-      (for/vector ([x (in-vector row)] [j (in-naturals)]) (if (= i j) (- x 1.0) x))))
+  (define (less-unit rows) (rows-combine - rows (unit-rows (vector-length rows) 1.0 0.0)))
   (define (search)
     (newton (lambda (z) (displacement m z)) (lambda (z) (less-unit (slopes-of-image m z)))
             (map-on-tuples-start m)
@@ -126,8 +124,7 @@
   (define n (vector-length M))
   (cond [(= n 2) (call-with-values (lambda () (eigenvalues (matrix->jacobian M))) list)]
         [else
-         (define all (for*/flvector #:length (* n n) ([row (in-vector M)] [x (in-vector row)]) x))
-         (sort (or (real-matrix-eigenvalues all n) '()) > #:key magnitude)]))
+         (sort (or (real-matrix-eigenvalues (rows->flvector M) n) '()) > #:key magnitude)]))
 
 ;; A size within this of 1 is taken for 1.
 (define unit-tolerance 1e-6)

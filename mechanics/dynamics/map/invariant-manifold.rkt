@@ -166,9 +166,7 @@
 
 (define (check-asked who map p stable? inverse side length gap)
   (check-map who map)
-  (unless (fixed-point? p)
-    (complain who "expected a fixed point, as find-fixed-point finds one; given ~a"
-              (describe-with-value p)))
+  (check-argument who fixed-point? p "a fixed point, as find-fixed-point finds one")
   (unless (memq (fixed-point-kind p) '(hyperbolic reflection-hyperbolic))
     (complain who "only hyperbolic points have manifolds; this one is ~a\n  ~a"
               (fixed-point-kind p) (value->text (fixed-point-coordinates p))))

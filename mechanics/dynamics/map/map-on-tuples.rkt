@@ -14,11 +14,12 @@
          "../../error/complain.rkt" "../../error/refusal.rkt"
          "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/function-check.rkt" "../../generic/function.rkt"
-         "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         "../../generic/scalar.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
          "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
          "../../numeric/flvector.rkt"
          "../../numeric/whole-turns.rkt"
+         (only-in "../../search/implicit-root.rkt" columns->rows)
          "../../value/shape.rkt")
 
 (provide make-map-on-tuples (struct-out map-on-tuples) done-times
@@ -79,11 +80,10 @@
   (when (or (of-momenta? map) (and (called-energy? map) (not (takes?)))) (raise-energy who map)))
 
 (define (raise-energy who f)
-  (complain who "expected a map of the plane, or a function of a state\n  given: ~a~a"
-            (describe-with-value f)
-            (string-append (energy-hint f)
-                           "\n  where the motion rests, (find-equilibrium "
-                           (if (called-Lagrangian? f) "L" "H") " q) finds")))
+  (complain-of-argument who "a map of the plane, or a function of a state" f
+                        (string-append (energy-hint f)
+                                       "\n  where the motion rests, (find-equilibrium "
+                                       (if (called-Lagrangian? f) "L" "H") " q) finds")))
 
 (define (raise-rates who map)
   (complain who
@@ -182,7 +182,5 @@
 
 ;; Returns the derivatives of the image, a vector of rows.
 (define (slopes-of-image m z)
-  (define n (flvector-length z))
-  (define all (numbers (derivative-at (image-by m) (up-of-numbers z))))
-  (for/vector #:length n ([i (in-range n)])
-    (for/vector #:length n ([j (in-range n)]) (flvector-ref all (+ i (* j n))))))
+  (columns->rows (flvector-length z)
+                 (numbers (derivative-at (image-by m) (up-of-numbers z)))))

@@ -7,9 +7,8 @@
 
 (require racket/stream
          "map-of-the-plane.rkt"
-         "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/function.rkt"
+         "../../generic/function.rkt" "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt"
          "../../value/principal-value.rkt")
 
@@ -64,6 +63,4 @@
                 [else (- count)])))))
 
 (define (check-stream who s)
-  (unless (stream? s)
-    (complain who "expected a stream, as orbit-stream makes one\n  given: ~a"
-              (describe-with-value s))))
+  (check-argument who stream? s "a stream, as orbit-stream makes one"))

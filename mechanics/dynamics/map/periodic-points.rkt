@@ -4,8 +4,8 @@
 ;; find more.
 
 (require "fixed-points.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
-         "../../error/complain.rkt" "../../error/failure.rkt" "../../error/refusal.rkt"
-         "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../error/failure.rkt" "../../error/refusal.rkt"
+         "../../generic/compare.rkt" "../../generic/define-plain.rkt"
          "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/finite-number.rkt")
 
@@ -75,6 +75,5 @@
   (define bounds (and (list? region) (for/list ([x (in-list region)]) (comparand x))))
   (unless (and bounds (= (length bounds) 4) (andmap finite? bounds)
                (< (car bounds) (cadr bounds)) (< (caddr bounds) (cadddr bounds)))
-    (complain who "expected a region, (list x-min x-max y-min y-max)\n  given: ~a"
-              (describe-with-value region)))
+    (complain-of-argument who "a region, (list x-min x-max y-min y-max)" region))
   (apply values bounds))

@@ -5,7 +5,7 @@
 (require "map-of-the-plane.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/up-down.rkt"
+         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
          "../../value/principal-value.rkt")
 
@@ -26,8 +26,7 @@
 (define (start-number who p x)
   (define value (comparand x))
   (unless (finite? value)
-    (complain who "expected a point of real numbers, such as (up 0.1 0.2)\n  given: ~a"
-              (describe-with-value p)))
+    (complain-of-argument who "a point of real numbers, such as (up 0.1 0.2)" p))
   (real->double-flonum value))
 
 ;; ---------------------------------------------------------------------------
@@ -48,8 +47,7 @@
   (cond [(and (tuple? p) (= (structure-length (adopt p)) 2)) (vector-ref (tuple-elements p) k)]
         [(and (pair? p) (not (list? p))) (of-pair p)]
         [else
-         (complain who "expected a point of the plane, such as (make-point x y)\n  given: ~a"
-                   (describe-with-value p))]))
+         (complain-of-argument who "a point of the plane, such as (make-point x y)" p)]))
 
 ;; ---------------------------------------------------------------------------
 ;; Nearness, for plot-parametric-fill: are two points closer than eps ...

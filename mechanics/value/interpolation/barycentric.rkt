@@ -11,7 +11,8 @@
 ;; With slopes given too: Newton's divided differences, each point taken twice.
 
 (require "data.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/function.rkt")
+         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/function.rkt"
+         "../../generic/sums-and-products.rkt")
 
 (provide barycentric-interpolation-function Hermite-interpolation-function)
 
@@ -40,8 +41,8 @@
     (g:/ 1 (product-of-differences xs xi i unit))))
 
 (define (product-of-differences xs x i unit)
-  (for/fold ([p 1]) ([xj (in-vector xs)] [j (in-naturals)] #:unless (= i j))
-    (g:* p (g:/ (g:- x xj) unit))))
+  (g:for/product ([xj (in-vector xs)] [j (in-naturals)] #:unless (= i j))
+    (g:/ (g:- x xj) unit)))
 
 (define (by-weights xs ys weights x)
   (define-values (numerator denominator)
@@ -52,10 +53,10 @@
   (g:/ numerator denominator))
 
 (define (by-products xs ys x)
-  (for/fold ([sum 0]) ([xi (in-vector xs)] [y (in-vector ys)] [i (in-naturals)])
-    (g:+ sum (g:* (g:/ (product-of-differences xs x i 1)
-                       (product-of-differences xs xi i 1))
-                  y))))
+  (g:for/sum ([xi (in-vector xs)] [y (in-vector ys)] [i (in-naturals)])
+    (g:* (g:/ (product-of-differences xs x i 1)
+              (product-of-differences xs xi i 1))
+         y)))
 
 (define ((described who xs))
   `(,who through ,(vector-length xs) points))

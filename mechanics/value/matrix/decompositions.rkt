@@ -5,8 +5,7 @@
          racket/list
          "eigenvalues.rkt" "linear-algebra.rkt" "matrix.rkt" "numeric-eigenvectors.rkt"
          "../simplify.rkt" "../structure.rkt"
-         "../../error/complain.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/wrong-argument.rkt"
          "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
          "../../numeric/linear-algebra/singular-values.rkt"
@@ -54,7 +53,7 @@
           [(tuple? A) (square-entries 'svd A)]
           [else (raise-no-matrix 'svd A)]))
   (unless (all-entries? rational? rows)
-    (complain 'svd "expected a matrix of finite real numbers; given ~a" (describe-with-value A)))
+    (complain-of-argument 'svd "a matrix of finite real numbers" A))
   (define wide? (> (row-length rows) (vector-length rows)))
   (define-values (us sizes vs)
     (singular-values (columns-of (if wide? (rows-transpose rows) rows))))
@@ -64,4 +63,4 @@
 (define (matrix-of-columns columns) (apply matrix-by-columns (map flvector->list columns)))
 
 (define (raise-no-matrix who m)
-  (complain who "expected a matrix or a tuple of tuples; given ~a" (describe-with-value m)))
+  (complain-of-argument who "a matrix or a tuple of tuples" m))

@@ -14,6 +14,7 @@
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
+         "../../generic/wrong-argument.rkt"
          "../../numeric/finite-number.rkt" "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
          "../../numeric/linear-algebra/matrix-scaling.rkt")
@@ -33,8 +34,7 @@
 (define (square who m)
   (or (square-entries who m)
       (and (scalar? m) (vector (vector m)))
-      (complain who "expected a square matrix or tuple of tuples; given ~a"
-                (describe-with-value m))))
+      (complain-of-argument who "a square matrix or tuple of tuples" m)))
 
 ;; A list, each as often as it is a root of the characteristic polynomial.
 (define (eigenvalues m)

@@ -10,7 +10,8 @@
          "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/dispatch.rkt"
          "../../generic/function.rkt" "../../generic/kind.rkt" "../../generic/on-demand.rkt"
-         "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         "../../generic/scalar.rkt" "../../generic/sums-and-products.rkt"
+         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          (only-in "../../numeric/linear-algebra/row-matrix.rkt" rows-transpose))
 
 (require-on-demand
@@ -41,8 +42,8 @@
         [else #f]))
 
 (define (diagonal-sum rows)
-  (for/fold ([sum 0]) ([row (in-vector rows)] [i (in-naturals)])
-    (g:+ sum (vector-ref row i))))
+  (g:for/sum ([row (in-vector rows)] [i (in-naturals)])
+    (vector-ref row i)))
 
 ;; x is a scalar, a matrix of one entry, or a function, composed with op.
 (define (of-scalar-or-function op x)
@@ -90,7 +91,7 @@
 (define (check-tuple-of-tuples who s)
   (define elements (structure-elements (structure-of who s)))
   (unless (and (positive? (vector-length elements)) (for/and ([x (in-vector elements)]) (tuple? x)))
-    (complain who "expected a tuple of tuples; given ~a" (describe-with-value s))))
+    (complain-of-argument who "a tuple of tuples" s)))
 
 ;; ---------------------------------------------------------------------------
 ;; Transposition
@@ -267,15 +268,14 @@
               (values (rows-transpose (list->vector (map scalar-vector parts)))
                       (lambda (v) (vector->structure like v))))]
         [(scalar? A) (values (vector (vector A)) (lambda (v) (vector-ref v 0)))]
-        [else (complain who "expected a matrix or a tuple of tuples; given ~a"
-                        (describe-with-value A))]))
+        [else (complain-of-argument who "a matrix or a tuple of tuples" A)]))
 
 ;; The columns of A: its components, or if those that make it square lie deeper, these.
 (define (nested-parts who A)
   (check-tuple-of-tuples who A)
   (or (square-parts A)
       (parts-of-shape A (s:ref A 0))
-      (complain who "expected components of one shape; given ~a" (describe-with-value A))))
+      (complain-of-argument who "components of one shape" A)))
 
 ;; ---------------------------------------------------------------------------
 ;; Structures as matrices (SICM p. 353)

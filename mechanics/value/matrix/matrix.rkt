@@ -154,8 +154,7 @@
 (define (index-below? i n) (and (exact-nonnegative-integer? i) (< i n)))
 
 (define (check-matrix who m)
-  (unless (matrix? m)
-    (complain who "expected a matrix; given ~a" (describe-with-value m))))
+  (check-argument who matrix? m "a matrix"))
 
 (define (column m j)
   (for/vector #:length (m:num-rows m) ([row (in-vector (matrix-rows m))]) (vector-ref row j)))

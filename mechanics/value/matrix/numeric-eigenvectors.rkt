@@ -11,7 +11,7 @@
 ;; λ complex, z = x + i y is taken to 0 if (x, y) is by a real matrix of twice the size.
 
 (require racket/list
-         "linear-algebra.rkt" "matrix.rkt"
+         "linear-algebra.rkt" "matrix.rkt" "row-products.rkt"
          "../structure.rkt"
          "../../generic/arithmetic.rkt"
          "../../numeric/flvector.rkt"
@@ -52,14 +52,9 @@
 
 ;; Lists of values of which each is near another in its list, in the order of the values
 (define (clusters values size gap)
-  (define (place group) (index-of values (last group)))
-  (for/fold ([found '()] #:result (map reverse (sort found < #:key place)))
-            ([value (in-list values)])
-    (define-values (near far)
-      (partition (lambda (group)
-                   (ormap (lambda (x) (<= (magnitude (- x value)) (* gap size))) group))
-                 found))
-    (cons (cons value (append* near)) far)))
+  (define (value i) (list-ref values i))
+  (define (near? i j) (<= (magnitude (- (value i) (value j))) (* gap size)))
+  (for/list ([group (in-list (joined-groups (length values) near?))]) (map value group)))
 
 ;; ---------------------------------------------------------------------------
 ;; One
@@ -81,16 +76,12 @@
 
 ;; Orthonormal vectors that rows less value takes to 0, but for the tolerance
 (define (null-vectors rows value tolerance)
-  (define A (less rows value))
+  (define A (rows-combine - rows (unit-rows (vector-length rows) value 0)))
   (if (all-entries? real? A)
       (for/list ([v (in-list (real-null-vectors A tolerance))]) (apply up v))
       (map (lambda (z) (apply up z))
            (independent (for/list ([v (in-list (real-null-vectors (doubled A) tolerance))])
                           (joined v (vector-length A)))))))
-
-(define (less rows value)
-  (for/vector ([row (in-vector rows)] [i (in-naturals)])
-    (for/vector ([x (in-vector row)] [j (in-naturals)]) (if (= i j) (- x value) x))))
 
 ;; -> lists of numbers
 (define (real-null-vectors rows tolerance)

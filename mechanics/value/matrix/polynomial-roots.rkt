@@ -15,16 +15,15 @@
          "../../algebra/expression/symbols.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/scalar.rkt")
+         "../../generic/scalar.rkt"
+         "../../generic/sums-and-products.rkt" "../../generic/wrong-argument.rkt")
 
 (provide polynomial-roots)
 
 ;; The roots of a polynomial in the symbol x, each as often as its multiplicity.
 (define (polynomial-roots p x)
-  (unless (scalar? p)
-    (complain 'polynomial-roots "expected a polynomial; given ~a" (describe-with-value p)))
-  (unless (symbol? x)
-    (complain 'polynomial-roots "expected a symbol, the unknown; given ~a" (describe-with-value x)))
+  (check-argument 'polynomial-roots scalar? p "a polynomial")
+  (check-argument 'polynomial-roots symbol? x "a symbol, the unknown")
   (define coefficients (coefficients-in p x))
   (define leading (last coefficients))
   (roots (for/list ([c (in-list (drop-right coefficients 1))]) (simplify (g:/ c leading)))))
@@ -82,7 +81,7 @@
            (when (occurs? x c) (raise-no-polynomial p x))
            (next (simplify (g:- rest (g:* c (power x n)))) (add1 n) (cons c found))])))
 
-(define (power x n) (for/fold ([p 1]) ([_ (in-range n)]) (g:* p x)))
+(define (power x n) (g:for/product ([_ (in-range n)]) x))
 
 (define most-powers 100)
 

@@ -1,10 +1,11 @@
 #lang racket/base
-;; Products of rows and of matrices, over the generic arithmetic.
+;; Products of rows and of matrices, over the generic arithmetic; and which rows belong together.
 
-(require "../../generic/arithmetic.rkt"
+(require (only-in racket/list append* partition)
+         "../../generic/arithmetic.rkt" "../../generic/sums-and-products.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt")
 
-(provide rows-product rows-times-list sum-of-products)
+(provide rows-product rows-times-list sum-of-products joined-groups)
 
 (define (rows-product a b)
   (define columns (rows-transpose b))
@@ -15,9 +16,16 @@
 ;; The products of rows, lists, with the list xs
 (define (rows-times-list rows xs)
   (for/list ([row (in-list rows)])
-    (for/fold ([sum 0]) ([a (in-list row)] [x (in-list xs)]) (g:+ sum (g:* a x)))))
+    (g:for/sum ([a (in-list row)] [x (in-list xs)]) (g:* a x))))
 
 ;; Σ vᵢ wᵢ, without the terms that are 0 whatever they are multiplied by.
 (define (sum-of-products v w)
-  (for/fold ([sum 0]) ([x (in-vector v)] [y (in-vector w)] #:unless (or (eqv? x 0) (eqv? y 0)))
-    (g:+ sum (g:* x y))))
+  (g:for/sum ([x (in-vector v)] [y (in-vector w)] #:unless (or (eqv? x 0) (eqv? y 0)))
+    (g:* x y)))
+
+;; The indices 0 to n − 1 in groups, each rising, that joined? does not join.
+(define (joined-groups n joined?)
+  (for/fold ([groups '()] #:result (sort groups < #:key car)) ([i (in-range n)])
+    (define-values (near far)
+      (partition (lambda (group) (ormap (lambda (j) (joined? i j)) group)) groups))
+    (cons (sort (cons i (append* near)) <) far)))

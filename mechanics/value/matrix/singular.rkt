@@ -4,12 +4,12 @@
 
 (require "../algebra.rkt" "../assumptions.rkt"
          "../../algebra/expression/expression.rkt"
-         "../../error/complain.rkt" "../../error/failure.rkt" "../../error/message-words.rkt"
-         "../../generic/describe.rkt"
+         "../../error/failure.rkt" "../../error/message-words.rkt"
+         "../../generic/describe.rkt" "../../generic/wrong-argument.rkt"
          "../../numeric/linear-algebra/flonum-systems.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt")
 
-(provide raise-singular-matrix matrix-kernel raise-no-scalars raise-too-large)
+(provide raise-singular-matrix matrix-kernel raise-no-scalars raise-too-large last-by-others)
 
 ;; Of a matrix of numbers and expressions; #f if that would grow too large.
 (define (matrix-kernel rows)
@@ -61,15 +61,22 @@
 
 ;; Σ yᵢ (row i) = 0, as the last of them in terms of the others.
 (define (dependence-text y)
+  (define-values (end others)
+    (last-by-others y "row" (lambda (a b) (simple (e:/ (e:negate a) b)))))
+  (format "row ~a is ~a" end (or others "zero")))
+
+;; -> the index of the last that Σ yᵢ xᵢ = 0 depends on, and it in terms of the others, or #f if
+;; there are none; noun : of the x; less-quotient : a b -> −a/b as it is shown
+(define (last-by-others y noun less-quotient)
   (define (none? c) (and (number? c) (zero? c)))
   (define end (for/last ([c (in-vector y)] [i (in-naturals)] #:unless (none? c)) i))
   (define terms
     (for/list ([c (in-vector y)] [i (in-range end)] #:unless (none? c))
-      (multiple-text (simple (e:/ (e:negate c) (vector-ref y end))) i)))
-  (format "row ~a is ~a" end (if (null? terms) "zero" (joined terms " plus "))))
-
-(define (multiple-text c i)
-  (if (eqv? c 1) (format "row ~a" i) (format "~a times row ~a" (value->text c) i)))
+      (define factor (less-quotient c (vector-ref y end)))
+      (if (member factor '(1 1.0))
+          (format "~a ~a" noun i)
+          (format "~a times ~a ~a" (value->text factor) noun i))))
+  (values end (and (pair? terms) (joined terms " plus "))))
 
 (define (simple e) (if (number? e) e (simplify-expression e (assumptions-in-force))))
 
@@ -89,7 +96,7 @@
 ;; Rank and null space
 
 (define (raise-no-scalars who given)
-  (complain who "expected numbers or expressions as entries; given ~a" (describe-with-value given)))
+  (complain-of-argument who "numbers or expressions as entries" given))
 
 (define (raise-too-large who given)
   (raise-no-answer who (string-append "elimination would make the entries too large, "

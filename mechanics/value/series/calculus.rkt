@@ -2,8 +2,7 @@
 ;; Derivatives and integrals of series, and the inverse function of a power series.
 
 (require "coefficients.rkt" "series.rkt"
-         "../../error/complain.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/describe.rkt")
+         "../../generic/arithmetic.rkt" "../../generic/wrong-argument.rkt")
 
 (provide series:derivative series:integral series:reversion)
 
@@ -41,8 +40,9 @@
 
 (define (check-power-series who s)
   (unless (power-series? s)
-    (complain who "expected a power series; given ~a~a" (describe-with-value s)
-              (if (series? s)
-                  (string-append "\n  a series of terms has no variable; "
-                                 "(series:->function s) takes its terms as coefficients")
-                  ""))))
+    (complain-of-argument
+     who "a power series" s
+     (if (series? s)
+         (string-append "\n  a series of terms has no variable; "
+                        "(series:->function s) takes its terms as coefficients")
+         ""))))

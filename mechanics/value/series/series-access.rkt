@@ -2,7 +2,7 @@
 ;; What one does with series: make them, and look at as many terms as one wants.
 
 (require "coefficients.rkt" "series.rkt"
-         "../../generic/arithmetic.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/sums-and-products.rkt"
          "../../generic/wrong-argument.rkt")
 
 (provide
@@ -46,8 +46,8 @@
 (define (series:sum s n)
   (check-series 'series:sum s)
   (check-argument 'series:sum exact-nonnegative-integer? n "the order of the last term")
-  (for/fold ([sum 0]) ([k (in-range (min (add1 n) (series-length s)))])
-    (g:+ sum (series-term s k))))
+  (g:for/sum ([k (in-range (min (add1 n) (series-length s)))])
+    (series-term s k)))
 
 ;; (f term) for the first n terms; for all of them, where they end.
 (define (series:for-each f s [n #f])

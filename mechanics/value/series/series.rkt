@@ -13,7 +13,8 @@
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
-         "../../generic/on-demand.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
+         "../../generic/sums-and-products.rkt" "../../generic/up-down.rkt"
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt")
 
 (provide series:ref check-series
@@ -73,10 +74,10 @@
 
 (define (check-series who s)
   (unless (series? s)
-    (complain who "expected a series; given ~a~a" (describe-with-value s)
-              (if (procedure? s)
-                  "\n  a function whose values are series must be applied first"
-                  ""))))
+    (complain-of-argument who "a series" s
+                          (if (procedure? s)
+                              "\n  a function whose values are series must be applied first"
+                              ""))))
 
 (define (series-term s k) (coefficient (series-coefficients s) k))
 (define (series-length s) (coefficients-length (series-coefficients s)))
@@ -260,8 +261,8 @@
    (lambda (k)
      (if (eqv? k 0)
          (series-term s 0)
-         (for/fold ([sum 0]) ([n (in-range 1 (add1 k))])
-           (g:+ sum (g:* (series-term s n) (series-term (coefficient powers n) k))))))))
+         (g:for/sum ([n (in-range 1 (add1 k))])
+           (g:* (series-term s n) (series-term (coefficient powers n) k)))))))
 
 ;; t, t², t³, …, remembered; from index 1 on
 (define (powers-of t)

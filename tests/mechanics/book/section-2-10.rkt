@@ -130,4 +130,4 @@
   "nutation-range: expected the Euler angles (up theta phi psi), a tuple of 3 components; "
   "given the number 0.4"]
  [(nutation-range 'A C gMR start)
-  "nutation-range: expected numbers; given the symbol A"])
+  "nutation-range: expected numbers\n  given: the symbol A"])

@@ -110,7 +110,7 @@
   "spin-orbit-sysder: the eccentricity of an orbit that closes is 0 or more and less than 1; "
   "given the number 1.2"]
  [((spin-orbit-sysder 1 0.1 0.2) (up 0 0 0))
-  "spin-orbit-sysder: expected a state (up t theta thetadot f); "
-  "given (up 0 0 0), an up tuple of 3"]
+  "spin-orbit-sysder: expected a state (up t theta thetadot f)\n"
+  "  given: (up 0 0 0), an up tuple of 3"]
  [(L-spin-orbit 1 1 1 1 f)
   "L-spin-orbit: a/R and f are functions of the time; given the number 1"])

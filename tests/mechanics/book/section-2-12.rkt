@@ -248,7 +248,7 @@
  [(quaternion->rotation-matrix (quaternion 0 0 0 0))
   "quaternion->rotation-matrix: the quaternion 0 is no rotation"]
  [(quaternion->rotation-matrix (up 1 0 0 0))
-  "quaternion->rotation-matrix: expected a quaternion; given (up 1 0 0 0), an up tuple of 4\n"
+  "quaternion->rotation-matrix: expected a quaternion\n  given: (up 1 0 0 0), an up tuple of 4\n"
   "  (make-quaternion ...) makes one of a tuple of 4"]
  [(rotation-matrix->quaternion (matrix-by-rows '(1 2 0) '(0 1 0) '(0 0 1)))
   "rotation-matrix->quaternion: the matrix is no rotation: its transpose times it is not 1\n"

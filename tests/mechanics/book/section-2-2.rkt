@@ -76,7 +76,7 @@
   "M-of-q->omega-body-of-t: the matrix reflects: its determinant is −1, that of a rotation 1\n"
   "  given: (matrix-by-rows (list 1 0 0) (list 0 1 0) (list 0 0 -1))"]
  [(((M-of-q->omega-of-t flat) x) 't)
-  "M-of-q->omega-of-t: expected a rotation, a 3 by 3 matrix; given (matrix-by-rows "
+  "M-of-q->omega-of-t: expected a rotation, a 3 by 3 matrix\n  given: (matrix-by-rows "
   "(list (cos (x t)) (* -1 (sin (x t)))) (list (sin (x t)) (cos (x t)))), a 2 by 2 matrix"]
  [(M-of-q->omega-of-t (Rx-matrix 'a))
   "M-of-q->omega-of-t: expected a function from coordinates to a rotation; given "
@@ -86,7 +86,7 @@
   "M-of-q->omega-of-t: a path is a function of time, or a tuple of such functions; "
   "given the symbol theta\n  (literal-function 'theta) makes a path of that name"]
  [(antisymmetric->column-matrix (matrix-by-rows '(0 1 2) '(-1 0 3) '(-2 4 0)))
-  "antisymmetric->column-matrix: expected an antisymmetric 3 by 3 matrix; given "
+  "antisymmetric->column-matrix: expected an antisymmetric 3 by 3 matrix\n  given: "
   "(matrix-by-rows (list 0 1 2) (list -1 0 3) (list -2 4 0)), a 3 by 3 matrix\n"
   "  with its transpose it adds up to: "
   "(matrix-by-rows (list 0 0 0) (list 0 0 7) (list 0 7 0))"])

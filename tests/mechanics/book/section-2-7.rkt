@@ -148,7 +148,7 @@
  [((T-body 'A 'B 'C) (up 1 2))
   "T-body: expected the angular velocity, a tuple of 3 components; given (up 1 2), an up tuple of 2"]
  [((L-space angles) 'A 'B 'C)
-  "L-space: expected a rotation, a 3 by 3 matrix; given (up theta phi psi), an up tuple of 3"]
+  "L-space: expected a rotation, a 3 by 3 matrix\n  given: (up theta phi psi), an up tuple of 3"]
  [(angle-axis->rotation-matrix 'a (up 1 0 1))
   "angle-axis->rotation-matrix: the axis is to have the length 1; given (up 1 0 1), "
   "an up tuple of 3\n  its length: 1.4142135623730951"])

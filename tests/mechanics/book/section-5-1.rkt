@@ -52,7 +52,7 @@
 
 (says
  [((F->CH coordinate) (up 't 'x 'y 'z))
-  "F->CH: expected a Hamiltonian state (up t q p); given (up t x y z), an up tuple of 4"]
+  "F->CH: expected a Hamiltonian state (up t q p)\n  given: (up t x y z), an up tuple of 4"]
  [((F->CH p->r) (up 't (up 'r 'phi) (up 'p_r 'p_phi)))
   "F->CH: the third part of a Hamiltonian state is the momenta, dual to the coordinates\n"
   "  coordinates: (up r phi)\n  in their place: (up p_r p_phi)\n"

@@ -244,4 +244,4 @@
   "  given: the symbol n"]
  [((two-particle-center-of-mass 1 2) (up 't 'x 'p))
   "two-particle-center-of-mass: expected the state of two particles, (up t (up x1 x2) (down p1 p2))"
-  "; given the symbol x"])
+  "\n  given: the symbol x"])

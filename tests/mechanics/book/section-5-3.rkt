@@ -54,4 +54,4 @@
 
 (says
  [(omega (up 0 1 2) 3)
-  "symplectic-two-form: expected a Hamiltonian state (up t q p); given the number 3"])
+  "symplectic-two-form: expected a Hamiltonian state (up t q p)\n  given: the number 3"])

@@ -165,7 +165,7 @@
   "linked-canonical: expected the state of 3 bodies, as there are 3 masses: "
   "(up t (up x0 x1 ...) (down p0 p1 ...)); given (up t (up x0 x1) (down p0 p1)), an up tuple of 3"]
  [(heliocentric-canonical 'm)
-  "heliocentric-canonical: expected the masses of the bodies, a list of at least two; given the "
+  "heliocentric-canonical: expected the masses of the bodies, a list of at least two\n  given: the "
   "symbol m"]
  [(Jacobi-links 1)
   "Jacobi-links: expected a number of bodies, at least 2\n  given: the number 1"])

@@ -36,7 +36,7 @@
 
 (says
  [((shift-t 1) (up 1 2))
-  "shift-t: expected a Hamiltonian state (up t q p); given (up 1 2), an up tuple of 2"]
+  "shift-t: expected a Hamiltonian state (up t q p)\n  given: (up 1 2), an up tuple of 2"]
  [(C->Cp 3)
   "C->Cp: expected a function of the time step, with a transformation as value; "
   "given the number 3"]

@@ -136,7 +136,7 @@
  [((Lie-derivative F) 3)
   "Lie-derivative: a quantity is a function of the state (up t q p); given the number 3"]
  [(((Lie-derivative F) coordinate) 3)
-  "Lie-derivative: expected a Hamiltonian state (up t q p); given the number 3"]
+  "Lie-derivative: expected a Hamiltonian state (up t q p)\n  given: the number 3"]
  [(Lie-transformation F 'e 'n)
   "Lie-transformation: expected the order of the last term\n  given: the symbol n"])
 

@@ -62,7 +62,7 @@
 ;; What cannot be integrated
 
 (test-case "what is no number, or no function, is refused"
-  (check-exn #rx"^definite-integral: expected a real number; given [(]up 0.*an up tuple of 2"
+  (check-exn #rx"^definite-integral: expected a real number\n  given: [(]up 0.*an up tuple of 2"
              (lambda () (definite-integral (lambda (t) (up t t)) 0 1)))
   (check-equal? (format "~a" ((D (lambda (a) (definite-integral (lambda (x) (g:* a 'm x)) 0 1))) 1))
                 "(* 1/2 m)")

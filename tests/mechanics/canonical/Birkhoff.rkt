@@ -112,4 +112,4 @@
   "Birkhoff-normal-form: the coefficients of the series of <function> are to be numbers; there is "
   "k\n  give the parameters as numbers"]
  [(verify-normal-form 3)
-  "verify-normal-form: expected what Birkhoff-normal-form gives; given the number 3"])
+  "verify-normal-form: expected what Birkhoff-normal-form gives\n  given: the number 3"])

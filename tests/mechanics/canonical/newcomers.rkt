@@ -49,7 +49,7 @@
   "verify-canonical: the symbol theta is a parameter of (polar-canonical theta), and stands in "
   "the state, too\n  state: (up t theta I)\n  give one of them another name"]
  [(J-func plane)
-  "J-func: expected the derivative of a function of the state, (down a b c); given "
+  "J-func: expected the derivative of a function of the state, (down a b c)\n  given: "
   "(up t (up x y) (down p_x p_y)), an up tuple of 3\n  of H at a state: (J-func ((D H) state))"]
  [(verify-symplectic (matrix-by-rows '(1 2 3) '(4 5 6)))
   "verify-symplectic: a symplectic matrix is square, with an even number of rows; given "
@@ -219,7 +219,8 @@
 (test-case "what takes a normal form or a separation says so of other things"
   (for ([take (list normal-form-Hamiltonian normal-form-generators normal-form-resonances)]
         [name '(normal-form-Hamiltonian normal-form-generators normal-form-resonances)])
-    (check-message (format "~a: expected what Birkhoff-normal-form gives; given the symbol N" name)
+    (check-message (format "~a: expected what Birkhoff-normal-form gives\n  given: the symbol N"
+                           name)
                    (take 'N)))
   (for ([take (list separation-momenta separation-constants separation-integrals
                     separation-function verify-separation
@@ -229,7 +230,7 @@
                 separation-function verify-separation separation-actions
                 separation-frequencies)])
     (check-message
-     (format "~a: expected what separate-Hamilton-Jacobi gives; given the number 3" name)
+     (format "~a: expected what separate-Hamilton-Jacobi gives\n  given: the number 3" name)
      (take 3))))
 
 (says

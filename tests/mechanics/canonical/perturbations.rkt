@@ -193,7 +193,7 @@
   "perturbation-series: a Hamiltonian is a function of the state (up t q p); given the symbol H0"
   "\n  with its quote it is only a name; the function itself is H0"]
  [(perturbation-inverse 3)
-  "perturbation-inverse: expected what perturbation-series gives; given the number 3"]
+  "perturbation-inverse: expected what perturbation-series gives\n  given: the number 3"]
  [(perturbation-solution (perturbation-series driven-rotor drive two #:keep '((1 -1))))
   "perturbation-solution: the new Hamiltonian has the waves ((1 -1)) left, kept for resonances; "
   "its motion is no rotation\n  integrate that of (perturbation-Hamiltonian P)"])
@@ -207,7 +207,7 @@
                 perturbation-resonances perturbation-transformation perturbation-inverse
                 perturbation-solution verify-perturbation perturbation-verdicts)])
     (check-message
-     (format "~a: expected what perturbation-series gives; given the procedure `rotor`" name)
+     (format "~a: expected what perturbation-series gives\n  given: the procedure `rotor`" name)
      (take rotor) exn:fail:contract?)))
 
 (define ((rotor-of alpha) state) (rotor state))

@@ -102,7 +102,7 @@
 (says
  [((extended-Hamiltonian (H-harmonic 1 1)) line)
   "extended-Hamiltonian: expected a state of the extended phase space, (up s (up t q) (down p_t p))"
-  "; given (up t q p), an up tuple of 3"]
+  "\n  given: (up t q p), an up tuple of 3"]
  [(loop-integral 3 0 1)
   "loop-integral: expected a loop, a function of one parameter with states as values; given the "
   "number 3"]

@@ -103,14 +103,14 @@
 (test-case "where the compiled function has no value, the error is the function's own"
   ;; a real number up to 50, complex from there on
   (define (f x) (g:* (g:sin (g:* 40 x)) (g:sqrt (g:- 50 x))))
-  (check-exn #rx"^definite-integral: expected a real number; given the number .*i$"
+  (check-exn #rx"^definite-integral: expected a real number\n  given: the number .*i$"
              (lambda () (definite-integral f 0 100))))
 
 (test-case "mistakes"
   (check-equal? (definite-integral g:sin 0 'b) (g:- 1 (g:cos 'b)))
   (check-exn #rx"^definite-integral: expected a function of one variable"
              (lambda () (definite-integral (lambda (x y) x) 0 1)))
-  (check-exn #rx"^definite-integral: expected a real number; given .*up tuple of 2"
+  (check-exn #rx"^definite-integral: expected a real number\n  given: .*up tuple of 2"
              (lambda () (definite-integral (lambda (x) (up x x)) 0 1)))
   (check-exn #rx"a real number, perhaps infinite, as limit of integration"
              (lambda () (definite-integral g:sin 0 +nan.0)))

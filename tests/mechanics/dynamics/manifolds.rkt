@@ -69,7 +69,7 @@
  [(invariant-manifold T saddle #:stable? #t)
   "invariant-manifold: the stable manifold is followed backwards: give the inverse map, #:inverse"]
  [(invariant-manifold T (up 0 0))
-  "invariant-manifold: expected a fixed point, as find-fixed-point finds one; given (up 0 0), "
+  "invariant-manifold: expected a fixed point, as find-fixed-point finds one\n  given: (up 0 0), "
   "an up tuple of 2"]
  [(invariant-manifold T saddle #:branch 2)
   "invariant-manifold: expected one of the branches 1 and -1\n  given: the number 2"]

@@ -98,7 +98,8 @@
   "  it takes a state; with it a map of the plane is (define (map q p return fail) "
   "(let ((s (f (up 0 q p)))) (return (coordinate s) (momentum s))))"]
  [((stroboscopic-map shaken (/ :2pi omega)) (up 1 0))
-  "Hamiltonian->state-derivative: expected a Hamiltonian state (up t q p); given (up 1.0 0.0), an up "
+  "Hamiltonian->state-derivative: expected a Hamiltonian state (up t q p)\n"
+  "  given: (up 1.0 0.0), an up "
   "tuple of 2"])
 
 ;; A frequency for the period, and other periods that are none.

@@ -34,15 +34,16 @@
   "  positions: (up (up 0 1) (up a 1))\n"
   "  several masses are a list: (list m1 m2 ...)"]
  [(kinetic-energy (up 'm_1 'm_2) two)
-  "kinetic-energy: expected a mass, or a list of the masses of several particles; "
-  "given (up m_1 m_2), an up tuple of 2\n"
+  "kinetic-energy: expected a mass, or a list of the masses of several particles\n"
+  "  given: (up m_1 m_2), an up tuple of 2\n"
   "  as a list: (list m_1 m_2)"]
  [(kinetic-energy two 'm)
-  "kinetic-energy: expected a mass, or a list of the masses of several particles; "
-  "given the procedure `two`\n"
+  "kinetic-energy: expected a mass, or a list of the masses of several particles\n"
+  "  given: the procedure `two`\n"
   "  masses come first, then the positions r"]
  [(kinetic-energy '() two)
-  "kinetic-energy: expected a mass, or a list of the masses of several particles; given (), a list"]
+  "kinetic-energy: expected a mass, or a list of the masses of several particles\n"
+  "  given: (), a list"]
  ;; positions
  [(kinetic-energy 'm of-local)
   "kinetic-energy: positions are a function of the time and the coordinates, (r t q); "
@@ -120,9 +121,9 @@
   "(up x y), an up tuple of 2"]
  ;; local tuples, displacements and paths
  [((kinetic-energy 'm plane) (up 'x 'y))
-  "kinetic-energy: expected a local tuple (up t q v); given (up x y), an up tuple of 2"]
+  "kinetic-energy: expected a local tuple (up t q v)\n  given: (up x y), an up tuple of 2"]
  [((kinetic-energy 'm plane) (list 't 'x 'v))
-  "kinetic-energy: expected a local tuple (up t q v); given (t x v), a list\n"
+  "kinetic-energy: expected a local tuple (up t q v)\n  given: (t x v), a list\n"
   "  a list is not a tuple; use (up t q v)"]
  [((generalized-force plane (force 0)) (up 't (up 'x 'y) (up 'v_x 'v_y 'v_z)))
   "generalized-force: the velocities must be like the coordinates\n"
@@ -137,8 +138,8 @@
   "  coordinates: (up x y)\n"
   "  displacement: dx"]
  [((virtual-displacement plane) 'x (up 'dx 'dy))
-  "virtual-displacement: expected a local tuple (up t q v), then a displacement; "
-  "given the symbol x"]
+  "virtual-displacement: expected a local tuple (up t q v), then a displacement\n"
+  "  given: the symbol x"]
  [((d-Alembert-equations 'm plane (force 0)) 'q)
   "d-Alembert-equations: a path is a function of time, or a tuple of such functions; "
   "given the symbol q\n"

@@ -188,7 +188,8 @@
  [(Legendre-transform 3)
   "Legendre-transform: expected a function of one argument, the velocities; given the number 3"]
  [((Legendre-transform (lambda (v) (up v v))) 'w)
-  "Legendre-transform: the value of <function> is to be a number; it is (up 0 0), an up tuple of 2"]
+  "Legendre-transform: the value of a function to be transformed is a number, but that of "
+  "<function> is (up 0 0), an up tuple of 2"]
  [((Hamiltonian->Lagrangian (lambda (s) (square (momentum s)))) (up 't (up 'x 'y) (down 'a 'b)))
   "Hamiltonian->Lagrangian: the velocities are of another shape than the coordinates\n"
   "  coordinates: (up x y)\n  velocities: (down a b)"]

@@ -80,4 +80,4 @@
   "phase-space-divergence: expected a state derivative, a function of the state; "
   "given the number 3"]
  [((phase-space-divergence (lambda (s) s)) 't)
-  "phase-space-divergence: expected a state (up t q p); given the symbol t"])
+  "phase-space-divergence: expected a state (up t q p)\n  given: the symbol t"])

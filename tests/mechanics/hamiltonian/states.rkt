@@ -61,20 +61,20 @@
   "Lagrangian->Hamiltonian: " third "  coordinates: (down x)\n  in their place: (down p)\n"
   "  momenta are written (up p); velocities belong to a Lagrangian"]
  [((D-phase-space H) (up 't 'q))
-  "D-phase-space: expected a Hamiltonian state (up t q p); given (up t q), an up tuple of 2"]
+  "D-phase-space: expected a Hamiltonian state (up t q p)\n  given: (up t q), an up tuple of 2"]
  [((D-phase-space H) '(t q p))
-  "D-phase-space: expected a Hamiltonian state (up t q p); given (t q p), a list\n"
+  "D-phase-space: expected a Hamiltonian state (up t q p)\n  given: (t q p), a list\n"
   "  a list is not a tuple; use (up t q p)"]
  [(momentum (up 't 'q))
-  "momentum: expected a Hamiltonian state (up t q p); given (up t q), an up tuple of 2"]
+  "momentum: expected a Hamiltonian state (up t q p)\n  given: (up t q), an up tuple of 2"]
  [(momentum (up 't (up 'x 'y) (up 'vx 'vy)))
   "momentum: " third "  coordinates: (up x y)\n  in their place: (up vx vy)\n"
   "  momenta are written (down vx vy); velocities belong to a Lagrangian"]
  [(degrees-of-freedom 3)
-  "degrees-of-freedom: expected a Hamiltonian state (up t q p); given the number 3"]
+  "degrees-of-freedom: expected a Hamiltonian state (up t q p)\n  given: the number 3"]
  [(matrix->H-state (matrix-by-rows '(1) '(2)))
-  "matrix->H-state: expected a matrix of one column, with the time, n coordinates and n momenta; "
-  "given (matrix-by-rows (list 1) (list 2)), a 2 by 1 matrix"]
+  "matrix->H-state: expected a matrix of one column, with the time, n coordinates and n momenta\n"
+  "  given: (matrix-by-rows (list 1) (list 2)), a 2 by 1 matrix"]
  [(matrix->H-state (matrix-by-rows '(1) '(2) '(3)) plane)
   "matrix->H-state: the state has 5 scalars and the matrix 3\n"
   "  state: (up t (up x y) (down p_x p_y))"])

@@ -90,7 +90,7 @@
    (lambda () ((clip-state 5) local)))
   (check-exn #rx"^clip-state: expected a length of local tuples"
              (lambda () (clip-state 1)))
-  (check-exn #rx"^trim-last-argument: expected a local tuple; given the number 3$"
+  (check-exn #rx"^trim-last-argument: expected a local tuple\n  given: the number 3$"
              (lambda () (trim-last-argument 3))))
 
 (test-case "operators and their images print as what was typed"

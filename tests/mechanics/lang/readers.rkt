@@ -90,8 +90,8 @@
 
 (says
  [((generalized-LE (L 'm 'k)) (up 't 'x 'v))
-  "generalized-LE: expected a path or a local tuple of 4 or 6 or ... components: (up t q v a); "
-  "given (up t x v), an up tuple of 3"]
+  "generalized-LE: expected a path or a local tuple of 4 or 6 or ... components: (up t q v a)\n"
+  "  given: (up t x v), an up tuple of 3"]
  [(polar->rectangular (up 't 'r 'v))
   "p->r: expected a local tuple with 2 coordinates; given (up t r v), an up tuple of 3"]
  [(substitute 3 'a (+ 'a 'b))
@@ -168,7 +168,7 @@
   "application: a matrix applies its entries to the arguments, but the entry 3 of "
   "(matrix-by-rows (list sin 3)) is not a function"]
  [(vector-map + (up 1 2) (up 3)) "vector-map: the tuples differ in length: (2 1)"]
- [(vector-map + 3) "vector-map: expected tuples or vectors; given the number 3"]
+ [(vector-map + 3) "vector-map: expected tuples or vectors\n  given: the number 3"]
  [(ref '(1 2) 4) "ref: index 4 is outside a list (indices 0 to 1)\n  in: (1 2)"])
 
 ;; ---------------------------------------------------------------------------
@@ -225,7 +225,7 @@
  [(conjugate (sqrt z))
   "conjugate: the parts are known of sums, products, whole powers, exp, sin, cos, sinh and cosh "
   "of complex expressions; given (sqrt (+ x (* 0+1i y)))"]
- [(make-rectangular sin 1) "make-rectangular: expected two numbers; given the procedure `sin`"])
+ [(make-rectangular sin 1) "make-rectangular: expected two numbers\n  given: the procedure `sin`"])
 
 ;; ---------------------------------------------------------------------------
 ;; Names
@@ -306,15 +306,15 @@
  [(fold-left + 0 '(1 2) '(3))
   "fold-left: expected lists of one length\n  lists: '((1 2) (3))"]
  [(fold-right 'f 0 '(1 2)) "fold-right: expected a procedure\n  given: the symbol f"]
- [(gamma 'x) "gamma: expected a real number; given the symbol x"]
+ [(gamma 'x) "gamma: expected a real number\n  given: the symbol x"]
  [(gamma -1) "gamma: there is a pole at 0, -1, -2, ...; given the number -1"]
  [(factorial 1.5)
-  "factorial: expected a natural number; given the number 1.5; "
-  "of other numbers x it is (gamma (+ x 1))"]
- [(bessj 1/2 3) "bessj: expected a whole order; given the number 1/2"]
+  "factorial: expected a natural number\n  given: the number 1.5\n"
+  "  of other numbers x it is (gamma (+ x 1))"]
+ [(bessj 1/2 3) "bessj: expected a whole order\n  given: the number 1/2"]
  [(bessj 0 1e9) "bessj: expected a number below 1000000.0 in size; given 1000000000.0"]
- [(eigenvectors 3) "eigenvectors: expected a matrix or a tuple of tuples; given the number 3"]
- [(svd 3) "svd: expected a matrix or a tuple of tuples; given the number 3"]
+ [(eigenvectors 3) "eigenvectors: expected a matrix or a tuple of tuples\n  given: the number 3"]
+ [(svd 3) "svd: expected a matrix or a tuple of tuples\n  given: the number 3"]
  [(polynomial-roots (sin 'x) 'x)
   "polynomial-roots: expected a polynomial in x, of degree 100 at most; given (sin x)"]
  [(polynomial-roots 0 'x) "polynomial-roots: every number is a root of 0"])

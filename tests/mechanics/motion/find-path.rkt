@@ -214,7 +214,7 @@
                (find-path L-plane 0 0 1 1 2)))
   (check-exn #rx"'quasi-newton or 'nelder-mead"
              (lambda () (multidimensional-minimize sin 0 #:method 'newton)))
-  (check-exn #rx"expected real numbers to start from.*given \"here\", a string"
+  (check-exn #rx"expected real numbers to start from.*given: \"here\", a string"
              (lambda () (multidimensional-minimize sin "here")))
   (check-exn #rx"expected real numbers.*the symbol x"
              (lambda () (multidimensional-minimize sin (quote x)))))

@@ -150,4 +150,4 @@
  [((pendulum-oscillating-action-to-E 1 1) 3)
   "pendulum-oscillating-action-to-E: the action is to be between 0 and 2.5464790894703255; given 3"]
  [((Hpendulum 1 9.8) 3)
-  "Hpendulum: expected a Hamiltonian state (up t q p); given the number 3"])
+  "Hpendulum: expected a Hamiltonian state (up t q p)\n  given: the number 3"])

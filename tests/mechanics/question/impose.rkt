@@ -174,15 +174,15 @@
  [(verify-again 3) "verify-again: expected a verdict, then perhaps a condition\n"
   "  given: the number 3"]
  [(impose 'k '(> k 0))
-  "impose: expected a verdict, an equation '(= k 1) or a list of them; given (> k 0), a list\n"
+  "impose: expected a verdict, an equation '(= k 1) or a list of them\n  given: (> k 0), a list\n"
   "  an inequality is declared by assume"]
  [(impose condition (L-harmonic 'm 'k))
-  "impose: expected a verdict, an equation '(= k 1) or a list of them; "
-  "given the procedure `L-harmonic`\n"
+  "impose: expected a verdict, an equation '(= k 1) or a list of them\n"
+  "  given: the procedure `L-harmonic`\n"
   "  the value comes first, then the condition, as in (impose L '(= k 1))"]
  [(impose 'k (list (list condition) '((= a 0))))
-  "impose: expected a verdict, an equation '(= k 1) or a list of them; "
-  "given (((= k (* m (expt omega 2)))) ((= a 0))), a list\n"
+  "impose: expected a verdict, an equation '(= k 1) or a list of them\n"
+  "  given: (((= k (* m (expt omega 2)))) ((= a 0))), a list\n"
   "  these are alternatives: choose one, as (car (verdict-alternatives v))"]
  [(impose 'k '(= 1 2)) "impose: the equations cannot hold together\n  equations: ((= 1 2))"]
  [(impose 'a '(= (+ a b) (+ c d)))
@@ -197,10 +197,10 @@
  [(impose 'a '(= a (up 1 2)))
   "impose: an equation is between numbers or expressions\n  given: (= a (up 1 2))"]
  [(impose 'a '(= a))
-  "impose: expected a verdict, an equation '(= k 1) or a list of them; given (= a), a list"]
+  "impose: expected a verdict, an equation '(= k 1) or a list of them\n  given: (= a), a list"]
  [(impose v v) "impose: a verdict's question is asked again by (verify-again v condition)"]
  [(impose "a" '(= a 1))
-  "impose: expected a value, a function or a constraint; given \"a\", a string"])
+  "impose: expected a value, a function or a constraint\n  given: \"a\", a string"])
 
 (test-case "a quotient or a root is solved for what is divided, or under the root"
   (check-equal? (impose (+ 'x 'y) '(= (/ x y) 0)) 'y)

@@ -40,9 +40,9 @@
   "\n  (nonholonomic A) makes a constraint of a function of the time, the coordinates and the "
   "velocities"]
  [((consistent-state L rod) 'state)
-  "consistent-state: expected a state (up t q v); given the symbol state"]
+  "consistent-state: expected a state (up t q v)\n  given: the symbol state"]
  [((consistent-state L rod) rod)
-  "consistent-state: expected a state (up t q v); given (holonomic on-rod)"]
+  "consistent-state: expected a state (up t q v)\n  given: (holonomic on-rod)"]
  [(Hamiltonian->state-derivative 'H)
   "Hamiltonian->state-derivative: a Hamiltonian is a function of the state (up t q p); "
   "given the symbol H\n  with its quote it is only a name; the function itself is H"])

@@ -14,7 +14,7 @@
                  (lambda (m) (m:nth-row m 0)) (lambda (m) (m:nth-col m 0))
                  column-matrix->up row-matrix->down
                  (lambda (m) (m:submatrix m 0 1 0 1)))])
-    (check-exn #rx"^[a-z:>-]+: expected a matrix; given [(]up 1 2[)], an up tuple of 2$"
+    (check-exn #rx"^[a-z:>-]+: expected a matrix\n  given: [(]up 1 2[)], an up tuple of 2$"
                (lambda () (f (up 1 2))))))
 
 (test-case "rows, columns, entries and parts beyond the edge are named"
@@ -33,5 +33,5 @@
 (test-case "a flat tuple changes its orientation"
   (check-equal? (transpose (up 1 2)) (down 1 2))
   (check-equal? (transpose (transpose (up 1 2))) (up 1 2))
-  (check-exn #rx"^transpose: expected a tuple of tuples; given [(]up[)], an up tuple of 0$"
+  (check-exn #rx"^transpose: expected a tuple of tuples\n  given: [(]up[)], an up tuple of 0$"
              (lambda () (transpose (up)))))

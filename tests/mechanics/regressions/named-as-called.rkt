@@ -18,10 +18,10 @@
  [((Lagrangian->energy L) (up 't 'x))
   "Lagrangian->energy: expected a local tuple (up t q v ...); given (up t x), an up tuple of 2"]
  [(((Lagrange-equations L) q) state)
-  "Lagrange-equations: expected a time; given (up t x v), an up tuple of 3"]
- [((Gamma q) '(t x v)) "Gamma: expected a time; given (t x v), a list"]
+  "Lagrange-equations: expected a time\n  given: (up t x v), an up tuple of 3"]
+ [((Gamma q) '(t x v)) "Gamma: expected a time\n  given: (t x v), a list"]
  [(((Hamilton-equations H) q q) state)
-  "Hamilton-equations: expected a time; given (up t x v), an up tuple of 3"]
+  "Hamilton-equations: expected a time\n  given: (up t x v), an up tuple of 3"]
  [(p->r 3) "p->r: expected a local tuple with 2 coordinates; given the number 3"]
  [(r->s '(t x v))
   "r->s: expected a local tuple with 3 coordinates; given (t x v), a list\n"

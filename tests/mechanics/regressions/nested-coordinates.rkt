@@ -60,5 +60,5 @@
    (lambda () (transpose mass)))
   (check-exn #rx"^transpose: expected components of one length"
              (lambda () (transpose (up (down 1 2) (down 1)))))
-  (check-exn #rx"^transpose: expected a tuple of tuples; given [(]up[)]"
+  (check-exn #rx"^transpose: expected a tuple of tuples\n  given: [(]up[)]"
              (lambda () (transpose (up)))))

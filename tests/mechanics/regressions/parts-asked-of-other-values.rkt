@@ -47,17 +47,17 @@
   "given (trajectory from 0.0 to 1.0), a function\n"
   "  of a function f of the time it is asked at a time: (time (f t))"]
  [(momentum L)
-  "momentum: expected a Hamiltonian state (up t q p); given the procedure `L`\n"
+  "momentum: expected a Hamiltonian state (up t q p)\n  given: the procedure `L`\n"
   "  of a function f of the time it is asked at a time: (momentum (f t))\n"
   "  the momenta of a Lagrangian L are ((partial 2) L)"])
 
 ;; States without velocities.
 (says
  [(evolve-trajectory (Lagrangian->state-derivative L) (up 0 1) 1)
-  "Lagrangian->state-derivative: expected a state (up t q v); given (up 0.0 1.0), "
+  "Lagrangian->state-derivative: expected a state (up t q v)\n  given: (up 0.0 1.0), "
   "an up tuple of 2\n  the velocities are missing"]
  [((Lagrangian->acceleration L) '(t q v))
-  "Lagrangian->acceleration: expected a state (up t q v); given (t q v), a list\n"
+  "Lagrangian->acceleration: expected a state (up t q v)\n  given: (t q v), a list\n"
   "  a list is not a tuple; use (up t q v)"]
  [((Lagrangian->acceleration L) 't)
-  "Lagrangian->acceleration: expected a state (up t q v); given the symbol t"])
+  "Lagrangian->acceleration: expected a state (up t q v)\n  given: the symbol t"])

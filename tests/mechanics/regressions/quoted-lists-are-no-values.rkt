@@ -8,16 +8,17 @@
 (define quoted "\n  a quoted list is no expression; read-expression makes one of it")
 
 (says
- [(simplify '(+ a a)) "simplify: expected a value; given (+ a a), a list" quoted]
- [(simplify '(up (sin x) 1)) "simplify: expected a value; given (up (sin x) 1), a list" quoted]
+ [(simplify '(+ a a)) "simplify: expected a value\n  given: (+ a a), a list" quoted]
+ [(simplify '(up (sin x) 1)) "simplify: expected a value\n  given: (up (sin x) 1), a list" quoted]
  [(expand '(* a (+ a 1)))
-  "expand: expected an expression, or a tuple or matrix of them; given (* a (+ a 1)), a list"
+  "expand: expected an expression, or a tuple or matrix of them\n  given: (* a (+ a 1)), a list"
   quoted]
  [(substitute '(+ a b) 'a 1)
-  "substitute: expected an expression, or a tuple or matrix of them; given (+ a b), a list" quoted]
+  "substitute: expected an expression, or a tuple or matrix of them\n"
+  "  given: (+ a b), a list" quoted]
  [(prove-zero '(- a a))
-  "prove-zero: expected a number, an expression, a tuple of them, or a function; "
-  "given (- a a), a list" quoted]
+  "prove-zero: expected a number, an expression, a tuple of them, or a function\n"
+  "  given: (- a a), a list" quoted]
  [(sin '(/ a 2)) "sin: cannot be taken of a list\n  argument 1: (/ a 2), a list" quoted]
  [(+ '(up a b) 1)
   "+: cannot add a list and a number\n  argument 1: (up a b), a list\n"

@@ -24,21 +24,21 @@
   "Lagrange-equations: the equations take one argument, a path, but got 2; "
   "the time comes next: (((Lagrange-equations L) x) 't)"]
  [(((Lagrange-equations L) x) y)
-  "Lagrange-equations: expected a time; given y, a literal function (-> Real Real)\n"
+  "Lagrange-equations: expected a time\n  given: y, a literal function (-> Real Real)\n"
   "  one path of both: ((Lagrange-equations L) (up x y))"]
  [(Gamma x y)
   "Gamma: expected the length of the local tuples, an integer of at least 2\n"
   "  given: y, a literal function (-> Real Real)\n"
   "  one path of both: (Gamma (up x y))"]
  [((Gamma x) y)
-  "Gamma: expected a time; given y, a literal function (-> Real Real)\n"
+  "Gamma: expected a time\n  given: y, a literal function (-> Real Real)\n"
   "  one path of both: (Gamma (up x y))"]
  [((Gamma (up x y)) z)
-  "Gamma: expected a time; given z, a literal function (-> Real Real)"]
+  "Gamma: expected a time\n  given: z, a literal function (-> Real Real)"]
  [(verify-solution L x y)
   "verify-solution: a dissipation function takes the local tuple (up t q v); given y, "
   "a literal function (-> Real Real), which takes 1 argument\n"
   "  one path of several coordinates is a tuple of paths: (up x y)"]
  [(Lagrangian-action L x y 0 1)
-  "Lagrangian-action: expected a time; given y, a literal function (-> Real Real)\n"
+  "Lagrangian-action: expected a time\n  given: y, a literal function (-> Real Real)\n"
   "  one path of both: (Lagrangian-action L (up x y) t1 t2)"])

@@ -172,10 +172,10 @@
   "principal-moments: an inertia tensor is symmetric; given "
   "(matrix-by-rows (list 1 2 0) (list 0 1 0) (list 0 0 1)), a 3 by 3 matrix"]
  [(principal-axes (up 1 2 3))
-  "principal-axes: expected an inertia tensor, a 3 by 3 matrix; "
-  "given (up 1 2 3), an up tuple of 3"]
+  "principal-axes: expected an inertia tensor, a 3 by 3 matrix\n"
+  "  given: (up 1 2 3), an up tuple of 3"]
  [(parallel-axes 'I 'M (up 1 0 0))
-  "parallel-axes: expected an inertia tensor, a 3 by 3 matrix; given the symbol I"]
+  "parallel-axes: expected an inertia tensor, a 3 by 3 matrix\n  given: the symbol I"]
  [(box-inertia 'M (up 1 2 3) 1 1)
   "box-inertia: the mass and lengths are numbers; given (up 1 2 3), an up tuple of 3"]
  [(density->body 'rho '(0 1) '(0 1) '(0 1))

@@ -146,7 +146,7 @@
              (lambda () (find-minimum g:cos 1 #:tolerance 0)))
   (check-exn #rx"^find-minimum: expected 'quasi-newton or 'nelder-mead"
              (lambda () (find-minimum g:cos 1 #:method 'newton)))
-  (check-exn #rx"^find-minimum: expected a real number; given \"no\", a string"
+  (check-exn #rx"^find-minimum: expected a real number\n  given: \"no\", a string"
              (lambda () (find-minimum (lambda (x) "no") 1 2)))
   (check-exn #rx"^find-minimum: expected real numbers to start from.*the symbol x"
              (lambda () (find-minimum g:cos 'x)))

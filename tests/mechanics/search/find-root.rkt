@@ -57,15 +57,15 @@
                 (up 1.0 1.0)))
 
 (test-case "a list to start from is no tuple, and the message says so"
-  (check-exn #rx"^find-root: expected a real number; given .*a list is not a tuple; use .up x y"
+  (check-exn #rx"^find-root: expected a real number\n  given: .*a list is not a tuple; use .up x y"
              (lambda () (find-root (lambda (s) s) (list 0 0)))))
 
 (test-case "what is no question is refused"
   (check-exn #rx"^find-root: expected a function of one variable"
              (lambda () (find-root 3 1)))
-  (check-exn #rx"^find-root: expected a real number; given the symbol a"
+  (check-exn #rx"^find-root: expected a real number\n  given: the symbol a"
              (lambda () (find-root g:square 'a)))
-  (check-exn #rx"^find-root: expected a real number; given .*a"
+  (check-exn #rx"^find-root: expected a real number\n  given: .*a"
              (lambda () (find-root (g:* 'a values) 1)))
   (check-exn
    #rx"^find-root: the function must give as many numbers as it takes\n  given: 1\n  expected: 2"
@@ -107,13 +107,13 @@
     (check-exn (regexp (format "^~a: the function has the same sign" name)) ask))
   (check-exn #rx"^newton-search: no root found"
              (lambda () (newton-search (lambda (x) (g:+ 1 (g:square x))) 1/3)))
-  (check-exn #rx"^bisect: expected a real number; given the symbol a"
+  (check-exn #rx"^bisect: expected a real number\n  given: the symbol a"
              (lambda () (bisect g:cos 'a 1)))
   (check-exn #rx"^bisect: expected a function of one variable"
              (lambda () (bisect 3 0 1)))
   (check-exn #rx"^bisect: the function is not finite\n  at: 1.0"
              (lambda () (bisect (lambda (x) (if (= x 1) +nan.0 (- x 1.1))) 0 2)))
-  (check-exn #rx"^find-root: expected a real number; given .*up tuple of 2"
+  (check-exn #rx"^find-root: expected a real number\n  given: .*up tuple of 2"
              (lambda () (find-root (lambda (x) (up x x)) 0 1))))
 
 ;; ---------------------------------------------------------------------------

@@ -18,7 +18,7 @@
 (test-case "what is no function of one variable, or no number, is refused"
   (check-exn #rx"^minimize: expected a function of one variable"
              (lambda () (minimize (lambda (x y) x) 0 1)))
-  (check-exn #rx"^minimize: expected a real number; given the symbol b"
+  (check-exn #rx"^minimize: expected a real number\n  given: the symbol b"
              (lambda () (minimize values 0 'b))))
 
 ;; ---------------------------------------------------------------------------
@@ -71,8 +71,9 @@
     (define (says what) (regexp (format "^~a: ~a" name what)))
     (check-exn (says "expected a function of one variable")
                (lambda () (method 3 0 1)))
-    (check-exn (says "expected a real number; given the symbol b") (lambda () (method g:cos 0 'b)))
-    (check-exn (says "expected a real number; given .*up tuple of 2")
+    (check-exn (says "expected a real number\n  given: the symbol b")
+               (lambda () (method g:cos 0 'b)))
+    (check-exn (says "expected a real number\n  given: .*up tuple of 2")
                (lambda () (method (lambda (x) (up x x)) 0 1)))
     (check-exn (says "the function is not finite") (lambda () (method (lambda (x) +nan.0) 0 1)))
     (check-exn (says "expected a finite real number as end")
@@ -171,5 +172,5 @@
              (lambda () (nelder-mead g:cos 'x)))
   (check-exn #rx"^nelder-mead: expected a function of one variable"
              (lambda () (nelder-mead (lambda (x y) x) 1)))
-  (check-exn #rx"^multidimensional-minimize: expected a real number; given .*up tuple of 2"
+  (check-exn #rx"^multidimensional-minimize: expected a real number\n  given: .*up tuple of 2"
              (lambda () (multidimensional-minimize (lambda (x) (up x x)) 1))))

@@ -40,9 +40,9 @@
   (check-equal? (format "~a" (D (compose V g:sin))) "(D (compose V sin))"))
 
 (test-case "only functions are composed"
-  (check-exn #rx"^compose: expected functions; given the number 3$" (lambda () (compose V 3)))
-  (check-exn #rx"^compose: expected functions; given the symbol V$" (lambda () (compose 'V)))
-  (check-exn #rx"^compose: expected functions; given [(]1[)], a list$"
+  (check-exn #rx"^compose: expected functions\n  given: the number 3$" (lambda () (compose V 3)))
+  (check-exn #rx"^compose: expected functions\n  given: the symbol V$" (lambda () (compose 'V)))
+  (check-exn #rx"^compose: expected functions\n  given: [(]1[)], a list$"
              (lambda () (compose V '(1) V))))
 
 (test-case "a constant function takes anything"

@@ -110,15 +110,15 @@
   "quaternion: its four parts are numbers; given (up 4), an up tuple of 1\n"
   "  of a tuple of four, (make-quaternion (up r x y z))"]
  [(make-quaternion (up 1 2 3))
-  "make-quaternion: expected a tuple of 4 numbers, the real part first; "
-  "given (up 1 2 3), an up tuple of 3"]
+  "make-quaternion: expected a tuple of 4 numbers, the real part first\n"
+  "  given: (up 1 2 3), an up tuple of 3"]
  [(make-quaternion 3)
-  "make-quaternion: expected a tuple of 4 numbers, the real part first; given the number 3"]
+  "make-quaternion: expected a tuple of 4 numbers, the real part first\n  given: the number 3"]
  [(quaternion-ref q 4)
   "quaternion-ref: the parts of a quaternion are numbered 0 to 3; given the number 4"]
- [(quaternion->vector 'a) "quaternion->vector: expected a quaternion; given the symbol a"]
+ [(quaternion->vector 'a) "quaternion->vector: expected a quaternion\n  given: the symbol a"]
  [(real&3vector->quaternion 1 '(1 2 3))
-  "real&3vector->quaternion: expected a tuple of 3 components; given (1 2 3), a list\n"
+  "real&3vector->quaternion: expected a tuple of 3 components\n  given: (1 2 3), a list\n"
   "  a list is not a tuple; use (up x y ...)"]
  [(q:make-unit (quaternion 0 0 0 0)) "q:make-unit: the quaternion 0 has no direction"]
  [(* q (up 1 2 3))

@@ -62,14 +62,14 @@
 
 (test-case "what is wrong with the arguments is said"
   (check-exn
-   #rx"^expand: expected an expression, or a tuple or matrix of them; given the procedure `sin`\n  apply the function first, and use it on its value$"
+   #rx"^expand: expected an expression, or a tuple or matrix of them\n  given: the procedure `sin`\n  apply the function first, and use it on its value$"
    (lambda () (expand sin)))
-  (check-exn #rx"^factor: .*given \"a\", a string$" (lambda () (factor "a")))
+  (check-exn #rx"^factor: .*given: \"a\", a string$" (lambda () (factor "a")))
   (check-exn
    #rx"^collect: it is not said in what; use [(]collect x 'm[)] or [(]collect x [(]list 'm 'n[)][)]\n  given only: 3$"
    (lambda () (collect 3)))
   (check-exn
-   #rx"^collect: expected a symbol, or a literal function applied such as [(][(]D f[)] 't[)]; given the number 3$"
+   #rx"^collect: expected a symbol, or a literal function applied such as [(][(]D f[)] 't[)]\n  given: the number 3$"
    (lambda () (collect 'a 3)))
-  (check-exn #rx"^apart: expected a symbol, .*; given the number 3$" (lambda () (apart 'x 3)))
+  (check-exn #rx"^apart: expected a symbol, .*\n  given: the number 3$" (lambda () (apart 'x 3)))
   (check-exn #rx"^apart: it is not said in what" (lambda () (apart 'x))))

@@ -322,11 +322,13 @@
   "application: an endless power series can be applied to a series only if that begins with 0; given (power-series 1 2)"]
  [(series:ref (g:exp (series 0 D)) 2)
   "exp: the terms of the series must commute with each other; one is D, an operator"]
- [(series:ref 3 1) "series:ref: expected a series; given the number 3"]
+ [(series:ref 3 1) "series:ref: expected a series\n  given: the number 3"]
  [(series:sum (lambda (x) exp-series) 1)
-  "series:sum: expected a series; given a function without a name\n  a function whose values are series must be applied first"]
+  "series:sum: expected a series\n"
+  "  given: a function without a name\n  a function whose values are series must be applied first"]
  [(series:derivative (series 1 2))
-  "series:derivative: expected a power series; given (series 1 2), a series\n  a series of terms has no variable; (series:->function s) takes its terms as coefficients"]
+  "series:derivative: expected a power series\n"
+  "  given: (series 1 2), a series\n  a series of terms has no variable; (series:->function s) takes its terms as coefficients"]
  [(series:head exp-series -1)
   "series:head: expected a number of terms\n  given: the number -1"]
  [(series:reversion exp-series)

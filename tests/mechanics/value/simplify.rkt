@@ -46,9 +46,9 @@
 
 (test-case "what cannot be substituted is said"
   (check-exn
-   #rx"^substitute: expected an expression, or a tuple or matrix of them; given x, a literal function [(]-> Real Real[)]\n  apply the function first, and substitute in its value$"
+   #rx"^substitute: expected an expression, or a tuple or matrix of them\n  given: x, a literal function [(]-> Real Real[)]\n  apply the function first, and substitute in its value$"
    (lambda () (substitute x 'm 3)))
-  (check-exn #rx"^substitute: .*given \"m\", a string$" (lambda () (substitute "m" 'm 3)))
+  (check-exn #rx"^substitute: .*given: \"m\", a string$" (lambda () (substitute "m" 'm 3)))
   (check-exn
    #rx"^substitute: .*[(]substitute x 'm 2 'k 3[)]\n  without a replacement: the symbol m$"
    (lambda () (substitute 'm 'm)))

@@ -46,7 +46,7 @@
   (check-message "ref: an index is an integer\n  index: 'x" (ref (up 1 2) 'x)))
 
 (test-case "ref into what is no tuple says where"
-  (check-message "ref: expected a tuple; given the number 3" (ref 3 0))
+  (check-message "ref: expected a tuple\n  given: the number 3" (ref 3 0))
   (check-message "ref: index 2 is outside a list (indices 0 to 1)\n  in: (1 2)" (ref '(1 2) 2))
   (check-message
    "ref: expected a tuple; index 1 was asked of the symbol t\n  in: (up t (up x y) (down 1 (up 2 3)))"
@@ -66,7 +66,7 @@
   (define v (structure->vector s))
   (vector-set! v 0 'changed)
   (check-equal? (ref s 0) 't)
-  (check-exn #rx"^structure->list: expected a tuple; given the number 3$"
+  (check-exn #rx"^structure->list: expected a tuple\n  given: the number 3$"
              (lambda () (structure->list 3))))
 
 ;; ---------------------------------------------------------------------------
@@ -162,5 +162,5 @@
   (check-equal? ((cross-product e f) 2) (cross-product (e 2) (f 2)))
   (check-equal? ((outer-product e f) 2) (outer-product (e 2) (f 2)))
   (check-equal? (format "~a" (cross-product e f)) "(cross-product e f)")
-  (check-exn #rx"^cross-product: expected a tuple; given the number 1"
+  (check-exn #rx"^cross-product: expected a tuple\n  given: the number 1"
              (lambda () (cross-product 1 e))))

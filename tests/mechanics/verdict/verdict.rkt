@@ -63,9 +63,9 @@
 
 (test-case "what cannot be judged is named"
   (check-exn
-   #rx"^prove-zero: expected a number, an expression, a tuple of them, or a function; given \"x\", a string$"
+   #rx"^prove-zero: expected a number, an expression, a tuple of them, or a function\n  given: \"x\", a string$"
    (lambda () (prove-zero "x")))
-  (check-exn #rx"^prove-zero: .*given [(]1 2[)], a list" (lambda () (prove-zero '(1 2))))
+  (check-exn #rx"^prove-zero: .*given: [(]1 2[)], a list" (lambda () (prove-zero '(1 2))))
   (check-exn #rx"^prove-zero: D is an operator; give it a function to act on"
              (lambda () (prove-zero D))))
 

@@ -49,7 +49,7 @@
    #rx"^eigenvalues: the zeros of the matrix leave a block of 3 rows; formulas are for 1 and 2\n  the eigenvalues are the zeros of [(]characteristic-polynomial m 'x[)];\n  those of flonums are found: [(]eigenvalues [(]exact->inexact m[)][)]\n"
    (lambda () (eigenvalues (matrix-by-rows '(1 2 3) '(4 5 6) '(7 8 9)))))
   (check-exn
-   #rx"^eigenvalues: expected a square matrix or tuple of tuples; given the procedure `sin`$"
+   #rx"^eigenvalues: expected a square matrix or tuple of tuples\n  given: the procedure `sin`$"
    (lambda () (eigenvalues sin)))
   (check-exn #rx"^characteristic-polynomial: expected a square matrix"
              (lambda () (characteristic-polynomial (matrix-by-rows '(1 2)) 'x))))

@@ -271,8 +271,8 @@
   (check-equal? (length (null-space (matrix-by-rows '(a b c)))) 2)
   (check-equal? (null-space (matrix-by-rows '(a) '(b))) '())
   (check-equal? (rank (up (down 1 2 3) (down 2 4 6))) 1)
-  (check-exn #rx"^rank: expected a matrix or a tuple of tuples; given the procedure `sin`$"
+  (check-exn #rx"^rank: expected a matrix or a tuple of tuples\n  given: the procedure `sin`$"
              (lambda () (rank sin)))
   (check-exn
-   #rx"^null-space: expected numbers or expressions as entries; given [(]matrix-by-rows [(]list sin[)][)]"
+   #rx"^null-space: expected numbers or expressions as entries\n  given: [(]matrix-by-rows [(]list sin[)][)]"
    (lambda () (null-space (matrix-by-rows (list sin))))))
