@@ -10,10 +10,10 @@
 ;; Where the derivatives of f have no inverse x is not determined; their determinant is 0 then.
 
 (require "solution-formula.rkt"
-         "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
+         "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
+         "../hamiltonian/unknowns-by-numbers.rkt"
          "../value/by-shape.rkt" "../value/shape.rkt"
          "../value/simplify.rkt"
          "../value/structure.rkt"
@@ -21,7 +21,6 @@
 
 (require-on-demand
  ["../calculus/expression-function.rkt" evaluate-at]
- ["../search/find-root.rkt" find-root]
  ["../search/implicit-root.rkt" plain])
 
 (provide make-solver solution-at)
@@ -47,7 +46,9 @@
   (define (f x) ((solver-f s) given x))
   (cond [(eq? how 'exactly) (linear-solution s f like y)]
         [(and (eq? how 'by-numbers) (solver-no-formula s)) ((solver-no-formula s))]
-        [(eq? how 'by-numbers) (numeric-solution s f like y)]
+        [(eq? how 'by-numbers)
+         (unknowns-by-numbers (solver-who s) (solver-unknowns s) f y (plain like)
+                              #:of (format "~a: " (solver-data s)))]
         [else (evaluate-at (formula-x how) (formula-place how) (up given y))]))
 
 ;; ---------------------------------------------------------------------------
@@ -71,22 +72,12 @@
   (define found (solution-formula values target (scalars x)))
   (and found (formula (up place target) (list->structure x found))))
 
-(define (free-of? x names)
-  (not (for*/or ([e (in-list (scalars x))] [name (in-list names)]) (occurs? name e))))
-
 ;; ---------------------------------------------------------------------------
 ;; The ways
 
 (define (linear-solution s f like y)
   (define zero (zero-like like))
   (solved s (derivative-at f zero) (g:- y (f zero)) like))
-
-(define (numeric-solution s f like y)
-  (define start (plain like))
-  (for ([x (in-list (scalars (up start (plain y) (plain (f start)))))])
-    (unless (number? x) (raise-no-formula s x)))
-  (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) (raise-none-found s y e))])
-    (find-root (lambda (x) (g:- (f x) y)) start)))
 
 ;; ---------------------------------------------------------------------------
 ;; Failures
@@ -104,25 +95,10 @@
 (define (raise-not-determined s M e)
   (raise-without-inverse
    (solver-who s)
-   (format (string-append "it generates no transformation: ~a do not follow from ~a"
+   (format (string-append "it generates no transformation: the ~a do not follow from ~a"
                           "\n  the determinant of the mixed second derivatives is 0"
                           "\n  mixed second derivatives: ~a")
            (solver-unknowns s) (solver-data s) (value->text (simplify M)))
    M
    (and e (exn:fail:mechanics:singular:matrix-null-vectors e))
    e))
-
-(define (raise-no-formula s x)
-  (complain (solver-who s)
-            (string-append "no formula was found for ~a, and numbers are not found with symbols "
-                           "left\n  one of them: ~a"
-                           "\n  give the parameters and the state as numbers")
-            (solver-unknowns s) (value->text x)))
-
-(define (raise-none-found s y e)
-  (raise-not-convergent (solver-who s)
-                        (format "no ~a were found for ~a: ~a" (solver-unknowns s)
-                                (solver-data s) (value->text (plain y)))
-                        (exn:fail:mechanics:not-convergent-value e)
-                        (exn:fail:mechanics:not-convergent-error-estimate e)
-                        #:show? #f))

@@ -97,7 +97,7 @@
   (define (old z) (transformed who C (state-of t (type-new k) y z)))
   (define s
     (make-solver who
-                 (format "the new ~a" (named (other (type-new k))))
+                 (string-append "new " (named (other (type-new k))))
                  (format "old ~a and new ~a" (named (type-old k)) (named (type-new k)))
                  (lambda (place z)
                    (define-values (t y) (time-and-variable place))

@@ -14,9 +14,9 @@
 ;;
 ;; Second derivatives without an inverse leave velocities open: directions without inertia.
 
-(require "../algebra/expression/symbols.rkt"
+(require "unknowns-by-numbers.rkt"
          "../calculus/derivative.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
+         "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          (only-in "../lagrangian/state-derivative.rkt" directions->text)
          "../numeric/finite-number.rkt"
@@ -28,7 +28,6 @@
 (require-on-demand
  ["velocity-formula.rkt" solve-gradient]
  ["../calculus/expression-function.rkt" evaluate-at]
- ["../search/find-root.rkt" find-root]
  ["../search/implicit-root.rkt" plain])
 
 (provide make-inverter velocity-at transform-at)
@@ -98,13 +97,11 @@
     (define F ((gradient-in i) place))
     (equations (F v) (derivative-at F v))))
 
-;; Do the slopes not depend on the names?  Often this is seen before they are simplified, which
-;; must not take for granted that v is positive, as in the root of v².
-(define (independent? slopes names)
-  (define (free-of? x)
-    (not (for*/or ([e (in-list (scalars x))] [name (in-list names)]) (occurs? name e))))
-  (or (free-of? slopes)
-      (free-of? (simplify-strictly slopes))))
+;; Often it is seen before they are simplified that slopes do not depend on v; to simplify must
+;; not take for granted that v is positive, as in the root of v².
+(define (independent? slopes v)
+  (or (free-of? slopes v)
+      (free-of? (simplify-strictly slopes) v)))
 
 ;; ---------------------------------------------------------------------------
 ;; Formulas
@@ -115,25 +112,16 @@
 (define (velocity-by-formula i f given w)
   (define v (evaluate-at (formula-v f) (formula-place f) (up given w)))
   ;; No velocity has a momentum of which the formula is the logarithm of a negative number, say.
-  (when (ormap not-real? (scalars (plain v))) (raise-none-found i w (plain v) #f))
+  (when (ormap not-real? (scalars (plain v)))
+    (raise-none-found (inverter-who i) (what-is-sought i) "" w (plain v) #f))
   v)
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers
 
 (define (velocity-by-numbers i given w)
-  (define gradient ((gradient-in i) given))
-  (define start (starting-velocity i (plain given) (plain w)))
-  (define there (gradient start))       ; an error of F's own is seen by now
-  (for ([x (in-list (scalars (plain (up w given there))))])
-    (unless (number? x) (raise-no-formula i x)))
-  (define (excess v) (g:- (gradient v) w))
-  (define (raise-no-root e)
-    (raise-none-found i w
-                      (exn:fail:mechanics:not-convergent-value e)
-                      (exn:fail:mechanics:not-convergent-error-estimate e)))
-  (with-handlers ([exn:fail:mechanics:not-convergent? raise-no-root])
-    (find-root excess start)))
+  (unknowns-by-numbers (inverter-who i) (what-is-sought i) ((gradient-in i) given) w
+                       (starting-velocity i (plain given) (plain w))))
 
 ;; The solution for a quadratic F; if it has no value, the momenta themselves.
 (define (starting-velocity i given w)
@@ -165,18 +153,4 @@
 ;; Are momenta sought, those of velocities?
 (define (back? i) (eq? (inverter-who i) 'Hamiltonian->Lagrangian))
 
-(define (raise-none-found i w reached estimate)
-  (raise-not-convergent (inverter-who i)
-                        (format "no ~a were found for ~a"
-                                (what-is-sought i) (value->text (plain w)))
-                        reached estimate #:show? #f))
-
 (define (what-is-sought i) (if (back? i) "momenta" "velocities"))
-
-(define (raise-no-formula i x)
-  (complain (inverter-who i)
-            (string-append "no formula was found for the " (what-is-sought i) ", "
-                           "and numbers are not found with symbols left"
-                           "\n  one of them: ~a"
-                           "\n  give the parameters and the state as numbers")
-            (value->text x)))
