@@ -6,9 +6,8 @@
 
 (require "show/plot/chaos-map.rkt" "show/plot/contour.rkt" "show/plot/draw.rkt"
          "show/explorer/explore-map.rkt"
-         "show/plot/following-orbits.rkt" "show/plot/frame.rkt" "show/plot/frame-pict.rkt"
-         "show/plot/phase-portrait.rkt" "show/plot/plot-trajectory.rkt" "show/plot/frame-file.rkt"
-         "show/plot/frame-window.rkt")
+         "show/plot/following-orbits.rkt" "show/plot/frame.rkt" "show/plot/frame-output.rkt"
+         "show/plot/phase-portrait.rkt" "show/plot/plot-trajectory.rkt")
 
 (provide
  ;; frames

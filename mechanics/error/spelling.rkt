@@ -3,9 +3,10 @@
 ;; of the finger away, or else those that it begins, as matrix begins
 ;; matrix-by-rows.  Short names have too many neighbours, and are the symbols
 ;; of physics; so about one slip is allowed for four letters, and below four
-;; letters there are no suggestions.  Predicates are rarely meant.
+;; letters there are no suggestions.  Predicates are rarely meant, unless one was typed.
 
-(require (only-in racket/list add-between take))
+(require (only-in racket/list add-between take)
+         (only-in "message-words.rkt" joined))
 
 (provide likely-names nearest-names alternatives among)
 
@@ -22,7 +23,9 @@
          (take-some (if (null? near) (completions text others) near))]))
 
 (define (other-than? known name)
-  (not (or (eq? known name) (regexp-match? #rx"[?]$" (symbol->string known)))))
+  (not (or (eq? known name) (and (predicate? known) (not (predicate? name))))))
+
+(define (predicate? name) (regexp-match? #rx"[?]$" (symbol->string name)))
 
 ;; Among few names a slip may be allowed where a word has but three letters.
 (define (nearest-names text known)
@@ -38,7 +41,7 @@
   (define near (nearest-names (symbol->string name) known))
   (format "~a\n  there are: ~a"
           (if (null? near) "" (format "; did you mean ~a?" (alternatives near)))
-          (apply string-append (add-between (map symbol->string known) ", "))))
+          (joined (map symbol->string known))))
 
 ;; The names at the smallest distance that is allowed.
 (define (nearest text allowed known)

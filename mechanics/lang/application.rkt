@@ -125,9 +125,7 @@
 
   ;; (pi / 2): a name that may hold a number is not trusted to be a procedure.
   (define (number-before-sign? row)
-    (and (infix? (map syntax-e row))
-         (not (unary? (car row)))
-         (not (memq (syntax-e (car row)) '(apply map for-each foldl foldr sort andmap ormap)))))
+    (and (infix? (map syntax-e row)) (not (unary? (car row)))))
 
   (define (application-of-import stx row)
     (define operator (car row))

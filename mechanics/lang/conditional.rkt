@@ -5,7 +5,7 @@
 ;; They are Racket's forms around tests that are checked.  The check costs nothing for #t and #f.
 
 (require (for-syntax racket/base
-                     "plain-form.rkt")
+                     "written-form.rkt")
          "../generic/naming.rkt" "../generic/truth.rkt")
 
 (provide (rename-out [asking-if if] [asking-cond cond] [asking-and and] [asking-or or]

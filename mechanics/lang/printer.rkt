@@ -8,20 +8,23 @@
 ;;
 ;; In a terminal a long result ends after a screen.
 
-(require "../show/display/picture-advice.rkt" "../show/display/display-style.rkt"
+(require (only-in racket/list split-at)
+         racket/string
+         "../show/display/picture-advice.rkt" "../show/display/display-style.rkt"
          "../show/display/print-shown.rkt"
          "../show/display/result-receiver.rkt" "../show/display/result.rkt"
-         "../error/note.rkt"
+         "../error/message-words.rkt" "../error/note.rkt"
          (only-in "../generic/cyclic-data.rkt" cyclic?)
          (only-in "../generic/on-demand.rkt" require-on-demand)
          (only-in "../generic/up-down.rkt" tuple?)
          (only-in "../algebra/expression/expression.rkt" symbolic?)
          (only-in "../verdict/residual-remarks.rkt" remarks-on-pi))
 
-(require-on-demand [racket/pretty pretty-print-columns]
-                   ["screen.rkt" first-screen])
+(require-on-demand [racket/pretty pretty-print-columns])
 
-(provide install-printer! print-result print-more print-last)
+(provide install-printer! print-result print-more print-last
+         ;; for tests
+         first-screen)
 
 ;; ---------------------------------------------------------------------------
 ;; The session's printer
@@ -87,6 +90,24 @@
   (write-string shown)
   (when rest
     (printf "; ~a more lines: ~a\n" more (session-printer-how-to-go-on printer))))
+
+;; rows, columns : size of a screen
+;; -> the beginning that fits, with its newline; the rest, or #f; the number of its rows
+(define (first-screen text rows columns)
+  (define lines (screen-rows text columns))
+  (define n (length lines))
+  (cond [(<= n rows) (values text #f 0)]
+        [else
+         (define-values (shown more) (split-at lines rows))
+         (values (as-text shown) (as-text more) (- n rows))]))
+
+;; Lines too long for the screen are cut as the terminal cuts them.
+(define (screen-rows text columns)
+  (for*/list ([line (in-list (string-split (string-trim text "\n" #:left? #f) "\n" #:trim? #f))]
+              [start (in-range 0 (max 1 (string-length line)) columns)])
+    (substring line start (min (+ start columns) (string-length line)))))
+
+(define (as-text rows) (string-append (joined rows "\n") "\n"))
 
 ;; Prints the next screen of the last long result.
 (define (print-more)

@@ -33,9 +33,8 @@
 (define (literal-matrix name rows columns)
   (unless (symbol? name)
     (raise-argument-error 'literal-matrix "a quoted name, such as 'A" name))
-  (for ([n (in-list (list rows columns))])
-    (unless (exact-positive-integer? n)
-      (complain 'literal-matrix "expected a number of rows and one of columns; given ~s and ~s"
-                rows columns)))
+  (unless (andmap exact-positive-integer? (list rows columns))
+    (complain 'literal-matrix "expected a number of rows and one of columns; given ~s and ~s"
+              rows columns))
   (m:generate rows columns
               (lambda (i j) (string->symbol (format "~a^~a_~a" name i j)))))

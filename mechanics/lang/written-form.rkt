@@ -1,7 +1,14 @@
 #lang racket/base
-;; Forms as they were written, and their refusal.
+;; Forms as they were written: their refusal, and Racket's form behind a name that is ours too.
 
-(provide refuse adjacent? prime-before? about-prime form->text without-commas before-colon)
+(provide plain-form refuse adjacent? prime-before? about-prime form->text without-commas
+         before-colon)
+
+;; stx with `form` in place of its keyword; stx may be the keyword alone.
+(define (plain-form form stx)
+  (if (identifier? stx)
+      (datum->syntax form (syntax-e form) stx stx)
+      (datum->syntax stx (cons form (cdr (syntax-e stx))) stx stx)))
 
 ;; A mistake in the form stx, at a part of it, or #f; the text as `format` takes it
 (define (refuse stx part text . operands)

@@ -15,24 +15,26 @@
 
 (provide check-command)
 
+(define who 'check)
+
 ;; The options.  reports : paths; gradescope : a path, or #f
 (struct settings (path worksheet reports gradescope seconds json?))
 
 (define (check-command arguments)
   (define w (read-settings arguments))
   (define class? (directory-exists? (settings-path w)))
-  (unless class? (check-there 'check (settings-path w)))
+  (unless class? (check-there who (settings-path w)))
   (for-each check-report (settings-reports w))
   (if class? (check-class w) (check-file w)))
 
 (define (read-settings arguments)
   (define-values (path option)
-    (read-arguments 'check arguments #:argument "file-or-folder"
+    (read-arguments who arguments #:argument "file-or-folder"
                     #:valued '("--worksheet" "--gradescope" "--seconds")
                     #:switches '("--json") #:repeated '("--report")))
   (define seconds (string->number (or (option "--seconds") "10")))
   (unless (and (real? seconds) (<= 1 seconds 3600))
-    (complain 'check "--seconds takes a number from 1 to 3600"))
+    (complain who "--seconds takes a number from 1 to 3600"))
   (settings path (option "--worksheet") (map simple-form-path (option "--report"))
         (option "--gradescope") seconds (option "--json")))
 
@@ -41,9 +43,9 @@
 
 (define (check-class w)
   (unless (settings-worksheet w)
-    (complain 'check "for a folder the worksheet is needed, as in --worksheet pendulum.rkt"))
-  (define worksheet (load-worksheet 'check (settings-worksheet w)))
-  (define r (grade w worksheet (folder->submissions 'check (settings-path w))))
+    (complain who "for a folder the worksheet is needed, as in --worksheet pendulum.rkt"))
+  (define worksheet (load-worksheet who (settings-worksheet w)))
+  (define r (grade w worksheet (folder->submissions who (settings-path w))))
   (write-reports w r)
   (display (if (settings-json? w) (class->json r) (class->text r)))
   0)
@@ -53,7 +55,7 @@
 
 (define (write-reports w r)
   (for ([file (in-list (settings-reports w))])
-    (write-text 'mechanics file ((report-format file) r)))
+    (write-text who file ((report-format file) r)))
   (when (settings-gradescope w)
     (define one? (file-exists? (settings-path w)))
     (for ([g (in-list (class-report-graded r))])
@@ -64,7 +66,7 @@
   (define name (file-name (submission-id (graded-submission g))))
   (define folder (if one? where (build-path where name)))
   (make-directory* folder)
-  (write-text 'mechanics (build-path folder "results.json") (graded->Gradescope g)))
+  (write-text who (build-path folder "results.json") (graded->Gradescope g)))
 
 ;; A student may choose any name.
 (define (file-name id)
@@ -81,8 +83,8 @@
 
 (define (check-report file)
   (unless (report-format file)
-    (complain 'check "a report is a file that ends with .html, .csv or .json\n  given: ~a" file))
-  (check-new-file 'check file))
+    (complain who "a report is a file that ends with .html, .csv or .json\n  given: ~a" file))
+  (check-new-file who file))
 
 ;; ---------------------------------------------------------------------------
 ;; One file
@@ -90,9 +92,9 @@
 (define (check-file w)
   (define s (file->submission (settings-path w)))
   (define worksheet
-    (cond [(settings-worksheet w) => (lambda (file) (load-worksheet 'check file))]
+    (cond [(settings-worksheet w) => (lambda (file) (load-worksheet who file))]
           [(submission-text s) (worksheet-within (settings-path w) (submission-text s))]
-          [else (complain 'check "~a\n  file: ~a" (submission-problem s) (settings-path w))]))
+          [else (complain who "~a\n  file: ~a" (submission-problem s) (settings-path w))]))
   (define r (grade w worksheet (list s)))
   (define g (first (class-report-graded r)))
   (write-reports w r)
@@ -107,7 +109,7 @@
 (define (worksheet-within file text)
   (define exercises (sealed-exercises text))
   (unless exercises
-    (complain 'check (string-append "the file holds no worksheet, and none is given, as in "
+    (complain who (string-append "the file holds no worksheet, and none is given, as in "
                                     "--worksheet pendulum.rkt\n  file: ~a")
               file))
   (worksheet "" #f "" exercises))

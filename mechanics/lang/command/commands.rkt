@@ -1,16 +1,23 @@
 #lang racket/base
 ;; The commands of `raco mechanics`, a line for each: to add one, add a line.
 
-(require "raco-command.rkt"
+(require (only-in racket/string string-join)
+         "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["show-program.rkt" show-command TeX-command]
                    ["worksheet-files.rkt" worksheet-command handout-command new-command]
                    ["check-answers-of.rkt" check-command]
                    ["export-program.rkt" export-command]
-                   ["raco-help.rkt" help-command])
+                   ["../help/help-answer.rkt" help-about]
+                   ["../help/cards.rkt" card-of])
 
-(provide commands)
+(provide (struct-out command) commands find-command command-names print-commands print-command)
+
+;; sentence : about its purpose
+;; run      : strings -> the status to exit with: 0 all is well, 1 the program or the answers have
+;;            mistakes, 2 the arguments make no sense
+(struct command (name arguments sentence run))
 
 (define commands
   (list
@@ -36,7 +43,13 @@
    (command "repl" "" "a prompt with history, completion and help"
             (lambda (arguments) (start-prompt arguments)))
    (command "help" "[NAME]" "this list; what a command does; what is known of a name"
-            (lambda (arguments) (help-command arguments commands)))))
+            (lambda (arguments) (help-command arguments)))))
+
+(define (find-command name) (findf (lambda (c) (string=? name (command-name c))) commands))
+
+(define command-names (map (lambda (c) (string->symbol (command-name c))) commands))
+
+;; ---------------------------------------------------------------------------
 
 ;; `raco mechanics repl`: the prompt of `make repl`.
 (define (start-prompt arguments)
@@ -46,3 +59,35 @@
         [else
          (dynamic-require '(submod mechanics/lang/prompt/start main) #f)
          0]))
+
+;; ---------------------------------------------------------------------------
+;; Help: the commands, or one of them; or the card of a name, as (help name) prints it
+
+(define (help-command arguments)
+  (define c (and (pair? arguments) (find-command (car arguments))))
+  (cond [(null? arguments) (print-commands)]
+        [c (print-command c)]
+        [(null? (cdr arguments)) (help-about-word (string->symbol (car arguments)))]
+        [else (help-about (string-join arguments " "))])
+  0)
+
+;; It may be a command, or a name of the library.
+(define (help-about-word name)
+  (define near (if (card-of name) '() (likely-names name command-names)))
+  (unless (null? near)
+    (printf "There is no command ~a; did you mean ~a?\n\n" name (alternatives near)))
+  (help-about name))
+
+(define (print-commands)
+  (printf "raco mechanics COMMAND ...\n\n")
+  (for ([c (in-list commands)]) (printf "  ~a\n      ~a\n" (usage c) (command-sentence c)))
+  (printf "\nIn a checkout, where raco knows no such command: make show FILE=... [OUT=...],\n")
+  (printf "make tex FILE=... [OUT=...], make export FILE=... [TO=...], make repl; make new,\n")
+  (printf "worksheet, handout FILE=...; and make check FILE=... [WORKSHEET=... REPORT=...].\n"))
+
+(define (print-command c)
+  (printf "raco mechanics ~a\n    ~a\n" (usage c) (command-sentence c)))
+
+(define (usage c)
+  (define arguments (command-arguments c))
+  (string-append (command-name c) (if (string=? "" arguments) "" " ") arguments))

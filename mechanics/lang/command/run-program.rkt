@@ -8,6 +8,7 @@
 (require racket/path
          "watch.rkt"
          "../unknown-name/unknown-names.rkt"
+         (only-in "../../error/refusal.rkt" raised?)
          "../../show/display/result-receiver.rkt"
          "../../show/document/document-piece.rkt" "../../show/document/shown-result.rkt")
 
@@ -56,10 +57,9 @@
         (when (recorder-number r) (look-at-definitions r))
         (stop (early-end (recorder-number r) #t #f)))
       (parameterize ([exit-handler exit-by-program])
-        (with-handlers ([(lambda (e) (not (exn:break? e)))
-                         (lambda (e)
-                           (define running? (and (recorder-number r) #t))
-                           (early-end (place-of e stx r) running? (message e)))])
+        (with-handlers ([raised? (lambda (e)
+                                   (define running? (and (recorder-number r) #t))
+                                   (early-end (place-of e stx r) running? (message e)))])
           (evaluate stx file r)
           #f))))
   (finish-form! r)

@@ -14,4 +14,9 @@
 (define (infix? forms)
   (and (pair? forms) (pair? (cdr forms))
        (not (sign? (car forms)))
+       (not (memq (car forms) with-operation))
        (sign? (cadr forms))))
+
+;; Procedures that an operation is given to, as in (apply + xs); some are of other languages.
+(define with-operation
+  '(apply map for-each foldl foldr fold fold-left fold-right reduce sort andmap ormap))

@@ -51,6 +51,7 @@
      odeint ode45 ode solve_ivp dsolve NDSolve DSolve integrate-motion)
     ("a symbol is quoted, as 'x, and needs no declaration" symbols Symbol syms var)
     ("its name is pi; exactly it is ':pi" PI Pi π)
+    ("its name is Gamma" Γ)
     ("infinity is +inf.0" inf Inf infinity Infinity oo ∞)
     ("the true value is #t, the false one #f" true false True False)
     ("a definition is (define (f x) ...)" def defun function)
@@ -126,7 +127,7 @@
 (define (sentence-about-argument text)
   (cond [(regexp-match #px"^:(\\p{L}(?:\\p{L}|-)*)$|^--(\\p{L}(?:\\p{L}|-)*)$" text)
          => (lambda (found) (format "a keyword is written #:~a" (or (cadr found) (caddr found))))]
-        [(regexp-match #px"^(\\p{L}(?:\\p{L}|[0-9_-])*)=(.+)$" text)
+        [(regexp-match #px"^(\\p{L}(?:\\p{L}|[0-9_-])*)=([^?].*)$" text)
          => (lambda (found)
               (format "a definition is (define ~a ~a); an argument is given by its place, as ~a"
                       (cadr found) (caddr found) (caddr found)))]

@@ -6,7 +6,7 @@
 (require (for-syntax racket/base
                      (only-in racket/list append-map)
                      "incomplete-forms.rkt" "definition-mistakes.rkt" "pattern-syntax.rkt"
-                     "definition-notes.rkt" "../written-form.rkt" "../plain-form.rkt")
+                     "definition-notes.rkt" "../written-form.rkt")
          "tuple.rkt")
 
 (provide up down

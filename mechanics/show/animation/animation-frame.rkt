@@ -2,7 +2,6 @@
 ;; Single pictures of an animation, and files of all of them.
 
 (require "animation.rkt" "drawing.rkt" "film.rkt" "on-demand.rkt" "pictures-on-demand.rkt"
-         "schedule.rkt"
          "../plot/picture-file.rkt")
 
 (provide animation-frame animation-save)

@@ -3,7 +3,7 @@
 ;; loaded when the first is opened.
 
 (require (only-in racket/math exact-ceiling exact-round)
-         "animation.rkt" "drawing.rkt" "film.rkt" "pictures-on-demand.rkt" "schedule.rkt"
+         "animation.rkt" "drawing.rkt" "film.rkt" "pictures-on-demand.rkt"
          "../../generic/on-demand.rkt"
          "../plot/window-screen.rkt")
 
@@ -26,13 +26,12 @@
   (check-drawing-library who)
   (define f (animation-film a))
   (define s (film-schedule f))
-  (define seconds (schedule-seconds s))
   (define pictures ((animation-pictures a)))
-  (define (time share) (time-after s (* share seconds)))
   (define-values (width height) (scenery-size pictures))
   (define pause (exact-ceiling (/ 1000 (schedule-rate s))))
-  (open-player (make-performance (film-title f) width height seconds pause
-                                 (lambda (share) (scenery->pict pictures (time share)))
+  (open-player (make-performance (film-title f) width height (schedule-seconds s) pause
+                                 (lambda (share)
+                                   (scenery->pict pictures (time-at-share s share)))
                                  (lambda (share) (time->text s share)))
                closed))
 

@@ -6,7 +6,6 @@
 
 (require file/convertible
          "drawing.rkt" "film.rkt" "on-demand.rkt" "phase-plane.rkt" "pictures-on-demand.rkt"
-         "schedule.rkt"
          "../display/picture-advice.rkt"
          "../../error/complain.rkt" "../../error/computed-once.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/value-struct.rkt"

@@ -4,25 +4,24 @@
 (require file/convertible
          racket/math
          (only-in pict pict-width scale hc-append vl-append text)
-         "film.rkt" "gif.rkt" "playing-page.rkt" "scenery.rkt" "schedule.rkt"
+         "film.rkt" "gif.rkt" "playing-page.rkt" "scenery.rkt"
          "../../error/complain.rkt")
 
 (provide convert-scenery scenery->gif scenery->page)
 
 ;; As file/convertible asks: motion where the format has any, else a strip of pictures.
 (define (convert-scenery s request default)
-  (case request
-    [(gif-bytes) (scenery->gif 'animation s)]
-    [else (convert (strip s) request default)]))
+  (if (eq? request 'gif-bytes)
+      (scenery->gif 'animation s)
+      (convert (strip s) request default)))
 
 (define strip-count 4)
 
 (define (strip s)
   (define when-taken (film-schedule (scenery-film s)))
-  (define seconds (schedule-seconds when-taken))
   (apply hc-append 12
          (for/list ([k (in-range strip-count)])
-           (define t (time-after when-taken (* seconds (/ k (- strip-count 1.0)))))
+           (define t (time-at-share when-taken (/ k (- strip-count 1.0))))
            (define picture (scenery->pict s t))
            (vl-append 4
                       (scale picture (min 1 (/ 130 (pict-width picture))))
@@ -40,7 +39,7 @@
 (define (scenery->gif who s)
   (define given (film-schedule (scenery-film s)))
   (define delay (max 2 (exact-round (/ 100 (schedule-rate given)))))
-  (define when-taken (schedule-at-rate given (/ 100 delay)))
+  (define when-taken (struct-copy schedule given [rate (/ 100 delay)]))
   (define n (check-count who when-taken))
   (define-values (width height) (scenery-size s))
   (define port (open-output-bytes))

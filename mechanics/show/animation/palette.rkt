@@ -38,8 +38,7 @@
 
 ;; GIF wants 2, 4, 8, ... colors.
 (define (padded colors)
-  (define size
-    (for/first ([n (in-list '(2 4 8 16 32 64 128 256))] #:when (<= (length colors) n)) n))
+  (define size (expt 2 (max 1 (integer-length (- (length colors) 1)))))
   (append colors (make-list (- size (length colors)) (vector 0 0 0))))
 
 (define (bin-at pixels i)

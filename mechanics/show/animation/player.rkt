@@ -32,11 +32,9 @@
 (define (open-player work closed)
   (parameterize ([current-eventspace (make-eventspace)])
     (define window
-      (new (class frame%
-             (super-new [label (performance-title work)])
-             (define/augment (on-close)
-               (stop! it)
-               (closed)))))
+      (titled-window (performance-title work) (lambda ()
+                                                (stop! it)
+                                                (closed))))
     (define canvas
       (new picture-canvas% [parent window]
            [picture (lambda () ((performance-picture work) (player-share it)))]

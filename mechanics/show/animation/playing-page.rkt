@@ -10,7 +10,7 @@
          racket/runtime-path
          racket/string
          (only-in xml xexpr->string)
-         "film.rkt" "pict-recorder.rkt" "scenery.rkt" "schedule.rkt" "shapes.rkt" "svg.rkt")
+         "film.rkt" "pict-recorder.rkt" "scenery.rkt" "shapes.rkt" "svg.rkt")
 
 (provide make-page)
 

@@ -7,7 +7,7 @@
          (only-in racket/math exact-ceiling exact-floor)
          (only-in pict pict? pict-width pict-height blank lt-superimpose hc-append)
          "drawing.rkt" "film.rkt" "paint.rkt" "phase-plane.rkt" "portrait.rkt"
-         "schedule.rkt" "shapes.rkt"
+         "shapes.rkt"
          "../../error/complain.rkt" "../../error/computed-once.rkt"
          "../../generic/describe.rkt"
          "../../numeric/finite-number.rkt")
@@ -56,13 +56,13 @@
 
 (define (mechanism-panel f)
   (define drawing (film-drawing f))
-  (define (picture t) (picture-of drawing (film-state f t)))
+  (define (picture t)
+    (define state (film-state f t))
+    (check-picture 'animation (drawing state) state))
   (define-values (width height) (largest f picture))
   (define place (if (drawing? drawing) (lambda (p) (drawn-place drawing p)) values))
   (define trails (once (lambda () (trail-curves f place))))
   (panel width height picture trails (lambda (t) (trail->pict f (trails) t width height))))
-
-(define (picture-of drawing state) (check-picture 'animation (drawing state) state))
 
 (define (check-picture who x state)
   (unless (pict? x)
@@ -77,7 +77,7 @@
   (define s (film-schedule f))
   (define samples
     (for/list ([k (in-range (if (drawing? (film-drawing f)) 1 sample-size))])
-      (picture (time-after s (* (schedule-seconds s) (/ k (- sample-size 1.0)))))))
+      (picture (time-at-share s (/ k (- sample-size 1.0))))))
   (values (apply max 1 (map pict-width samples)) (apply max 1 (map pict-height samples))))
 
 ;; ---------------------------------------------------------------------------
@@ -85,8 +85,7 @@
 
 (define (detailed s) (+ 1 (* trail-detail (- (schedule-count s) 1))))
 
-(define (detailed-time s k)
-  (time-after s (* (schedule-seconds s) (/ k (- (detailed s) 1.0)))))
+(define (detailed-time s k) (time-at-share s (/ k (- (detailed s) 1.0))))
 
 (define (trail-curves f place)
   (define s (film-schedule f))

@@ -9,12 +9,12 @@
 (require "../../error/complain.rkt"
          "../../generic/describe.rkt" "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt"
-         "../plot/coordinate.rkt")
+         "../plot/coordinate.rkt" "../plot/style.rkt")
 
 (provide polyline disc label flat-shapes
          (struct-out stroke) (struct-out spot) (struct-out lettering)
          ink faint accents
-         point-of check-length)
+         point-of check-length check-lengths)
 
 ;; Colors that can be read on white paper and on a dark page: the first turns white there.
 (define ink "black")
@@ -45,9 +45,7 @@
   (check-color who color)
   (check-color who fill)
   (check-width who width)
-  (unless (memq dash '(solid dot long-dash short-dash dot-dash))
-    (complain-of-argument
-     who "a line style, one of (solid dot long-dash short-dash dot-dash)" dash))
+  (check-dash who dash)
   (unless (memq heads '(none end both))
     (complain-of-argument who "where arrows are: 'none, 'end or 'both" heads))
   (stroke (for/list ([p (in-list points)] [i (in-naturals)])
@@ -90,6 +88,11 @@
   (unless (> length 0.0)
     (complain-of-argument who (format "a positive number as ~a" what) x))
   length)
+
+;; A list of such numbers, as flonums.  fits? : is the list one that is expected?
+(define (check-lengths who expected what fits? xs)
+  (check-argument who (lambda (xs) (and (list? xs) (fits? xs))) xs expected)
+  (for/list ([x (in-list xs)]) (check-length who what x)))
 
 ;; Names are looked up where there is a library that knows them, when they are drawn.
 (define (check-color who color)

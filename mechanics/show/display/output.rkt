@@ -53,11 +53,12 @@
 ;; For `format` and its kin.
 (define (as-text x) (if (cyclic? x) x (within-text x)))
 
-(define-named show:format format
-  (lambda (text . xs) (apply format text (map as-text xs))))
-(define-named show:printf printf
-  (lambda (text . xs) (apply printf text (map as-text xs))))
-(define-named show:eprintf eprintf
-  (lambda (text . xs) (apply eprintf text (map as-text xs))))
+(define-syntax-rule (define-formatting name format)
+  (define-named name format
+    (lambda (text . xs) (apply format text (map as-text xs)))))
+
+(define-formatting show:format format)
+(define-formatting show:printf printf)
+(define-formatting show:eprintf eprintf)
 (define-named show:fprintf fprintf
   (lambda (port text . xs) (apply fprintf port text (map as-text xs))))

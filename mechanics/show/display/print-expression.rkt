@@ -3,6 +3,8 @@
 
 (require "display-style.rkt" "layout.rkt" "print-shown.rkt" "result-receiver.rkt" "result.rkt"
          "text.rkt"
+         (only-in "../../error/hint.rkt" quoted-expression?)
+         (only-in "../../error/note.rkt" note-once)
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../value/series/series-access.rkt"
          "../../verdict/verdict.rkt")
@@ -22,6 +24,8 @@
 ;; style : one of those of display-style, or #f for the one that was chosen
 (define (print-as who x style)
   (when style (check-style who style))
+  (when (quoted-expression? x)
+    (note-once "a quoted list is no expression; read-expression makes one of it"))
   (define receiver (and (memq (or style (display-style)) '(automatic typeset)) (receiver-here)))
   (if receiver
       (receiver x)

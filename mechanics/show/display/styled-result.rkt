@@ -4,18 +4,19 @@
 ;; Nothing that fails here reaches the prompt: what cannot be typeset is shown as it was
 ;; before there were styles, with a line that says why.
 
-(require "print-shown.rkt" "result-formula.rkt"
+(require file/convertible
+         "print-shown.rkt" "result-formula.rkt"
          "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt"
          "../typesetting/drawn-text.rkt"
          "../../algebra/expression/write.rkt"
          "../../algebra/notation/formula.rkt" "../../algebra/notation/infix.rkt"
          (only-in "../../algebra/notation/tree.rkt" plain?)
          "../../generic/describe.rkt" "../../generic/kind.rkt" "../../generic/on-demand.rkt"
-         "../../generic/value-tree.rkt"
+         "../../generic/value-struct.rkt" "../../generic/value-tree.rkt"
          (only-in "../../algebra/expression/expression.rkt" symbolic?))
 
 (require-on-demand ["formula-snip.rkt" formula->snip]
-                   ["formula-picture.rkt" formula->picture])
+                   ["formula-drawing.rkt" convert-formula])
 
 (provide styled-result)
 
@@ -33,23 +34,31 @@
     (made (if why (format "~a\n; not typeset: ~a" text why) text)))
   (with-handlers ([exn:fail? (lambda (e) (give-up (one-line (exn-message e))))])
     (define tree (value->tree shown (not (eq? manner 'infix))))
-    (define size (if (picture? manner) (max (atoms shown) (formula-size tree)) 0))
+    (define drawn? (memq manner '(snip picture)))
+    (define size (if drawn? (max (atoms shown) (formula-size tree)) 0))
     (cond [(plain? tree) (give-up #f)]
           [(> size most-drawn)
            (give-up (format "it has ~a parts, and up to ~a are drawn" size most-drawn))]
-          [(picture? manner)
+          [drawn?
            (define-values (text program) (unstyled))
            (define f (formula tree (map note->remark notes) program text width))
-           (if (eq? manner 'snip) (special (formula->snip f)) (formula->picture f))]
+           (if (eq? manner 'snip) (special (formula->snip f)) (picture f))]
           [else (made (styled-text tree notes width manner))])))
-
-(define (picture? manner) (memq manner '(snip picture)))
 
 ;; Those of an expression before its tree is cut at print-limit.
 (define (atoms x)
   (if (or (symbolic? x) (has-kind? x)) ((make-sizer) (value->datum x)) 0))
 
 (define (one-line text) (regexp-replace* #rx"\n *" text "; "))
+
+;; For places that show what can be converted to a picture: pages of Scribble, notebooks.  It prints
+;; as the text that it is elsewhere, and stays text where the libraries that draw are missing.
+(value-struct picture (formula)
+  #:text (lambda (p) (formula-text (picture-formula p)))
+  #:property prop:convertible
+  (lambda (p request default)
+    (with-handlers ([exn:fail? (lambda (e) default)])
+      (convert-formula (picture-formula p) request default))))
 
 ;; ---------------------------------------------------------------------------
 ;; Text, and what stands beneath it

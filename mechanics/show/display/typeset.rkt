@@ -9,24 +9,27 @@
          "../../generic/wrong-argument.rkt"
          "../../value/read-expression.rkt")
 
-(provide ->infix ->text ->TeX ->MathML read-infix check-width)
+(provide ->infix ->text ->TeX ->MathML read-infix fitted-tree)
 
 ;; On one line, in characters of Unicode.
 (define (->infix x) (tree->line (value->tree x #f)))
 
 ;; In lines of text, fractions and roots drawn.
 (define-plain (->text x #:width [width 80])
-  (check-width '->text width)
-  (tree->text (fit (value->tree x #t) width)))
+  (tree->text (fitted-tree '->text x width)))
 
 ;; For LaTeX's mathematics mode, with amsmath.
 (define-plain (->TeX x #:width [width 80])
-  (check-width '->TeX width)
-  (tree->TeX (fit (value->tree x #t) width)))
+  (tree->TeX (fitted-tree '->TeX x width)))
 
 (define-plain (->MathML x #:width [width 80] #:inline? [inline? #f])
-  (check-width '->MathML width)
-  (tree->MathML (fit (value->tree x #t) width) (not inline?)))
+  (tree->MathML (fitted-tree '->MathML x width) (not inline?)))
+
+;; The tree of x, cut into lines of a width that is checked.
+(define (fitted-tree who x width)
+  (unless (or (not width) (exact-positive-integer? width))
+    (complain-of-argument who "a width in columns, or #f for lines of any length" width))
+  (fit (value->tree x #t) width))
 
 ;; The value of a formula that is written as ->infix writes it.
 (define (read-infix text)
@@ -37,7 +40,3 @@
 ;; x^2 is also the name of a component of a literal tuple.
 (define (note-superscript)
   (note-once "read-infix: x^2 is a name with a superscript; the square of x is x² or x**2"))
-
-(define (check-width who width)
-  (unless (or (not width) (exact-positive-integer? width))
-    (complain-of-argument who "a width in columns, or #f for lines of any length" width)))

@@ -81,10 +81,8 @@
           [else (values x '())])))
 
 (define (as-results xs)
-  (for/fold ([shown '()] [grounds '()] #:result (values (reverse shown) grounds))
-            ([x (in-list xs)])
-    (define-values (value more) (as-result x))
-    (values (cons value shown) (append grounds more))))
+  (define-values (shown grounds) (for/lists (shown grounds) ([x (in-list xs)]) (as-result x)))
+  (values shown (append* grounds)))
 
 (define (note->tree n)
   (if (eq? (car n) 'left-unexpanded)

@@ -36,8 +36,8 @@
 (define (make-exploration map n bounds) (exploration map n bounds bounds '() '()))
 
 (define (next-color e)
-  (for/fold ([next 0]) ([t (in-list (exploration-orbits e))])
-    (max next (+ 1 (orbit-color (traced-orbit t))))))
+  (define orbits (exploration-orbits e))
+  (if (null? orbits) 0 (+ 1 (orbit-color (traced-orbit (car orbits))))))
 
 (define (remember! e)
   (define-values (bounds orbits) (values (exploration-bounds e) (exploration-orbits e)))

@@ -3,7 +3,8 @@
 ;; loaded when the first is opened.
 
 (require racket/class
-         "exploration.rkt" "exploration-program.rkt" "../plot/frame.rkt" "../plot/view.rkt"
+         "exploration.rkt" "exploration-program.rkt" "../plot/frame.rkt" "../plot/style.rkt"
+         "../plot/view.rkt"
          "../plot/window-screen.rkt"
          "../../error/computed-once.rkt" "../../error/message-words.rkt"
          "../../generic/on-demand.rkt")
@@ -37,7 +38,8 @@
                  (lambda (e) (draw-explored who e f))))
 
 (define (draw-explored who e f)
-  (exploration->dots e (lambda (color x y) (add-dot! who f color 1.0 #f x y))))
+  (exploration->dots
+   e (lambda (color x y) (add-dot! who f (make-style who 'points color 1.0 'solid #f) x y))))
 
 ;; Draws the earlier contents of the frame in grey.
 (define ((background f) dc point->pixel)

@@ -2,7 +2,7 @@
 ;; Orbits of a map of the plane, as points (SICM 3.6.1, p. 248).
 
 (require racket/flonum
-         "../plot/coordinate.rkt" "../plot/frame.rkt"
+         "../plot/coordinate.rkt" "../plot/frame.rkt" "../plot/style.rkt"
          "../../error/complain.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/on-demand.rkt"
          "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
@@ -63,7 +63,8 @@
 (define (draw-orbit who f map n x y color size)
   (define p (flvector x y))
   (define step! (stepper-at who map x y))
-  (define (draw) (add-dot! who f color size #f (flvector-ref p 0) (flvector-ref p 1)))
+  (define style (make-style who 'points color size 'solid #f))
+  (define (draw) (add-dot! who f style (flvector-ref p 0) (flvector-ref p 1)))
   (when step!
     (draw)
     (let loop ([n n])

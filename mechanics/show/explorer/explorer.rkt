@@ -29,10 +29,7 @@
 ;; save   : exploration bitmap -> a text that says what was written
 (define (open-explorer title width height e starts background save closed)
   (parameterize ([current-eventspace (make-eventspace)])
-    (define window
-      (new (class frame%
-             (super-new [label title])
-             (define/augment (on-close) (finish! it closed)))))
+    (define window (titled-window title (lambda () (finish! it closed))))
     (define row (new horizontal-panel% [parent window] [stretchable-height #f] [border 2]))
     (for ([action (in-list '(undo more whole clear save close))])
       (define label (string-titlecase (symbol->string action)))

@@ -6,6 +6,7 @@
 ;; grow side by side, and a window that is slow to draw is not flooded.
 
 (require racket/flonum
+         (only-in "../../error/refusal.rkt" raised?)
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["../../dynamics/map/compiled-map.rkt" stepper-at])
@@ -64,7 +65,7 @@
     (receive o xs ys count why)
     left)
   (define (said e) (if (exn? e) (exn-message e) (format "the map raises ~v" e)))
-  (with-handlers ([(lambda (e) (not (exn:break? e))) (lambda (e) (finish (said e) #f))])
+  (with-handlers ([raised? (lambda (e) (finish (said e) #f))])
     (define begun? (orbit-step! o))
     (define step! (or begun? (begin-orbit map o)))
     (cond [(not step!) (finish "no image" #f)]

@@ -4,8 +4,6 @@
 
 (require "mechanism-parts.rkt"
          "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt"
-         "../../error/complain.rkt"
-         "../../generic/describe.rkt"
          "../../numeric/constants.rkt")
 
 (provide draw-Atwood-machine)
@@ -16,10 +14,8 @@
 (define (draw-Atwood-machine #:length [cord 3] #:masses [masses '(1 2)] #:width [width 240])
   (define who 'draw-Atwood-machine)
   (define l (check-length who "the length" cord))
-  (unless (and (list? masses) (memv (length masses) '(2 3)))
-    (complain who "expected a list of two or three masses\n  given: ~a"
-              (describe-with-value masses)))
-  (define ms (for/list ([m (in-list masses)]) (check-length who "a mass" m)))
+  (define (two-or-three? ms) (memv (length ms) '(2 3)))
+  (define ms (check-lengths who "a list of two or three masses" "a mass" two-or-three? masses))
   (define r (* 0.11 l))
   (define greatest (apply max ms))
   (define sizes (for/list ([m (in-list ms)]) (* r (sqrt (/ m greatest)) 1.1)))

@@ -2,9 +2,7 @@
 ;; Bodies that attract each other: one about a center at rest, or any number of them.
 
 (require "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt"
-         "../../error/complain.rkt"
-         "../../generic/describe.rkt")
+         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt")
 
 (provide draw-orbit draw-bodies)
 
@@ -32,9 +30,7 @@
 ;; x and y of each body in turn
 (define (draw-bodies #:masses [masses '(1 1)] #:range [range 2] #:width [width 320])
   (define who 'draw-bodies)
-  (unless (and (list? masses) (pair? masses))
-    (complain who "expected a list of masses\n  given: ~a" (describe-with-value masses)))
-  (define ms (for/list ([m (in-list masses)]) (check-length who "a mass" m)))
+  (define ms (check-lengths who "a list of masses" "a mass" pair? masses))
   (define far (check-length who "the range" range))
   (define n (length ms))
   (define greatest (apply max ms))

@@ -4,8 +4,6 @@
 (require (only-in racket/list drop-right)
          "mechanism-parts.rkt"
          "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt"
-         "../../error/complain.rkt"
-         "../../generic/describe.rkt"
          "../../numeric/constants.rkt")
 
 (provide draw-pendulum-chain draw-cart-pendulum)
@@ -13,9 +11,7 @@
 ;; Each angle is from the vertical.
 (define (draw-pendulum-chain #:lengths [lengths '(1 1)] #:width [width 300])
   (define who 'draw-pendulum-chain)
-  (unless (and (list? lengths) (pair? lengths))
-    (complain who "expected a list of lengths\n  given: ~a" (describe-with-value lengths)))
-  (define ls (for/list ([l (in-list lengths)]) (check-length who "a length" l)))
+  (define ls (check-lengths who "a list of lengths" "a length" pair? lengths))
   (define reach (apply + ls))
   (define n (length ls))
   (mechanism

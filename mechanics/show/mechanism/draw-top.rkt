@@ -5,9 +5,7 @@
 (require (only-in racket/list last)
          "mechanism-parts.rkt"
          "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt"
-         "../animation/shapes.rkt"
-         "../../error/complain.rkt"
-         "../../generic/describe.rkt")
+         "../animation/shapes.rkt")
 
 (provide draw-top draw-brick)
 
@@ -73,10 +71,9 @@
 ;; A brick with edges a, b, c along its axes, about its center.
 (define (draw-brick #:edges [edges '(1 2 3)] #:width [width 300])
   (define who 'draw-brick)
-  (unless (and (list? edges) (= (length edges) 3))
-    (complain who "expected a list of three lengths\n  given: ~a" (describe-with-value edges)))
+  (define (three? edges) (= (length edges) 3))
   (define half
-    (for/list ([e (in-list edges)]) (/ (check-length who "an edge" e) 2.0)))
+    (scaled 0.5 (check-lengths who "a list of three lengths" "an edge" three? edges)))
   (define reach (sqrt (apply + (map (lambda (h) (* h h)) half))))
   (mechanism
    `(draw-brick #:edges ,(cons 'list edges))

@@ -5,7 +5,7 @@
 (require "coordinate.rkt" "frame.rkt" "picture-layer.rkt" "style.rkt"
          "../../generic/define-plain.rkt" "../../generic/wrong-argument.rkt")
 
-(provide plot-contours)
+(provide plot-contours nodes)
 
 ;; The function is evaluated here, once, at the nodes of a grid over the frame; so its
 ;; errors are raised where it is drawn, and pictures are quick.
@@ -33,6 +33,7 @@
     (for/vector #:length n ([x (in-list xs)])
       (coordinate-of who (lambda () (format "the value at ~a, ~a" x y)) (function x y)))))
 
+;; Returns n numbers from one to another, at equal distances.
 (define (nodes low high n)
   (for/list ([k (in-range n)])
     (if (= k (- n 1)) high (+ low (* (- high low) (/ k (- n 1.0)))))))

@@ -11,37 +11,38 @@
          draw-curve)
 
 (define-plain (plot-point f x y #:color [color 0] #:size [size 1.5] #:label [label #f])
-  (check-frame 'plot-point f)
-  (add-dot! 'plot-point f color size label
-            (coordinate-of 'plot-point "x" x)
-            (coordinate-of 'plot-point "y" y)))
+  (define who 'plot-point)
+  (check-frame who f)
+  (add-dot! who f (make-style who 'points color size 'solid label)
+            (coordinate-of who "x" x)
+            (coordinate-of who "y" y)))
 
 (define-plain (plot-line f x1 y1 x2 y2
                          #:color [color 0] #:width [width 1] #:style [dash 'solid]
                          #:label [label #f])
-  (check-frame 'plot-line f)
-  (define ends
-    (for/list ([x (in-list (list x1 y1 x2 y2))] [what (in-list '("x1" "y1" "x2" "y2"))])
-      (coordinate-of 'plot-line what x)))
-  (apply add-line! 'plot-line f color width dash label ends))
+  (define who 'plot-line)
+  (check-frame who f)
+  (add-line! who f (make-style who 'lines color width dash label)
+             (coordinate-of who "x1" x1) (coordinate-of who "y1" y1)
+             (coordinate-of who "x2" x2) (coordinate-of who "y2" y2)))
 
 (define-plain (plot-function f function from to [step #f]
                              #:color [color 0] #:width [width 1] #:style [dash 'solid]
                              #:label [label #f])
-  (check-frame 'plot-function f)
-  (check-function 'plot-function function 1)
-  (draw-curve 'plot-function f (make-style 'plot-function 'curve color width dash label)
-              (range 'plot-function from to step)
-              (lambda (x what) (values x (coordinate-of 'plot-function what (function x))))))
+  (define who 'plot-function)
+  (check-frame who f)
+  (check-function who function 1)
+  (draw-curve who f (make-style who 'curve color width dash label) (range who from to step)
+              (lambda (x what) (values x (coordinate-of who what (function x))))))
 
 (define-plain (plot-parametric f curve from to [step #f]
                                #:color [color 0] #:width [width 1] #:style [dash 'solid]
                                #:label [label #f])
-  (check-frame 'plot-parametric f)
-  (check-function 'plot-parametric curve 1)
-  (draw-curve 'plot-parametric f (make-style 'plot-parametric 'curve color width dash label)
-              (range 'plot-parametric from to step)
-              (lambda (t what) (plane-point 'plot-parametric what (curve t)))))
+  (define who 'plot-parametric)
+  (check-frame who f)
+  (check-function who curve 1)
+  (draw-curve who f (make-style who 'curve color width dash label) (range who from to step)
+              (lambda (t what) (plane-point who what (curve t)))))
 
 ;; Without a step there are 500 steps.
 (define (range who from to step)
@@ -72,13 +73,14 @@
   (check-open who f)
   (check-function who curve 1)
   (check-function who near? 2)
+  (define style (make-style who 'points color size 'solid label))
   (define drawn 0)
   (define (at t)
     (define point (curve t))
     (define-values (x y) (plane-point who (lambda () (format "the value at ~a" t)) point))
     (set! drawn (+ drawn 1))
     (when (> drawn most-points) (raise-never-near who near?))
-    (add-dot! who f color size label x y)
+    (add-dot! who f style x y)
     (and (rational? x) (rational? y) point))
   (define (together? p q) (if (and p q) (near? p q) (eq? p q)))    ; nothing is near nothing
   (define a (check-number who "the start" from))

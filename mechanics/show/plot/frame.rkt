@@ -11,7 +11,7 @@
 
 (require file/convertible
          racket/serialize
-         "picture-layer.rkt" "on-demand.rkt" "points.rkt" "style.rkt" "view.rkt"
+         "picture-layer.rkt" "on-demand.rkt" "points.rkt" "view.rkt"
          "../display/picture-advice.rkt"
          "../../generic/define-plain.rkt" "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt")
@@ -40,7 +40,7 @@
           [(can-draw?) (frame->bytes f request default)]
           [else default]))
   #:property prop:serializable
-  (make-serialize-info (lambda (f) (vector (frame->datum f))) #'frame-deserialize-info #f
+  (make-serialize-info (lambda (f) (stored-frame f)) #'frame-deserialize-info #f
                        (or (current-load-relative-directory) (current-directory))))
 
 (define-plain (frame x-min x-max y-min y-max
@@ -96,30 +96,26 @@
   (change! who f (set-frame-layers! f (cons (layer style data) (frame-layers f)))))
 
 ;; Points of one style are one layer, and so are lines.  Points outside the frame are dropped.
-(define (add-dot! who f color size label x y)
+(define (add-dot! who f style x y)
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
   (change! who f
-           (define points (layer-points! who f 'points color size 'solid label))
+           (define points (layer-points! f style))
            (when (and (<= x-min x x-max) (<= y-min y y-max))
              (add-point! points x y))))
 
-(define (add-line! who f color width dash label x1 y1 x2 y2)
+(define (add-line! who f style x1 y1 x2 y2)
   (change! who f
-           (define points (layer-points! who f 'lines color width dash label))
+           (define points (layer-points! f style))
            (add-point! points x1 y1)
            (add-point! points x2 y2)
            (add-point! points +nan.0 +nan.0)))
 
-(define (layer-points! who f kind color size dash label)
-  (define found
-    (for/first ([l (in-list (frame-layers f))]
-               #:when (style-is? (layer-style l) kind color size dash label))
-      l))
-  (layer-data
-   (or found
-       (let ([l (layer (make-style who kind color size dash label) (make-points))])
-         (set-frame-layers! f (cons l (frame-layers f)))
-         l))))
+(define (layer-points! f style)
+  (define layers (frame-layers f))
+  (define found (findf (lambda (l) (equal? style (layer-style l))) layers))
+  (define l (or found (layer style (make-points))))
+  (unless found (set-frame-layers! f (cons l layers)))
+  (layer-data l))
 
 ;; ---------------------------------------------------------------------------
 ;; The present picture
@@ -150,16 +146,14 @@
 ;; ---------------------------------------------------------------------------
 ;; Frames in files
 
-(define (frame->datum f)
-  (list (view->datum (frame-view f)) (frame-closed? f) (map layer->datum (frame-now f))))
+(define (stored-frame f)
+  (vector (frame-view f) (frame-closed? f) (map stored-layer (frame-now f))))
 
-(define (datum->frame datum)
-  (define-values (view closed? layers) (apply values datum))
-  (new-frame (datum->view view) (make-semaphore 1) (reverse (map datum->layer layers))
-             closed? 0 #f))
+(define (restored-frame view closed? layers)
+  (new-frame view (make-semaphore 1) (reverse (map restored-layer layers)) closed? 0 #f))
 
 (define frame-deserialize-info
-  (make-deserialize-info datum->frame
+  (make-deserialize-info restored-frame
                          (lambda () (values (frame 0 1 0 1) void))))  ; never in a cycle
 
 (module+ deserialize-info

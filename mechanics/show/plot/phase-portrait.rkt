@@ -9,15 +9,15 @@
 (require racket/flonum
          (only-in racket/list remove-duplicates)
          racket/vector
-         "contour.rkt" "frame.rkt"
+         "contour.rkt" "frame.rkt" "style.rkt"
          (only-in "../../algebra/expression/expression.rkt" symbolic?)
          "../../calculus/derivative.rkt"
          (only-in "../../compile/compile-function.rkt" compile-function compiled-function-runner)
-         "../../error/complain.rkt" "../../error/hint.rkt"
+         "../../error/complain.rkt" "../../error/failure.rkt" "../../error/hint.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
          (only-in "../../lagrangian/name-hints.rkt" called-Lagrangian?)
-         "../../numeric/finite-number.rkt"
+         "../../numeric/finite-number.rkt" "../../numeric/optimization/newton.rkt"
          (only-in "../../value/structure.rkt" ref))
 
 (provide plot-phase-portrait
@@ -40,7 +40,8 @@
   (plot-contours f h (distinct-energies saddles) #:samples samples
                  #:color separatrix-color #:width 2)
   (for ([r (in-list resting)])
-    (add-dot! who f (if (saddle? r) separatrix-color 'black) 5 #f (place-q r) (place-p r)))
+    (define color (if (saddle? r) separatrix-color 'black))
+    (add-dot! who f (make-style who 'points color 5 'solid #f) (place-q r) (place-p r)))
   f)
 
 (define (check-energy-function who energy)
@@ -108,16 +109,13 @@
   (define-values (q-min q-max p-min p-max) (apply values bounds))
   (define near (* 1e-6 (max (- q-max q-min) (- p-max p-min))))
   (for*/fold ([found '()] #:result (reverse found))
-             ([q (in-list (between q-min q-max starts))]
-              [p (in-list (between p-min p-max starts))])
+             ([q (in-list (nodes q-min q-max starts))]
+              [p (in-list (nodes p-min p-max starts))])
     (define r (rest-near slopes! h q p))
     (if (and r (<= q-min (place-q r) q-max) (<= p-min (place-p r) p-max)
              (not (for/or ([s (in-list found)]) (same-place? r s near))))
         (cons r found)
         found)))
-
-(define (between from to n)
-  (for/list ([k (in-range n)]) (+ from (* (- to from) (/ (+ k 0.0) (- n 1))))))
 
 (define (same-place? r s near)
   (and (< (abs (- (place-q r) (place-q s))) near) (< (abs (- (place-p r) (place-p s))) near)))
@@ -131,28 +129,25 @@
 
 ;; Returns the place of rest that Newton's method finds from (q, p), or #f.
 (define (rest-near slopes! h q p)
-  (define-values (from s) (values (flvector q p) (make-flvector 6)))
-  (let loop ([left most-steps])
-    (slopes! from s)
-    (define-values (hq hp hqq hqp hpp)
-      (values (flvector-ref s 0) (flvector-ref s 1) (flvector-ref s 2) (flvector-ref s 3)
-              (flvector-ref s 5)))
-    (define determinant (fl- (fl* hqq hpp) (fl* hqp hqp)))
-    (define dq (fl/ (fl- (fl* hp hqp) (fl* hq hpp)) determinant))
-    (define dp (fl/ (fl- (fl* hq hqp) (fl* hp hqq)) determinant))
-    (define-values (x y) (values (flvector-ref from 0) (flvector-ref from 1)))
-    (cond [(and (fl= hq 0.0) (fl= hp 0.0)) (place x y (h x y) (kind-by determinant))]
-          [(or (eqv? left 0) (not (finite? dq)) (not (finite? dp))) #f]
-          [(fl< (fl+ (flabs dq) (flabs dp)) (fl* 1e-14 (fl+ 1.0 (fl+ (flabs x) (flabs y)))))
-           (place x y (h x y) (kind-by determinant))]
-          [else
-           (flvector-set! from 0 (fl+ x dq))
-           (flvector-set! from 1 (fl+ y dp))
-           (loop (- left 1))])))
+  (define s (make-flvector 6))
+  (define (slopes at)
+    (slopes! at s)
+    (flvector (flvector-ref s 0) (flvector-ref s 1)))
+  (define (second-slopes at)
+    (slopes! at s)
+    (vector (vector (flvector-ref s 2) (flvector-ref s 3))
+            (vector (flvector-ref s 4) (flvector-ref s 5))))
+  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+    (define-values (found step) (newton slopes second-slopes (flvector q p) #:limit most-steps))
+    (define-values (x y) (values (flvector-ref found 0) (flvector-ref found 1)))
+    (place x y (h x y) (kind-by (second-slopes found)))))
 
-(define (kind-by determinant)
-  (cond [(fl< determinant 0.0) 'saddle]
-        [(fl> determinant 0.0) 'centre]
+;; rows : of second derivatives
+(define (kind-by rows)
+  (define (entry i j) (vector-ref (vector-ref rows i) j))
+  (define determinant (- (* (entry 0 0) (entry 1 1)) (* (entry 0 1) (entry 1 0))))
+  (cond [(< determinant 0.0) 'saddle]
+        [(> determinant 0.0) 'centre]
         [else 'degenerate]))
 
 ;; ---------------------------------------------------------------------------
@@ -162,9 +157,10 @@
 (define (levels-between h bounds n)
   (define-values (q-min q-max p-min p-max) (apply values bounds))
   (define energies
-    (for*/vector ([q (in-list (between q-min q-max 60))] [p (in-list (between p-min p-max 60))]
-                  #:when (finite? (h q p)))
-      (h q p)))
+    (for*/vector ([q (in-list (nodes q-min q-max 60))] [p (in-list (nodes p-min p-max 60))]
+                  [energy (in-value (h q p))]
+                  #:when (finite? energy))
+      energy))
   (vector-sort! energies <)
   (define count (vector-length energies))
   (if (= count 0)

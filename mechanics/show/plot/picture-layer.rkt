@@ -1,37 +1,41 @@
 #lang racket/base
-;; The layers of a picture, one above the other, each drawn in one style.
+;; The layers of a picture, one above the other, each drawn in one style.  They are prefab, so that
+;; a frame can be written into files.
 
 (require "points.rkt"
          "../../error/message-words.rkt")
 
 (provide (struct-out style) (struct-out layer) (struct-out field) (struct-out raster)
          layer-kind layers-now layers->text
-         layer->datum datum->layer)
+         stored-layer restored-layer)
 
 ;; kind : 'points, 'lines (segments apart), 'curve, 'level or 'image
 ;; size : diameter of points or width of lines, in pixels
 ;; dash, label : of a line, as plot has them; what the legend says, or #f
-(struct style (kind color size dash label))
+(struct style (kind color size dash label) #:prefab)
 
 ;; data : points; a snapshot of them where the layer may not change any more; of a
 ;; 'level a field, of an 'image a raster
-(struct layer (style data))
+(struct layer (style data) #:prefab)
 
 ;; A function of the plane at the nodes of a grid from end to end of the view, as
 ;; `count` rows of y with as many values each, and the level that is drawn of it.
-(struct field (rows count level))
+(struct field (rows count level) #:prefab)
 
 ;; Colours of equal parts of the view, `width` across and `height` down: bytes of alpha, red,
 ;; green, blue.
-(struct raster (width height bytes))
+(struct raster (width height bytes) #:prefab)
 
 (define (layer-kind l) (style-kind (layer-style l)))
 
 ;; The layers as they are now.
 (define (layers-now layers)
-  (for/list ([l (in-list layers)])
-    (define data (layer-data l))
-    (layer (layer-style l) (if (points? data) (take-snapshot data) data))))
+  (for/list ([l (in-list layers)]) (with-data l points? take-snapshot)))
+
+;; The layer with other data, if it has such.
+(define (with-data l such? change)
+  (define data (layer-data l))
+  (if (such? data) (layer (layer-style l) (change data)) l))
 
 ;; Layers that stay -> "2 curves, 1 line, 100 points"
 (define (layers->text layers)
@@ -54,19 +58,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Layers in files
 
-;; A layer that stays -> lists and vectors
-(define (layer->datum l)
-  (define s (layer-style l))
-  (define data (layer-data l))
-  (list (list (style-kind s) (style-color s) (style-size s) (style-dash s) (style-label s))
-        (cond [(field? data) (list (field-rows data) (field-count data) (field-level data))]
-              [(raster? data) (list (raster-width data) (raster-height data) (raster-bytes data))]
-              [else (snapshot->vectors data)])))
+;; A layer that stays, with a list of vectors for its points.
+(define (stored-layer l) (with-data l snapshot? snapshot->vectors))
 
-(define (datum->layer datum)
-  (define s (apply style (car datum)))
-  (define data (cadr datum))
-  (layer s (case (style-kind s)
-             [(level) (apply field data)]
-             [(image) (apply raster data)]
-             [else (vectors->points data)])))
+(define (restored-layer l) (with-data l list? vectors->points))

@@ -5,8 +5,6 @@
 (require file/convertible
          (only-in pict unsafe-dc)
          plot/no-gui
-         (only-in racket/class send)
-         (only-in racket/draw the-color-database)
          (only-in racket/math exact-round)
          "picture-layer.rkt" "plot-images.rkt" "points.rkt" "view.rkt")
 
@@ -15,9 +13,7 @@
 ;; A call of it loads this module: so a caller learns whether that is possible.
 (define (loaded?) #t)
 
-(define (color-name? name)
-  (and (send the-color-database find-color (if (symbol? name) (symbol->string name) name))
-       #t))
+(define (color-name? name) (and (named-color name) #t))
 
 ;; -> pict
 (define (make-picture v layers)
@@ -35,37 +31,34 @@
   (define-values (width height) (values (view-width v) (view-height v)))
   (unsafe-dc (lambda (canvas x y)
                (call-with-parameterization
-                settings (lambda () (draw-plot v drawn canvas x y width height))))
+                settings (lambda () (plotted plot/dc v drawn canvas x y width height))))
              width height))
 
-(define (draw-plot v drawn canvas x y width height)
-  (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
-  (plot/dc drawn canvas x y width height
-           #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
-           #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
-           #:aspect-ratio (view-aspect-ratio v)))
+;; Calls one of the library's procedures with the arguments and all that the view says.
+(define-syntax-rule (plotted plot v argument ...)
+  (let-values ([(x-min x-max y-min y-max) (apply values (view-bounds v))])
+    (plot argument ...
+          #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
+          #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
+          #:aspect-ratio (view-aspect-ratio v))))
 
+;; The first point stands for those of a layer that is drawn as an image.
 (define (renderers v layers)
-  (for/list ([l (in-list layers)]) (layer->renderer (alone l) (view-bounds v))))
+  (for/list ([l (in-list layers)])
+    (layer->renderer (if (dense? l) (first-point l) l) (view-bounds v))))
 
 ;; Very many points are one image, above the rest; images are beneath it.  The first of the
 ;; points, and one of an image, are drawn none the less, for the legend and the axes.
 (define (composed v layers dense images)
   (define bounds (view-bounds v))
-  (define-values (x-min x-max y-min y-max) (apply values bounds))
   (define drawn
     (parameterize ([plot-background-alpha (if (null? images) 1 0)])
-      (plot-pict (renderers v layers)
-                 #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
-                 #:width (view-width v) #:height (view-height v)
-                 #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
-                 #:aspect-ratio (view-aspect-ratio v))))
+      (plotted plot-pict v (renderers v layers)
+               #:width (view-width v) #:height (view-height v))))
   (define with-points (if (null? dense) drawn (with-dense-points drawn bounds dense)))
   (if (null? images) with-points (with-images-beneath with-points bounds images)))
 
 (define (image? l) (eq? (layer-kind l) 'image))
-
-(define (alone l) (if (dense? l) (first-point l) l))
 
 ;; A layer with more points is drawn as an image, not point by point.
 (define many-points 20000)

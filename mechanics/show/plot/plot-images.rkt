@@ -11,7 +11,7 @@
          (only-in racket/math exact-round)
          "picture-layer.rkt" "pixels.rkt" "points.rkt")
 
-(provide with-dense-points with-images-beneath)
+(provide with-dense-points with-images-beneath named-color)
 
 ;; Pixels of the image in each pixel of the plot, so that it looks well on paper, too.
 (define fineness 2)
@@ -60,8 +60,10 @@
 
 ;; c : a colour as plot takes it: a number, a name or three bytes
 (define (color->bytes c)
-  (define named (and (or (symbol? c) (string? c))
-                     (send the-color-database find-color (if (symbol? c) (symbol->string c) c))))
+  (define named (and (or (symbol? c) (string? c)) (named-color c)))
   (if named
       (list (send named red) (send named green) (send named blue))
       (->pen-color c)))
+
+;; -> color% or #f
+(define (named-color name) (send the-color-database find-color (format "~a" name)))

@@ -1,12 +1,10 @@
 #lang racket/base
-;; Styles of layers, checked once.
+;; Styles of layers, checked.
 
 (require "picture-layer.rkt" "on-demand.rkt"
          "../../generic/wrong-argument.rkt")
 
-(provide make-style style-is?)
-
-(define dashes '(solid dot long-dash short-dash dot-dash))
+(provide make-style check-dash)
 
 (define (make-style who kind color size dash label)
   (unless (color? color)
@@ -14,18 +12,15 @@
      who "a color: a name such as 'red, a small integer, or a list of three bytes" color))
   (unless (and (real? size) (<= 0 size 1000))
     (complain-of-argument who "a size in pixels, from 0 to 1000" size))
-  (unless (memq dash dashes)
-    (complain-of-argument who (format "a line style, one of ~a" dashes) dash))
+  (check-dash who dash)
   (unless (or (not label) (string? label))
     (complain-of-argument who "a string as label, or #f" label))
   (style kind color size dash label))
 
-(define (style-is? s kind color size dash label)
-  (and (eq? (style-kind s) kind)
-       (equal? (style-color s) color)
-       (equal? (style-size s) size)
-       (eq? (style-dash s) dash)
-       (equal? (style-label s) label)))
+(define (check-dash who dash)
+  (define dashes '(solid dot long-dash short-dash dot-dash))
+  (unless (memq dash dashes)
+    (complain-of-argument who (format "a line style, one of ~a" dashes) dash)))
 
 ;; Names of colors are looked up in the drawing library, if it can be loaded.
 (define (color? x)

@@ -4,11 +4,12 @@
 
 (require "../../generic/wrong-argument.rkt")
 
-(provide (struct-out view) make-view check-bounds view->datum datum->view)
+(provide (struct-out view) make-view check-bounds)
 
 ;; bounds : (list x-min x-max y-min y-max), flonums; width, height : pixels
 ;; title, x-label, y-label : string or #f; aspect-ratio : positive real or #f
-(struct view (bounds title x-label y-label width height aspect-ratio))
+;; Prefab, as a frame is written into files.
+(struct view (bounds title x-label y-label width height aspect-ratio) #:prefab)
 
 (define (make-view bounds title x-label y-label width height aspect-ratio)
   (check-bounds 'frame bounds)
@@ -45,9 +46,3 @@
          aspect-ratio]
         [else (complain-of-argument 'frame "'equal, a positive ratio of width to height, or #f"
                                     aspect-ratio)]))
-
-(define (view->datum v)
-  (list (view-bounds v) (view-title v) (view-x-label v) (view-y-label v)
-        (view-width v) (view-height v) (view-aspect-ratio v)))
-
-(define (datum->view fields) (apply view fields))

@@ -12,7 +12,7 @@
 
 (provide loaded? open-window
          ;; for other windows
-         show-at-size)
+         titled-window show-at-size)
 
 ;; A call of it loads this module: so a caller learns whether that is possible.
 (define (loaded?) #t)
@@ -26,11 +26,9 @@
   (define space (make-eventspace))
   (parameterize ([current-eventspace space])
     (define window
-      (new (class frame%
-             (super-new [label title])
-             (define/augment (on-close)
-               (send timer stop)
-               (closed)))))
+      (titled-window title (lambda ()
+                             (send timer stop)
+                             (closed))))
     (define canvas (new picture-canvas% [parent window] [picture picture]))
     (define shown #f)
     (define (look)
@@ -47,6 +45,12 @@
          (lambda ()
            (send timer stop)
            (send window show #f)))))))
+
+;; closed : -> any, called when the reader closes the window
+(define (titled-window title closed)
+  (new (class frame%
+         (super-new [label title])
+         (define/augment (on-close) (closed)))))
 
 ;; The window opens at this size; the reader may change it.
 (define (show-at-size window canvas width height)

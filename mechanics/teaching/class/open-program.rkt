@@ -5,7 +5,8 @@
 ;; form, as if it were typed at a prompt: so a mistake in one answer voids no other.
 
 (require racket/match
-         racket/sandbox)
+         racket/sandbox
+         (only-in "../../error/refusal.rkt" raised?))
 
 (provide open-program answer-in program-ended? (struct-out program) reason)
 
@@ -54,13 +55,11 @@
     (define form (with-handlers ([exn:fail? (lambda (x) eof)]) (read-syntax 'program in)))
     (cond [(eof-object? form) failures]
           [else
-           (define x (with-handlers ([anything-but-a-break? values]) (eval form) #f))
+           (define x (with-handlers ([raised? values]) (eval form) #f))
            (define name (name-defined (syntax->datum form)))
            (loop (cond [(not name) failures]
                        [x (hash-set failures name (reason x))]
                        [else (hash-remove failures name)]))])))
-
-(define (anything-but-a-break? x) (not (exn:break? x)))
 
 ;; (define name ...), (define ((name a) b) ...) -> name, or #f
 (define (name-defined form)

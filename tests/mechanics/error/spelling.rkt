@@ -29,6 +29,9 @@
 (test-case "without a near one, the names that it begins, three at most; no predicates"
   (check-suggests 'matrix '(matrix-by-columns matrix-by-rows matrix-ref)))
 
+(test-case "predicates for a predicate"
+  (check-suggests 'matirx? '(matrix?)))
+
 (test-case "no suggestion for short names, for what is far away, for what is known"
   (check-suggests 'm '())
   (check-suggests 'd '())

@@ -3,7 +3,8 @@
 ;; written and what is said where there is nothing to write.
 
 (require racket/file
-         "../../support/checks.rkt" "../../../../mechanics/lang/command/run-command.rkt")
+         "../../support/checks.rkt"
+         "../../../../mechanics/lang/command/raco.rkt")
 
 ;; for-label: compiled with this file.
 (require (for-label "../../../../mechanics/lang/command/export-program.rkt"))

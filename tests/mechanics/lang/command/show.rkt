@@ -7,7 +7,7 @@
          (only-in xml document-element read-xml)
          "../../support/checks.rkt" "../../../../mechanics/show/document/document-piece.rkt"
          "../../../../mechanics/show/document/shown-result.rkt"
-         "../../../../mechanics/lang/command/run-command.rkt"
+         "../../../../mechanics/lang/command/raco.rkt"
          "../../../../mechanics/lang/command/program-document.rkt")
 
 (define folder (make-temporary-file "show~a" 'directory))

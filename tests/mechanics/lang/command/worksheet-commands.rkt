@@ -3,7 +3,7 @@
 ;; status, and what they say to mistakes.
 
 (require json
-         mechanics/lang/command/run-command
+         mechanics/lang/command/raco
          mechanics/teaching/class/isolation
          racket/file
          racket/list

@@ -33,7 +33,8 @@
            "(define (combine f g) (list (f 1 2) (g 3 4)))"
            "(combine * +)"
            "dx/dt"
-           "(+ 1 ())"))
+           "(+ 1 ())"
+           "(reduce + 0 (list 1 2))"))
 
 (define (undefined name . hints)
   (string-append name ": undefined;\n cannot reference an identifier before its definition\n"
@@ -82,7 +83,8 @@
     (lines "#%app: missing procedure expression;"
            " probably originally (), which is an illegal empty application"
            "  in: (#%app)"
-           "  f() is written (f); the empty list is '()"))))
+           "  f() is written (f); the empty list is '()")
+    (undefined "reduce" "as a symbol it is written 'reduce"))))
 
 (test-case "in a module"
   (check-equal? (refusal "(define (p m) (m * speed))")

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Which texts are complete, and what is kept of them; the history file.
 
-(require mechanics/lang/prompt/typed-forms mechanics/lang/prompt/history
+(require mechanics/lang/prompt/typed-forms mechanics/lang/prompt/lines
          racket/file
          "../../support/checks.rkt" "../../support/folder.rkt")
 

@@ -129,6 +129,8 @@
              "(verify-solution L L (holonomic (lambda (t q) q)))"
              "(find-path L 0 0 1 1 2 #:tol 1)"
              "(find-path L 0 0 1 1 2 #:observer 1)"
+             "(find-path L 0 0 1 1 2 #:progess? #f)"
+             "(find-path L 0 0 1 1 2 #:progress #f)"
              "(define (minimize f) f)"
              "(minimize 1 2)"
              "(Lagrangian-action L 0 1 sin)"
@@ -142,6 +144,11 @@
   (check-regexp-match #rx"no keyword #:tol here\n.*#:tolerance[)]\n  did you mean #:tolerance[?]\n"
                       errors)
   (check-regexp-match #rx"no keyword #:observer here\n[^\n]*\n  did you mean #:observe[?]\n" errors)
+  (check-regexp-match #rx"no keyword #:progess[?] here\n[^\n]*\n  did you mean #:progress[?][?]\n"
+                      errors)
+  ;; an earlier keyword has its own advice, and no guess beneath it
+  (check-regexp-match #rx"no keyword #:progress here\n[^\n]*\n  it is called #:progress[?] now\n[^ ]"
+                      errors)
   (check-regexp-match (regexp (string-append "minimize: takes 1 argument; it was given 2\n"
                                              "  it is called as [(]minimize f[)]\n"))
                       errors)

@@ -6,9 +6,8 @@
                   [sin generic-sin] [- minus])
          mechanics/animate
          (only-in mechanics/show/animation/animation animation-film)
-         (only-in mechanics/show/animation/film film-schedule)
          (only-in mechanics/show/animation/on-demand why-no-pictures)
-         mechanics/show/animation/schedule
+         mechanics/show/animation/film
          (only-in mechanics/show/display/picture-advice advice)
          (only-in pict pict? pict-width pict-height pict->argb-pixels filled-rectangle blank)
          "../../support/checks.rkt" "../../support/messages.rkt" "../../support/skip.rkt")

@@ -3,6 +3,7 @@
 
 (require mechanics
          mechanics/scmutils
+         (only-in mechanics/error/note start-session-of-notes!)
          (only-in mechanics/show/display/print-expression print-labelled)
          mechanics/lang/printer
          racket/string
@@ -42,3 +43,11 @@
   (for ([l (in-list (cddr lines))])
     (check-regexp-match #rx"^     +[^ ]" l))
   (for ([l (in-list lines)]) (check-true (<= (string-length l) 79))))
+
+(test-case "a quoted list is shown as a list, with a note"
+  (define errors (open-output-string))
+  (start-session-of-notes!)
+  (parameterize ([current-error-port errors])
+    (check-equal? (text-of print-expression '(+ x x)) "'(+ x x)\n"))
+  (check-equal? (get-output-string errors)
+                "; a quoted list is no expression; read-expression makes one of it\n"))

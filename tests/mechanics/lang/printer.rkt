@@ -1,8 +1,9 @@
 #lang racket/base
 ;; What of a long text a screen shows.
 
-(require mechanics/lang/screen
-         "../support/checks.rkt" "../support/run-text.rkt")
+(require mechanics/lang/printer
+         "../support/checks.rkt"
+         "../support/run-text.rkt")
 
 (define-check (check-screen text rows columns expected)
   (define got (call-with-values (lambda () (first-screen text rows columns)) list))

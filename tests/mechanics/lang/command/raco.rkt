@@ -3,12 +3,8 @@
 
 (require racket/list
          setup/getinfo
-         (only-in "../../../../mechanics/lang/command/commands.rkt" commands)
-         "../../support/checks.rkt" "../../../../mechanics/lang/command/raco-command.rkt"
-         "../../../../mechanics/lang/command/run-command.rkt")
-
-;; for-label: compiled with this file.
-(require (for-label "../../../../mechanics/lang/command/raco.rkt"))
+         (only-in "../../../../mechanics/lang/command/commands.rkt" commands command-sentence)
+         "../../support/checks.rkt" "../../../../mechanics/lang/command/raco.rkt")
 
 (define (answer . arguments)
   (define out (open-output-string))

@@ -2,8 +2,9 @@
 ;; Tuples with as many parts as their pattern, grouped otherwise.
 
 (require mechanics/lang/pattern/pattern
-         mechanics/lang/pattern/regroup
-         "../../support/checks.rkt" "../../support/messages.rkt")
+         (only-in mechanics/lang/pattern/mismatch regrouped)
+         "../../support/checks.rkt"
+         "../../support/messages.rkt")
 
 (test-case "a flat pattern is told how the local tuple is taken apart"
   (define ((L m) (up t x y vx vy)) (list m t x y vx vy))
