@@ -1,7 +1,9 @@
 #lang racket/base
 ;; Forms as they were written: their refusal, and Racket's form behind a name that is ours too.
 
-(provide plain-form refuse adjacent? prime-before? about-prime form->text without-commas
+(require (only-in racket/list append-map))
+
+(provide plain-form refuse adjacent? prime-before? about-prime form->text operands without-commas
          before-colon)
 
 ;; stx with `form` in place of its keyword; stx may be the keyword alone.
@@ -37,6 +39,14 @@
 (define (before-colon name)
   (define found (regexp-match #rx"^(.+):$" (symbol->string name)))
   (and found (string->symbol (cadr found))))
+
+;; The symbols of a formula, a datum, without those that are called.
+(define (operands d)
+  (cond [(symbol? d) (list d)]
+        [(and (pair? d) (eq? (car d) 'quote)) '()]
+        [(pair? d) (append (if (pair? (car d)) (operands (car d)) '())
+                           (append-map operands (if (list? d) (cdr d) '())))]
+        [else '()]))
 
 ;; The data without commas: f(x, y) is read as f and (x (unquote y)).
 (define (without-commas data)

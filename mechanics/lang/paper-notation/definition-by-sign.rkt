@@ -80,14 +80,6 @@
         [(memq 't letters) (with-letters (list head 't) value known?)]
         [else (list 'define head (quoted value letters))]))
 
-;; The symbols of a formula, without those that are called.
-(define (operands d)
-  (cond [(symbol? d) (list d)]
-        [(and (pair? d) (eq? (car d) 'quote)) '()]
-        [(pair? d) (append (if (pair? (car d)) (operands (car d)) '())
-                           (append-map operands (if (list? d) (cdr d) '())))]
-        [else '()]))
-
 (define (quoted d letters)
   (cond [(symbol? d) (if (memq d letters) (list 'quote d) d)]
         [(and (pair? d) (list? d) (not (eq? (car d) 'quote)))

@@ -112,7 +112,7 @@
 (define (parenthesized? stx)
   (and (list? (syntax->list stx))
        (memv (syntax-property stx 'paren-shape) '(#f #\())
-       (not (memq (if (pair? (syntax-e stx)) (syntax-e (car (syntax-e stx))) #f)
+       (not (memq (and (pair? (syntax-e stx)) (syntax-e (car (syntax-e stx))))
                   '(quote quasiquote unquote)))))
 
 ;; A name and the list that touches it, f(x + 1) -> "f(x + 1) is written (f (+ x 1))"

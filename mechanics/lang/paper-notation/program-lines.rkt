@@ -14,21 +14,20 @@
 ;; forms : of a module; defined : symbols that it defines
 (define (check-lines forms defined)
   (when (side-by-side? forms)
-    (define (known? name)
-      (or (and (memq name defined) #t)
-          (and (identifier-binding (datum->syntax (car forms) name)) #t)))
+    (define known? (known-beside (car forms) (lambda (name) (memq name defined))))
     (define found (misread-line forms known? (lambda (name) #f)))
     (when found (raise-syntax-error 'line (cdr found) (car found)))))
 
+;; form : syntax of a module; defines? : symbol -> does the module define it?
+(define ((known-beside form defines?) name)
+  (and (or (defines? name) (identifier-binding (datum->syntax form name))) #t))
+
 ;; The form of a module; if it looks like a printed result, its names carry that as advice.
-;; defines? : symbol -> does the module define it?
 (define (as-pasted form defines?)
   (define head (and (pair? (syntax-e form)) (car (syntax-e form))))
-  (define (known? name)
-    (or (defines? name) (and (identifier-binding (datum->syntax form name)) #t)))
   (define text
     (and head (memq (syntax-e head) '(+ - * / expt up down sqrt sin cos))
-         (pasted-sentence (syntax->datum form) known?)))
+         (pasted-sentence (syntax->datum form) (known-beside form defines?))))
   (if text (with-advice-throughout form text) form))
 
 (define (with-advice-throughout stx text)

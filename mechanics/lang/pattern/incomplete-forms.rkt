@@ -2,7 +2,7 @@
 ;; Definitions and procedures that lack a part, or have another form in the place of a name:
 ;; (define x), (define 3 x), (define L (m, k) 3), (lambda (* 2 t)), (define (f x, y) ...).
 
-(require (only-in racket/list first flatten)
+(require (only-in racket/list append-map first flatten last)
          "../written-form.rkt"
          "../paper-notation/operation-sign.rkt" "../redefinition/heads.rkt")
 
@@ -68,15 +68,9 @@
 
 ;; The letter that is likeliest the argument: t, or the last one
 (define (first-letter ds)
-  (define letters (symbols-in ds))
+  (define letters (append-map operands ds))
   (cond [(or (null? letters) (memq 't letters)) 't]
-        [else (car (reverse letters))]))
-
-(define (symbols-in d)
-  (cond [(symbol? d) (list d)]
-        [(pair? d) (append (if (pair? (car d)) (symbols-in (cdar d)) (symbols-in (car d)))
-                           (symbols-in (cdr d)))]
-        [else '()]))
+        [else (last letters)]))
 
 ;; ---------------------------------------------------------------------------
 ;; Argument lists

@@ -32,14 +32,12 @@
        (raise-syntax-error #f "the components are separated by spaces, without a dot" stx)]
       [_ make])))
 
-(define-match-expander up
-  (lambda (stx)
-    (syntax-case stx ()
-      [(_ . patterns) #'(app up-components (vector . patterns))]))
-  (constructor-use #'make-up))
+(define-syntax-rule (define-tuple name components make)
+  (define-match-expander name
+    (lambda (stx)
+      (syntax-case stx ()
+        [(_ . patterns) #'(app components (vector . patterns))]))
+    (constructor-use #'make)))
 
-(define-match-expander down
-  (lambda (stx)
-    (syntax-case stx ()
-      [(_ . patterns) #'(app down-components (vector . patterns))]))
-  (constructor-use #'make-down))
+(define-tuple up up-components make-up)
+(define-tuple down down-components make-down)

@@ -4,6 +4,7 @@
 
 (require "typed-forms.rkt"
          "../printer.rkt"
+         (only-in "../redefinition/prompt.rkt" variable-name?)
          "../../show/display/display-style.rkt")
 
 (provide command? run-command)
@@ -49,14 +50,9 @@
         (regexp-match #px"^\\s*(help)(?:\\s*\\(\\s*\\)|\\s+([^\\s(].*)|)$" text)
         (regexp-match #px"^\\s*(\\?)\\s*([^\\s(?].*|)$" text)))
   (and found
-       (not (defined? (string->symbol (cadr found))))
+       (not (variable-name? (string->symbol (cadr found))))
        (format ",~a ~a" (if (equal? (cadr found) "bye") "quit" (cadr found))
                (or (caddr found) ""))))
-
-(define (defined? name)
-  (with-handlers ([exn:fail:contract:variable? (lambda (e) #f)] [exn:fail:syntax? (lambda (e) #f)])
-    (namespace-variable-value name #f)
-    #t))
 
 ;; ---------------------------------------------------------------------------
 ;; Styles: the command is the style's name in small letters

@@ -14,7 +14,7 @@
          (only-in "../../error/note.rkt" note-once)
          (only-in "../../generic/up-down.rkt" tuple?))
 
-(provide at-prompt head-at-prompt)
+(provide at-prompt head-at-prompt variable-name?)
 
 ;; A form, for evaluation at the prompt.
 (define-syntax (at-prompt stx)
@@ -75,7 +75,11 @@
   (define id (namespace-symbol->identifier name))
   (if (identifier-binding id)
       (not (imported? id))
-      (known? (variable-value name #f))))
+      (variable-name? name)))
+
+;; Is it a variable that was defined at the prompt?
+(define (variable-name? name)
+  (known? (namespace-variable-value name #f (lambda () unknown))))
 
 ;; namespace -> table: name -> head of its definition
 (define heads (make-weak-hasheq))
@@ -99,9 +103,8 @@
 
 ;; Defines these names as variables of the namespace, for procedures that were defined before.
 (define (show-to-procedures! names)
-  (for ([name (in-list names)] #:unless (known? (variable-value name #f)))
-    (define x (variable-value name #t))
-    (define value (if (known? x) x (value-of-syntax name)))
+  (for ([name (in-list names)] #:unless (variable-name? name))
+    (define value (namespace-variable-value name #t (lambda () (value-of-syntax name))))
     (when (known? value) (namespace-set-variable-value! name value #f))))
 
 ;; ---------------------------------------------------------------------------
@@ -118,9 +121,6 @@
 
 (define unknown (string->uninterned-symbol "unknown"))
 (define (known? x) (not (eq? x unknown)))
-
-(define (variable-value name mapped?)
-  (namespace-variable-value name mapped? (lambda () unknown)))
 
 ;; The value of a procedure with keywords or with a contract, which is syntax.
 (define (value-of-syntax name)

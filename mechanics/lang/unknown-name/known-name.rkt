@@ -1,19 +1,14 @@
 #lang racket/base
 ;; Names at the prompt: is a name known, for a function, and from which module?
 
-(require (only-in "../../generic/up-down.rkt" tuple?))
+(require (only-in "../redefinition/prompt.rkt" variable-name?)
+         (only-in "../../generic/up-down.rkt" tuple?))
 
-(provide known-name? variable-name? function-name? defining-module procedure-called)
+(provide known-name? function-name? defining-module procedure-called)
 
 (define (known-name? name)
   (or (and (identifier-binding (namespace-symbol->identifier name)) #t)
       (variable-name? name)))
-
-;; Is it defined at the prompt?
-(define (variable-name? name)
-  (not (eq? (namespace-variable-value name #f (lambda () nothing)) nothing)))
-
-(define nothing (string->uninterned-symbol "nothing"))
 
 ;; -> path or symbol of the module that defines the name, or #f if no module does
 (define (defining-module name)

@@ -3,7 +3,8 @@
 ;; of scmutils, one that has another name elsewhere, a formula written as in print, or a known name
 ;; that is spelt nearly so.
 
-(require "other-library.rkt" "../paper-notation/typographic.rkt" "../../error/spelling.rkt"
+(require "other-library.rkt" "../paper-notation/typographic.rkt" "../written-form.rkt"
+         "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["../paper-notation/other-notation.rkt" notation-sentence]
@@ -44,10 +45,7 @@
     [(i) "; the imaginary unit is +i"]
     [else ""]))
 
-(define (letter-in formula) (first-letter (read (open-input-string formula))))
-
-;; In a formula, a datum: the first symbol that is no operation; or #f.
-(define (first-letter formula)
-  (cond [(symbol? formula) formula]
-        [(pair? formula) (ormap first-letter (cdr formula))]
-        [else #f]))
+;; The first symbol of a formula that is no operation, or #f.
+(define (letter-in formula)
+  (define letters (operands (read (open-input-string formula))))
+  (and (pair? letters) (car letters)))

@@ -11,7 +11,8 @@
          racket/string
          "count-message.rkt" "../unknown-name/known-name.rkt" "error-location.rkt"
          "../../error/spelling.rkt"
-         "../help/card-lines.rkt" "../help/card.rkt" "../help/cards.rkt")
+         "../help/card-lines.rkt" "../help/card.rkt" "../help/cards.rkt"
+         (only-in "../redefinition/prompt.rkt" variable-name?))
 
 (provide count-hint order-hint keyword-names constraint-hint)
 

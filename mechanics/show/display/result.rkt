@@ -15,7 +15,9 @@
 
 (require-on-demand ["styled-result.rkt" styled-result])
 
-(provide simplified-result plain-result unprintable?)
+(provide simplified-result plain-result unprintable?
+         ;; for documents
+         shown-throughout)
 
 ;; What to print in place of x; ours takes lines of at most `width` columns.  manner : one of
 ;; those of manner-here (display-style.rkt); a special (print-shown.rkt) where that is 'snip
@@ -41,19 +43,14 @@
          (define s (see x))
          (laid-out (value->lines (seen-value s) width (seen-notes s)))]
         [(and (list? x) (ormap ours? x) (textual? x)) (list-result x width see)]
-        [else (with-notes-of x (simplified-elements x width see) see)]))
+        [else (noted-result x width see)]))
 
 ;; What was taken for granted within x is told beneath what is shown of it, if that is text.
-(define (with-notes-of x shown see)
-  (define notes (if (textual? x) (remove-duplicates (notes-within x see)) '()))
-  (if (null? notes) shown (laid-out (with-notes (format "~v" shown) notes))))
-
-(define (notes-within x see)
-  (cond [(unprintable? x) '()]
-        [(in-notation? x) (seen-notes (see x))]
-        [(list? x) (append* (map (lambda (e) (notes-within e see)) x))]
-        [(vector? x) (notes-within (vector->list x) see)]
-        [else '()]))
+(define (noted-result x width see)
+  (define-values (shown notes) (shown-throughout x see width))
+  (if (or (null? notes) (not (textual? x)))
+      shown
+      (laid-out (with-notes (format "~v" shown) notes))))
 
 ;; Returns the text with its remarks, and without them.
 (define (result-text x width see)
@@ -75,15 +72,21 @@
       (seen shown notes))
     (hash-ref! known x look)))
 
-;; Returns the value with all elements simplified, and the notes of all.
-(define (shown-throughout x see)
-  (cond [(in-notation? x)
+;; Returns the value with all elements simplified, and the notes of all.  Where there is a width,
+;; procedures that Racket would print by their names alone are laid out.
+(define (shown-throughout x [see (seen-once)] [width #f])
+  (define (each xs)
+    (define-values (elements notes)
+      (for/lists (elements notes) ([e (in-list xs)]) (shown-throughout e see width)))
+    (values elements (remove-duplicates (append* notes))))
+  (cond [(and width (unprintable? x)) (values (laid-out (value->lines x width)) '())]
+        [(in-notation? x)
          (define s (see x))
          (values (seen-value s) (seen-notes s))]
-        [(list? x)
-         (define-values (elements notes)
-           (for/lists (elements notes) ([e (in-list x)]) (shown-throughout e see)))
-         (values elements (remove-duplicates (append* notes)))]
+        [(list? x) (each x)]
+        [(vector? x)
+         (define-values (elements notes) (each (vector->list x)))
+         (values (list->vector elements) notes)]
         [else (values x '())]))
 
 ;; Is x typeset where other styles are wanted?  What has a picture of its own is not.
@@ -98,9 +101,11 @@
 ;; Each element of a list begins a line if one is told in words, as a verdict is, so that
 ;; nothing else would part it from the next; and if together they are too long for a line.
 (define (list-result xs width see)
-  (define row (and (not (ormap in-words? xs)) (simplified-elements xs width see)))
-  (if (and row (<= (string-length (format "~v" row)) width))
-      (with-notes-of xs row see)
+  (define (in-a-row?)
+    (define-values (row notes) (shown-throughout xs see width))
+    (<= (string-length (format "~v" row)) width))
+  (if (and (not (ormap in-words? xs)) (in-a-row?))
+      (noted-result xs width see)
       (laid-out (stacked xs width see))))
 
 (define (in-words? x)
@@ -123,15 +128,6 @@
   (or (ours? x) (number? x) (string? x) (boolean? x)
       (and (list? x) (andmap textual? x))
       (and (vector? x) (andmap textual? (vector->list x)))))
-
-(define (simplified-elements x width see)
-  (define (simplified-element e)
-    (cond [(unprintable? e) (laid-out (value->lines e width))]
-          [(in-notation? e) (seen-value (see e))]
-          [else (simplified-elements e width see)]))
-  (cond [(list? x) (map simplified-element x)]
-        [(vector? x) (list->vector (map simplified-element (vector->list x)))]
-        [else x]))
 
 ;; ---------------------------------------------------------------------------
 

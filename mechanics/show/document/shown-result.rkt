@@ -69,20 +69,11 @@
   (define tree (value->tree value #t))
   (if (plain? tree)
       (shown-text (plain-text tree))
-      (shown-formula tree (map note->tree (remove-duplicates grounds)))))
+      (shown-formula tree (map note->tree grounds))))
 
 ;; Simplified as at a prompt, or as it is, if that fails -> value, and assumptions
 (define (as-result x)
-  (with-handlers ([exn:fail? (lambda (e) (values x '()))])
-    (cond [(or (pair? x) (vector? x))
-           (define-values (values-of grounds) (as-results (if (pair? x) x (vector->list x))))
-           (values (if (pair? x) values-of (list->vector values-of)) grounds)]
-          [(or (symbolic? x) (has-kind? x) (verdict? x)) (as-shown x)]
-          [else (values x '())])))
-
-(define (as-results xs)
-  (define-values (shown grounds) (for/lists (shown grounds) ([x (in-list xs)]) (as-result x)))
-  (values shown (append* grounds)))
+  (with-handlers ([exn:fail? (lambda (e) (values x '()))]) (shown-throughout x)))
 
 (define (note->tree n)
   (if (eq? (car n) 'left-unexpanded)

@@ -56,6 +56,10 @@
   (set-board-bitmap! b bitmap)
   (changed! b))
 
+(define (drawn-pixels b)
+  (unless (board-pixels b) (redraw-board! b))
+  (board-pixels b))
+
 (define (changed! b)
   (set-board-fresh?! b #f)
   (send (board-canvas b) refresh))
@@ -69,8 +73,7 @@
 
 ;; Marks new points of an orbit.
 (define (mark-on-board! b xs ys count color)
-  (unless (board-pixels b) (redraw-board! b))
-  (mark! (board-pixels b) xs ys count (->pen-color color))
+  (mark! (drawn-pixels b) xs ys count (->pen-color color))
   (changed! b))
 
 ;; Returns a bitmap of the whole canvas.
@@ -81,8 +84,8 @@
   all)
 
 (define (paint b dc)
-  (unless (board-pixels b) (redraw-board! b))
-  (define-values (p bitmap) (values (board-pixels b) (board-bitmap b)))
+  (define p (drawn-pixels b))
+  (define bitmap (board-bitmap b))
   (unless (board-fresh? b)
     (send bitmap set-argb-pixels 0 0 (pixels-width p) (pixels-height p) (pixels-bytes p))
     (set-board-fresh?! b #t))
@@ -120,12 +123,10 @@
         [else ((board-on-zoom b) (list (min x1 x2) (max x1 x2) (min y1 y2) (max y1 y2)))]))
 
 (define (point-at b place)
-  (unless (board-pixels b) (redraw-board! b))
-  (pixel->point (board-pixels b) (- (car place) left) (- (cdr place) top)))
+  (pixel->point (drawn-pixels b) (- (car place) left) (- (cdr place) top)))
 
 (define (board-place b x y)
-  (unless (board-pixels b) (redraw-board! b))
-  (define-values (i j) (point->pixel (board-pixels b) x y))
+  (define-values (i j) (point->pixel (drawn-pixels b) x y))
   (values (+ left i) (+ top j)))
 
 ;; ---------------------------------------------------------------------------
@@ -138,24 +139,20 @@
   (send dc set-brush "white" 'transparent)
   (send dc draw-rectangle (- left 1) (- top 1) (+ width 2) (+ height 2))
   (for ([t (in-list (ticks-between x-min x-max))])
-    (define-values (i j) (point->pixel p (tick-at t) y-min))
-    (define-values (w h descent space) (send dc get-text-extent (tick-text t)))
+    (define-values (i j) (point->pixel p (pre-tick-value t) y-min))
+    (define-values (w h descent space) (send dc get-text-extent (tick-label t)))
     (send dc draw-line (+ left i) (+ top height) (+ left i) (+ top height 4))
-    (send dc draw-text (tick-text t) (- (+ left i) (/ w 2)) (+ top height 6)))
+    (send dc draw-text (tick-label t) (- (+ left i) (/ w 2)) (+ top height 6)))
   (for ([t (in-list (ticks-between y-min y-max))])
-    (define-values (i j) (point->pixel p x-min (tick-at t)))
-    (define-values (w h descent space) (send dc get-text-extent (tick-text t)))
+    (define-values (i j) (point->pixel p x-min (pre-tick-value t)))
+    (define-values (w h descent space) (send dc get-text-extent (tick-label t)))
     (send dc draw-line (- left 5) (+ top j) (- left 1) (+ top j))
-    (send dc draw-text (tick-text t) (- left 8 w) (- (+ top j) (/ h 2)))))
+    (send dc draw-text (tick-label t) (- left 8 w) (- (+ top j) (/ h 2)))))
 
 (define small (make-font #:size 8))
 
-(struct tick (at text))
-
 (define (ticks-between low high)
-  (for/list ([t (in-list (ticks-generate (linear-ticks) low high))]
-             #:when (<= low (pre-tick-value t) high))
-    (tick (real->double-flonum (pre-tick-value t)) (tick-label t))))
+  (filter (lambda (t) (<= low (pre-tick-value t) high)) (ticks-generate (linear-ticks) low high)))
 
 (define (draw-box dc from to)
   (send dc set-pen "gray" 1 'short-dash)

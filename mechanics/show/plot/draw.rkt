@@ -8,7 +8,7 @@
 
 (provide plot-point plot-line plot-function plot-parametric plot-parametric-fill
          ;; for the curves of motions
-         draw-curve)
+         define-line draw-curve)
 
 (define-plain (plot-point f x y #:color [color 0] #:size [size 1.5] #:label [label #f])
   (define who 'plot-point)
@@ -17,31 +17,29 @@
             (coordinate-of who "x" x)
             (coordinate-of who "y" y)))
 
-(define-plain (plot-line f x1 y1 x2 y2
-                         #:color [color 0] #:width [width 1] #:style [dash 'solid]
-                         #:label [label #f])
-  (define who 'plot-line)
-  (check-frame who f)
-  (add-line! who f (make-style who 'lines color width dash label)
+;; A procedure that draws lines in the frame f; its keywords, and its name, are in the style.
+(define-syntax-rule (define-line (name f argument ...) who style kind body ...)
+  (define-plain (name f argument ...
+                      #:color [color 0] #:width [width 1] #:style [dash 'solid]
+                      #:label [label #f])
+    (define who 'name)
+    (check-frame who f)
+    (define style (make-style who kind color width dash label))
+    body ...))
+
+(define-line (plot-line f x1 y1 x2 y2) who style 'lines
+  (add-line! who f style
              (coordinate-of who "x1" x1) (coordinate-of who "y1" y1)
              (coordinate-of who "x2" x2) (coordinate-of who "y2" y2)))
 
-(define-plain (plot-function f function from to [step #f]
-                             #:color [color 0] #:width [width 1] #:style [dash 'solid]
-                             #:label [label #f])
-  (define who 'plot-function)
-  (check-frame who f)
+(define-line (plot-function f function from to [step #f]) who style 'curve
   (check-function who function 1)
-  (draw-curve who f (make-style who 'curve color width dash label) (range who from to step)
+  (draw-curve who f style (range who from to step)
               (lambda (x what) (values x (coordinate-of who what (function x))))))
 
-(define-plain (plot-parametric f curve from to [step #f]
-                               #:color [color 0] #:width [width 1] #:style [dash 'solid]
-                               #:label [label #f])
-  (define who 'plot-parametric)
-  (check-frame who f)
+(define-line (plot-parametric f curve from to [step #f]) who style 'curve
   (check-function who curve 1)
-  (draw-curve who f (make-style who 'curve color width dash label) (range who from to step)
+  (draw-curve who f style (range who from to step)
               (lambda (t what) (plane-point who what (curve t)))))
 
 ;; Without a step there are 500 steps.

@@ -70,7 +70,7 @@
   (layer (layer-style l) (struct-copy snapshot (layer-data l) [count 1])))
 
 ;; format : as `convert` names it, 'png-bytes and so on
-(define (picture-bytes v layers format [default #f])
+(define (picture-bytes v layers format default)
   (convert (make-picture v layers) format default))
 
 (define (layer->renderer l bounds)

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; Motions drawn: one function of the state against another, or against the time.
 
-(require "coordinate.rkt" "draw.rkt" "frame.rkt" "style.rkt"
-         "../../generic/compare.rkt" "../../generic/define-plain.rkt"
-         "../../generic/wrong-argument.rkt"
+(require "coordinate.rkt" "draw.rkt"
+         "../../generic/compare.rkt" "../../generic/wrong-argument.rkt"
          "../../motion/on-demand.rkt")
 
 (provide plot-trajectory)
@@ -15,17 +14,13 @@
 (define most-points 50000)
 
 ;; (plot-trajectory f tr y) or (plot-trajectory f tr x y), x and y functions of the state
-(define-plain (plot-trajectory f tr a [b #f]
-                               #:color [color 0] #:width [width 1] #:style [dash 'solid]
-                               #:label [label #f])
-  (define who 'plot-trajectory)
-  (check-frame who f)
+(define-line (plot-trajectory f tr a [b #f]) who style 'curve
   (check-argument who trajectory? tr "a trajectory, such as evolve-trajectory gives")
   (for ([f (in-list (if b (list a b) (list a)))])
     (check-function-of-state who f ", such as coordinate"))
   (define x (if b (lambda (t state) (a state)) (lambda (t state) t)))
   (define y (or b a))
-  (draw-curve who f (make-style who 'curve color width dash label) (sample-times tr)
+  (draw-curve who f style (sample-times tr)
               (lambda (t what)
                 (define state (tr t))
                 (values (coordinate-of who (lambda () (component "x" t)) (x t state))

@@ -18,8 +18,7 @@
 ;; The first `count` entries of both arrays.
 (struct snapshot (xs ys count) #:authentic)
 
-(define (make-points [capacity 16])
-  (points (make-flvector capacity) (make-flvector capacity) 0))
+(define (make-points) (points (make-flvector 16) (make-flvector 16) 0))
 
 ;; The count comes last: whoever is interrupted before has added nothing.
 (define (add-point! p x y)
