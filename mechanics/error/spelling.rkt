@@ -8,7 +8,7 @@
 (require (only-in racket/list add-between take)
          (only-in "message-words.rkt" joined))
 
-(provide likely-names nearest-names alternatives among)
+(provide likely-names nearest-names alternatives did-you-mean among)
 
 (define most-suggestions 3)
 
@@ -36,11 +36,14 @@
   (apply string-append
          (add-between (map symbol->string names) ", " #:before-last " or ")))
 
+;; The end of a sentence about an unknown name; "" where no known name is near.
+(define (did-you-mean near)
+  (if (null? near) "" (format "; did you mean ~a?" (alternatives near))))
+
 ;; The end of a message about a name that is not among the known: the likely one, and all of them.
 (define (among name known)
-  (define near (nearest-names (symbol->string name) known))
   (format "~a\n  there are: ~a"
-          (if (null? near) "" (format "; did you mean ~a?" (alternatives near)))
+          (did-you-mean (nearest-names (symbol->string name) known))
           (joined (map symbol->string known))))
 
 ;; The names at the smallest distance that is allowed.

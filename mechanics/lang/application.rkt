@@ -195,8 +195,6 @@
   (define (without-name stx)
     (syntax-property stx 'inferred-name (void)))
 
-  (define (keyword-argument? stx) (keyword? (syntax-e stx)))
-
   (define (lambda-form? stx)
     (syntax-case stx ()
       [(head . _) (identifier? #'head) (memq (syntax-e #'head) '(lambda λ case-lambda))]

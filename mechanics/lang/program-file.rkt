@@ -36,7 +36,7 @@
          (refuse "there is no file ~a~a" name
                  (if (null? near)
                      (format "; the programs in its folder: ~a" (programs-text folder))
-                     (format "; did you mean ~a?" (alternatives near))))]))
+                     (did-you-mean near)))]))
 
 ;; file : missing -> symbols, programs in its folder with similar names
 (define (near-programs file)

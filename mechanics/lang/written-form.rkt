@@ -3,8 +3,8 @@
 
 (require (only-in racket/list append-map))
 
-(provide plain-form refuse adjacent? prime-before? about-prime form->text operands without-commas
-         before-colon)
+(provide plain-form refuse adjacent? prime-before? quoted-name about-prime form->text operands
+         without-commas before-colon)
 
 ;; stx with `form` in place of its keyword; stx may be the keyword alone.
 (define (plain-form form stx)
@@ -27,6 +27,12 @@
 (define (prime-before? one other)
   (define d (syntax-e other))
   (and (pair? d) (eq? (syntax-e (car d)) 'quote) (adjacent? one other)))
+
+;; The name of a quotation 'name, an identifier; or #f
+(define (quoted-name stx)
+  (syntax-case stx ()
+    [(q name) (and (eq? (syntax-e #'q) 'quote) (identifier? #'name)) #'name]
+    [_ #f]))
 
 (define (about-prime name)
   (format "a prime is read as a quote; the derivative of ~a is (D ~a)" name name))

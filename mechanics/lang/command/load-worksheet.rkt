@@ -34,8 +34,7 @@
         [else
          (define near (near-programs file))
          (complain who "there is no such file~a\n  file: ~a~a"
-                   (if (null? near) "" (format "; did you mean ~a?" (alternatives near)))
-                   file (if (null? near) (place-hint file) ""))]))
+                   (did-you-mean near) file (if (null? near) (place-hint file) ""))]))
 
 ;; The folder of the file, which its name may not tell.
 (define (place-hint file)

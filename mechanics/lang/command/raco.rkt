@@ -43,9 +43,8 @@
                name (if (string=? name "help") "name" "file"))))
 
 (define (tell-unknown name)
-  (define near (nearest-names name command-names))
   (eprintf "raco mechanics: ~a is no command~a\n" (if (string=? name "") "an empty name" name)
-           (if (null? near) "" (format "; did you mean ~a?" (alternatives near))))
+           (did-you-mean (nearest-names name command-names)))
   (eprintf "raco mechanics help lists them\n"))
 
 (module+ main (exit (run-command-line (vector->list (current-command-line-arguments)))))

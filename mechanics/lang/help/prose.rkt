@@ -68,8 +68,7 @@
   (if (memq #f found) (string-append otherwise text) (list->string found)))
 
 (define (typographic text)
-  (for/fold ([text text]) ([pair (in-list '(("---" . "–") ("``" . "“") ("''" . "”")))])
-    (string-replace text (car pair) (cdr pair))))
+  (regexp-replaces text '([#rx"---" "–"] [#rx"``" "“"] [#rx"''" "”"])))
 
 ;; Each word once, in small letters, in their order, with spaces between; items of lists, too.
 (define (distinct-words parts)

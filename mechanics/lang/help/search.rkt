@@ -74,8 +74,7 @@
 ;; text : the words as they were typed, which may be the name itself
 (define (weight words text c)
   (define name (name-text c))
-  (define sentence (plain (or (card-sentence c) "")))
-  (define both (string-append name " " sentence))
+  (define both (sentence-text c))
   (+ (cond [(string=? (symbol->string (card-name c)) text) 7.0]
            [(string=? name (plain text)) 6.0]
            [(all-words-in? words name) 3.0]

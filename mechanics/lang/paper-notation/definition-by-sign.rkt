@@ -92,8 +92,7 @@
 (define (Lagrangian? name letters) (and (eq? name 'L) (memq 'v letters) #t))
 
 (define (Lagrangian name letters value)
-  (define coordinate (or (for/first ([s (in-list '(q x y z r theta))] #:when (memq s letters)) s)
-                         'q))
+  (define coordinate (or (findf (lambda (s) (memq s letters)) '(q x y z r theta)) 'q))
   (define local (list 'up 't coordinate 'v))
   (define parameters (remq* local letters))
   `(define ((,name ,@parameters) ,local) ,value))

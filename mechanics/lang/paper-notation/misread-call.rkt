@@ -14,7 +14,7 @@
 
 (require-on-demand ["prefix-form.rkt" prefix-form call-form])
 
-(provide check-call advice-on-call advice-on-product called-beside call-in-print? as-called)
+(provide check-call keyword-argument? advice-on-call advice-on-product called-beside call-in-print? as-called)
 
 ;; ---------------------------------------------------------------------------
 ;; Calls without meaning
@@ -28,8 +28,9 @@
 (define (refuse-call stx text . operands)
   (apply refuse (datum->syntax stx (cdr (syntax-e stx)) stx) #f text operands))
 
+(define (keyword-argument? stx) (keyword? (syntax-e stx)))
+
 (define (check-keywords stx arguments)
-  (define (keyword-argument? stx) (keyword? (syntax-e stx)))
   (let check ([parts arguments])
     (cond [(null? parts) (void)]
           [(not (keyword-argument? (car parts))) (check (cdr parts))]

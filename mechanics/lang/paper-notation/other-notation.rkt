@@ -84,33 +84,40 @@
 (define (notation-sentence name)
   (or (hash-ref advice-of name #f)
       (let ([text (symbol->string name)])
-        (for/or ([sentence (in-list patterns)]) (sentence text)))))
+        (or (sentence-by-pattern text)
+            (sentence-by-pattern (string-normalize-nfd text))
+            (sentence-about-unit text)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Patterns
 
-;; dx/dt, x_dot, x-dot, ẋ in one character or two
-(define (sentence-about-rate text)
-  (define found
-    (or (regexp-match #px"^d((?:\\p{L}|[_0-9])+)/dt$" text)
-        (regexp-match #px"^(\\p{L}+)[-_]dot$" text)
-        (regexp-match #px"^(\\p{L})\u307$" (string-normalize-nfd text))))
-  (and found
-       (format "the rate of a path ~a is (D ~a), at a time ((D ~a) 't)"
-               (cadr found) (cadr found) (cadr found))))
+(define about-rate "the rate of a path \\1 is (D \\1), at a time ((D \\1) 't)")
 
-;; sin^2, sin², sin^-1, sin-1
-(define (sentence-about-power text)
-  (define found
-    (or (regexp-match #px"^(a?(?:sin|cos|tan)h?|exp|log|sqrt)(?:\\^(-?[0-9]+)|([²³]))$" text)
-        (regexp-match #px"^((?:sin|cos|tan)h?)(-1|[2-9])()$" text)))
-  (and found
-       (let ([name (cadr found)] [power (or (caddr found) (cadddr found))])
-         (cond [(member power '("2" "²")) (format "powers come outside: (square (~a x))" name)]
-               [(member power '("3" "³")) (format "powers come outside: (cube (~a x))" name)]
-               [(equal? power "-1") (format "the inverse is (a~a x), one over it (/ 1 (~a x))"
-                                             name name)]
-               [else (format "powers come outside: (expt (~a x) ~a)" name power)]))))
+;; (pattern sentence) ...; the first pattern that fits holds
+(define patterns
+  `(;; dx/dt, x_dot, x-dot, ẋ in two characters
+    (#px"^d((?:\\p{L}|[_0-9])+)/dt$" ,about-rate)
+    (#px"^(\\p{L}+)[-_]dot$" ,about-rate)
+    (#px"^(\\p{L})\u307$" ,about-rate)
+    ;; sin2, sin^2, sin², sin-1, sin^-1
+    (#px"^((?:sin|cos|tan)h?)2$" "powers come outside: (square (\\1 x))")
+    (#px"^((?:sin|cos|tan)h?)3$" "powers come outside: (cube (\\1 x))")
+    (#px"^((?:sin|cos|tan)h?)-1$" "the inverse is (a\\1 x), one over it (/ 1 (\\1 x))")
+    (#px"^((?:sin|cos|tan)h?)([4-9])$" "powers come outside: (expt (\\1 x) \\2)")
+    (#px"^(a?(?:sin|cos|tan)h?|exp|log|sqrt)(?:\\^2|²)$" "powers come outside: (square (\\1 x))")
+    (#px"^(a?(?:sin|cos|tan)h?|exp|log|sqrt)(?:\\^3|³)$" "powers come outside: (cube (\\1 x))")
+    (#px"^(a?(?:sin|cos|tan)h?|exp|log|sqrt)\\^-1$"
+     "the inverse is (a\\1 x), one over it (/ 1 (\\1 x))")
+    (#px"^(a?(?:sin|cos|tan)h?|exp|log|sqrt)\\^(-?[0-9]+)$"
+     "powers come outside: (expt (\\1 x) \\2)")
+    ;; :tolerance 1e-9 and m=2, as other programs name arguments
+    (#px"^(?::|--)(\\p{L}(?:\\p{L}|-)*)$" "a keyword is written #:\\1")
+    (#px"^(\\p{L}(?:\\p{L}|[0-9_-])*)=([^?].*)$"
+     "a definition is (define \\1 \\2); an argument is given by its place, as \\2")))
+
+(define (sentence-by-pattern text)
+  (define found (findf (lambda (p) (regexp-match? (car p) text)) patterns))
+  (and found (regexp-replace (car found) text (cadr found))))
 
 ;; 30deg, 30°, and 9.8m/s^2
 (define (sentence-about-unit text)
@@ -122,16 +129,3 @@
          (format "angles are in radians: ~a degrees are (* ~a (/ pi 180))" number number)]
         [(eq? advice about-units) (format "write ~a: ~a" number about-units)]
         [else #f]))
-
-;; :tolerance 1e-9 and m=2, as other programs name arguments
-(define (sentence-about-argument text)
-  (cond [(regexp-match #px"^:(\\p{L}(?:\\p{L}|-)*)$|^--(\\p{L}(?:\\p{L}|-)*)$" text)
-         => (lambda (found) (format "a keyword is written #:~a" (or (cadr found) (caddr found))))]
-        [(regexp-match #px"^(\\p{L}(?:\\p{L}|[0-9_-])*)=([^?].*)$" text)
-         => (lambda (found)
-              (format "a definition is (define ~a ~a); an argument is given by its place, as ~a"
-                      (cadr found) (caddr found) (caddr found)))]
-        [else #f]))
-
-(define patterns
-  (list sentence-about-rate sentence-about-power sentence-about-unit sentence-about-argument))

@@ -13,8 +13,7 @@
 
 ;; x² and x**2 as x^2
 (define (with-powers text)
-  (for/fold ([text text]) ([sign '(#rx"³" #rx"²" #rx"[*][*]")] [power '("^3" "^2" "^")])
-    (regexp-replace* sign text power)))
+  (regexp-replaces text '([#rx"³" "^3"] [#rx"²" "^2"] [#rx"[*][*]" "^"])))
 
 (define (formula text)
   (or (and (degrees? text) "(/ pi 180)")

@@ -2,7 +2,8 @@
 ;; Signs of print, which a program pasted from a page of a PDF may have in place of those of the
 ;; keyboard: Racket takes them for letters of names.
 
-(require "../../error/note.rkt")
+(require "../written-form.rkt"
+         "../../error/note.rkt")
 
 (provide typographic-sentence tell-curly-quotes)
 
@@ -39,9 +40,7 @@
 
 (define (tell-curly-quotes stx)
   (syntax-case stx ()
-    [(q name)
-     (and (eq? (syntax-e #'q) 'quote) (identifier? #'name))
-     (tell-curly-quote #'name)]
+    [_ (quoted-name stx) (tell-curly-quote (quoted-name stx))]
     [(first . others) (begin (tell-curly-quotes #'first) (tell-curly-quotes #'others))]
     [_ (void)]))
 

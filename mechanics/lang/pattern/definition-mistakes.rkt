@@ -56,37 +56,32 @@
   (when (pair? found)
     (refuse stx (last found) "a name being defined is not quoted: ~a" (form->text (written d)))))
 
-(define (quoted? stx)
-  (syntax-case stx ()
-    [(q name) (and (eq? (syntax-e #'q) 'quote) (identifier? #'name))]
-    [_ #f]))
-
 ;; The name of 'name; calls found! with the quotation.
 (define (unquoted-name stx found!)
   (found! stx)
-  (cadr (datum stx)))
+  (datum (quoted-name stx)))
 
 ;; The datum of a head without its quotes.
 (define (unquoted-head head found!)
   (syntax-case head ()
-    [_ (quoted? head) (unquoted-name head found!)]
+    [_ (quoted-name head) (unquoted-name head found!)]
     [(inner . formals) (cons (unquoted-head #'inner found!) (unquoted-formals #'formals found!))]
     [_ (datum head)]))
 
 (define (unquoted-formals formals found!)
   (syntax-case formals ()
-    [_ (quoted? formals) (unquoted-name formals found!)]
+    [_ (quoted-name formals) (unquoted-name formals found!)]
     [(a . more) (cons (unquoted-argument #'a found!) (unquoted-formals #'more found!))]
     [_ (datum formals)]))
 
 ;; Patterns are taken apart; the default of an argument may well be a symbol.
 (define (unquoted-argument a found!)
   (syntax-case a ()
-    [_ (quoted? a) (unquoted-name a found!)]
+    [_ (quoted-name a) (unquoted-name a found!)]
     [(up . components)
      (pattern-head? (syntax-e #'up))
      (cons (syntax-e #'up) (unquoted-formals #'components found!))]
-    [(name default) (quoted? #'name) (list (unquoted-name #'name found!) (datum #'default))]
+    [(name default) (quoted-name #'name) (list (unquoted-name #'name found!) (datum #'default))]
     [_ (datum a)]))
 
 (define (pattern-head? x) (memq x '(up down)))

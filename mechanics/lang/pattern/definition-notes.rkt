@@ -9,7 +9,7 @@
 ;; A note is printed where they are expanded, so when a file is compiled.  One definition has no
 ;; meaning, and is refused: (define (L m) (up t q v) ...), where the pattern belongs into the head.
 
-(require (only-in racket/list append-map index-where)
+(require (only-in racket/list append-map filter-map index-where)
          "pattern-syntax.rkt"
          "../written-form.rkt"
          "../paper-notation/operation-sign.rkt"
@@ -81,20 +81,12 @@
       [(head . operands)
        (begin
          (when (arithmetic? #'head)
-           (for ([s (in-list (quoted-among #'operands))])
+           (for ([s (in-list (filter-map quoted-name (or (syntax->list #'operands) '())))])
              (define a (findf (lambda (a) (eq? (named-symbol a) (syntax-e s))) arguments))
              (when a (tell name s (quoted-text a)))))
          (walk #'head)
          (walk #'operands))]
       [_ (void)])))
-
-(define (quoted-among operands)
-  (syntax-case operands ()
-    [((q s) . more)
-     (and (eq? (syntax-e #'q) 'quote) (identifier? #'s))
-     (cons #'s (quoted-among #'more))]
-    [(_ . more) (quoted-among #'more)]
-    [_ '()]))
 
 (define (quoted-text a)
   (define s (named-symbol a))

@@ -6,7 +6,7 @@
 ;; the names in it, and with the name of a function or a macro that is defined already, the names
 ;; in that one.  Names that are not defined yet are used too early.
 
-(require (only-in racket/list append* append-map)
+(require (only-in racket/list append* append-map remove-duplicates)
          (for-template racket/base)
          "forms.rkt" "names-used.rkt")
 
@@ -21,9 +21,9 @@
 
 (define (survey-forms forms)
   (define pieces (map read-pieces forms))
-  (define-values (defined repeated)
-    (first-and-repeated (append-map variables (append* pieces))))
-  (survey defined repeated (early-uses pieces defined) (headers forms)))
+  (define all (append-map variables (append* pieces)))
+  (define defined (remove-duplicates all bound-identifier=?))
+  (survey defined (remq* defined all) (early-uses pieces defined) (headers forms)))
 
 ;; Of forms at the top level, not of forms within `begin`.
 (define (headers forms)
@@ -46,15 +46,6 @@
 
 ;; Is it the same name, in the same context?
 (define ((same-name? id) other) (bound-identifier=? id other))
-
-(define (first-and-repeated ids)
-  (for/fold ([seen (hasheq)] [firsts '()] [repeated '()]
-             #:result (values (reverse firsts) (reverse repeated)))
-            ([id (in-list ids)])
-    (define before (hash-ref seen (syntax-e id) '()))
-    (if (ormap (same-name? id) before)
-        (values seen firsts (cons id repeated))
-        (values (hash-set seen (syntax-e id) (cons id before)) (cons id firsts) repeated))))
 
 ;; ---------------------------------------------------------------------------
 ;; Forms

@@ -13,26 +13,17 @@
       (values (string->number (cadr found)) (in-words (caddr found)))
       (values #f (in-words (regexp-replace #px"^read(?:-syntax)?: " (exn-message e) "")))))
 
-(define closed-otherwise
-  (pregexp (string-append "^(?:missing|expected) `(.)` to close preceding `(.)`[^\n]*, "
-                          "found instead `(.)`")))
-
 (define (in-words text)
-  (cond [(regexp-match #px"^expected a `(.)` to close `(.)`(?:\n  possible cause: (.*))?" text)
-         => (lambda (found)
-              (format "the ~a there is never closed~a" (caddr found)
-                      (if (cadddr found) (string-append "\n  " (cadddr found)) "")))]
-        [(regexp-match #px"^unexpected `(.)`" text)
-         => (lambda (found) (format "there is a ~a too many" (cadr found)))]
-        [(regexp-match closed-otherwise text)
-         => (lambda (found)
-              (format "the ~a there is closed by a ~a" (caddr found) (cadddr found)))]
-        [(regexp-match #px"^bad syntax `(#.)" text)
-         => (lambda (found)
-              (format "~a is not read; a comment begins with a semicolon" (cadr found)))]
-        [(regexp-match? #px"^expected a closing `\"`" text)
-         "the \" there has no other to close it"]
-        [else text]))
+  (regexp-replaces
+   text
+   '([#px"^expected a `.` to close `(.)`\n  possible cause: (.*)"
+      "the \\1 there is never closed\n  \\2"]
+     [#px"^expected a `.` to close `(.)`.*" "the \\1 there is never closed"]
+     [#px"^unexpected `(.)`.*" "there is a \\1 too many"]
+     [#px"^(?:missing|expected) `.` to close preceding `(.)`[^\n]*, found instead `(.)`.*"
+      "the \\1 there is closed by a \\2"]
+     [#px"^bad syntax `(#.).*" "\\1 is not read; a comment begins with a semicolon"]
+     [#px"^expected a closing `\"`.*" "the \" there has no other to close it"])))
 
 ;; The sign that is missing, by an exn:fail:read:eof: ) or \" mostly
 (define (unclosed e)

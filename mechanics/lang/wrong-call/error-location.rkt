@@ -11,7 +11,7 @@
          setup/dirs
          "marked-line.rkt")
 
-(provide whereabouts of-library? of-mechanics?)
+(provide whereabouts lines-of of-library? of-mechanics?)
 
 ;; exception -> lines to add to its message, or ""
 (define (whereabouts e)
@@ -38,7 +38,7 @@
 ;; The line and the indented lines after it, as one line, shortened.
 ;; -> text, or #f if the file has changed or gone
 (define (text-from-line file number)
-  (define lines (with-handlers ([exn:fail:filesystem? (lambda (e) '())]) (file->lines file)))
+  (define lines (lines-of file))
   (and (<= number (length lines))
        (let* ([from (list-tail lines (sub1 number))]
               [form (cons (car from) (takef (cdr from) indented?))]
@@ -46,6 +46,10 @@
          (if (> (string-length text) longest-text)
              (string-append (substring text 0 longest-text) " ...")
              text))))
+
+;; The lines of a file, none if it cannot be read.
+(define (lines-of file)
+  (with-handlers ([exn:fail:filesystem? (lambda (e) '())]) (file->lines file)))
 
 (define (indented? line) (regexp-match? #px"^\\s+\\S" line))
 

@@ -3,8 +3,7 @@
 ;; is called, which argument is missing, and that a local tuple is one argument, where its parts
 ;; were given.
 
-(require (only-in racket/file file->lines)
-         racket/list
+(require racket/list
          racket/string
          "count-message.rkt" "error-location.rkt" "marked-line.rkt"
          "../written-form.rkt"
@@ -154,9 +153,8 @@
 
 ;; The forms from that line on, as far as they can be read, without the line of the language.
 (define (forms-from file line)
-  (define lines (with-handlers ([exn:fail:filesystem? (lambda (e) '())]) (file->lines file)))
   (define kept
-    (for/list ([text (in-list lines)] [i (in-naturals 1)] #:when (>= i line))
+    (for/list ([text (in-list (lines-of file))] [i (in-naturals 1)] #:when (>= i line))
       (if (string-prefix? text "#lang") "" text)))
   (define port (open-input-string (string-join kept "\n")))
   (let loop ()

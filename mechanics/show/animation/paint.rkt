@@ -61,7 +61,7 @@
   (define tip (car points))
   (define (away p) (magnitude (make-rectangular (- (car p) (car tip)) (- (cdr p) (cdr tip)))))
   (define tail
-    (or (for/first ([p (in-list (cdr points))] #:when (>= (away p) (* 0.7 head-length))) p)
+    (or (findf (lambda (p) (>= (away p) (* 0.7 head-length))) (cdr points))
         (car (reverse points))))
   (when (> (away tail) 0)
     (define direction (atan (- (cdr tail) (cdr tip)) (- (car tail) (car tip))))

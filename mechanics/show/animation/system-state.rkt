@@ -5,6 +5,7 @@
          "../../error/complain.rkt" "../../error/hint.rkt" "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../lagrangian/local-tuple.rkt"
+         "../../value/shape.rkt"
          "../plot/coordinate.rkt")
 
 (provide read-state slot-components)
@@ -29,11 +30,7 @@
 
 ;; The components of a part of the state, whatever tuples they are in.
 (define (slot-components who state slot)
-  (define (all x)
-    (if (tuple? x)
-        (apply append (for/list ([part (in-vector (tuple-elements (adopt x)))]) (all part)))
-        (list x)))
-  (for/vector ([x (in-list (all (vector-ref (tuple-elements (adopt state)) slot)))]
+  (for/vector ([x (in-list (scalars (vector-ref (tuple-elements (adopt state)) slot)))]
                [i (in-naturals)])
     (coordinate-of who
                    (lambda () (format "component ~a of ~a" i

@@ -80,16 +80,12 @@
 ;; Few fonts have a letter with the dot of a time derivative; formulas do.
 (define (words->xexprs text)
   (define dotted-letter #px"\\p{L}[\u307\u308\u20DB]")
-  (add-between-matches
-   (map visible (regexp-split dotted-letter text))
-   (for/list ([found (in-list (regexp-match* dotted-letter text))])
-     (define dots (cdr (assv (string-ref found 1) '((#\u307 . 1) (#\u308 . 2) (#\u20DB . 3)))))
-     (car (inline-xexprs (dotted (name (string->symbol (substring found 0 1))) dots))))))
-
-(define (add-between-matches texts found)
-  (if (null? found)
-      texts
-      (list* (car texts) (car found) (add-between-matches (cdr texts) (cdr found)))))
+  (define texts (map visible (regexp-split dotted-letter text)))
+  (define letters
+    (for/list ([found (in-list (regexp-match* dotted-letter text))])
+      (define dots (cdr (assv (string-ref found 1) '((#\u307 . 1) (#\u308 . 2) (#\u20DB . 3)))))
+      (car (inline-xexprs (dotted (name (string->symbol (substring found 0 1))) dots)))))
+  (cons (car texts) (append-map list letters (cdr texts))))
 
 (define (code->xexpr text)
   `(pre ([class "code"])

@@ -56,7 +56,7 @@
 
 ;; Returns #f if the orbit has been removed meanwhile.
 (define (add-points! e o xs ys count)
-  (define t (for/first ([t (in-list (exploration-orbits e))] #:when (eq? o (traced-orbit t))) t))
+  (define t (findf (lambda (t) (eq? o (traced-orbit t))) (exploration-orbits e)))
   (when t
     (for ([x (in-flvector xs 0 count)] [y (in-flvector ys 0 count)])
       (add-point! (traced-points t) x y)))

@@ -68,7 +68,7 @@
                            (for/list ([side '(-0.15 0.15)])
                              (disc (add p (vector (* side l) (* -0.155 l))) (* 0.045 l)
                                    #:fill "white"))
-                           (rod p b) (pivot p (* 0.025 l)) (bob b (* 0.08 l)))))))
+                           (swinging p b l))))))
 
 (define (cart-marks p b angle l)
   (define-values (x y) (values (at-x p) (* 0.75 l)))

@@ -54,9 +54,6 @@
   (list (rail (* -0.07 l)) (rail (* 0.07 l))
         (block p (* 0.14 l) (* 0.1 l) #:color faint)))
 
-(define (swinging p b l)
-  (list (rod p b) (pivot p (* 0.025 l)) (bob b (* 0.08 l))))
-
 (define (pendulum-marks p b l)
   (list (dashed p (below p (* 1.1 l) 0.0))
         (swing-mark p (direction (minus b p)) (* 0.4 l) "θ")

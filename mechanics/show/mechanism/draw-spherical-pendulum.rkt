@@ -32,7 +32,7 @@
                                      #:closed? #t #:width 1 #:color faint)
                            (disc below-bob (* 0.03 l) #:fill faint #:color #f)
                            (mount top (* 0.25 l) (* 0.07 l))
-                           (rod top b) (pivot top (* 0.025 l)) (bob b (* 0.08 l)))))))
+                           (swinging top b l))))))
 
 ;; foot : below the top, on the floor, where x-end is the end of the x axis
 (define (spherical-marks top b below-bob foot x-end)

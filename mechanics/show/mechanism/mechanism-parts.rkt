@@ -10,7 +10,7 @@
 
 (provide rod bob spring wall block vector-arrow angle-mark length-mark
          ;; for the mechanisms of the library
-         pivot mount thin dashed name-beside swing-mark numbered numbered-names)
+         pivot swinging mount thin dashed name-beside swing-mark numbered numbered-names)
 
 (define (rod p q #:color [color ink] #:width [width 3])
   (polyline (list p q) #:color color #:width width))
@@ -33,6 +33,10 @@
 
 ;; The place about which something turns.
 (define (pivot p radius) (disc p radius #:fill "white" #:width 1.5))
+
+;; A pendulum of length l, its bob at b.
+(define (swinging p b l)
+  (list (rod p b) (pivot p (* 0.025 l)) (bob b (* 0.08 l))))
 
 ;; A coil from p to q with straight ends, an eighth of the way long each; its width stays when
 ;; it is stretched.

@@ -102,7 +102,8 @@
 
 ;; The student does not call the program `program`.
 (define (in-readers-words text)
-  (define with-lines (regexp-replace #px"^program:(\\d+):\\d+: " text "line \\1: "))
-  (regexp-replace #px"^(\\S+): undefined;\n cannot reference an identifier before its def.*$"
-                  with-lines
-                  "\\1 is not defined; as a symbol it is written '\\1"))
+  (regexp-replaces
+   text
+   '([#px"^program:(\\d+):\\d+: " "line \\1: "]
+     [#px"^(\\S+): undefined;\n cannot reference an identifier before its def.*$"
+      "\\1 is not defined; as a symbol it is written '\\1"])))

@@ -26,8 +26,8 @@
 ;; v : a verdict; share : residual of v -> the share of the points that a refuted answer gets
 (define (judged-by v share . words)
   (case (verdict-status v)
-    [(proved) (judgment 'right 1 v words)]
-    [(undecided) (judgment 'undecided #f v words)]
+    [(proved) (apply right v words)]
+    [(undecided) (apply undecided-judgment v words)]
     [else (apply partly (share (verdict-residual v)) v words)]))
 
 ;; ---------------------------------------------------------------------------

@@ -40,7 +40,7 @@
   (check-suggestion 'PI "its name is pi; exactly it is ':pi")
   (check-suggestion 'Γ "its name is Gamma")
   (check-suggestion 'm=2 "a definition is (define m 2); an argument is given by its place, as 2")
-  (check-suggestion 'boolean=? #f)
+  (check-suggestion 'boolean=? "did you mean boolean??")
   (check-suggestion 'simplfy "did you mean simplify?")
   (check-suggestion 'frame "(require mechanics/plot) defines it")
   (check-suggestion 'e #f)
