@@ -6,12 +6,8 @@
          racket/port
          racket/runtime-path
          racket/string
-<<<<<<< HEAD
-         "support/checks.rkt"
+         "support/checks.rkt" "support/folder.rkt"
          (file "../../.ci/compile.rkt")
-=======
-         "support/checks.rkt" "runner/compile.rkt" "support/folder.rkt"
->>>>>>> 500d7152 (tests: folders of a test in support/folder.rkt, shared systems from one)
          "support/skip.rkt")
 
 (define-runtime-path script "../../.ci/ensure-racket.sh")

@@ -14,7 +14,8 @@
 
 (require-on-demand ["prefix-form.rkt" prefix-form call-form])
 
-(provide check-call keyword-argument? advice-on-call advice-on-product called-beside call-in-print? as-called)
+(provide check-call keyword-argument? advice-on-call advice-on-product called-beside
+         call-in-print? as-called)
 
 ;; ---------------------------------------------------------------------------
 ;; Calls without meaning

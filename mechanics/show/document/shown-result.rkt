@@ -2,8 +2,7 @@
 ;; A result in a document: a formula, a table, a picture, or the text that a prompt prints.  It is
 ;; made when the result comes, for later a frame may be drawn in, and assumptions may change.
 
-(require racket/list
-         file/convertible
+(require file/convertible
          (only-in "../../algebra/expression/expression.rkt" node? symbolic?)
          "../../algebra/notation/formula.rkt" "../../algebra/notation/name.rkt"
          "../../algebra/notation/tree.rkt"
@@ -12,7 +11,6 @@
          "../../generic/up-down.rkt" "../../generic/value-tree.rkt"
          (only-in "../../motion/on-demand.rkt" occurrence? occurrence-event occurrence-time
                   occurrence-state)
-         "../../value/simplify.rkt"
          "../../verdict/verdict.rkt")
 
 (require-on-demand ["../../motion/event/event.rkt" event-name])

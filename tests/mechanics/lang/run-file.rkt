@@ -4,12 +4,7 @@
 (require compiler/find-exe
          racket/file
          racket/port
-<<<<<<< HEAD
-         "../support/checks.rkt"
-=======
-         racket/string
          "../support/checks.rkt" "../support/folder.rkt"
->>>>>>> 500d7152 (tests: folders of a test in support/folder.rkt, shared systems from one)
          "../support/run-text.rkt" "../support/skip.rkt" "../support/terminal.rkt")
 
 ;; f : the folder ->

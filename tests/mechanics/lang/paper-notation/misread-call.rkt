@@ -84,7 +84,8 @@
            " probably originally (), which is an illegal empty application"
            "  in: (#%app)"
            "  f() is written (f); the empty list is '()")
-    (undefined "reduce" "did you mean reduce-by-substitution?" "as a symbol it is written 'reduce"))))
+    (undefined "reduce" "did you mean reduce-by-substitution?"
+               "as a symbol it is written 'reduce"))))
 
 (test-case "in a module"
   (check-equal? (refusal "(define (p m) (m * speed))")

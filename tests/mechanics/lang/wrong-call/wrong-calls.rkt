@@ -147,8 +147,9 @@
   (check-regexp-match #rx"no keyword #:progess[?] here\n[^\n]*\n  did you mean #:progress[?][?]\n"
                       errors)
   ;; an earlier keyword has its own advice, and no guess beneath it
-  (check-regexp-match #rx"no keyword #:progress here\n[^\n]*\n  it is called #:progress[?] now\n[^ ]"
-                      errors)
+  (check-regexp-match
+   #rx"no keyword #:progress here\n[^\n]*\n  it is called #:progress[?] now\n[^ ]"
+   errors)
   (check-regexp-match (regexp (string-append "minimize: takes 1 argument; it was given 2\n"
                                              "  it is called as [(]minimize f[)]\n"))
                       errors)
