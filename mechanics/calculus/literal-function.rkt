@@ -128,7 +128,7 @@
 
 ;; f at x, for the common case of a function of one real variable
 (define (apply-to-scalar f x)
-  (cond [(expression? x) (e:application (unknown-head f) (list x))]
+  (cond [(expression? x) (make-node (unknown-head f) (list x))]
         [(or (perturbed? x) (other-number? x)) (apply-head (unknown-head f) (list x))]
         [(series? x) (apply-to-series f x)]
         [else (raise-misfit f (list x))]))
@@ -164,7 +164,7 @@
   (define outer
     (for/fold ([outer #f]) ([leaf (in-list leaves)] #:when (perturbed? (cdr leaf)))
       (if outer (outermost outer (cdr leaf)) (cdr leaf))))
-  (cond [(not outer) (e:application head (map value->expression args))]
+  (cond [(not outer) (make-node head (map value->expression args))]
         [(jet? outer) (apply-to-jets head args leaves (perturbed-tag outer) (jet-order outer))]
         [(recorded? outer) (apply-to-recorded head args leaves (recorded-tape outer))]
         [else (apply-to-duals head args leaves (perturbed-tag outer))]))

@@ -91,9 +91,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Parts of expressions
 
-(define (real-valued? e)
-  (node-fold e (lambda (leaf) (or (symbol? leaf) (real? leaf)))
-             (lambda (n arguments) (andmap values arguments))))
+(define (real-valued? e) (all-leaves? (lambda (leaf) (or (symbol? leaf) (real? leaf))) e))
 
 ;; Real and imaginary part
 (struct rectangular (re im) #:authentic)

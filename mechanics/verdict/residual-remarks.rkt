@@ -26,9 +26,7 @@
 (define (smallest-size e)
   (if (flonum? e)
       (and (< (abs e) rounding) e)
-      (node-fold e
-                 (lambda (leaf) (and (flonum? leaf) (< 0.0 (abs leaf) rounding) leaf))
-                 (lambda (n parts) (ormap values parts)))))
+      (some-leaf? (lambda (leaf) (and (flonum? leaf) (< 0.0 (abs leaf) rounding) leaf)) e)))
 
 (define rounding 1e-14)
 

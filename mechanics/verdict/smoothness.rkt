@@ -36,9 +36,7 @@
   (survey holes '() (lambda () '()) '() #t))
 
 (define (holds-no-number? e)
-  (node-fold e
-             (lambda (leaf) (and (number? leaf) (not (rational? (magnitude leaf)))))
-             (lambda (n parts) (ormap values parts))))
+  (some-leaf? (lambda (leaf) (and (number? leaf) (not (rational? (magnitude leaf))))) e))
 
 ;; ---------------------------------------------------------------------------
 

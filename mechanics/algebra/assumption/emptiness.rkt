@@ -7,6 +7,7 @@
 ;; the limit comes first, nothing is known.
 
 (require racket/list
+         (only-in racket/math infinite?)
          "assumption-set.rkt" "interval.rkt" "leaf-bounds.rkt" "polynomial-range.rkt"
          "range.rkt" "reference.rkt"
          "../expression/expression.rkt" "../expression/pi.rkt")
@@ -51,11 +52,9 @@
 (define (first-box relations)
   (define table (bounds-from (filter-not speaks-of-pi? relations)))
   (for/hash ([leaf (in-hash-keys (leaves-of (map relation-expression relations)))])
-    (define b (bounds-of table leaf))
-    (values leaf (interval (or (bounds-low b) -inf.0) (or (bounds-high b) +inf.0)))))
+    (values leaf (bounds-of table leaf))))
 
-(define (speaks-of-pi? r)
-  (node-fold (relation-expression r) pi-symbol? (lambda (n parts) (ormap values parts))))
+(define (speaks-of-pi? r) (some-leaf? pi-symbol? (relation-expression r)))
 
 ;; Does one of the relations hold nowhere in the box?
 (define (excluded? box relations)
@@ -93,4 +92,4 @@
         [(infinite? low) (if (> high -1) -1 (* 2 high))]
         [else (/ (+ low high) 2)]))
 
-(define (infinite? x) (not (rational? x)))
+

@@ -9,7 +9,7 @@
          (only-in "../expression/numeric-functions.rkt" erf)
          "../../operation/operation-column.rkt")
 
-(provide (struct-out interval) everything point-interval
+(provide (struct-out interval) everything point-interval intersection
          interval-sum interval-product interval-quotient interval-power interval-magnitude
          interval-of-operation)
 

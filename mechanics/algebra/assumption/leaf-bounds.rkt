@@ -5,37 +5,31 @@
 ;; bounds it from one side.  Where a point is looked for, numbers are chosen within.
 
 (require racket/list
-         "assumption-set.rkt" "signs.rkt"
+         "assumption-set.rkt" "interval.rkt" "signs.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt")
 
-(provide bounds-from bounds-of (struct-out bounds))
+(provide bounds-from bounds-of)
 
-;; Numbers, #f where there is no bound.
-(struct bounds (low high) #:authentic)
-
-(define unbounded (bounds #f #f))
-
-;; -> table: leaf -> bounds
+;; -> table: leaf -> interval
 (define (bounds-from relations)
   (for/fold ([table (hash)]) ([r (in-list relations)]) (narrow-bounds table r)))
 
-(define (bounds-of table leaf) (hash-ref table leaf unbounded))
+(define (bounds-of table leaf) (hash-ref table leaf everything))
 
 (define (narrow-bounds table r)
   (define-values (leaf a b) (affine (relation-expression r)))
   (cond [leaf
          (define bound (- (/ b a)))
          (define side (if (positive? a) (relation-signs r) (signs-negate (relation-signs r))))
-         (hash-update table leaf (lambda (b) (cut b side bound)) unbounded)]
+         (hash-update table leaf (lambda (r) (intersection r (beyond bound side))) everything)]
         [else table]))
 
-;; The part on this side of the bound.
-(define (cut b side bound)
-  (define (closer choose old) (if old (choose old bound) bound))
-  (cond [(signs-within? side nonnegative) (bounds (closer max (bounds-low b)) (bounds-high b))]
-        [(signs-within? side nonpositive) (bounds (bounds-low b) (closer min (bounds-high b)))]
-        [else b]))
+;; What is on this side of the bound.
+(define (beyond bound side)
+  (cond [(signs-within? side nonnegative) (interval bound +inf.0)]
+        [(signs-within? side nonpositive) (interval -inf.0 bound)]
+        [else everything]))
 
 ;; Bounds are a guide, and a point is shown to people.
 (define about-pi 355/113)

@@ -10,7 +10,8 @@
 ;; alphabet the greatest: lengths and masses are positive there, and sines and cosines of
 ;; angles.  Then come others, positive ones first, always the same ones.
 
-(require "assumption-set.rkt" "leaf-bounds.rkt" "signs.rkt"
+(require racket/list
+         "assumption-set.rkt" "interval.rkt" "leaf-bounds.rkt" "signs.rkt"
          "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt"
@@ -63,7 +64,7 @@
 ;; A flonum, or #f where something in e is not real or not finite.
 (define (real-value e lookup)
   (let/ec return
-    (define (real x) (if (and (real? x) (rational? x)) x (return #f)))
+    (define (real x) (if (rational? x) x (return #f)))
     (define (leaf-value leaf)
       (cond [(unknown? leaf) (lookup leaf '())]
             [(symbol? leaf) (pi-flonum leaf)]
@@ -96,11 +97,8 @@
 (define (concerning leaves relations)
   (define (leaves-in r) (hash-keys (leaves-of (list (relation-expression r)))))
   (let loop ([known leaves] [chosen '()] [rest relations])
-    (define-values (more others)
-      (for/fold ([more '()] [others '()]) ([r (in-list rest)])
-        (if (for/or ([l (in-list (leaves-in r))]) (hash-ref known l #f))
-            (values (cons r more) others)
-            (values more (cons r others)))))
+    (define (known? l) (hash-ref known l #f))
+    (define-values (more others) (partition (lambda (r) (ormap known? (leaves-in r))) rest))
     (if (null? more)
         chosen
         (loop (for*/fold ([known known]) ([r (in-list more)] [l (in-list (leaves-in r))])
@@ -127,15 +125,16 @@
 ;; Values that differ by rounding alone are one.
 (define (rounded x)
   (cond [(pair? x) (cons (rounded (car x)) (rounded (cdr x)))]
-        [(and (real? x) (rational? x)) (/ (round (* 1e10 x)) 1e10)]
+        [(rational? x) (/ (round (* 1e10 x)) 1e10)]
         [else x]))
 
 ;; x brought to where it may be
-(define (within b x)
-  (define-values (low high) (values (bounds-low b) (bounds-high b)))
-  (cond [(and low high) (+ low (* (- high low) (/ (abs x) (+ 1.0 (abs x)))))]
-        [low (+ low (abs x))]
-        [high (- high (abs x))]
+(define (within r x)
+  (define-values (low high) (values (interval-low r) (interval-high r)))
+  (cond [(and (rational? low) (rational? high))
+         (+ low (* (- high low) (/ (abs x) (+ 1.0 (abs x)))))]
+        [(rational? low) (+ low (abs x))]
+        [(rational? high) (- high (abs x))]
         [else x]))
 
 ;; The i-th coordinate of the k-th point.

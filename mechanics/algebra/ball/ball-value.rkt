@@ -6,6 +6,7 @@
 
 (require "ball.rkt" "ball-elementary.rkt" "ball-functions.rkt" "fixed-point.rkt"
          "../assumption/signs.rkt"
+         "../expression/exact-numbers.rkt"
          (only-in "../expression/numeric-functions.rkt" sgn)
          "../expression/operation.rkt"
          "../../operation/operation-column.rkt")
@@ -18,7 +19,7 @@
 
 (define (number->value x p)
   (cond [(and (real? x) (exact? x)) (shortened x p)]
-        [(and (real? x) (rational? x)) (flonum->ball x p)]
+        [(rational? x) (flonum->ball x p)]
         [else (raise no-value)]))
 
 ;; k π
@@ -27,9 +28,7 @@
   (times k (make-ball (pi-fixed w) constant-error (- w) p) p))
 
 (define (shortened x p)
-  (if (or (fixnum? x)
-          (<= (+ (integer-length (numerator x)) (integer-length (denominator x)))
-              most-exact-bits))
+  (if (or (fixnum? x) (<= (rational-bits x) most-exact-bits))
       x
       (exact->ball x p)))
 
@@ -157,17 +156,14 @@
         [(exact-integer? n) (integer-power x n p)]
         [(ball? x) (power-of-ball x n p)]
         [(< x 0) (raise (if (ball? n) unknown no-value))]
-        [(eqv? x 0) (power-of-0 n)]
+        [(eqv? x 0) (if (eqv? 1 (sign-of n)) 0 (raise no-value))]
         [(eqv? x 1) 1]
         [else (power-of-ball x n p)]))
 
 (define (integer-power x n p)
   (cond [(ball? x) (ball-integer-power x n p)]
         [(eqv? x 0) (if (> n 0) 0 (raise no-value))]
-        [(memv x '(1 -1)) (expt x n)]
-        [(<= (* (abs n) (+ (integer-length (numerator x)) (integer-length (denominator x))))
-             most-exact-bits)
-         (expt x n)]
+        [(or (memv x '(1 -1)) (<= (* (abs n) (rational-bits x)) most-exact-bits)) (expt x n)]
         [else (ball-integer-power (exact->ball x (+ p 32)) n (+ p 32))]))
 
 ;; x^(k/2) has a simpler way.
@@ -178,9 +174,4 @@
         (unless (or (ball-positive? b) (not (ball? n))) (raise unknown))
         (ball-power b (value->ball n (+ p 32)) p))))
 
-(define (power-of-0 n)
-  (cond [(sign-is? n 1) 0]
-        [(sign-is? n -1) (raise no-value)]
-        [else (raise unknown)]))
 
-(define (sign-is? x s) (eqv? s (sign-of x)))

@@ -35,15 +35,13 @@
 ;; pivot : the last one
 (struct echelon (rows rank order columns pivot) #:authentic)
 
-(define integer-domain
-  (domain 0 1 (lambda (x) (eqv? x 0)) integer-length
-          (lambda (a b c d q) (quotient (- (* a b) (* c d)) q))
+(define (domain-of-numbers size divide)
+  (domain 0 1 (lambda (x) (eqv? x 0)) size
+          (lambda (a b c d q) (divide (- (* a b) (* c d)) q))
           #f))
 
-(define number-domain
-  (domain 0 1 (lambda (x) (eqv? x 0)) (lambda (x) 1)
-          (lambda (a b c d q) (/ (- (* a b) (* c d)) q))
-          #f))
+(define integer-domain (domain-of-numbers integer-length quotient))
+(define number-domain (domain-of-numbers (lambda (x) 1) /))
 
 ;; Pivots are taken from the first `width` columns.
 (define (eliminate D matrix width)

@@ -60,14 +60,13 @@
 (define (adjugate-times ops A bs)
   (define n (vector-length A))
   (define p (characteristic-coefficients ops A))
-  (define sign (if (even? n) -1 1))
   (values (signed-last ops n p)
           (for/list ([b (in-list bs)])
             (define w
               (for/fold ([w b]) ([c (in-list (take (cdr p) (sub1 n)))])
                 (for/vector #:length n ([x (in-vector (times ops A 0 w))] [y (in-vector b)])
                   (add-product ops x c y))))
-            (if (eqv? sign 1) w (for/vector #:length n ([x (in-vector w)]) (negate ops x))))))
+            (if (odd? n) w (for/vector #:length n ([x (in-vector w)]) (negate ops x))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Vectors

@@ -65,7 +65,7 @@
   (call-with-coefficients matrix A
     (lambda (c)
       (define E (reduced c n))
-      (define free (for/list ([j (in-vector (echelon-columns E) (echelon-rank E))]) j))
+      (define free (list-tail (vector->list (echelon-columns E)) (echelon-rank E)))
       (define vectors (for/list ([j (in-list (sort free <))]) (null-vector c E n j)))
       (kernel-basis (echelon-rank E) vectors ((coefficients-assumptions c))))))
 

@@ -92,7 +92,10 @@
 (define (field-coefficients F matrix w)
   (define R (field-ring F))
   (define fractions (rows-map (lambda (e) (field-fraction F e)) matrix))
-  (define D ((if (null? (field-relations F)) polynomial-domain relation-domain) F))
+  (define D
+    (if (null? (field-relations F))
+        (polynomial-domain R (lambda (p q) (poly-divide R p q)) #f)
+        (polynomial-domain R (lambda (p q) (reduce-poly F p)) (lambda (fs) (tidy-row F fs)))))
   (define rows (for/vector ([row (in-vector fractions)]) (tidy-row F row)))
   (coefficients D rows
                 (and (not (domain-tidy D))
@@ -180,16 +183,9 @@
     (when (< left 0) (raise (outgrown)))
     (poly* R p q)))
 
-(define (polynomial-domain F)
-  (define R (field-ring F))
+;; finish : polynomial and the pivot before -> entry
+(define (polynomial-domain R finish tidy)
   (define product (make-product R))
   (domain '() (poly-constant R 1) poly-zero? poly-term-count
-          (lambda (a b c d q) (poly-divide R (poly- R (product a b) (product c d)) q))
-          #f))
-
-(define (relation-domain F)
-  (define R (field-ring F))
-  (define product (make-product R))
-  (domain '() (poly-constant R 1) poly-zero? poly-term-count
-          (lambda (a b c d q) (reduce-poly F (poly- R (product a b) (product c d))))
-          (lambda (fs) (tidy-row F fs))))
+          (lambda (a b c d q) (finish (poly- R (product a b) (product c d)) q))
+          tidy))

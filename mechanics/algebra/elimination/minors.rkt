@@ -38,10 +38,7 @@
     (if (eqv? rows 0)
         1
         (let ([key (bitwise-ior (arithmetic-shift rows width) columns)])
-          (or (hash-ref known key #f)
-              (let ([d (expand rows columns)])
-                (hash-set! known key d)
-                d)))))
+          (hash-ref! known key (lambda () (expand rows columns))))))
   (define (expand rows columns)
     (define i (first-line rows))
     (define row (vector-ref matrix i))

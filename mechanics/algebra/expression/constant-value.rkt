@@ -8,7 +8,7 @@
 ;; -> a flonum, or #f where there are unknowns or no real value
 (define (constant-value e)
   (let/ec return
-    (define (real x) (if (and (real? x) (rational? x)) x (return #f)))
+    (define (real x) (if (rational? x) x (return #f)))
     (define (leaf-value leaf)
       (cond [(number? leaf) (real leaf)]
             [(pi-symbol? leaf) (pi-flonum leaf)]

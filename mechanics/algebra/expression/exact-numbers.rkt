@@ -14,7 +14,7 @@
 
 ;; An exponent that arithmetic can carry out, as an exact rational; else #f.
 (define (exact-exponent e)
-  (define k (and (real? e) (rational? e) (inexact->exact e)))
+  (define k (and (rational? e) (inexact->exact e)))
   (and k
        (<= (denominator k) 64)
        (<= (abs k) 10000)

@@ -21,15 +21,15 @@
 (provide
  ;; kinds
  expression? symbolic? node? node-head node-args
- make-node headed? expression=? expression-hash
+ make-node with-operands headed? expression=? expression-hash
  node-mark set-node-mark!
  ;; forms that were asked for
  requested? requested-assumptions request-form
  ;; constructors
- e:+ e:- e:* e:/ e:expt e:negate e:apply e:application
+ e:+ e:- e:* e:/ e:expt e:negate e:apply
  sum? arithmetic-node? integer-power? commutative?
  ;; walks
- expression->datum make-memo node-fold)
+ expression->datum make-memo node-fold some-leaf? all-leaves?)
 
 ;; ---------------------------------------------------------------------------
 ;; The node
@@ -47,6 +47,10 @@
 
 (define (make-node head args)
   (node head args (hash-node head args)))
+
+;; The node with these operands; itself if they are its own.
+(define (with-operands n args)
+  (if (andmap eq? args (node-args n)) n (make-node (node-head n) args)))
 
 ;; A node in a form that was asked for (expanded, factored ...), with the assumptions made to find
 ;; it: a node like any other, but shown without being simplified again.
@@ -282,8 +286,7 @@
       (apply numeric args)
       (make-node op args)))
 
-;; A literal function, by its head, applied to expressions.
-(define (e:application head args) (make-node head args))
+
 
 ;; ---------------------------------------------------------------------------
 ;; Walks
@@ -291,13 +294,7 @@
 ;; (make-memo) -> (node thunk -> value): thunk's value, computed once a node.
 (define (make-memo)
   (define table (make-hasheq))
-  (lambda (n thunk)
-    (define v (hash-ref table n table))
-    (cond [(eq? v table)
-           (define new (thunk))
-           (hash-set! table n new)
-           new]
-          [else v])))
+  (lambda (n thunk) (hash-ref! table n thunk)))
 
 ;; Fold a graph from its leaves: (leaf e) for numbers and symbols, and
 ;; (combine node values) for a node whose operands have these values.
@@ -307,6 +304,10 @@
     (if (node? e)
         (memo e (lambda () (combine e (map walk (node-args e)))))
         (leaf e))))
+
+;; Does the predicate hold of some number or symbol in e?  Of all of them?
+(define (some-leaf? good? e) (node-fold e good? (lambda (n parts) (ormap values parts))))
+(define (all-leaves? good? e) (node-fold e good? (lambda (n parts) (andmap values parts))))
 
 ;; The plain S-expression.  Shared nodes give shared pairs.
 (define (expression->datum e)

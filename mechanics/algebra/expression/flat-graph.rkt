@@ -67,11 +67,7 @@
         (cons k (places r (cdr es))))))
 
 (define (place-leaf r e)
-  (define leaves (recorder-leaves r))
-  (or (hash-ref leaves e #f)
-      (let ([k (record! r e '() '())])
-        (hash-set! leaves e k)
-        k)))
+  (hash-ref! (recorder-leaves r) e (lambda () (record! r e '() '()))))
 
 (define (place-node r e ks)
   (define k
@@ -97,16 +93,11 @@
 
 ;; An expression equal to that on the tape, in which equal nodes are the same.
 (define (tape->expression t)
-  (define items (tape-items t))
-  (define operands (tape-operands t))
-  (define n (vector-length items))
+  (define n (tape-length t))
   (define nodes (make-vector n #f))
-  (for ([e (in-vector items)] [ks (in-vector operands)] [k (in-naturals)])
+  (for ([e (in-vector (tape-items t))] [ks (in-vector (tape-operands t))] [k (in-naturals)])
     (define args (for/list ([j (in-list ks)]) (vector-ref nodes j)))
-    (vector-set! nodes k
-                 (if (or (not (node? e)) (andmap eq? args (node-args e)))
-                     e
-                     (make-node (node-head e) args))))
+    (vector-set! nodes k (if (node? e) (with-operands e args) e)))
   (vector-ref nodes (- n 1)))
 
 ;; ks in ascending order; most nodes have two operands.

@@ -20,6 +20,7 @@
  operations          ; those of the table, in its order
  find-operation      ; name -> operation, or #f
  operations-where    ; (operations-where fact ...) : those of which the table says all this
+ functions-of-angles ; circular and hyperbolic ones
  written-names       ; names of operations and of what prints as a quotient by one
  ;; literal heads
  (struct-out literal-head)
@@ -61,6 +62,8 @@
        #`(list #,@(for/list ([e (in-list entries)]
                              #:when (and (heads e) (all-of-name-in? e entries)))
                     (identifier-of e #'here))))]))
+
+(define functions-of-angles (append (operations-where circular) (operations-where hyperbolic)))
 
 (define by-name (for/hasheq ([op (in-list operations)]) (values (operation-name op) op)))
 (define (find-operation name) (hash-ref by-name name #f))

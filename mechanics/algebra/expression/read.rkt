@@ -2,7 +2,8 @@
 ;; Reading S-expressions as expressions: the datum an expression prints as gives
 ;; an equal expression back.  Expressions may stand within the datum.
 
-(require "expression.rkt" "operation.rkt" "../../operation/operation-column.rkt")
+(require "expression.rkt" "operation.rkt" "substitute.rkt"
+         "../../operation/operation-column.rkt")
 
 (provide datum->expression operation-name?)
 
@@ -40,8 +41,8 @@
   (define (between low high)
     (unless (<= low (length args) high) (reject)))
   (case head
-    [(+) (for/fold ([sum 0]) ([a (in-list args)]) (e:+ sum a))]
-    [(*) (for/fold ([product 1]) ([a (in-list args)]) (e:* product a))]
+    [(+) (rebuild op:+ args)]
+    [(*) (rebuild op:* args)]
     [(-) (between 1 +inf.0)
          (if (null? (cdr args)) (e:negate (car args)) (fold-left e:- args))]
     [(/) (between 1 +inf.0)

@@ -17,5 +17,4 @@
   (node-fold e (lambda (leaf) (when (free-symbol? leaf) (hash-set! found leaf #t))) void)
   (sort (hash-keys found) symbol<?))
 
-(define (occurs? name e)
-  (node-fold e (lambda (leaf) (eq? leaf name)) (lambda (n found) (ormap values found))))
+(define (occurs? name e) (some-leaf? (lambda (leaf) (eq? leaf name)) e))

@@ -54,9 +54,7 @@
   (define of (function-at rest))
   (define sine (e:+ (e:* step (e:* s (of op:cos))) (e:* c (of op:sin))))
   (define cosine (e:- (e:* c (of op:cos)) (e:* step (e:* s (of op:sin)))))
-  (cond [(eq? head op:sin) sine]
-        [(eq? head op:cos) cosine]
-        [else (e:/ sine cosine)]))
+  (function-value head sine cosine))
 
 ;; -> the sine and the cosine of (asin u), (acos u), (atan u) or (atan y x).
 (define (inverse-functions e)

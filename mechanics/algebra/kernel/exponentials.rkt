@@ -14,7 +14,8 @@
 (require racket/list
          "circle.rkt" "collector.rkt" "kernel.rkt" "lattice.rkt" "turns.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt" "../expression/simplifier.rkt")
+         "../expression/operation.rkt" "../expression/simplifier.rkt"
+         "../expression/substitute.rkt")
 
 (provide visit-exponential! visit-symbolic-power! settle-exponentials!
          angles-of settle-multiples!
@@ -39,10 +40,9 @@
   (cond [(null? powers)
          (resolve! c n (exponential-power (intern-angle! c 'exponential (linear-form c others))))]
         [else
-         (define rest (sum-of-terms others))
-         (define exponential (if (eqv? rest 0) 1 (make-node op:exp (list rest))))
          (resolve-alias! c n
-                         (for/fold ([product exponential]) ([t (in-list powers)])
+                         (for/fold ([product (exponential-of (sum-of-terms others))])
+                                   ([t (in-list powers)])
                            (e:* product (logarithm-power t))))]))
 
 ;; e^(k log b) = b^k
@@ -96,10 +96,7 @@
 ;; The b such that every term is a multiple of (log b), or #f.
 (define (common-base terms)
   (define bases (for/list ([t (in-list terms)]) (logarithm-base (cdr t))))
-  (and (pair? bases)
-       (car bases)
-       (for/and ([b (in-list (cdr bases))]) (equal? b (car bases)))
-       (car bases)))
+  (and (= 1 (length (remove-duplicates bases))) (car bases)))
 
 ;; The logarithm among the factors of e, or #f.
 (define (logarithm-in e)
@@ -110,7 +107,7 @@
   (and logarithm (car (node-args logarithm))))
 
 (define (without-logarithm e)
-  (for/fold ([product 1]) ([f (in-list (remq (logarithm-in e) (node-args e)))]) (e:* product f)))
+  (rebuild op:* (remq (logarithm-in e) (node-args e))))
 
 ;; ---------------------------------------------------------------------------
 ;; Combining for presentation
@@ -119,33 +116,33 @@
 ;; exponentials among them, or #f, and the other powers.  A power of b goes
 ;; into the exponent of bⁿ.
 (define (combine-exponentials powers)
-  (define (exponential-power? p) (exponential? (kernel-relation (car p))))
-  (define-values (es others) (partition exponential-power? powers))
-  (cond [(null? es) (values #f powers)]
-        [else (absorb-base (exponential-product es) others)]))
+  (define-values (es others) (exponentials-apart powers))
+  (if (null? es) (values #f powers) (absorb-base (exponential-product es) others)))
+
+(define (exponentials-apart powers)
+  (partition (lambda (p) (exponential-kernel? (car p))) powers))
 
 (define (exponential-product es)
+  (define total (total-exponential es))
   (if (and (null? (cdr es)) (eqv? 1 (cdar es)))
       (kernel-expression (caar es))
-      (exponential-expression (exponential-simplifier (kernel-relation (caar es)))
-                              (total-exponent es))))
+      (exponential-expression (exponential-simplifier total) (exponential-exponent total))))
 
-(define (total-exponent es)
-  (simplifier-simplify
-   (exponential-simplifier (kernel-relation (caar es)))
-   (sum-of-terms (for/list ([p (in-list es)])
-                   (cons (cdr p) (exponential-exponent (kernel-relation (car p))))))))
+;; The product of powers of exponentials, as an exponential.
+(define (total-exponential es)
+  (define s (exponential-simplifier (kernel-relation (caar es))))
+  (define sum
+    (sum-of-terms (for/list ([p (in-list es)])
+                    (cons (cdr p) (exponential-exponent (kernel-relation (car p)))))))
+  (exponential (simplifier-simplify s sum) s))
 
 ;; The powers with the product of their exponentials as one kernel.
 ;; intern : expression relation -> kernel
 (define (merge-exponentials powers intern)
   (define-values (e others) (combine-exponentials powers))
-  (define es (filter (lambda (p) (exponential? (kernel-relation (car p)))) powers))
+  (define-values (es _) (exponentials-apart powers))
   (if e
-      (cons (cons (intern e (exponential (total-exponent es)
-                                         (exponential-simplifier (kernel-relation (caar es)))))
-                  1)
-            others)
+      (cons (cons (intern e (total-exponential es)) 1) others)
       powers))
 
 (define (absorb-base e others)
@@ -192,7 +189,4 @@
   (define down (make-node op:exp (list (e:negate u))))
   (define sine (e:* 1/2 (e:- up down)))
   (define cosine (e:* 1/2 (e:+ up down)))
-  (resolve-alias! c n
-                  (cond [(eq? (node-head n) op:sinh) sine]
-                        [(eq? (node-head n) op:cosh) cosine]
-                        [else (e:/ sine cosine)])))
+  (resolve-alias! c n (function-value (node-head n) sine cosine)))

@@ -78,7 +78,7 @@
         [(memq head arithmetic) (for ([a (in-list args)]) (visit! c a))]
         [(eq? head op:expt) (visit-power! c n (car args) (cadr args))]
         [(eq? head op:sqrt) (visit-root! c n (car args) 1/2)]
-        [(memq head angular) (visit-angle! c n)]
+        [(memq head functions-of-angles) (visit-angle! c n)]
         [(eq? head op:exp) (visit-exponential! c n)]
         [(eq? head op:log) (visit-logarithm! c n)]
         [(eq? head op:abs) (visit-modulus! c n)]
@@ -88,7 +88,7 @@
 (define arithmetic (list op:+ op:- op:* op:/))
 (define inverse (operations-where arc))
 (define odd (cons op:atan (operations-where odd)))
-(define angular (append (operations-where circular) (operations-where hyperbolic)))
+
 
 ;; What a blocked node simplifies to stands for it; a sum as one kernel.
 (define (visit-blocked! c n)
@@ -146,9 +146,7 @@
 
 ;; n with its arguments simplified; structured arguments by components.
 (define (simplify-arguments c n)
-  (define args (node-args n))
-  (define simple (for/list ([a (in-list args)]) (simplify-argument c a)))
-  (if (andmap eq? args simple) n (make-node (node-head n) simple)))
+  (with-operands n (for/list ([a (in-list (node-args n))]) (simplify-argument c a))))
 
 (define (simplify-argument c a)
   (cond [(pi-alias? a) (pi-expression a)]
@@ -223,18 +221,11 @@
     (define d (- (expression-size (cdr b)) (expression-size (cdr a))))
     (or (< d 0) (and (eqv? d 0) (< (compare (cdr a) (cdr b)) 0))))
   (signed-sum
-   (sort (for/list ([a (in-list (signed-operands e 1))])
-           (cons (car a) (tidy-power c (cdr a))))
+   (sort (for/list ([a (in-list (signed-operands e op:+ op:-))])
+           (cons (cdr a) (tidy-power c (car a))))
          before?)))
 
-;; ((±1 . operand) ...) of nested sums and differences
-(define (signed-operands e sign)
-  (cond [(headed? e op:+)
-         (append-map (lambda (a) (signed-operands a sign)) (node-args e))]
-        [(headed? e op:-)
-         (append (signed-operands (car (node-args e)) sign)
-                 (signed-operands (cadr (node-args e)) (- sign)))]
-        [else (list (cons sign e))]))
+
 
 (define (signed-sum operands)
   (define (of sign) (filter (lambda (a) (eqv? sign (car a))) operands))

@@ -17,10 +17,11 @@
          "../expression/size.rkt")
 
 (provide (struct-out kernel) make-kernel sum-kernel? circular-kernel? hyperbolic-kernel?
+         exponential-kernel?
          kernel-expressions place-kernels! insert-kernel!
          (struct-out circle) (struct-out angle) (struct-out root)
          (struct-out modulus) (struct-out exponential)
-         sum-of-terms shorter-expression?)
+         sum-of-terms signed-operands function-value shorter-expression?)
 
 ;; relation : #f, or the circle, root, modulus or exponential this kernel is of
 ;; size : of the expression, as written
@@ -41,6 +42,8 @@
 (define (either-headed? k a b)
   (define e (kernel-expression k))
   (or (headed? e a) (headed? e b)))
+
+(define (exponential-kernel? k) (exponential? (kernel-relation k)))
 
 ;; A table of the kernels' expressions, each with #t.
 (define (kernel-expressions kernels)
@@ -75,6 +78,24 @@
 ;; The sum of ((number . expression) ...)
 (define (sum-of-terms terms)
   (for/fold ([sum 0]) ([t (in-list terms)]) (e:+ sum (e:* (car t) (cdr t)))))
+
+;; ((operand . ±1) ...) of an operation within the same or its inverse: of nested sums and
+;; differences, or products and quotients.
+(define (signed-operands e op inverse [sign 1])
+  (cond [(headed? e op)
+         (for*/list ([a (in-list (node-args e))]
+                     [o (in-list (signed-operands a op inverse sign))])
+           o)]
+        [(headed? e inverse)
+         (append (signed-operands (car (node-args e)) op inverse sign)
+                 (signed-operands (cadr (node-args e)) op inverse (- sign)))]
+        [else (list (cons e sign))]))
+
+;; The sine, cosine or tangent, circular or hyperbolic, of what has this sine and cosine.
+(define (function-value head sine cosine)
+  (cond [(memq head (list op:sin op:sinh)) sine]
+        [(memq head (list op:cos op:cosh)) cosine]
+        [else (e:/ sine cosine)]))
 
 ;; Is a shorter than b, or as long and before it in the order of expressions?
 (define (shorter-expression? a b)

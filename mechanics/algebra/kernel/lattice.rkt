@@ -17,7 +17,7 @@
 (require racket/list)
 
 (provide integer-basis modest-basis modest-basis/atoms integer-combination
-         vector-scale vector-add)
+         vector-scale vector-add coordinate)
 
 ;; vectors -> (values basis coordinates), coordinates a list with, for each
 ;; vector, a list of (basis position . integer).
@@ -80,8 +80,7 @@
              (cons (car groups) (join v (cdr groups) limit)))]))
 
 (define (all-keys vectors)
-  (for*/fold ([keys '()] #:result (sort keys <)) ([v (in-list vectors)] [entry (in-list v)])
-    (if (memv (car entry) keys) keys (cons (car entry) keys))))
+  (sort (remove-duplicates (map car (append* vectors)) eqv?) <))
 
 ;; Each key alone, divided by the common denominator of its coordinates.
 (define (atomic-basis keys vectors)

@@ -57,7 +57,7 @@
   (define exponents                     ; of all elements in the i-th radicand
     (for/list ([c (in-list numbers)] [factors (in-list factored)] [i (in-naturals)])
       (append (list (sign-exponent c basis signs i))
-              (for/list ([p (in-list primes)]) (exponent (cons p factors) p))
+              (for/list ([p (in-list primes)]) (coordinate factors p))
               (for/list ([b (in-list basis)]) (exponent b i)))))
   (define modulus (apply lcm q qs))
   (define vectors
@@ -70,8 +70,7 @@
                #:unless (eqv? 0 (modulo m q)))
       (cons i (modulo m q))))
   (define elements
-    (append (list -1)
-            primes
+    (append (cons -1 primes)
             (for/list ([b (in-list basis)] [s (in-list signs)])
               (if (eqv? s -1) (poly-negate R (power-base b)) (power-base b)))))
   (values k members (and k (left-over R elements exponents k q members qs))))
@@ -96,12 +95,13 @@
 ;; and the combination; or #f #f.
 (define (least-power v q vectors size modulus)
   (let loop ([k 1])
-    (cond [(eqv? k q) (values #f #f)]
-          [(eqv? 0 (remainder q k))
-           (define combination
-             (integer-combination (vector-scale k v) vectors size modulus))
-           (if combination (values k combination) (loop (+ k 1)))]
-          [else (loop (+ k 1))])))
+    (define combination
+      (and (< k q)
+           (eqv? 0 (remainder q k))
+           (integer-combination (vector-scale k v) vectors size modulus)))
+    (cond [combination (values k combination)]
+          [(< k q) (loop (+ k 1))]
+          [else (values #f #f)])))
 
 (define (sparse xs)
   (for/list ([x (in-list xs)] [i (in-naturals)] #:unless (eqv? x 0)) (cons i x)))
@@ -119,9 +119,7 @@
             ([h (in-list (fraction-denominator-factors v))])
     (basis-insert R vector-add basis (power-base h) (list (cons i (- (power-exponent h)))))))
 
-(define (exponent b i)
-  (define entry (assv i (power-exponent b)))
-  (if entry (cdr entry) 0))
+(define (exponent b i) (coordinate (power-exponent b) i))
 
 ;; The number in a radicand whose polynomials are primitive.
 (define (number-part v)

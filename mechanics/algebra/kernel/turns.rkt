@@ -15,12 +15,12 @@
 ;; The other way round, asin, acos and atan of a number are a multiple of π if a flonum says
 ;; which, and its sine and cosine are exactly the numbers that they have to be.
 
-(require (only-in "kernel.rkt" sum-of-terms)
+(require (only-in "kernel.rkt" function-value sum-of-terms)
          "../expression/constant-value.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/pi.rkt" "../expression/simplifier.rkt"
          "../../numeric/constants.rkt")
 
-(provide turned turned-exponential inverse-multiple function-at)
+(provide turned turned-exponential exponential-of inverse-multiple function-at)
 
 ;; terms : ((number . expression) ...), whose sum is the angle
 ;; -> an expression that is sin, cos or tan of it, or #f if π is none of the terms or nothing
@@ -53,11 +53,9 @@
 ;; Those of u and the angle of the wave.
 (define ((advanced-function u w) op)
   (define-values (s c) (values ((function-at u) op:sin) ((function-at u) op:cos)))
-  (define (sine) (e:+ (e:* (wave-sine w) c) (e:* (wave-cosine w) s)))
-  (define (cosine) (e:- (e:* (wave-cosine w) c) (e:* (wave-sine w) s)))
-  (cond [(eq? op op:sin) (sine)]
-        [(eq? op op:cos) (cosine)]
-        [else (e:/ (sine) (cosine))]))
+  (function-value op
+                  (e:+ (e:* (wave-sine w) c) (e:* (wave-cosine w) s))
+                  (e:- (e:* (wave-cosine w) c) (e:* (wave-sine w) s))))
 
 ;; That of u + k π/2, by those of u.
 (define (quarter-turned op k f)
@@ -73,15 +71,17 @@
   (define c (if t (inexact->exact (car t)) 0))
   (define-values (quarters r) (quarter-turns c))
   (define w (exact-wave (abs r)))
-  (define (exponential u) (if (eqv? u 0) 1 (make-node op:exp (list u))))
+
   (define u (and t (sum-of-terms (remq t terms))))
   (cond [(not (and t (or w (not (eqv? quarters 0))))) #f]
         [w (e:* (expt +i (modulo quarters 4))
                 (e:* (e:+ (wave-cosine w) (e:* (if (negative? r) -i +i) (wave-sine w)))
-                     (exponential u)))]
-        [else (e:* (expt +i (modulo quarters 4)) (exponential (e:+ (e:* r imaginary-pi) u)))]))
+                     (exponential-of u)))]
+        [else (e:* (expt +i (modulo quarters 4)) (exponential-of (e:+ (e:* r imaginary-pi) u)))]))
 
 (define imaginary-pi (make-node op:* (list +i exact-pi)))
+
+(define (exponential-of u) (if (eqv? u 0) 1 (make-node op:exp (list u))))
 
 ;; ---------------------------------------------------------------------------
 ;; Short forms
@@ -135,6 +135,4 @@
 
 ;; Without unknowns and without flonums?
 (define (plain-constant? e)
-  (node-fold e
-             (lambda (leaf) (or (pi-symbol? leaf) (and (number? leaf) (exact? leaf))))
-             (lambda (n parts) (andmap values parts))))
+  (all-leaves? (lambda (leaf) (or (pi-symbol? leaf) (and (number? leaf) (exact? leaf)))) e))

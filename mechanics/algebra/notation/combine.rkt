@@ -62,7 +62,7 @@
 (define (one? t) (equal? t (digits "1")))
 
 (define (plain-product factors)
-  (define needed (if (null? factors) factors (remove-ones factors)))
+  (define needed (filter-not one? factors))
   (cond [(null? needed) (digits "1")]
         [(null? (cdr needed)) (car needed)]
         [else (product (closed (cons (as-factor (car needed))
@@ -79,9 +79,7 @@
         (struct-copy application f [bare? #f])
         f)))
 
-(define (remove-ones factors)
-  (define others (filter (lambda (f) (not (one? f))) factors))
-  (if (null? others) (list (car factors)) others))
+
 
 (define (as-factor t)
   (if (or (sum? t) (relation? t)) (parenthesized t) t))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The words and signs of a formula on one line.
 
-(require "line-name.rkt")
+(require "line-name.rkt" (only-in "name.rkt" letter))
 
 (provide tokens (struct-out token))
 
@@ -24,11 +24,11 @@
     (define m (regexp-match (cadr rule) text at))
     (and m (token (car rule) (car m) ((caddr rule) m) at spaced?))))
 
-(define letter "(?:\\p{Lu}|\\p{Ll}|\\p{Lt}|\\p{Lo})")
+
 
 (define rules
   (list
-   (list 'number #px"^[½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞]" (lambda (m) (hash-ref small-numbers (car m))))
+   (list 'number #px"^[½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞]" (lambda (m) (small-fraction->number (car m))))
    (list 'number #px"^([0-9]+(?:[.][0-9]*)?)(?:×10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?" (lambda (m) (number-of m)))
    (list 'number #px"^∞" (lambda (m) +inf.0))
    (list 'number #px"^NaN(?!\\p{L})" (lambda (m) +nan.0))
@@ -51,9 +51,7 @@
    (list 'relation #px"^[=<>≤≥∘↦]" void)
    (list 'dots #rx"^⋯" void)))
 
-(define small-numbers
-  (hash "½" 1/2 "⅓" 1/3 "⅔" 2/3 "¼" 1/4 "¾" 3/4 "⅕" 1/5 "⅖" 2/5 "⅗" 3/5 "⅘" 4/5 "⅙" 1/6
-        "⅚" 5/6 "⅛" 1/8 "⅜" 3/8 "⅝" 5/8 "⅞" 7/8))
+
 
 (define (number-of m)
   (define exponent (caddr m))

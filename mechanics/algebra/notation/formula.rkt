@@ -30,10 +30,8 @@
   (define known (make-hasheq))
   (define (tree d)
     (cond [(pair? d)
-           (or (hash-ref known d #f)
-               (let ([t (if (list? d) (form d w tree) (plain (format "~s" d)))])
-                 (hash-set! known d t)
-                 t))]
+           (hash-ref! known d
+                      (lambda () (if (list? d) (form d w tree) (plain (format "~s" d)))))]
           [(number? d) (number->tree d)]
           [(symbol? d) (symbol->tree d w)]
           [(or (string? d) (keyword? d) (boolean? d) (null? d)) (plain (format "~s" d))]
@@ -100,7 +98,7 @@
 
 (define (known-application head arguments)
   (application (hash-ref known-functions head) arguments
-               (and (pair? arguments) (null? (cdr arguments)) (simple? (car arguments)))))
+               (and (= 1 (length arguments)) (simple? (car arguments)))))
 
 ;; May it follow a function without parentheses?
 (define (simple? t) (or (and (name? t) (short-name? t)) (digits? t)))
@@ -108,15 +106,13 @@
 ;; ---------------------------------------------------------------------------
 ;; Forms with a notation of their own: (trees way -> tree), #f where it does not apply
 
-(define (of-one make) (lambda (ts w) (and (pair? ts) (null? (cdr ts)) (make (car ts)))))
-(define (of-two make) (lambda (ts w) (and (= 2 (length ts)) (make (car ts) (cadr ts)))))
+(define ((taking n make) ts w) (and (= n (length ts)) (apply make ts)))
 
 (define ((chain sign) ts w)
   (and (>= (length ts) 2)
        (for/fold ([left (car ts)]) ([right (in-list (cdr ts))]) (relation left sign right))))
 
-(define ((adjective sign) ts w)
-  (and (= 1 (length ts)) (relation (car ts) sign (digits "0"))))
+(define (adjective sign) (taking 1 (lambda (t) (relation t sign (digits "0")))))
 
 (define (minus ts w)
   (cond [(null? ts) #f]
@@ -133,12 +129,12 @@
           '- minus
           '* (lambda (ts w) (and (pair? ts) (product-of ts (way-commuting? w))))
           '/ over
-          'expt (of-two power-of)
-          'square (of-one (lambda (t) (power-of t (digits "2"))))
-          'cube (of-one (lambda (t) (power-of t (digits "3"))))
-          'sqrt (of-one radical)
-          'abs (of-one bars)
-          'exp (of-one exponential)
+          'expt (taking 2 power-of)
+          'square (taking 1 (lambda (t) (power-of t (digits "2"))))
+          'cube (taking 1 (lambda (t) (power-of t (digits "3"))))
+          'sqrt (taking 1 radical)
+          'abs (taking 1 bars)
+          'exp (taking 1 exponential)
           'up (lambda (ts w) (column ts))
           'down (lambda (ts w) (across ts))
           'list (lambda (ts w) (listing ts))

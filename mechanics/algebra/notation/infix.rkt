@@ -69,11 +69,7 @@
   (define below (fraction-denominator t))
   (and (digits? above)
        (digits? below)
-       (hash-ref small-fractions (string-append (digits-text above) "/" (digits-text below)) #f)))
-
-(define small-fractions
-  (hash "1/2" "½" "1/3" "⅓" "2/3" "⅔" "1/4" "¼" "3/4" "¾" "1/5" "⅕" "2/5" "⅖" "3/5" "⅗"
-        "4/5" "⅘" "1/6" "⅙" "5/6" "⅚" "1/8" "⅛" "3/8" "⅜" "5/8" "⅝" "7/8" "⅞"))
+       (quotient->small-fraction (string-append (digits-text above) "/" (digits-text below)))))
 
 (define (quotient-line t)
   (define above (fraction-numerator t))

@@ -8,7 +8,7 @@
          "../expression/operation.rkt")
 
 (provide line-name dotted-line-name line-name->symbol known-word?
-         superscript->text raised-text)
+         superscript->text raised-text small-fraction->number quotient->small-fraction)
 
 ;; ---------------------------------------------------------------------------
 ;; Writing
@@ -100,7 +100,7 @@
            #\a #\ₐ #\e #\ₑ #\h #\ₕ #\i #\ᵢ #\j #\ⱼ #\k #\ₖ #\l #\ₗ #\m #\ₘ #\n #\ₙ #\o #\ₒ
            #\p #\ₚ #\r #\ᵣ #\s #\ₛ #\t #\ₜ #\u #\ᵤ #\v #\ᵥ #\x #\ₓ))
 
-(define raised-letters (for/hasheqv ([(c low) (in-hash lowered-letters)]) (values low c)))
+(define raised-letters (inverse lowered-letters))
 (define (raise c) (hash-ref raised-letters c c))
 
 ;; The text below the line, or #f where a letter cannot stand there.
@@ -112,10 +112,20 @@
   (hasheqv #\0 #\⁰ #\1 #\¹ #\2 #\² #\3 #\³ #\4 #\⁴ #\5 #\⁵ #\6 #\⁶ #\7 #\⁷ #\8 #\⁸ #\9 #\⁹
            #\- #\⁻))
 
-(define lower (for/hasheqv ([(c high) (in-hash raised-digits)]) (values high c)))
+(define lower (inverse raised-digits))
 
 ;; Of digits and minus signs
 (define (raised-text text)
   (list->string (for/list ([c (in-string text)]) (hash-ref raised-digits c))))
 (define (superscript->text text)
   (list->string (for/list ([c (in-string text)]) (hash-ref lower c))))
+
+;; Fractions that are one letter: ½ is 1/2.
+(define small-fractions
+  (hash "½" "1/2" "⅓" "1/3" "⅔" "2/3" "¼" "1/4" "¾" "3/4" "⅕" "1/5" "⅖" "2/5" "⅗" "3/5"
+        "⅘" "4/5" "⅙" "1/6" "⅚" "5/6" "⅛" "1/8" "⅜" "3/8" "⅝" "5/8" "⅞" "7/8"))
+
+(define quotients (inverse small-fractions))
+
+(define (small-fraction->number text) (string->number (hash-ref small-fractions text)))
+(define (quotient->small-fraction text) (hash-ref quotients text #f))

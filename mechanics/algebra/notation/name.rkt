@@ -8,7 +8,8 @@
 
 (require "../expression/pi.rkt")
 
-(provide name-parts dotted-parts (struct-out parts) subscripts superscripts letter->greek)
+(provide name-parts dotted-parts (struct-out parts) subscripts superscripts letter->greek
+         letter inverse)
 
 ;; base : what is shown, its Greek letters as letters
 ;; sort : 'letter, 'capital (Greek), 'word of several letters, or 'odd
@@ -26,9 +27,10 @@
 ;; The same with so many dots, which stand over the letter alone: those of p_x over the p.
 (define (dotted-parts symbol dots) (struct-copy parts (name-parts symbol) [dots dots]))
 
+(define letter "(?:\\p{Lu}|\\p{Ll}|\\p{Lt}|\\p{Lo})")          ; a regular expression
+
 (define whole-name
-  (let* ([letter "(?:\\p{Lu}|\\p{Ll}|\\p{Lt}|\\p{Lo})"]
-         [mark (format "[_^](?:~a|\\p{Nd})+" letter)])
+  (let ([mark (format "[_^](?:~a|\\p{Nd})+" letter)])
     (pregexp (format "^(~a+(?:-~a+)*)(\\p{Nd}*)((?:~a)*)$" letter letter mark))))
 
 (define one-mark #px"[_^][^_^]+")
@@ -75,4 +77,7 @@
         "Gamma" "Γ" "Delta" "Δ" "Theta" "Θ" "Lambda" "Λ" "Xi" "Ξ" "Pi" "Π" "Sigma" "Σ"
         "Upsilon" "Υ" "Phi" "Φ" "Psi" "Ψ" "Omega" "Ω"))
 
-(define names (for/hash ([(name letter) (in-hash letters)]) (values letter name)))
+;; The table from values to keys.
+(define (inverse table) (for/hash ([(key value) (in-hash table)]) (values value key)))
+
+(define names (inverse letters))

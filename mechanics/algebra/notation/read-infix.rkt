@@ -71,14 +71,16 @@
         [else (list name left right)]))
 
 (define (read-sum in)
-  (define (next-term)
-    (define negative? (and (ahead? in 'minus) (take! in)))
-    (define t (read-term in))
-    (if negative? (negative t) t))
-  (let loop ([terms (list (next-term))])
+  (let loop ([terms (list (signed in read-term))])
     (cond [(ahead? in 'plus) (take! in) (loop (cons (read-term in) terms))]
-          [(ahead? in 'minus) (loop (cons (next-term) terms))]
+          [(ahead? in 'minus) (loop (cons (signed in read-term) terms))]
           [else (terms->datum (reverse terms))])))
+
+;; What `read` reads, or the negative of it behind a minus sign.
+(define (signed in read)
+  (define negative? (and (ahead? in 'minus) (take! in)))
+  (define d (read in))
+  (if negative? (negative d) d))
 
 (define (read-term in)
   (let loop ([t (read-product in)])
@@ -119,10 +121,7 @@
                (loop (make-rectangular 0 d))]
               [else d]))))
 
-(define (read-power in)
-  (define negative? (and (ahead? in 'minus) (take! in)))
-  (define d (read-primary in))
-  (if negative? (negative d) d))
+(define (read-power in) (signed in read-primary))
 
 (define (parenthesized in)
   (expect! in 'open)
@@ -132,11 +131,15 @@
 
 (define (read-arguments in)
   (expect! in 'open)
-  (if (ahead? in 'close)
-      (begin (take! in) '())
-      (let loop ([ds (list (read-relation in))])
-        (cond [(ahead? in 'comma) (take! in) (loop (cons (read-relation in) ds))]
-              [else (expect! in 'close) (reverse ds)]))))
+  (define ds (if (ahead? in 'close) '() (separated in 'comma read-relation)))
+  (expect! in 'close)
+  ds)
+
+;; What `read` reads once or more, with signs of that kind between.
+(define (separated in kind read)
+  (let loop ([ds (list (read in))])
+    (cond [(ahead? in kind) (take! in) (loop (cons (read in) ds))]
+          [else (reverse ds)])))
 
 (define (read-primary in)
   (case (kind-ahead in)
@@ -183,11 +186,8 @@
         [else how]))
 
 (define (read-matrix in)
-  (define (read-row)
-    (let loop ([ds (list (read-relation in))])
-      (cond [(ahead? in 'comma) (take! in) (loop (cons (read-relation in) ds))]
-            [else (cons 'list (reverse ds))])))
+  (define (read-row in) (cons 'list (separated in 'comma read-relation)))
   (expect! in 'bracket)
-  (let loop ([rows (list (read-row))])
-    (cond [(ahead? in 'semicolon) (take! in) (loop (cons (read-row) rows))]
-          [else (expect! in 'bracket-close) (cons 'matrix-by-rows (reverse rows))])))
+  (define rows (separated in 'semicolon read-row))
+  (expect! in 'bracket-close)
+  (cons 'matrix-by-rows rows))

@@ -6,6 +6,8 @@
 ;; The primes are Mersenne's: there is one above any bound that matters, and
 ;; nothing to search for.
 
+(require (only-in racket/vector vector-copy))
+
 (provide
  prime-above
  dense dense-degree dense-one?
@@ -30,15 +32,14 @@
 ;; Making and asking
 
 ;; A vector of integers reduced.
-(define (dense v P)
-  (trim (for/vector #:length (vector-length v) ([c (in-vector v)]) (modulo c P))))
+(define (dense v P) (dense-scale 1 v P))
 
 (define (trim v)
   (let loop ([n (vector-length v)])
     (cond [(eqv? n 0) #()]
           [(eqv? 0 (vector-ref v (- n 1))) (loop (- n 1))]
           [(eqv? n (vector-length v)) v]
-          [else (for/vector #:length n ([c (in-vector v 0 n)]) c)])))
+          [else (vector-copy v 0 n)])))
 
 (define (dense-degree p) (- (vector-length p) 1))
 (define (dense-leading p) (vector-ref p (dense-degree p)))
@@ -90,8 +91,7 @@
   (cond [(< k 0) (values #() p)]
         [else
          (define unit (inverse (dense-leading q) P))
-         (define rest (make-vector (vector-length p)))
-         (vector-copy! rest 0 p)
+         (define rest (vector-copy p))
          (define quotient (make-vector (+ k 1) 0))
          (for ([i (in-range k -1 -1)])
            (define c (modulo (* unit (vector-ref rest (+ i m))) P))

@@ -138,9 +138,8 @@
 
 ;; Fractions over one denominator are added first.
 (define (fraction-sum R fs)
-  (define (add f g) (fraction+ R f g))
   (define groups (group-by fraction-denominator-factors fs basis=?))
-  (sum-of-neighbours add
+  (sum-of-neighbours (lambda (f g) (fraction+ R f g))
                      (for/list ([group (in-list groups)]) (sum-group R group))
                      (fraction '() '())))
 

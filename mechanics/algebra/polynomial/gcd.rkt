@@ -33,12 +33,9 @@
 
 ;; The gcd of a list, small ones first.
 (define (poly-gcd* R ps)
-  (define sorted
-    (if (or (null? ps) (null? (cdr ps))) ps (sort ps < #:key length #:cache-keys? #t)))
-  (let loop ([g '()] [ps sorted])
-    (cond [(null? ps) g]
-          [(and (pair? g) (poly-constant? g)) g]
-          [else (loop (poly-gcd R g (car ps)) (cdr ps))])))
+  (for/fold ([g '()]) ([p (in-list (sort ps < #:key length #:cache-keys? #t))]
+                       #:break (and (pair? g) (poly-constant? g)))
+    (poly-gcd R g p)))
 
 ;; The gcd of the coefficients of p in variable i.
 (define (poly-content-in R p i)

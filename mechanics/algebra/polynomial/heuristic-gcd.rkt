@@ -35,7 +35,8 @@
 ;; gcd over the integers, contents included, as the digits tell it to bases
 ;; `growth` times as large as they need be.
 (define (guess R p q variables growth)
-  (cond [(or (null? p) (null? q)) (if (null? p) q p)]
+  (cond [(null? p) q]
+        [(null? q) p]
         [(null? variables)
          (poly-constant R (gcd (poly-constant-value p) (poly-constant-value q)))]
         [else

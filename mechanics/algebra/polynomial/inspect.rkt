@@ -146,15 +146,10 @@
 
 (define (poly-derivative R p i)
   (define unit (variable-unit R i))
-  (let loop ([p p])
-    (cond [(null? p) '()]
-          [else
-           (define m (leading-monomial p))
-           (define e (monomial-exponent R m i))
-           (if (eq? e 0)
-               (loop (cdr p))
-               (cons (make-term (monomial- m unit) (* e (leading-coefficient p)))
-                     (loop (cdr p))))])))
+  (for*/list ([t (in-list p)]
+              [e (in-value (monomial-exponent R (term-monomial t) i))]
+              #:unless (eq? e 0))
+    (make-term (monomial- (term-monomial t) unit) (* e (term-coefficient t)))))
 
 ;; p with the polynomial q in the place of variable i, by Horner's rule.
 (define (poly-substitute R p i q)

@@ -8,7 +8,8 @@
 ;;
 ;; A polynomial is the vector of its integer coefficients by ascending degree.
 
-(require "dense.rkt" "modular-factor.rkt" "modular.rkt" "recombination.rkt")
+(require (only-in racket/vector vector-copy)
+         "dense.rkt" "modular-factor.rkt" "modular.rkt" "recombination.rkt")
 
 (provide integer-factors square-free?)
 
@@ -72,8 +73,7 @@
 (define (divide f g)
   (define m (- (vector-length g) 1))
   (define k (- (vector-length f) 1 m))
-  (define rest (make-vector (vector-length f)))
-  (vector-copy! rest 0 f)
+  (define rest (vector-copy f))
   (define quotient (make-vector (+ k 1) 0))
   (and (for/and ([i (in-range k -1 -1)])
          (define c (/ (vector-ref rest (+ i m)) (leading g)))

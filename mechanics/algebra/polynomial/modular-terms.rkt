@@ -3,7 +3,7 @@
 ;; residues for coefficients.
 
 (require racket/fixnum
-         "arithmetic.rkt" "modular.rkt" "monomial.rkt" "ring.rkt" "term-list.rkt")
+         "arithmetic.rkt" "inspect.rkt" "modular.rkt" "monomial.rkt" "ring.rkt" "term-list.rkt")
 
 (provide terms-mod put-mod monomial-value)
 
@@ -16,19 +16,11 @@
 
 ;; p with the residue a for variable i.
 (define (put-mod R p i a P)
-  (define by-degree (make-hasheqv))
-  (for ([t (in-list p)])
-    (define e (monomial-exponent R (term-monomial t) i))
-    (hash-set! by-degree e (cons t (hash-ref by-degree e '()))))
-  (for/fold ([sum '()]) ([(e terms) (in-hash by-degree)])
-    (define power (mod-expt a e P))
-    (add-mod sum (strip terms (variable-power R i e) power P) P)))
+  (for/fold ([sum '()]) ([s (in-list (poly-coefficients R p i))])
+    (add-mod sum (scale-mod (mod-expt a (slice-degree s) P) (slice-coefficient s) P) P)))
 
-;; Terms in increasing order, divided by m and scaled, in decreasing order.
-(define (strip terms m scale P)
-  (for/fold ([result '()]) ([t (in-list terms)])
-    (cons (make-term (monomial- (term-monomial t) m) (mod* scale (term-coefficient t) P))
-          result)))
+(define (scale-mod c p P)
+  (for/list ([t (in-list p)]) (make-term (term-monomial t) (mod* c (term-coefficient t) P))))
 
 (define-sum (add-mod p q P) mod+)
 

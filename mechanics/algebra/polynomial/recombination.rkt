@@ -24,11 +24,10 @@
                (cons factor (loop rest others k))
                (loop p images (+ k 1)))])))
 
-;; -> a factor with k images, the quotient and the other images; or #f thrice
+;; -> a factor with k images, the quotient and the other images; or #f first
 (define (first-factor p images k split)
-  (let try ([choices (combinations images k)])
-    (cond [(null? choices) (values #f #f #f)]
-          [else
-           (define others (remq* (car choices) images))
-           (define-values (factor rest) (split p (car choices) others))
-           (if factor (values factor rest others) (try (cdr choices)))])))
+  (for/fold ([factor #f] [rest #f] [others #f])
+            ([chosen (in-list (combinations images k))] #:break factor)
+    (define others (remq* chosen images))
+    (define-values (factor rest) (split p chosen others))
+    (values factor rest others)))

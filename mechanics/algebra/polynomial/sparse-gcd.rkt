@@ -165,7 +165,9 @@
   (define points
     (for/list ([j (in-range degree)])
       (sample-residue (+ 1000 (problem-seed k)) (+ j (* 64 y)) P)))
-  (define images (map-or-false coefficients-at points))
+  (define images
+    (let/ec return
+      (for/list ([y (in-list points)]) (or (coefficients-at y) (return #f)))))
   (and images
        (interpolate (problem-ring k) y (skeleton-terms s) (cons alpha points)
                     (cons (map term-coefficient (skeleton-terms s)) images)
@@ -192,14 +194,7 @@
     (fxvector-set! point i (sample-residue (+ 500 (problem-seed k)) i P)))
   point)
 
-;; Like map; #f as soon as f gives #f.
-(define (map-or-false f xs)
-  (if (null? xs)
-      '()
-      (let ([y (f (car xs))])
-        (and y
-             (let ([ys (map-or-false f (cdr xs))])
-               (and ys (cons y ys)))))))
+
 
 ;; Newton's interpolation in y of every coefficient.
 ;; images : one a point, lists of coefficients in the order of the terms

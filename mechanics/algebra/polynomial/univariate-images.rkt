@@ -37,10 +37,7 @@
            P)))
 
 (define (sample-point R seed P)
-  (define point (make-fxvector (ring-size R)))
-  (for ([i (in-range (ring-size R))])
-    (fxvector-set! point i (sample-residue seed i P)))
-  point)
+  (for/fxvector #:length (ring-size R) ([i (in-range (ring-size R))]) (sample-residue seed i P)))
 
 ;; Images whose leading coefficients both vanished prove nothing.
 (define (bound a a-top b b-top P)
@@ -83,10 +80,8 @@
 ;; No variable has a degree above the total one.
 (define (blank-images R p variables)
   (define size (+ 1 (monomial-degree R (leading-monomial p))))
-  (define images (make-vector (ring-size R) #f))
-  (for ([i (in-list variables)])
-    (vector-set! images i (make-fxvector size 0)))
-  images)
+  (for/vector #:length (ring-size R) ([i (in-range (ring-size R))])
+    (and (memv i variables) (make-fxvector size 0))))
 
 (define (add-at! image e value P)
   (fxvector-set! image e (mod+ (fxvector-ref image e) value P)))

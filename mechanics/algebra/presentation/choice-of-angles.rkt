@@ -22,19 +22,20 @@
                      (lambda (o) (field-doubled? F o))))
   (define circular (occurring-circles F p 1))
   (define hyperbolic (occurring-circles F p -1))
-  (cond [(null? hyperbolic)
-         (if (null? circular) usual (spell-in-waves F p usual circular))]
-        [(null? circular) (spell-in-waves F p usual hyperbolic)]
-        [else usual]))  ; groups that agree outside one kind may not be equal
+  (if (eq? (null? circular) (null? hyperbolic))
+      usual             ; with both, groups that agree outside one kind may not be equal
+      (spell-in-waves F p usual (append circular hyperbolic))))
 
 ;; ---------------------------------------------------------------------------
 ;; Groups of summands that agree outside the circles
 
 (define (spell-in-waves F p spelled circles)
-  (define outside (if (eqv? 1 (circle-sign (car circles))) not-circular not-hyperbolic))
+  (define inside?
+    (if (eqv? 1 (circle-sign (car circles))) circular-kernel? hyperbolic-kernel?))
   ;; the same for summands that agree outside
   (define (key s)
-    (sort (for/list ([p (in-list (cdr s))] #:when (outside p)) (cons (kernel-rank (car p)) (cdr p)))
+    (sort (for/list ([p (in-list (cdr s))] #:unless (inside? (car p)))
+            (cons (kernel-rank (car p)) (cdr p)))
           < #:key car))
   (define groups (group-in-order key spelled))
   (cond [(andmap lone? groups) spelled]
@@ -50,8 +51,7 @@
 
 (define (lone? group) (null? (cdr group)))
 
-(define (not-circular p) (not (circular-kernel? (car p))))
-(define (not-hyperbolic p) (not (hyperbolic-kernel? (car p))))
+
 
 ;; ---------------------------------------------------------------------------
 ;; One group

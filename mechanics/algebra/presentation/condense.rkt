@@ -67,12 +67,12 @@
   (define (welcome? usual product core)
     (if (symbols-times-sum? product) (shorter? usual product) (smaller? F usual product)))
   (define (welcome-in-residual? usual product core)
-    (cond [(>= (term-derivative product) 2) (shorter? usual product)]
-          [(or (>= (term-derivative product) 1)
-               (ormap divided? usual)
-               (andmap without-circles? core))
-           (smaller? F usual product)]
-          [else #f]))
+    (if (>= (term-derivative product) 2)
+        (shorter? usual product)
+        (and (or (>= (term-derivative product) 1)
+                 (ormap divided? usual)
+                 (andmap without-circles? core))
+             (smaller? F usual product))))
   (if (residual? terms)
       (group-by-factors (collected terms) residual-weight ->term/collected welcome-in-residual?)
       (group-by-factors (collected terms) heavy-size ->term/collected welcome?)))
@@ -86,8 +86,7 @@
 (define (symbols-times-sum? t)
   (define others
     (filter-not (lambda (p) (symbol? (kernel-expression (car p)))) (term-powers t)))
-  (and (not (divided? t))
-       (pair? others) (null? (cdr others)) (sum-kernel? (caar others))))
+  (and (not (divided? t)) (= 1 (length others)) (sum-kernel? (caar others))))
 
 (define (divided? t)
   (for/or ([p (in-list (term-powers t))]) (negative? (cdr p))))
@@ -104,8 +103,8 @@
 
 ;; The order of the highest derivative among the factors.
 (define (term-derivative t)
-  (for/fold ([order 0]) ([p (in-list (term-powers t))])
-    (max order (derivative-order (kernel-expression (car p))))))
+  (apply max 0 (for/list ([p (in-list (term-powers t))])
+                 (derivative-order (kernel-expression (car p))))))
 
 (define (residual-weight k e)
   (if (or (circular-kernel? k)
@@ -157,13 +156,10 @@
 
 ;; A positive constant comes first, what is divided by sums last.
 (define (in-order terms)
-  (define sorted (term-sort terms))
-  (define (constant? t) (and (null? (term-powers t)) (positive? (term-coefficient t))))
   (define (divided-by-sum? t)
     (for/or ([p (in-list (term-powers t))]) (and (negative? (cdr p)) (sum-kernel? (car p)))))
-  (append (filter constant? sorted)
-          (filter-not (lambda (t) (or (constant? t) (divided-by-sum? t))) sorted)
-          (filter divided-by-sum? sorted)))
+  (define-values (last-ones others) (partition divided-by-sum? (constant-first terms)))
+  (append others last-ones))
 
 ;; ---------------------------------------------------------------------------
 ;; Signs

@@ -48,7 +48,7 @@
   (let loop ([s (stage terms turns)])
     (define merges (find-merges s width combine double?))
     (if (null? merges)
-        (decode F s rests width)
+        (decode s rests width)
         (loop (apply-merges s merges width)))))
 
 (define (squared? F p o)
@@ -100,7 +100,7 @@
     (vector-set! rests number (kernel-powers F (monomial-factors R m))))
   (values terms rests))
 
-(define (decode F s rests width)
+(define (decode s rests width)
   (define turns (stage-turns s))
   (define shift (* 2 width (length turns)))
   (for/list ([t (in-list (stage-terms s))])
@@ -163,11 +163,7 @@
   (define rest (- key (if cosine? (turn-cosine a) (turn-sine a)) (turn-cosine b)))
   (define partner (+ rest (if cosine? (turn-sine a) (turn-cosine a)) (turn-sine b)))
   (define y (hash-ref table partner #f))
-  (define alike
-    (cond [(not y) #f]
-          [(= x y) 1]
-          [(= x (- y)) -1]
-          [else #f]))
+  (define alike (and y (= (abs x) (abs y)) (if (= x y) 1 -1)))
   (and alike
        (let ([sum (combine (turn-circle a) (turn-circle b) (if cosine? (- alike) alike))])
          (merge (list key partner) rest
@@ -180,20 +176,20 @@
   (for/or ([f (in-list factors)])
     (define t (car f))
     (or (and (> (cddr f) 1)
-             (square-of key x (turn-cosine t) -1/2 t table combine))
+             (square-of key x (turn-cosine t) t table combine))
         (and (> (cadr f) 1)
-             (square-of key x (turn-sine t) -1/2 t table combine))
+             (square-of key x (turn-sine t) t table combine))
         (and (sine? f) (cosine? f)
              (double? (turn-circle t))
              (let ([sum (combine (turn-circle t) (turn-circle t) 1)])
                (merge (list key) (- key (turn-sine t) (turn-cosine t))
                       (* 1/2 x (cdr sum)) 'sine (car sum)))))))
 
-(define (square-of key x unit ratio t table combine)
+(define (square-of key x unit t table combine)
   (define rest (- key (* 2 unit)))
   (define y (hash-ref table rest #f))
   (and y
-       (= y (* ratio x))
+       (= y (* -1/2 x))
        (let ([sum (combine (turn-circle t) (turn-circle t) 1)])
          (merge (list key rest) rest
                 (if (eqv? unit (turn-cosine t)) (- y) y)

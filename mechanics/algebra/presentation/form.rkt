@@ -141,7 +141,7 @@
         [(null? (cdr forms)) (car forms)]
         [else
          (define difference (difference? forms))
-         (form (for/fold ([size (if difference 0 1)]) ([f (in-list forms)]) (+ size (form-size f)))
+         (form (+ (if difference 0 1) (sizes forms))
                1
                (lambda (sign) (signed sign (if difference (subtract forms) (add forms)))))]))
 
@@ -155,14 +155,11 @@
        (not (eqv? (form-sign (car forms)) (form-sign (cadr forms))))))
 
 (define (subtract forms)
-  (define-values (positive negative)
-    (if (eqv? 1 (form-sign (car forms)))
-        (values (car forms) (cadr forms))
-        (values (cadr forms) (car forms))))
-  (make-node op:- (list ((form-build positive) 1) ((form-build negative) 1))))
+  (define ordered (if (eqv? 1 (form-sign (car forms))) forms (reverse forms)))
+  (make-node op:- (for/list ([f (in-list ordered)]) ((form-build f) 1))))
 
 (define (add forms)
-  (define first-positive (for/first ([f (in-list forms)] #:when (eqv? 1 (form-sign f))) f))
+  (define first-positive (findf (lambda (f) (eqv? 1 (form-sign f))) forms))
   (define ordered
     (if first-positive (cons first-positive (remq first-positive forms)) forms))
   (make-node op:+ (map form-expression ordered)))

@@ -18,7 +18,7 @@
          "../kernel/exponentials.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 
-(provide present present-poly linear-terms)
+(provide present present-poly poly->terms linear-terms)
 
 ;; Much may be multiplied out that was not before.
 (define (present F f) (with-room F f present-here))
@@ -68,7 +68,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Pieces as terms
 
-;; write : as spell does, or summands
+;; write : as spell does, or summands, which leave angles as they are
 (define (poly->terms F p [write spell])
   (for/list ([t (in-list (write F p))]) (make-term (car t) (cdr t))))
 

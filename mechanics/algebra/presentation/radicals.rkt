@@ -47,20 +47,16 @@
 ;; of them perhaps; #f where it is no such product.
 (define (radicand-factors e)
   (define factors
-    (if (headed? e op:sqrt) (product-factors (car (node-args e)) 1) '()))
+    (if (headed? e op:sqrt)
+        (filter-not (lambda (f) (eqv? 1 (car f)))
+                    (signed-operands (car (node-args e)) op:* op:/))
+        '()))
   (and (pair? factors)
        (andmap (lambda (f) (or (symbolic? (car f)) (exact-positive-integer? (car f)))) factors)
        (not (ormap (lambda (f) (headed? (car f) op:expt)) factors))
        factors))
 
-(define (product-factors e sign)
-  (cond [(headed? e op:*)
-         (append-map (lambda (a) (product-factors a sign)) (node-args e))]
-        [(headed? e op:/)
-         (append (product-factors (car (node-args e)) sign)
-                 (product-factors (cadr (node-args e)) (- sign)))]
-        [(eqv? e 1) '()]
-        [else (list (cons e sign))]))
+
 
 ;; ---------------------------------------------------------------------------
 ;; Gathering

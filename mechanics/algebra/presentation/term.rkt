@@ -10,7 +10,7 @@
          "../expression/exact-numbers.rkt" "../expression/order.rkt"
          "../kernel/exponentials.rkt" "../kernel/kernel.rkt")
 
-(provide (struct-out term) make-term term-sort group-in-order in-tails
+(provide (struct-out term) make-term term-sort constant-first group-in-order in-tails
          collect-powers combine-powers multiply-powers divide-powers invert-powers
          scale-terms multiply-terms extract-content common-powers nearer-to-zero
          exponential-power? has-exponential?
@@ -47,7 +47,13 @@
           [else (< (compare (car b) (car a)) 0)]))
   (sort terms before? #:key key #:cache-keys? #t))
 
-(define (exponential-power? p) (exponential? (kernel-relation (car p))))
+;; The terms in order, but a positive constant comes first.
+(define (constant-first terms)
+  (define (constant? t) (and (null? (term-powers t)) (positive? (term-coefficient t))))
+  (define-values (constants others) (partition constant? (term-sort terms)))
+  (append constants others))
+
+(define (exponential-power? p) (exponential-kernel? (car p)))
 (define (has-exponential? t) (ormap exponential-power? (term-powers t)))
 
 (define (powers<? as bs)
@@ -139,7 +145,7 @@
 (define (common-powers as bs shared?)
   (define same? (equal? (filter exponential-power? as) (filter exponential-power? bs)))
   (define (lesser k m n)
-    (cond [(exponential? (kernel-relation k)) (if same? m 0)]
+    (cond [(exponential-kernel? k) (if same? m 0)]
           [shared? (nearer-to-zero m n)]
           [else (min m n)]))
   (combine-powers lesser as bs))

@@ -152,7 +152,7 @@
   (define right (without as bs))
   (define shared (reverse (without left as)))
   (define (nothing-but f) (cons 'cosine (map (lambda (k) 0) (cdr f))))
-  (define (one? fs) (and (pair? fs) (null? (cdr fs))))
+  (define (one? fs) (= 1 (length fs)))
   (cond [(and (one? left) (one? right)) (values shared (car left) (car right))]
         [(and (one? left) (null? right)) (values shared (car left) (nothing-but (car left)))]
         [(and (null? left) (one? right)) (values shared (nothing-but (car right)) (car right))]
@@ -180,11 +180,11 @@
 
 ;; The sine of twice a sum is a product: its factors may be met elsewhere.
 (define (halve-angle w)
-  (define f (and (pair? (wave-factors w)) (null? (cdr (wave-factors w))) (car (wave-factors w))))
+  (define f (and (= 1 (length (wave-factors w))) (car (wave-factors w))))
   (define multiples (if f (cdr f) '()))
   (cond [(and f
               (eq? (car f) 'sine)
-              (pair? (cdr (filter (lambda (k) (not (eqv? k 0))) multiples)))
+              (pair? (cdr (remv* '(0) multiples)))
               (eqv? 2 (apply gcd multiples)))
          (define half (map (lambda (k) (quotient k 2)) multiples))
          (wave (* 2 (wave-amplitude w)) (list (cons 'sine half) (cons 'cosine half)))]
@@ -212,4 +212,4 @@
   (define terms
     (for/list ([k (in-list multiples)] [o (in-list circles)] #:unless (eqv? k 0))
       (+ (expression-size (circle-expression o)) (if (eqv? 1 (abs k)) 0 2))))
-  (if (or (null? terms) (null? (cdr terms))) (apply + terms) (+ 1 (apply + terms))))
+  (+ (apply + terms) (if (> (length terms) 1) 1 0)))

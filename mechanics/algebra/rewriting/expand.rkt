@@ -12,7 +12,8 @@
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../field/field.rkt"
          "../polynomial/fraction.rkt"
-         "../presentation/form.rkt" "../presentation/fraction-pieces.rkt" "../presentation/term.rkt"
+         "../presentation/form.rkt" "../presentation/fraction-pieces.rkt"
+         "../presentation/present.rkt" "../presentation/term.rkt"
          "../simplify/simplify-expression.rkt")
 
 (provide expand-expression)
@@ -31,31 +32,27 @@
   (define-values (_whole _by-roots pieces) (fraction->piece-lists F f))
   (define-values (whole others) (partition (lambda (p) (null? (piece-factors p))) pieces))
   (define terms (append-map (lambda (p) (piece-terms F p)) whole))
-  (sum-form (append (for/list ([t (in-list (in-order terms))]) (term-form t (field-inexact? F)))
+  (sum-form (append (for/list ([t (in-list (constant-first terms))])
+                      (term-form t (field-inexact? F)))
                     (append-map (lambda (p) (quotient-forms F p)) others))))
 
 (define (piece-terms F p)
-  (multiply-terms (polynomial-terms F (piece-numerator p)) (collect-powers (piece-powers p))))
+  (multiply-terms (poly->terms F (piece-numerator p) summands) (collect-powers (piece-powers p))))
 
-;; A positive constant comes first.
-(define (in-order terms)
-  (define sorted (term-sort terms))
-  (define constant
-    (findf (lambda (t) (and (null? (term-powers t)) (positive? (term-coefficient t)))) sorted))
-  (if constant (cons constant (remq constant sorted)) sorted))
+
 
 (define (quotient-forms F p)
   (define divisors
     (for/list ([h (in-list (piece-factors p))])
       (cons (expanded-form F (fraction-from-poly (field-ring F) (car h))) (cdr h))))
-  (for/list ([t (in-list (in-order (piece-terms F p)))])
+  (for/list ([t (in-list (constant-first (piece-terms F p)))])
     (product-form (term-coefficient t) (term-powers t) '() divisors (field-inexact? F))))
 
 ;; ---------------------------------------------------------------------------
 ;; Veils
 
 (define veils
-  (for/list ([op (in-list (append (operations-where circular) (operations-where hyperbolic)))])
+  (for/list ([op (in-list functions-of-angles)])
     (cons op (make-literal-head (string->uninterned-symbol (symbol->string (operation-name op)))))))
 
 ;; -> e with veiled functions, their arguments and those of roots simplified, and
@@ -82,8 +79,7 @@
   (values veiled assumptions))
 
 (define (unveil e)
-  (define (operation head)
-    (for/first ([v (in-list veils)] #:when (eq? (cdr v) head)) (car v)))
   (node-fold e values
              (lambda (n args)
-               (make-node (or (operation (node-head n)) (node-head n)) args))))
+               (define veil (findf (lambda (v) (eq? (cdr v) (node-head n))) veils))
+               (make-node (if veil (car veil) (node-head n)) args))))

@@ -6,7 +6,8 @@
 ;; (cosh u - 1)(cosh u + 1) is sinh²u.  Factors have their first term positive;
 ;; a minus sign that is left goes into a difference if there is one.
 
-(require "together.rkt"
+(require racket/list
+         "together.rkt"
          (only-in "../assumption/assumption-set.rkt" no-assumptions)
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../field/field.rkt"
@@ -66,17 +67,15 @@
        q))
 
 (define (scaled product c)
-  (factors (* c (factors-number product)) (factors-powers product) (factors-polynomials product)))
+  (struct-copy factors product [number (* c (factors-number product))]))
 
 (define (multiply-factor F product h e)
-  (define term (and (eqv? 1 (poly-term-count h)) (car (polynomial-terms F h))))
+  (define term (and (eqv? 1 (poly-term-count h)) (car (poly->terms F h summands))))
   (if term
-      (factors (factors-number product)
-               (multiply-powers (factors-powers product) (raise-powers (term-powers term) e))
-               (factors-polynomials product))
-      (factors (factors-number product)
-               (factors-powers product)
-               (append (factors-polynomials product) (list (cons h e))))))
+      (struct-copy factors product
+        [powers (multiply-powers (factors-powers product) (raise-powers (term-powers term) e))])
+      (struct-copy factors product
+        [polynomials (append (factors-polynomials product) (list (cons h e)))])))
 
 (define (raise-powers powers e)
   (for/list ([p (in-list powers)]) (cons (car p) (* e (cdr p)))))
@@ -122,9 +121,8 @@
       (flip F product h)))
   (define difference
     (and (negative? (factors-number positive))
-         (for/first ([h (in-list (factors-polynomials positive))]
-                     #:when (and (odd? (cdr h)) (mixed? F (car h))))
-           h)))
+         (findf (lambda (h) (and (odd? (cdr h)) (mixed? F (car h))))
+                (factors-polynomials positive))))
   (if difference (flip F positive difference) positive))
 
 ;; The factor replaced by its opposite.
@@ -143,14 +141,13 @@
 ;; Writing
 
 (define (written F product)
-  (define (show h)
-    (expression->form
-     (let ([e (present-poly F (car h))])
-       (if (eqv? 1 (cdr h)) e (make-node op:expt (list e (cdr h)))))))
+  (define (show p e)
+    (define x (present-poly F p))
+    (expression->form (if (eqv? 1 e) x (make-node op:expt (list x e)))))
   (define-values (above below)
-    (for/fold ([above '()] [below '()] #:result (values (reverse above) (reverse below)))
-              ([h (in-list (factors-polynomials product))])
-      (if (positive? (cdr h))
-          (values (cons (show h) above) below)
-          (values above (cons (cons (show (cons (car h) 1)) (- (cdr h))) below)))))
-  (product-form (factors-number product) (factors-powers product) above below (field-inexact? F)))
+    (partition (lambda (h) (positive? (cdr h))) (factors-polynomials product)))
+  (product-form (factors-number product)
+                (factors-powers product)
+                (for/list ([h (in-list above)]) (show (car h) (cdr h)))
+                (for/list ([h (in-list below)]) (cons (show (car h) 1) (- (cdr h))))
+                (field-inexact? F)))

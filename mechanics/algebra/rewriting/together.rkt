@@ -18,8 +18,7 @@
          "../simplify/simplify-expression.rkt")
 
 (provide together-expression numerator-and-denominator
-         quotient-expression expression->form flatten-products polynomial-terms
-         terms-as-presented)
+         quotient-expression expression->form flatten-products terms-as-presented)
 
 ;; -> expression and assumptions
 (define (together-expression e [A no-assumptions])
@@ -81,9 +80,7 @@
 ;; ((number . expression) ...)
 (define (terms-as-presented F p) (linear-terms F (fraction-from-poly (field-ring F) p)))
 
-;; The terms of a polynomial, angles left as they are.
-(define (polynomial-terms F p)
-  (for/list ([s (in-list (summands F p))]) (make-term (car s) (cdr s))))
+
 
 ;; ---------------------------------------------------------------------------
 ;; Expressions as forms

@@ -28,10 +28,9 @@
 (define (align e s involved? alone)
   (define (align-all es) (node-args (align (make-node op:+ es) s involved? alone)))
   (define arguments (involved-arguments e involved?))
-  (cond [(or (null? arguments) (null? (cdr arguments))) e]
-        [else
-         (define table (spellings arguments (align-all arguments) s alone))
-         (if table (respell e table) e)]))
+  (define table
+    (and (> (length arguments) 1) (spellings arguments (align-all arguments) s alone)))
+  (if table (respell e table) e))
 
 (define (least-expression es)
   (for/fold ([best (car es)]) ([e (in-list (cdr es))])
@@ -40,9 +39,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Arguments
 
-(define by-parts
-  (append (list op:exp op:log op:sqrt op:expt op:abs)
-          (operations-where circular) (operations-where hyperbolic)))
+(define by-parts (append (list op:exp op:log op:sqrt op:expt op:abs) functions-of-angles))
 
 ;; A node whose operands are no arguments.
 (define (transparent? n) (or (arithmetic-node? n) (memq (node-head n) (list op:up op:down))))
@@ -54,8 +51,7 @@
   (let visit ([e e] [argument? #f])
     (cond [(not (node? e)) (void)]
           [(and argument? (not (memq (node-head e) (list op:up op:down))))
-           (when (and (involved? e) (not (hash-ref met e #f)))
-             (hash-set! met e (hash-count met)))]
+           (when (involved? e) (hash-ref! met e (lambda () (hash-count met))))]
           [(not (hash-ref seen e #f))
            (hash-set! seen e #t)
            (for ([a (in-list (node-args e))])
@@ -86,9 +82,7 @@
           [else (table a parts?)]))
   (walk e))
 
-(define (rebuilt n f)
-  (define args (map f (node-args n)))
-  (if (andmap eq? args (node-args n)) n (make-node (node-head n) args)))
+(define (rebuilt n f) (with-operands n (map f (node-args n))))
 
 ;; ---------------------------------------------------------------------------
 ;; Spellings
@@ -122,7 +116,7 @@
 (define (comparable? atlas own)
   (define known (kernel-expressions (atlas-kernels atlas)))
   (define tower (atlas-tower atlas))
-  (and (or (null? tower) (null? (cdr tower)))
+  (and (<= (length tower) 1)
        (for*/and ([kernels (in-list own)] [k (in-vector kernels)])
          (hash-ref known (kernel-expression k) #f))))
 

@@ -5,7 +5,8 @@
 ;; set: with x > 0, |x| - 1 becomes x - 1.  So relations that simplify to something
 ;; else in the new set are added in that form too.
 
-(require "domain-question.rkt" "simplify-expression.rkt"
+(require racket/list
+         "domain-question.rkt" "simplify-expression.rkt"
          "../assumption/assumption-set.rkt" "../assumption/emptiness.rkt"
          "../assumption/narrowing.rkt"
          "../assumption/relation.rkt")
@@ -39,9 +40,7 @@
 
 ;; The datums of the relations, each once, in the order of declaration.
 (define (declared-relations A)
-  (for/fold ([data '()] #:result (reverse data)) ([r (in-list (assumptions-relations A))])
-    (define d (relation-datum r))
-    (if (member d data) data (cons d data))))
+  (remove-duplicates (map relation-datum (assumptions-relations A))))
 
 ;; The set without those of these datums; what they implied is gone.
 (define (without-relations A data)

@@ -21,7 +21,7 @@
 ;; p : polynomial over F -> square, or #f
 (define (as-square F p)
   (define variables (poly-variables (field-ring F) p))
-  (define c (and (pair? variables) (null? (cdr variables)) (squared-number F (car variables))))
+  (define c (and (= 1 (length variables)) (squared-number F (car variables))))
   (define coefficients (and c (line F p (car variables))))
   (and coefficients (sum-of-roots (first coefficients) (second coefficients) c)))
 
@@ -29,12 +29,13 @@
 (define (squared-number F i)
   (define r (relation-of F i))
   (define u (and r (eqv? 2 (relation-degree r)) (relation-radicand r)))
-  (and u
-       (root? (kernel-relation (field-kernel F i)))
-       (fraction-polynomial? u)
-       (poly-constant? (fraction-numerator u))
-       (positive? (poly-constant-value (fraction-numerator u)))
-       (poly-constant-value (fraction-numerator u))))
+  (define c
+    (and u
+         (root? (kernel-relation (field-kernel F i)))
+         (fraction-polynomial? u)
+         (poly-constant? (fraction-numerator u))
+         (poly-constant-value (fraction-numerator u))))
+  (and c (positive? c) c))
 
 ;; (a b) if p is a + b x with a ≠ 0
 (define (line F p i)

@@ -75,7 +75,7 @@
     (and (integer? e) (odd? e) (not (decided-sign s (present-poly F (car g))))))
   (define-values (group others) (partition open? factors))
   (define sign
-    (and (pair? group) (pair? (cdr group))
+    (and (> (length group) 1)
          (decided-sign s (present F (fraction-product (field-ring F)
                                                       (for/list ([g (in-list group)])
                                                         (cons (car g) 1)))))))
@@ -145,12 +145,9 @@
 
 ;; -> the factors that are roots or exponentials, as ((root . integer) ...), and the others
 (define (partition-roots F factors real?)
-  (for/fold ([roots '()] [others '()] #:result (values (reverse roots) (reverse others)))
-            ([g (in-list factors)])
-    (define r (and (real? (car g)) (lone-root F (car g))))
-    (if r
-        (values (cons (cons r (cdr g)) roots) others)
-        (values roots (cons g others)))))
+  (define (root-of g) (and (real? (car g)) (lone-root F (car g))))
+  (define-values (roots others) (partition root-of factors))
+  (values (for/list ([g (in-list roots)]) (cons (root-of g) (cdr g))) others))
 
 ;; (radicand . exponent) for the root raised to the exponent e.
 (define (lower-root r e)
@@ -162,7 +159,7 @@
 (define (lone-root F p)
   (define variables (poly-variables (field-ring F) p))
   (define r
-    (and (null? (cdr p)) (pair? variables) (null? (cdr variables))
+    (and (null? (cdr p)) (= 1 (length variables))
          (kernel-relation (field-kernel F (car variables)))))
   (and (or (exponential? r)
            (and (root? r) (not (eqv? (root-radicand r) -1))))

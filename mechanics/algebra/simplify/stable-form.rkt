@@ -86,6 +86,4 @@
         [else (or (factor? e) (exact-expression? e))]))
 
 (define (exact-expression? e)
-  (node-fold e
-             (lambda (leaf) (or (symbol? leaf) (exact? leaf)))
-             (lambda (n exact?s) (andmap values exact?s))))
+  (all-leaves? (lambda (leaf) (or (symbol? leaf) (exact? leaf))) e))

@@ -11,7 +11,7 @@
 
 (define (angle-roots f x A)
   (define angles (angles-of f x))
-  (define u (and (pair? angles) (null? (cdr angles)) (car angles)))
+  (define u (and (= 1 (length angles)) (car angles)))
   (define ab (and u (line u x A)))
   (define coefficients (and ab (wave-coefficients f x u A)))
   (define solutions (and coefficients (angles-where coefficients A)))
@@ -103,8 +103,7 @@
 
 ;; The two of a sine or cosine x, that are one at the ends.
 (define (either x a b)
-  (cond [(not (real? x)) (list a b)]
-        [(< -1 x 1) (list a b)]
+  (cond [(or (not (real? x)) (< -1 x 1)) (list a b)]
         [(= 1 (abs x)) (list a)]
         [else '()]))
 (define (bound-on x) (if (real? x) '() (list (list '<= -1 x 1))))

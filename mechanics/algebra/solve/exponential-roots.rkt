@@ -41,17 +41,13 @@
 
 ;; The one of which all others are multiples by whole numbers, or #f
 (define (simplest-exponent us A)
-  (for/first ([u (in-list us)]
-              #:when (for/and ([v (in-list us)])
-                       (exact-integer? (simplify-expression (e:/ v u) A))))
-    u))
+  (define (divides-all? u)
+    (for/and ([v (in-list us)]) (exact-integer? (simplify-expression (e:/ v u) A))))
+  (findf divides-all? us))
 
 ;; The numerator of what has powers of y below 0, but for powers of y
 (define (without-divisor e y A)
-  (define factors (expression-factors e A))
-  (for/fold ([product 1]) ([f (in-list factors)] #:when (positive? (cdr f))
-                                                 #:unless (eq? (car f) y))
-    (e:* product (car f))))
+  (rebuild op:* (remq* (list y) (vanishing-factors e A))))
 
 ;; x where e^(a x + b) is the root found; none where that is not positive
 (define (logarithm-root r ab x A)

@@ -27,7 +27,7 @@
 ;; that is left out may be anything; #f if one of the equations cannot be solved.
 ;; A condition is (<= -1 e 1) or (>= e 0); solutions without come first.
 (define (solve-equations equations unknowns A)
-  (define flonums? (ormap flonum-in? equations))
+  (define flonums? (ormap (lambda (e) (some-leaf? flonum? e)) equations))
   (let/ec return
     (unconditional-first
      (let solve ([equations equations] [found '()] [conditions '()])
@@ -68,14 +68,11 @@
                   (exponential-roots f (car xs) A))]))
 
 (define (open-equations equations A)
-  (for*/list ([e (in-list equations)] [s (in-value (simplify-expression e A))]
-                                      #:unless (eqv? s 0))
-    s))
+  (remv* '(0) (for/list ([e (in-list equations)]) (simplify-expression e A))))
 
 ;; The equation with the fewest unknowns.
 (define (simplest equations involved)
-  (for/fold ([best (car equations)]) ([e (in-list (cdr equations))])
-    (if (< (length (involved e)) (length (involved best))) e best)))
+  (argmin (lambda (e) (length (involved e))) equations))
 
 (define (replaced equations r)
   (define replacements (cons (cons (root-x r) (root-value r)) (root-waves r)))
@@ -98,8 +95,7 @@
 ;; Is e a rational multiple of π?
 (define (pi-turns? e) (and (symbolic? e) (number? (simplify-expression (e:/ e exact-pi)))))
 
-(define (flonum-in? e)
-  (node-fold e flonum? (lambda (n found) (ormap values found))))
+
 
 ;; Each once.
 (define (unconditional-first solutions)

@@ -10,7 +10,7 @@
 ;; "zero within rounding".
 
 (require "../ball/ball-tape.rkt"
-         "../expression/operation.rkt" "../expression/pi.rkt"
+         "../expression/exact-numbers.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../../numeric/constants.rkt" "../../numeric/finite-number.rkt")
 
 (provide approximate-tape)
@@ -51,10 +51,7 @@
          (define y (exact->inexact x))
          (cons y (+ bound (* epsilon (magnitude y))))]))
 
-(define (bits x)
-  (if (real? x)
-      (+ (integer-length (numerator x)) (integer-length (denominator x)))
-      (+ (bits (real-part x)) (bits (imag-part x)))))
+(define (bits x) (+ (rational-bits (real-part x)) (rational-bits (imag-part x))))
 
 ;; ---------------------------------------------------------------------------
 

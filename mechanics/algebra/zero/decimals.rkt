@@ -62,7 +62,7 @@
 
 ;; -> an exact expression, or #f
 (define (read-decimal x)
-  (cond [(not (and (real? x) (rational? x))) #f]
+  (cond [(not (rational? x)) #f]
         [(negative? x)
          (define e (read-decimal (- x)))
          (and e (e:negate e))]

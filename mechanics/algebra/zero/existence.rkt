@@ -31,11 +31,11 @@
   (for/and ([e (in-vector (tape-items t))] [ks (in-vector (tape-operands t))] [k (in-naturals)])
     (define (positive-operand? k) (vector-ref positive k))
     (vector-set! positive k
-                 (cond [(number? e) (and (real? e) (rational? e) (positive? e))]
+                 (cond [(number? e) (and (rational? e) (positive? e))]
                        [(or (symbol? e) (unknown? e)) #t]
                        [else (and (memq (node-head e) keep-positive)
                                   (andmap positive-operand? ks))]))
-    (cond [(number? e) (and (real? e) (rational? e))]
+    (cond [(number? e) (rational? e)]
           [(or (symbol? e) (total? e)) #t]
           [(eq? (node-head e) op:/) (positive-operand? (cadr ks))]
           [(memq (node-head e) (list op:sqrt op:log op:expt)) (positive-operand? (car ks))]

@@ -13,7 +13,7 @@
 ;; -> equations, '() if it cannot be solved, #f if there is no zero
 (define (places-of f unknowns A)
   (define xs (filter (lambda (x) (occurs? x f)) unknowns))
-  (define x (and (pair? xs) (null? (cdr xs)) (car xs)))
+  (define x (and (= 1 (length xs)) (car xs)))
   (cond [(not (and x (< (expression-size f) longest) (not (within-unknown? x f)))) '()]
         [else
          (define solutions (solve-equations (list (turns f)) (list x) A))
@@ -43,15 +43,16 @@
        (not (occurs? 'n f))))
 
 ;; Is x within the argument of a function that satisfies the predicate of heads?
-(define ((within-head? head?) x e)
-  (node-fold e
-             (lambda (leaf) (if (eq? leaf x) 'bare #f))
-             (lambda (n parts)
-               (cond [(memq 'within parts) 'within]
-                     [(and (memq 'bare parts) (head? (node-head n))) 'within]
-                     [(memq 'bare parts) 'bare]
-                     [else #f]))))
+(define (within-head? head? x e)
+  (define place
+    (node-fold e
+               (lambda (leaf) (and (eq? leaf x) 'bare))
+               (lambda (n parts)
+                 (cond [(memq 'within parts) 'within]
+                       [(not (memq 'bare parts)) #f]
+                       [(head? (node-head n)) 'within]
+                       [else 'bare]))))
+  (eq? place 'within))
 
-(define (within-unknown? x e) (eq? 'within ((within-head? literal-head?) x e)))
-(define (trigonometric? x e)
-  (eq? 'within ((within-head? (lambda (h) (memq h (operations-where circular)))) x e)))
+(define (within-unknown? x e) (within-head? literal-head? x e))
+(define (trigonometric? x e) (within-head? (lambda (h) (memq h (operations-where circular))) x e))

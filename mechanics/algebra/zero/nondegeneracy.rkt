@@ -100,7 +100,7 @@
   (define (free? e)
     (and (not (number? e))
          (not (ormap (lambda (o) (shares? e o)) (cons right (remq e factors))))))
-  (define (others e) (for/fold ([p 1]) ([f (in-list (remq e factors))]) (e:* p f)))
+  (define (others e) (rebuild op:* (remq e factors)))
   (define s (findf (lambda (e) (and (free-symbol? e) (free? e))) factors))
   (define power (findf (lambda (e) (and (headed? e op:expt) (free? e))) factors))
   (cond [s (cons s (e:/ right (others s)))]

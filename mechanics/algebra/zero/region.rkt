@@ -4,15 +4,16 @@
 ;; Numbers are chosen within the bounds that relations set.  All relations that concern an
 ;; expression are checked at a point chosen for it.
 
-(require "../ball/ball-tape.rkt" "../ball/ball-value.rkt"
-         "../assumption/assumption-set.rkt" "../assumption/leaf-bounds.rkt"
-         "../assumption/signs.rkt"
+(require (only-in racket/math infinite?)
+         "../ball/ball-tape.rkt" "../ball/ball-value.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/interval.rkt"
+         "../assumption/leaf-bounds.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/symbols.rkt")
 
 (provide make-region region-free? region-place region-admits?)
 
-;; ranges : leaf -> bounds (assumption/leaf-bounds.rkt)
+;; ranges : leaf -> interval (assumption/leaf-bounds.rkt)
 ;; conditions : ((tape . signs) ...)
 (struct region (ranges conditions) #:authentic)
 
@@ -47,15 +48,14 @@
 ;; A simple number within the bounds of the leaf, by the number n.
 (define (region-place g leaf n)
   (define range (bounds-of (region-ranges g) leaf))
-  (define low (bounds-low range))
-  (define high (bounds-high range))
+  (define low (interval-low range))
+  (define high (interval-high range))
   (define size (abs n))
-  (define next (and low (+ (if (exact-integer? n) (floor low) low) size)))
-  (cond [(and low (or (not high) (< next high))) next]
-        [(and low (< (+ (floor low) 1) high)) (+ (floor low) 1)]
-        [low (+ low (* (- high low) (/ size (+ size 1))))]
-        [high (- (ceiling high) size)]
-        [else n]))
+  (define next (+ (if (exact-integer? n) (floor low) low) size))
+  (cond [(infinite? low) (if (infinite? high) n (- (ceiling high) size))]
+        [(< next high) next]
+        [(< (+ (floor low) 1) high) (+ (floor low) 1)]
+        [else (+ low (* (- high low) (/ size (+ size 1))))]))
 
 ;; Do the relations certainly hold where the leaves have these values?  p : the precision, in bits
 (define (region-admits? g lookup p)

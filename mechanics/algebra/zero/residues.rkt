@@ -94,12 +94,10 @@
 (define exponential (cons op:exp (operations-where hyperbolic)))
 
 (define (sum s p operands)
-  (let loop ([ks operands] [total 0])
-    (if (null? ks) total (loop (cdr ks) (mod+ total (value s (car ks)) p)))))
+  (for/fold ([total 0]) ([k (in-list operands)]) (mod+ total (value s k) p)))
 
 (define (product s p operands)
-  (let loop ([ks operands] [total 1])
-    (if (null? ks) total (loop (cdr ks) (mod* total (value s (car ks)) p)))))
+  (for/fold ([total 1]) ([k (in-list operands)]) (mod* total (value s k) p)))
 
 (define (quotient-residue x y p)
   (and (not (eqv? y 0)) (mod* x (mod-inverse y p) p)))

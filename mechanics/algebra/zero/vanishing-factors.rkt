@@ -76,7 +76,7 @@
   (filter (lambda (way) (not (for/or ([w (in-list all)]) (and (not (eq? w way)) (within? w way)))))
           all))
 
-(define (within? a b) (for/and ([q (in-list a)]) (and (member q b) #t)))
+(define (within? a b) (null? (remove* b a)))
 (define (same-equations? a b) (and (within? a b) (within? b a)))
 
 ;; Few equations come first, then those between several symbols.

@@ -45,7 +45,7 @@
 ;; 'decimals if it vanishes but for these, 'rounding for a flonum as small as rounding
 ;; leaves; or #f
 ;; decimals : readings (decimals.rkt): those a proof rests on, those that stand in the way
-;; form : box of a form, or of a thunk that makes it
+;; form : a form, or what makes it
 (struct zero-test (status witness value bound points reason decimals form)
   #:name zero-test-result
   #:constructor-name make-zero-test)
@@ -66,13 +66,7 @@
 (define (zero-test-assumptions z) (at-last (zero-test-grounds z)))
 (define (zero-test-left-unexpanded z) (form-unexpanded (settled-form z)))
 
-(define (settled-form z)
-  (define content (unbox (zero-test-form z)))
-  (cond [(form? content) content]
-        [else
-         (define made (content))
-         (set-box! (zero-test-form z) made)
-         made]))
+(define (settled-form z) (at-last (zero-test-form z)))
 
 (define (make-form e A variables)
   (if (and (number? e) (not (rational? (magnitude e))))
@@ -163,7 +157,7 @@
         [(rational? size) #f]
         [else (make-zero-test 'undecided #f x 0 0 #f '() form)]))
 
-(define (later e A variables) (box (lambda () (make-form e A variables))))
+(define (later e A variables) (once (lambda () (make-form e A variables))))
 
 ;; More items than `middling` are judged by the fingerprint first.  No more than
 ;; `large` are expanded even if they do not vanish: a witness then names only what
@@ -215,28 +209,28 @@
     (cond [(and (contains-flonum? t) (not (vanishes-for-any-flonums? t A))) 'decimals]
           [(not (somewhere-defined? t A)) 'nowhere]
           [else #f]))
-  (make-zero-test (if reason 'undecided 'proved) #f 0 0 0 reason '() (box f)))
+  (make-zero-test (if reason 'undecided 'proved) #f 0 0 0 reason '() f))
 
 ;; print : what the fingerprint said, if it was asked
 (define (test-canonically e A variables t print)
   (define f (make-form e A variables))
   (cond [(eqv? (form-residual f) 0) (vanishing-test t f A)]
         [(and (eq? print 'zero) (null? (assumptions-relations A)))
-         (make-zero-test 'undecided #f 0 0 fingerprint-points #f '() (box f))]
-        [else (test-by-points e A t f)]))
+         (make-zero-test 'undecided #f 0 0 fingerprint-points #f '() f)]
+        [else (test-by-points A t f)]))
 
-(define (test-by-points e A t f)
+(define (test-by-points A t f)
   (define grounds (at-last (form-grounds f)))
   (define-values (witness value bound points)
     (find-witness t
                   (expression->tape (form-residual f))
                   (make-region (append (assumptions-relations A) (taken-relations A grounds)) t)
                   (pair? grounds)))
-  (cond [witness (make-zero-test 'refuted witness value bound points #f '() (box f))]
+  (cond [witness (make-zero-test 'refuted witness value bound points #f '() f)]
         [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t A))]
         [else
          (define reason (and (zero? points) 'nowhere))
-         (make-zero-test 'undecided #f value bound points reason '() (box f))]))
+         (make-zero-test 'undecided #f value bound points reason '() f)]))
 
 ;; What is among the grounds without being in A.
 (define (taken-relations A grounds)

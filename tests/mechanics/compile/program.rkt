@@ -65,5 +65,5 @@
 (test-case "symbols and functions without a value are refused"
   (check-exn (lambda (x) (equal? x '(no-value m)))
              (lambda () (program-of '(x) (g:* 'm 'x))))
-  (check-exn list? (lambda () (program-of '(x) (e:application (make-literal-head 'V) '(x)))))
+  (check-exn list? (lambda () (program-of '(x) (make-node (make-literal-head 'V) '(x)))))
   (check-exn list? (lambda () (program-of '(x) (g:* 'x (g:sqrt -1))))))
