@@ -86,7 +86,7 @@
   (- (seen (interval-high r)) (seen (interval-low r))))
 
 (define (middle r)
-  (define-values (low high) (values (interval-low r) (interval-high r)))
+  (define-values (low high) (interval-ends r))
   (cond [(and (infinite? low) (infinite? high)) 0]
         [(infinite? high) (if (< low 1) 1 (* 2 low))]
         [(infinite? low) (if (> high -1) -1 (* 2 high))]

@@ -9,7 +9,7 @@
          (only-in "../expression/numeric-functions.rkt" erf)
          "../../operation/operation-column.rkt")
 
-(provide (struct-out interval) everything point-interval intersection
+(provide (struct-out interval) everything point-interval interval-ends intersection
          interval-sum interval-product interval-quotient interval-power interval-magnitude
          interval-of-operation)
 
@@ -21,6 +21,9 @@
 (define quarter-turn 11/7)              ; a little more than π/2
 
 (define (point-interval x) (interval x x))
+
+;; -> low and high
+(define (interval-ends r) (values (interval-low r) (interval-high r)))
 
 ;; The intersection of two intervals that overlap.
 (define (intersection r s)
@@ -45,20 +48,17 @@
 (define (greatest x . more) (for/fold ([m x]) ([y (in-list more)]) (if (> y m) y m)))
 
 (define (interval-quotient r s)
-  (cond [(or (> (interval-low s) 0) (< (interval-high s) 0))
-         (interval-product r (interval (reciprocal (interval-high s))
-                                       (reciprocal (interval-low s))))]
-        [else everything]))
+  (define-values (low high) (interval-ends s))
+  (if (or (> low 0) (< high 0))
+      (interval-product r (interval (reciprocal high) (reciprocal low)))
+      everything))
 
 (define (reciprocal x) (if (infinite? x) 0 (/ 1 x)))
 
 (define (interval-power r n)
   (cond [(and (exact-positive-integer? n) (<= n most-power))
-         (define (raised x) (expt x n))
-         (if (even? n)
-             (let ([m (interval-magnitude r)])
-               (interval (raised (interval-low m)) (raised (interval-high m))))
-             (interval (raised (interval-low r)) (raised (interval-high r))))]
+         (define m (if (even? n) (interval-magnitude r) r))
+         (interval (expt (interval-low m) n) (expt (interval-high m) n))]
         [(and (exact-integer? n) (<= (- most-power) n -1))
          (interval-quotient (point-interval 1) (interval-power r (- n)))]
         [(and (real? n) (not (integer? n))) not-negative]
@@ -67,7 +67,7 @@
 (define most-power 64)
 
 (define (interval-magnitude r)
-  (define-values (low high) (values (interval-low r) (interval-high r)))
+  (define-values (low high) (interval-ends r))
   (cond [(>= low 0) r]
         [(<= high 0) (interval (- high) (- low))]
         [else (interval 0 (greatest (- low) high))]))
@@ -136,7 +136,7 @@
 ;; f has maxima at top + 2πk, minima in the middle between them, and is monotonic from each
 ;; to the next.
 (define (waving f top r)
-  (define-values (low high) (values (interval-low r) (interval-high r)))
+  (define-values (low high) (interval-ends r))
   (define (reaches? place)
     (define k (ceiling (- (/ (- low place) (* 2 pi)) slack)))
     (<= (+ place (* 2 pi k)) (+ high slack)))

@@ -43,7 +43,7 @@
   (if (and leaf
            (for/and ([t (in-list all)]) (equal? (car t) leaf))
            (not (eqv? 0 (total all))))
-      (values leaf (total all) (total (filter (lambda (t) (not (car t))) terms)))
+      (values leaf (total all) (total (filter-not car terms)))
       (values #f #f #f)))
 
 ;; -> ((leaf-or-#f . number) ...), whose sum e is, or #f

@@ -130,7 +130,7 @@
 
 ;; x brought to where it may be
 (define (within r x)
-  (define-values (low high) (values (interval-low r) (interval-high r)))
+  (define-values (low high) (interval-ends r))
   (cond [(and (rational? low) (rational? high))
          (+ low (* (- high low) (/ (abs x) (+ 1.0 (abs x)))))]
         [(rational? low) (+ low (abs x))]

@@ -32,29 +32,21 @@
         sum
         (loop (quotient power square) (+ k 2) (+ sum (* s (quotient power k))) (* s sign)))))
 
+;; compute : w -> the constant; the values found so far are kept, for a few widths: powers of two.
+(define (constant compute)
+  (define values-found (make-hasheqv))
+  (define (value width)
+    (down (- (compute (+ width guard)) (arithmetic-shift 1 (quotient guard 2))) guard))
+  (lambda (w)
+    (when (> w most-bits) (raise unknown))
+    (define width (expt 2 (max 8 (integer-length (- w 1)))))
+    (down (hash-ref! values-found width (lambda () (value width))) (- width w))))
+
 ;; Machin's formula.
-(define (compute-pi w)
-  (- (* 16 (reciprocal-series 5 w -1)) (* 4 (reciprocal-series 239 w -1))))
+(define pi-fixed
+  (constant (lambda (w) (- (* 16 (reciprocal-series 5 w -1)) (* 4 (reciprocal-series 239 w -1))))))
 
-(define (compute-log2 w) (* 2 (reciprocal-series 3 w 1)))
-
-;; The values found so far, for a few widths: powers of two.
-(define pi-cache (box (hasheqv)))
-(define log2-cache (box (hasheqv)))
-
-(define (constant cache compute w)
-  (when (> w most-bits) (raise unknown))
-  (define width (expt 2 (max 8 (integer-length (- w 1)))))
-  (define known (hash-ref (unbox cache) width #f))
-  (cond [known (down known (- width w))]
-        [else
-         (define value (down (- (compute (+ width guard)) (arithmetic-shift 1 (quotient guard 2)))
-                             guard))
-         (set-box! cache (hash-set (unbox cache) width value))
-         (down value (- width w))]))
-
-(define (pi-fixed w) (constant pi-cache compute-pi w))
-(define (log2-fixed w) (constant log2-cache compute-log2 w))
+(define log2-fixed (constant (lambda (w) (* 2 (reciprocal-series 3 w 1)))))
 
 ;; ---------------------------------------------------------------------------
 ;; The exponential of 0 <= x < 1, as that of x/2^s, squared s times

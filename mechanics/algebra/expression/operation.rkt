@@ -20,7 +20,7 @@
  operations          ; those of the table, in its order
  find-operation      ; name -> operation, or #f
  operations-where    ; (operations-where fact ...) : those of which the table says all this
- functions-of-angles ; circular and hyperbolic ones
+ circular-functions functions-of-angles  ; these are circular and hyperbolic
  written-names       ; names of operations and of what prints as a quotient by one
  ;; literal heads
  (struct-out literal-head)
@@ -63,7 +63,8 @@
                              #:when (and (heads e) (all-of-name-in? e entries)))
                     (identifier-of e #'here))))]))
 
-(define functions-of-angles (append (operations-where circular) (operations-where hyperbolic)))
+(define circular-functions (operations-where circular))
+(define functions-of-angles (append circular-functions (operations-where hyperbolic)))
 
 (define by-name (for/hasheq ([op (in-list operations)]) (values (operation-name op) op)))
 (define (find-operation name) (hash-ref by-name name #f))

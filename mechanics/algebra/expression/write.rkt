@@ -63,10 +63,7 @@
   (define sizes (make-hasheq))
   (define (size d)
     (cond [(pair? d)
-           (or (hash-ref sizes d #f)
-               (let ([n (+ (size (car d)) (size (cdr d)))])
-                 (hash-set! sizes d n)
-                 n))]
+           (hash-ref! sizes d (lambda () (+ (size (car d)) (size (cdr d)))))]
           [(null? d) 0]
           [else 1]))
   size)

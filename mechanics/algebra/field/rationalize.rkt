@@ -39,9 +39,9 @@
       f))
 
 (define (rationalize-by F r f)
-  (define R (field-ring F))
   (for/fold ([f f]) ([h (in-list (fraction-denominator-factors f))]
-                     #:when (positive? (poly-degree R (power-base h) (relation-index r)))
+                     #:when (positive? (poly-degree (field-ring F) (power-base h)
+                                                    (relation-index r)))
                      #:unless (long-in-sines? F r (power-base h)))
     (define c (conjugate F r (power-base h)))
     (if (and c (modest? r f c (power-exponent h)))

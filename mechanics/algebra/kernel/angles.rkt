@@ -18,7 +18,7 @@
 
 (provide visit-angle! settle-angles! doubled-circles dependent-angles?)
 
-(define circular-functions (operations-where circular))
+
 
 (define (visit-angle! c n)
   (define head (node-head n))
@@ -86,8 +86,7 @@
   (for*/list ([(key a) (in-hash (collector-angles c))]
               #:when (eq? (car key) 'circular)
               [multiples (in-value (angle-multiples a))]
-              #:when (and (pair? multiples) (null? (cdr multiples))
-                          (eqv? 2 (abs (cdar multiples)))))
+              #:when (and (= 1 (length multiples)) (eqv? 2 (abs (cdar multiples)))))
     (caar multiples)))
 
 ;; Was any angle a combination of basic ones?

@@ -33,19 +33,17 @@
 ;; ---------------------------------------------------------------------------
 ;; Circles by their angles, with all kernels by rank
 
-(struct circles (circular hyperbolic wholes simplifier [ranked #:mutable]) #:authentic)
+;; known : (sign . angle) -> circle        wholes : expression -> kernel taken as a whole
+(struct circles (known wholes simplifier [ranked #:mutable]) #:authentic)
 
 (define (make-circles kernels s)
   (define cs
-    (circles (make-hash) (make-hash) (make-hash) s
+    (circles (make-hash) (make-hash) s
              (sort (vector->list kernels) < #:key kernel-rank)))
   (for ([k (in-vector kernels)] #:when (circle? (kernel-relation k)))
     (define o (kernel-relation k))
-    (hash-set! (circles-of cs (circle-sign o)) (circle-expression o) o))
+    (hash-set! (circles-known cs) (cons (circle-sign o) (circle-expression o)) o))
   cs)
-
-(define (circles-of cs sign)
-  (if (eqv? sign 1) (circles-circular cs) (circles-hyperbolic cs)))
 
 ;; The circle of a linear combination ((circle . integer) ...) of angles of one
 ;; sign, not empty, and ±1.
@@ -55,7 +53,7 @@
     (sum-of-terms (for/list ([m (in-list multiples)]) (cons (cdr m) (circle-expression (car m))))))
   (define (make u) (make-circle u sign (lambda (e o) (add-kernel! cs e o))))
   (signed-angle (circles-simplifier cs) u
-                (lambda (u) (hash-ref! (circles-of cs sign) u (lambda () (make u))))))
+                (lambda (u) (hash-ref! (circles-known cs) (cons sign u) (lambda () (make u))))))
 
 ;; The kernel of an expression that presentation takes as a whole.
 (define (whole-kernel! cs e relation)

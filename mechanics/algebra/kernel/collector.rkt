@@ -104,6 +104,4 @@
   (define (simpler? a b)
     (or (< (car a) (car b))
         (and (eqv? (car a) (car b)) (< (compare (cdr a) (cdr b)) 0))))
-  (if (or (null? angles) (null? (cdr angles)))
-      angles
-      (sort angles simpler? #:key key #:cache-keys? #t)))
+  (sort angles simpler? #:key key #:cache-keys? #t))

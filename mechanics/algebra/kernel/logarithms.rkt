@@ -85,7 +85,7 @@
 
 ;; A single part that is not negative if the argument is not.
 (define (lone? parts)
-  (and (pair? parts) (null? (cdr parts)) (not (even? (numerator (caar parts))))))
+  (and (= 1 (length parts)) (not (even? (numerator (caar parts))))))
 
 ;; Then log x³ is 3 log x, but for a negative x: log -1 + 3 log(-x).
 (define (negative-part? c p)
@@ -93,7 +93,7 @@
 
 ;; The part of an even power of what has a known sign, or #f.
 (define (power-parts c parts)
-  (define f (and (pair? parts) (null? (cdr parts)) (cdar parts)))
+  (define f (and (= 1 (length parts)) (cdar parts)))
   (define sign (and f (symbolic? f) (sign-or-left-open (collector-simplifier c) f)))
   (and sign (list (cons (caar parts) (if (eqv? sign 1) f (opposite c f))))))
 

@@ -46,7 +46,7 @@
         [(report? t) (report->line t)]
         [else (string-join (lines (tree-parts t)))]))
 
-(define (lines ts) (for/list ([t (in-list ts)]) (line t)))
+(define (lines ts) (map line ts))
 (define (spaced texts) (string-join texts " "))
 (define (within t) (string-append "(" (line t) ")"))
 (define (call f ts) (string-append f "(" (string-join (lines ts) ", ") ")"))

@@ -118,23 +118,19 @@
     (basis-insert R add-exponents basis (power-base h) (exponents 0 (power-exponent h)))))
 
 (define (add-over R f g basis)
-  (define-values (f-missing g-missing tied settled)
-    (for/fold ([f-missing '()] [g-missing '()] [tied '()] [settled '()])
-              ([h (in-list basis)])
-      (define a (exponents-first (power-exponent h)))
-      (define b (exponents-second (power-exponent h)))
-      (define (power e) (make-power (power-base h) e))
-      (cond [(< a b) (values (cons (power (- b a)) f-missing) g-missing
-                             tied (cons (power b) settled))]
-            [(> a b) (values f-missing (cons (power (- a b)) g-missing)
-                             tied (cons (power a) settled))]
-            [else (values f-missing g-missing (cons (power a) tied) settled)])))
+  (define (factors exponent)            ; those to a positive power
+    (for*/fold ([factors '()])
+               ([h (in-list basis)]
+                [es (in-value (power-exponent h))]
+                [e (in-value (exponent (exponents-first es) (exponents-second es)))]
+                #:when (positive? e))
+      (cons (make-power (power-base h) e) factors)))
   (cancel R
           (poly+ R
-                 (expand R (fraction-numerator f) f-missing)
-                 (expand R (fraction-numerator g) g-missing))
-          tied
-          settled))
+                 (expand R (fraction-numerator f) (factors (lambda (a b) (- b a))))
+                 (expand R (fraction-numerator g) (factors -)))
+          (factors (lambda (a b) (if (= a b) a 0)))
+          (factors (lambda (a b) (if (= a b) 0 (max a b))))))
 
 ;; Fractions over one denominator are added first.
 (define (fraction-sum R fs)

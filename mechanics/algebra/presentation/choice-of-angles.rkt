@@ -114,7 +114,7 @@
 ;; The powers that all summands share: those of no active circle.
 (define (unvarying written active)
   (define kernels (append (map circle-sine active) (map circle-cosine active)))
-  (filter (lambda (p) (not (memq (car p) kernels))) (cdar written)))
+  (filter-not (lambda (p) (memq (car p) kernels)) (cdar written)))
 
 (define (wave->summand F w circles rest)
   (for/fold ([c (wave-amplitude w)] [powers rest] #:result (cons c powers))

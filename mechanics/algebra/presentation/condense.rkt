@@ -182,6 +182,5 @@
 
 (define (opposite-sine F k)
   (define sine (kernel-expression k))
-  (define u (car (node-args sine)))
-  (field-whole-kernel F (make-node (node-head sine)
-                                   (list (make-node op:- (reverse (node-args u)))))))
+  (define difference (make-node op:- (reverse (node-args (car (node-args sine))))))
+  (field-whole-kernel F (make-node (node-head sine) (list difference))))

@@ -157,9 +157,9 @@
 
 (define (split-by-root F b p)
   (define R (field-ring F))
-  (define i (kernel-index (base-kernel b)))
+
   (for*/list ([group (in-list (groups F (piece-numerator p) (base-radicand b)))]
-              [s (in-list (poly-coefficients R group i))])
+              [s (in-list (poly-coefficients R group (kernel-index (base-kernel b))))])
     (define-values (quotient times) (divide-out R (slice-coefficient s) (base-radicand b) #f))
     (multiply-by-base F b times
                       (piece quotient

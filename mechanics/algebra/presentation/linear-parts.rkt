@@ -50,21 +50,19 @@
 (define term-bound 200)
 
 (define (separable? F f)
-  (define R (field-ring F))
-  (define below (fraction-denominator-factors f))
   (define (sum-over measure)
-    (for/sum ([h (in-list below)]) (* (power-exponent h) (measure (power-base h)))))
-  (and (<= (sum-over (lambda (p) (poly-total-degree R p))) degree-bound)
+    (for/sum ([h (in-list (fraction-denominator-factors f))])
+      (* (power-exponent h) (measure (power-base h)))))
+  (and (<= (sum-over (lambda (p) (poly-total-degree (field-ring F) p))) degree-bound)
        (<= (sum-over poly-term-count) term-bound)
        (<= (poly-term-count (fraction-numerator f)) term-bound)))
 
 ;; Those with relations, then the others, by rank.
 (define (variables-in-order F f)
-  (define R (field-ring F))
   (define (rank i) (kernel-rank (field-kernel F i)))
   (define occurring
     (remove-duplicates
-     (append-map (lambda (p) (poly-variables R p))
+     (append-map (lambda (p) (poly-variables (field-ring F) p))
                  (cons (fraction-numerator f)
                        (map power-base (fraction-denominator-factors f))))
      eqv?))

@@ -110,9 +110,7 @@
     (define below (sum->term F (if flip? (scale-terms -1 terms) terms)))
     (term (* (term-coefficient product)
              (expt (* (if flip? -1 1) (term-coefficient below)) (- (cdr h))))
-          (multiply-powers (term-powers product)
-                           (for/list ([q (in-list (term-powers below))])
-                             (cons (car q) (* (- (cdr h)) (cdr q))))))))
+          (multiply-powers (term-powers product) (raise-powers (term-powers below) (- (cdr h)))))))
 
 (define (mostly-negative? terms)
   (define (negative t) (negative? (term-coefficient t)))

@@ -37,8 +37,8 @@
 
 ;; p with cos² = 1 - sign sin².
 (define (eliminate R p cosine sine sign)
-  (define one (poly-constant R 1))
-  (define cosine² (poly- R one (poly-scale R sign (poly-variable R sine 2))))
+  (define cosine²
+    (poly- R (poly-constant R 1) (poly-scale R sign (poly-variable R sine 2))))
   (fraction-numerator
    (lower R (relation cosine 2 (fraction-from-poly R cosine²)) p)))
 

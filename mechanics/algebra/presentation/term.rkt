@@ -11,7 +11,7 @@
          "../kernel/exponentials.rkt" "../kernel/kernel.rkt")
 
 (provide (struct-out term) make-term term-sort constant-first group-in-order in-tails
-         collect-powers combine-powers multiply-powers divide-powers invert-powers
+         collect-powers combine-powers multiply-powers divide-powers raise-powers invert-powers
          scale-terms multiply-terms extract-content common-powers nearer-to-zero
          exponential-power? has-exponential?
          positive-powers negative-powers by-rank)
@@ -87,8 +87,7 @@
 (define (by-rank powers) (sort powers < #:key (lambda (p) (kernel-rank (car p)))))
 
 (define (positive-powers powers) (filter (lambda (p) (positive? (cdr p))) powers))
-(define (negative-powers powers)
-  (for/list ([p (in-list powers)] #:when (negative? (cdr p))) (cons (car p) (- (cdr p)))))
+(define (negative-powers powers) (positive-powers (invert-powers powers)))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
@@ -109,7 +108,9 @@
 
 (define (multiply-powers as bs) (combine-powers (lambda (k m n) (+ m n)) as bs))
 (define (divide-powers as bs) (combine-powers (lambda (k m n) (- m n)) as bs))
-(define (invert-powers powers) (for/list ([p (in-list powers)]) (cons (car p) (- (cdr p)))))
+(define (raise-powers powers e)
+  (for/list ([p (in-list powers)]) (cons (car p) (* e (cdr p)))))
+(define (invert-powers powers) (raise-powers powers -1))
 
 (define (scale-terms c terms)
   (if (eqv? c 1)

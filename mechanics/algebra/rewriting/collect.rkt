@@ -131,18 +131,17 @@
 
 ;; e, above its denominator, times powers.
 (define (times e powers)
-  (define positive (positive-powers powers))
-  (define negative (negative-powers powers))
+
   (define-values (top bottom)
     (if (headed? e op:/)
         (values (car (node-args e)) (list (cadr (node-args e))))
         (values e '())))
   (define (product factors) (flatten-products (make-node op:* factors)))
   (define-values (symbols others)
-    (partition (lambda (p) (symbol? (kernel-expression (car p)))) positive))
+    (partition (lambda (p) (symbol? (kernel-expression (car p)))) (positive-powers powers)))
   (define above
     (product (append (power-expressions symbols) (list top) (power-expressions others))))
-  (define below (append bottom (power-expressions negative)))
+  (define below (append bottom (power-expressions (negative-powers powers))))
   (if (null? below)
       above
       (make-node op:/ (list above (product below)))))
@@ -152,10 +151,9 @@
     (form-expression (product-form 1 (list p) '() '() #f))))
 
 (define (divisor-product F divisors variables)
-  (define R (field-ring F))
   (flatten-products
    (make-node op:*
               (for/list ([h (in-list divisors)])
                 (define-values (table none)
-                  (collected F (fraction-from-poly R (car h)) variables))
+                  (collected F (fraction-from-poly (field-ring F) (car h)) variables))
                 (e:expt (polynomial-expression F table variables) (cdr h))))))

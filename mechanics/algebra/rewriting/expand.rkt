@@ -75,8 +75,7 @@
           [else e]))
   (define (rebuilt e simple?)
     (make-node (node-head e) (for/list ([a (in-list (node-args e))]) (walk a simple?))))
-  (define veiled (walk e #f))
-  (values veiled assumptions))
+  (values (walk e #f) assumptions))
 
 (define (unveil e)
   (node-fold e values

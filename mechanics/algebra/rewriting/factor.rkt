@@ -77,8 +77,7 @@
       (struct-copy factors product
         [polynomials (append (factors-polynomials product) (list (cons h e)))])))
 
-(define (raise-powers powers e)
-  (for/list ([p (in-list powers)]) (cons (car p) (* e (cdr p)))))
+
 
 ;; ---------------------------------------------------------------------------
 ;; Squares of sines

@@ -115,8 +115,7 @@
 ;; depend on each other?
 (define (comparable? atlas own)
   (define known (kernel-expressions (atlas-kernels atlas)))
-  (define tower (atlas-tower atlas))
-  (and (<= (length tower) 1)
+  (and (<= (length (atlas-tower atlas)) 1)
        (for*/and ([kernels (in-list own)] [k (in-vector kernels)])
          (hash-ref known (kernel-expression k) #f))))
 
@@ -130,10 +129,9 @@
         (fraction->expression F f))))
 
 (define (fraction-kernels F f)
-  (define R (field-ring F))
   (define factors (map power-base (fraction-denominator-factors f)))
   (for*/list ([p (in-list (cons (fraction-numerator f) factors))]
-              [i (in-list (poly-variables R p))])
+              [i (in-list (poly-variables (field-ring F) p))])
     (field-kernel F i)))
 
 (define (fraction->expression F f)

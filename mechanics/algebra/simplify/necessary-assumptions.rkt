@@ -48,7 +48,7 @@
   (define-values (idle reasons) (idle-grounds e simple A taken))
   (remove-duplicates
    (append (filter (lambda (d) (member d declared)) reasons)
-           (filter (lambda (d) (not (member d idle))) grounds))))
+           (remove* idle grounds))))
 
 ;; -> those that may all be left out, and what it rests on that they may
 (define (idle-grounds e simple A taken)

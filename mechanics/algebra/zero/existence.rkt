@@ -26,8 +26,7 @@
 ;; made of its leaves and positive numbers without a minus sign, and so are its radicands and
 ;; the arguments of its logarithms.  Unknown functions may have any values, positive ones too.
 (define (defined-among-positive? t)
-  (define n (tape-length t))
-  (define positive (make-vector n #f))
+  (define positive (make-vector (tape-length t) #f))
   (for/and ([e (in-vector (tape-items t))] [ks (in-vector (tape-operands t))] [k (in-naturals)])
     (define (positive-operand? k) (vector-ref positive k))
     (vector-set! positive k

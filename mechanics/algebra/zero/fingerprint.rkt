@@ -127,7 +127,7 @@
   (define (mark-all! there) (for ([j (in-list operands)]) (mark! j there)))
   (cond [(or (literal-head? op) (memq op rational)) (mark-all! here) #t]
         [(memq op exponential) (mark-all! (exponent-levels here)) (deep-enough? here)]
-        [(memq op circular) (mark-all! (angle-levels here)) (deep-enough? here)]
+        [(memq op circular-functions) (mark-all! (angle-levels here)) (deep-enough? here)]
         [(and (eq? op op:expt) (not (number? (exponent))))
          (mark! (car operands) here)
          (mark! (cadr operands) (exponent-levels here))
@@ -139,12 +139,11 @@
 ;; Bits 0, 1, 2 to bits 1, 3, 5 or 2, 4, 6; the last levels have none below.
 (define last-levels #b1111000)
 (define (deep-enough? bits) (fx= 0 (fxand bits last-levels)))
-(define (exponent-levels bits)
-  (fxior (fxand bits last-levels)
-         (fxlshift (fxand bits 1) 1) (fxlshift (fxand bits 2) 2) (fxlshift (fxand bits 4) 3)))
-(define (angle-levels bits)
-  (fxior (fxand bits last-levels)
-         (fxlshift (fxand bits 1) 2) (fxlshift (fxand bits 2) 3) (fxlshift (fxand bits 4) 4)))
+(define (exponent-levels bits) (levels-below bits 1))
+(define (angle-levels bits) (levels-below bits 2))
+(define (levels-below bits k)
+  (for/fold ([below (fxand bits last-levels)]) ([level (in-range 3)])
+    (fxior below (fxlshift (fxand bits (fxlshift 1 level)) (fx+ level k)))))
 
 ;; Equal literal heads have equal numbers.
 (define (number-heads heads)

@@ -55,4 +55,4 @@
   (eq? place 'within))
 
 (define (within-unknown? x e) (within-head? literal-head? x e))
-(define (trigonometric? x e) (within-head? (lambda (h) (memq h (operations-where circular))) x e))
+(define (trigonometric? x e) (within-head? (lambda (h) (memq h circular-functions)) x e))

@@ -47,9 +47,7 @@
 
 ;; A simple number within the bounds of the leaf, by the number n.
 (define (region-place g leaf n)
-  (define range (bounds-of (region-ranges g) leaf))
-  (define low (interval-low range))
-  (define high (interval-high range))
+  (define-values (low high) (interval-ends (bounds-of (region-ranges g) leaf)))
   (define size (abs n))
   (define next (+ (if (exact-integer? n) (floor low) low) size))
   (cond [(infinite? low) (if (infinite? high) n (- (ceiling high) size))]

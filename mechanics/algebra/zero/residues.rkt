@@ -10,7 +10,7 @@
          "../expression/operation.rkt"
          "../polynomial/modular.rkt")
 
-(provide make-site site-values mix circular exponential
+(provide make-site site-values mix exponential
          site-symbol site-pi site-number site-application site-operation)
 
 ;; prime, values : of this level, values by places on the tape
@@ -86,11 +86,10 @@
         [(eq? op op:expt) (general-power s p items operands)]
         [(eq? op op:sqrt) (rational-power (one) 1/2 p)]
         [(eq? op op:abs) (if (square? (one) p) (one) (mod- 0 (one) p))]
-        [(memq op circular) (circular-value s p op (car operands))]
+        [(memq op circular-functions) (circular-value s p op (car operands))]
         [(memq op exponential) (exponential-value s p op (car operands))]
         [else (unknown s op operands)]))
 
-(define circular (operations-where circular))
 (define exponential (cons op:exp (operations-where hyperbolic)))
 
 (define (sum s p operands)

@@ -73,8 +73,7 @@
 ;; Without those that ask for more than another does.
 (define (minimal ways)
   (define all (remove-duplicates ways same-equations?))
-  (filter (lambda (way) (not (for/or ([w (in-list all)]) (and (not (eq? w way)) (within? w way)))))
-          all))
+  (filter-not (lambda (way) (for/or ([w (in-list (remq way all))]) (within? w way))) all))
 
 (define (within? a b) (null? (remove* b a)))
 (define (same-equations? a b) (and (within? a b) (within? b a)))

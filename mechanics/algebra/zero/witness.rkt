@@ -16,7 +16,7 @@
 ;; Positive points come first: at √(b² - 4km) a person expects strong damping and
 ;; masses, not negative ones.
 
-(require (only-in racket/list drop split-at take)
+(require racket/list
          "existence.rkt" "trial-point.rkt" "point-value.rkt" "region.rkt"
          "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt")
@@ -84,12 +84,12 @@
       (append (take integers positive-points) fractions (drop integers positive-points))
       (append integers fractions)))
 
-(define circular (operations-where circular))
+
 
 ;; Has it a sine or the like of a multiple of π, or of a decimal, which may be one?  At
 ;; integers sin 2πt is 0.
 (define (counts-in-turns? t)
-  (and (for/or ([head (in-vector (tape-heads t))]) (memq head circular))
+  (and (for/or ([head (in-vector (tape-heads t))]) (memq head circular-functions))
        (for/or ([x (in-vector (tape-items t))]) (or (flonum? x) (pi-symbol? x)))))
 
 ;; zeros : ((try . finding) ...), the points that gave no decision, latest first
@@ -110,7 +110,7 @@
 
 ;; The points that gave no decision, with more bits as long as these are of use.
 (define (look-again q zeros)
-  (define inexact (filter (lambda (z) (not (number? (finding-of-e (cdr z))))) zeros))
+  (define inexact (filter-not (lambda (z) (number? (finding-of-e (cdr z)))) zeros))
   (define open (if (and (pair? inexact) (constant? (question-e q))) (list (car inexact)) inexact))
   (define-values (found left) (with-more-bits q open))
   (if found
