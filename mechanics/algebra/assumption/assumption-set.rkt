@@ -91,7 +91,9 @@
                      [else not-real]))
              (lambda (n parts)
                (define k (if (memq not-real parts) (part-not-real n) (structural n parts)))
-               (if (or (eq? k not-real) (no-relations? A)) k (from-table A s n k limits)))))
+               (if (or (eq? k not-real) (null? (assumptions-relations A)))
+                   k
+                   (from-table A s n k limits)))))
 
 ;; What is known of numbers that are not real, of roots and logarithms of what is
 ;; negative, and of what they occur in: nothing.
@@ -115,7 +117,7 @@
              (lambda (leaf) (or (symbol? leaf) (real? leaf)))
              (lambda (n parts) (and (andmap values parts) (single-valued? n)))))
 
-(define (no-relations? A) (null? (assumptions-relations A)))
+
 
 (define (structural n parts)
   (define head (node-head n))

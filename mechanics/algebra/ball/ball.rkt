@@ -53,12 +53,12 @@
 ;; taken to be uncertain by sixteen units in its last place.
 (define (flonum->ball x p)
   (define exact (inexact->exact x))
-  (define scale (- (integer-length (denominator exact)) 1))
+
   (define m (numerator exact))
   (define extra (max 0 (- 53 (integer-length m))))
   (make-ball (arithmetic-shift m extra)
              (shift-up (abs (arithmetic-shift m extra)) -48)
-             (- (- scale) extra)
+             (- 1 (integer-length (denominator exact)) extra)
              p))
 
 ;; n 2^k, rounded up; n is not negative.

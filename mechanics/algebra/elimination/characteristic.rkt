@@ -21,8 +21,7 @@
 
 ;; (1 p₁ ... pₙ) with |x - A| = xⁿ + p₁ xⁿ⁻¹ + ... + pₙ.
 (define (characteristic-coefficients ops A)
-  (define n (vector-length A))
-  (for/fold ([p '(1)]) ([i (in-range (sub1 n) -1 -1)])
+  (for/fold ([p '(1)]) ([i (in-range (sub1 (vector-length A)) -1 -1)])
     (Toeplitz-times ops (Toeplitz-column ops A i) p)))
 
 (define (characteristic-determinant ops A)

@@ -50,8 +50,7 @@
 
 (define (integer-coefficients matrix)
   (define scales
-    (for/list ([row (in-vector matrix)])
-      (for/fold ([s 1]) ([x (in-vector row)]) (lcm s (denominator x)))))
+    (for/list ([row (in-vector matrix)]) (apply lcm (map denominator (vector->list row)))))
   (coefficients integer-domain
                 (for/vector #:length (vector-length matrix)
                             ([row (in-vector matrix)] [s (in-list scales)])

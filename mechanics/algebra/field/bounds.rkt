@@ -82,7 +82,7 @@
           [else (void)])))
 
 (define (check-sum tank fs)
-  (define terms (for/sum ([f (in-list fs)]) (numerator-size f)))
+  (define terms (apply + (map numerator-size fs)))
   (when (> terms (limits-sum (current-limits tank))) (raise-obstacle))
   (meter-charge! (fuel-meter tank) terms))
 

@@ -72,12 +72,13 @@
   (define q (relation-degree r))
   (define slices (poly-coefficients R h i))          ; highest first
   (define degree (slice-degree (first slices)))
-  (define b (slice-coefficient (first slices)))
+
   (cond [(>= degree q) #f]
         [(null? (rest slices)) (poly-expt R (poly-variable R i) (- q degree))]
         [(null? (rest (rest slices)))
          (define a (slice-coefficient (second slices)))
-         (define y (poly* R (poly-negate R b) (poly-variable R i degree)))
+         (define y
+           (poly* R (poly-negate R (slice-coefficient (first slices))) (poly-variable R i degree)))
          (geometric-sum R a y (/ q (gcd q degree)))]
         [else #f]))
 

@@ -30,8 +30,7 @@
 
 ;; base^k, k not a rational number
 (define (visit-symbolic-power! c n base k)
-  (define logarithm (make-node op:log (list base)))
-  (define exponent (make-node op:* (list k logarithm)))
+  (define exponent (make-node op:* (list k (make-node op:log (list base)))))
   (visit-terms! c n (simplifier-linear-parts (collector-simplifier c) exponent)))
 
 ;; e to the sum of the terms ((rational . expression) ...) stands for n.

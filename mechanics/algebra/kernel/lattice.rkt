@@ -50,7 +50,7 @@
             (append-map (lambda (part) (hash-ref table part)) (parts v)))))
 
 (define (modest? coordinates limit)
-  (for*/and ([v (in-list coordinates)] [entry (in-list v)]) (<= (abs (cdr entry)) limit)))
+  (andmap (lambda (entry) (<= (abs (cdr entry)) limit)) (append* coordinates)))
 
 ;; Every vector joins the first group whose basis stays modest with it, or
 ;; begins a group of its own.
@@ -86,15 +86,14 @@
 (define (atomic-basis keys vectors)
   (define divisors
     (for/list ([k (in-list keys)])
-      (for/fold ([d 1]) ([v (in-list vectors)]) (lcm d (denominator (coordinate v k))))))
+      (apply lcm (for/list ([v (in-list vectors)]) (denominator (coordinate v k))))))
   (values (for/list ([k (in-list keys)] [d (in-list divisors)]) (list (cons k (/ 1 d))))
           (for/list ([v (in-list vectors)])
             (for/list ([k (in-list keys)] [d (in-list divisors)] [position (in-naturals)]
                        #:unless (eqv? 0 (coordinate v k)))
               (cons position (* d (coordinate v k)))))))
 
-(define (integral? v)
-  (for/and ([entry (in-list v)]) (integer? (cdr entry))))
+(define (integral? v) (andmap integer? (map cdr v)))
 
 ;; ---------------------------------------------------------------------------
 ;; Sparse vectors
@@ -154,9 +153,7 @@
 ;; Over the integers
 
 (define (refine independent coordinates)
-  (define scale
-    (for*/fold ([m 1]) ([v (in-list coordinates)] [entry (in-list v)])
-      (lcm m (denominator (cdr entry)))))
+  (define scale (apply lcm (map denominator (map cdr (append* coordinates)))))
   (define rows
     (for/list ([row (in-list (hermite (for/list ([v (in-list coordinates)])
                                         (vector-scale scale v))))])

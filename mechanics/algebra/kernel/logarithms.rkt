@@ -111,7 +111,7 @@
             [(and sign (integer? (car p))) (values positive (cons p negative) unknown)]
             [else (values positive negative (cons p unknown))])))
   (define-values (powers odd) (partition even-power? unknown))
-  (define sign (expt -1 (for/sum ([p (in-list negative)]) (car p))))
+  (define sign (expt -1 (apply + (map car negative))))
   (append (reverse positive)
           (for/list ([p (in-list powers)]) (cons (car p) (make-node op:abs (list (cdr p)))))
           (if (null? odd)

@@ -18,13 +18,12 @@
 (define (basis-insert R add basis polynomial exponent)
   (cond [(poly-constant? polynomial) basis]
         [else
-         (define same (find-equal basis polynomial))
+         (define same (findf (lambda (b) (poly=? (power-base b) polynomial)) basis))
          (if same
              (replace basis same (make-power polynomial (add (power-exponent same) exponent)))
              (refine R add basis polynomial exponent))]))
 
-(define (find-equal basis polynomial)
-  (findf (lambda (b) (poly=? (power-base b) polynomial)) basis))
+
 
 (define (replace basis old new)
   (for/list ([b (in-list basis)]) (if (eq? b old) new b)))
@@ -34,11 +33,11 @@
     (cond [(null? bs) (cons (make-power x e) basis)]
           [else
            (define b (power-base (car bs)))
-           (define k (power-exponent (car bs)))
+
            (define d (poly-gcd R b x))
            (if (poly-constant? d)
                (loop (cdr bs) (cons (car bs) coprime))
-               (split R add (append coprime (cdr bs)) b k d x e))])))
+               (split R add (append coprime (cdr bs)) b (power-exponent (car bs)) d x e))])))
 
 (define (split R add others b k d x e)
   (let* ([basis (basis-insert R add others d (add k e))]

@@ -23,9 +23,9 @@
  fraction? fraction-from-poly fraction-constant fraction-rering
  ;; parts
  fraction-numerator fraction-denominator-factors fraction-denominator-parts
- fraction-denominator
+ fraction-denominator fraction-denominator-degree
  ;; asking
- fraction-zero? fraction-polynomial? fraction=? fraction-hash
+ fraction-zero? fraction-polynomial? fraction-number fraction=? fraction-hash
  ;; arithmetic
  fraction+ fraction- fraction-negate fraction-scale fraction-sum
  fraction* fraction/ fraction-invert fraction-expt fraction-product)
@@ -62,6 +62,11 @@
 (define (fraction-zero? f) (poly-zero? (fraction-numerator f)))
 (define (fraction-polynomial? f) (null? (fraction-denominator-factors f)))
 
+;; The number that f is, or #f.
+(define (fraction-number f)
+  (define p (fraction-numerator f))
+  (and (fraction-polynomial? f) (poly-constant? p) (poly-constant-value p)))
+
 ;; Denominators split differently are compared over a common basis.
 (define (fraction=? R f g)
   (define F (fraction-denominator-factors f))
@@ -74,11 +79,12 @@
 
 ;; Equal fractions have equal hashes, however their denominators are split.
 (define (fraction-hash R f)
-  (define degree
-    (for/sum ([h (in-list (fraction-denominator-factors f))])
-      (* (power-exponent h) (poly-total-degree R (power-base h)))))
-  (bitwise-and (+ (poly-hash (fraction-numerator f)) (* 7919 degree))
+  (bitwise-and (+ (poly-hash (fraction-numerator f)) (* 7919 (fraction-denominator-degree R f)))
                #xFFFFFFFFFFFF))
+
+(define (fraction-denominator-degree R f)
+  (for/sum ([h (in-list (fraction-denominator-factors f))])
+    (* (power-exponent h) (poly-total-degree R (power-base h)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Sums
@@ -186,8 +192,7 @@
         [(eqv? k 0) (fraction-constant R 1)]
         [else
          (fraction (poly-expt R (fraction-numerator f) k)
-                   (for/list ([h (in-list (fraction-denominator-factors f))])
-                     (make-power (power-base h) (* k (power-exponent h)))))]))
+                   (raise-powers (fraction-denominator-factors f) k))]))
 
 ;; The product of powers of numbers and polynomials.
 (define (fraction-product R powers)

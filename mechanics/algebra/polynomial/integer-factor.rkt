@@ -65,7 +65,7 @@
   (primitive (for/vector ([c (in-vector product)]) (symmetric-residue c P))))
 
 (define (primitive f)
-  (define content (for/fold ([g 0]) ([c (in-vector f)]) (gcd g c)))
+  (define content (apply gcd (vector->list f)))
   (define signed (if (negative? (leading f)) (- content) content))
   (for/vector #:length (vector-length f) ([c (in-vector f)]) (quotient c signed)))
 

@@ -144,8 +144,8 @@
 ;; -> point and the factors of the image there, as few as can be had; #f and #f if
 ;; all images have double factors.
 (define (best-image R q x)
-  (define others (remv x (poly-variables R q)))
-  (let loop ([points (points others)] [tries images-limit] [best #f] [factors #f])
+  (let loop ([points (points (remv x (poly-variables R q)))]
+             [tries images-limit] [best #f] [factors #f])
     (cond [(or (null? points) (eqv? tries 0) (and factors (null? (cdr factors))))
            (values best factors)]
           [else

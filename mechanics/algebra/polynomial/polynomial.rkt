@@ -25,6 +25,6 @@
  poly-gcd* poly-content poly-primitive poly-parts
  common-monomial monomial-factors divide-by-monomial
  ;; powers, of polynomials or of the variables in a term
- make-power power-base power-exponent product-leading-coefficient
+ make-power power-base power-exponent raise-powers product-leading-coefficient
  ;; along one variable
  poly-coefficients poly-from-coefficients make-slice slice-degree slice-coefficient)

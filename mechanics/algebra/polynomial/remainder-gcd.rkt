@@ -66,5 +66,6 @@
            (define rest (poly-from-coefficients R x (cdr cs)))
            (define top
              (make-slice (- (slice-degree (car cs)) n) (slice-coefficient (car cs))))
-           (define shifted (poly-from-coefficients R x (list top)))
-           (loop (poly- R (poly* R lead rest) (poly* R shifted tail)))])))
+           (loop (poly- R
+                        (poly* R lead rest)
+                        (poly* R (poly-from-coefficients R x (list top)) tail)))])))

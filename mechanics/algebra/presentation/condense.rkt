@@ -46,8 +46,9 @@
 ;; The kernel of a sum or of its opposite, whichever begins with a plus.
 (define (unsigned-kernel F terms)
   (define sorted (term-sort terms))
-  (define negative? (< (term-coefficient (car sorted)) 0))
-  (sum-kernel F (if negative? (scale-terms -1 sorted) sorted)))
+  (sum-kernel F (if (negative? (term-coefficient (car sorted)))
+                    (scale-terms -1 sorted)
+                    sorted)))
 
 ;; The first of the lists unless a later one is enough smaller.
 (define (prefer F usual . others)
@@ -88,8 +89,7 @@
     (filter-not (lambda (p) (symbol? (kernel-expression (car p)))) (term-powers t)))
   (and (not (divided? t)) (= 1 (length others)) (sum-kernel? (caar others))))
 
-(define (divided? t)
-  (for/or ([p (in-list (term-powers t))]) (negative? (cdr p))))
+(define (divided? t) (ormap negative? (map cdr (term-powers t))))
 
 ;; Fractions within a fraction are no improvement, except over sums and roots.
 (define (heavy-size k e) (if (heavy-power? k e) (power-size k e) 0))
@@ -113,19 +113,18 @@
       (heavy-size k e)
       0))
 
-(define (without-circles? t)
-  (not (for/or ([p (in-list (term-powers t))]) (circular-kernel? (car p)))))
+(define (without-circles? t) (not (ormap circular-kernel? (map car (term-powers t)))))
 
 ;; With what the terms share in front, or all over one denominator, if that is
 ;; enough smaller; exponentials that they share always.
 (define (prefer-factored F terms)
   (define-values (c shared core) (extract-content terms #t))
-  (define sign (if (negative? c) -1 1))
+
   (define exponentials (filter exponential-power? shared))
   (define powers
     (if (ormap divided? core) (filter (lambda (p) (heavy-power? (car p) (cdr p))) shared) shared))
   (prefer F
-          (if (null? exponentials) terms (with-factor F terms sign exponentials))
+          (if (null? exponentials) terms (with-factor F terms (if (negative? c) -1 1) exponentials))
           (with-factor F terms c powers)
           (if (ormap divided? terms) (in-one-fraction F terms) terms)))
 

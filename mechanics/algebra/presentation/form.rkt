@@ -42,45 +42,44 @@
   (define whole (absorb-into-roots others))
   (define above (by-rank (positive-powers whole)))
   (define below (by-rank (negative-powers whole)))
-  (define extra (if exponential (list exponential) '()))
+  (define extra
+    (if exponential
+        (list (form (expression-size exponential) 1 (lambda (sign) exponential)))
+        '()))
   (define quotient? (or (pair? below) (pair? divisors)))
-  (define sum? (or (pair? sums) (ormap (lambda (p) (sum-kernel? (car p))) above)))
+  (define sum? (or (pair? sums) (ormap sum-kernel? (map car above))))
   (define down? (and sum? quotient? (not inexact?)))
   (define top (if down? (numerator (abs c)) (abs c)))
   (define bottom (if down? (denominator c) 1))
+  (define lower (map divisor-form divisors))
   (define (build sign)
-    (define n (upper-expression (present-number (* sign top) inexact?) above sums extra))
+    (define n (factors-expression (present-number (* sign top) inexact?) above sums extra))
     (if quotient?
-        (make-node op:/ (list n (lower-expression bottom below divisors)))
+        (make-node op:/ (list n (factors-expression bottom below '() lower)))
         n))
-  (form (+ (upper-size top above sums extra)
-           (if quotient? (+ 1 (lower-size bottom below divisors)) 0)
+  (form (+ (factors-size top above sums extra)
+           (if quotient? (+ 1 (factors-size bottom below '() lower)) 0)
            (if (negative? c) 1 0))
         (if (negative? c) -1 1)
         build))
 
-(define (upper-expression c powers sums extra)
+;; What stands above the line, or below it.  sums, extra : forms; these come last
+(define (factors-expression c powers sums extra)
   (product-expression c (append (insert-sums (map form-expression sums)
                                              (powers->expressions powers))
-                                extra)))
+                                (map form-expression extra))))
 
-(define (lower-expression c powers divisors)
-  (product-expression c (append (powers->expressions powers)
-                                (map divisor-expression divisors))))
+(define (factors-size c powers sums extra)
+  (define size (+ (powers-size powers) (sizes sums) (sizes extra)))
+  (define count (+ (length powers) (length sums) (length extra)))
+  (cond [(eqv? count 0) 1]
+        [(eqv? c 1) (+ size (if (eqv? count 1) 0 1))]
+        [else (+ size 2)]))
 
-(define (upper-size c powers sums extra)
-  (factors-size c
-                (+ (powers-size powers) (sizes sums)
-                   (for/sum ([e (in-list extra)]) (expression-size e)))
-                (+ (length powers) (length sums) (length extra))))
-
-(define (lower-size c powers divisors)
-  (factors-size c
-                (+ (powers-size powers) (divisors-size divisors))
-                (+ (length powers) (length divisors))))
-
-(define (divisor-expression d)
-  (expt-expression (form-expression (car d)) (cdr d)))
+(define (divisor-form d)
+  (form (+ (form-size (car d)) (if (eqv? 1 (cdr d)) 0 2))
+        1
+        (lambda (sign) (expt-expression (form-expression (car d)) (cdr d)))))
 
 ;; The number c times the factors, the first of which may be numbers, too.
 (define (product-expression c factors)
@@ -167,7 +166,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Sizes
 
-(define (sizes forms) (for/sum ([f (in-list forms)]) (form-size f)))
+(define (sizes forms) (apply + (map form-size forms)))
 
 (define (powers-size powers)
   (for/sum ([p (in-list powers)]) (power-size (car p) (cdr p))))
@@ -177,12 +176,4 @@
   (define unit? (eqv? 1 (if (and (root? r) (> n 1)) (/ n (root-degree r)) (abs n))))
   (+ (kernel-size k) (if unit? 0 2)))
 
-(define (divisors-size divisors)
-  (for/sum ([d (in-list divisors)])
-    (+ (form-size (car d)) (if (eqv? 1 (cdr d)) 0 2))))
 
-;; A product of `count` factors of total size `size`, and the number c.
-(define (factors-size c size count)
-  (cond [(eqv? count 0) 1]
-        [(eqv? c 1) (+ size (if (eqv? count 1) 0 1))]
-        [else (+ size 2)]))

@@ -108,8 +108,7 @@
     (and (= (term-coefficient f) (term-coefficient g))
          (equal? (term-powers f) (term-powers g)))))
 
-(define (has-sum? t)
-  (for/or ([p (in-list (term-powers t))]) (sum-kernel? (car p))))
+(define (has-sum? t) (ormap sum-kernel? (map car (term-powers t))))
 
 ;; The number of two terms that differ in sign at most, else 1.
 (define (shared-number a b)

@@ -50,11 +50,11 @@
 (define term-bound 200)
 
 (define (separable? F f)
-  (define (sum-over measure)
+  (define terms
     (for/sum ([h (in-list (fraction-denominator-factors f))])
-      (* (power-exponent h) (measure (power-base h)))))
-  (and (<= (sum-over (lambda (p) (poly-total-degree (field-ring F) p))) degree-bound)
-       (<= (sum-over poly-term-count) term-bound)
+      (* (power-exponent h) (poly-term-count (power-base h)))))
+  (and (<= (fraction-denominator-degree (field-ring F) f) degree-bound)
+       (<= terms term-bound)
        (<= (poly-term-count (fraction-numerator f)) term-bound)))
 
 ;; Those with relations, then the others, by rank.

@@ -26,10 +26,7 @@
 (define (present-poly F p) (present F (fraction-from-poly (field-ring F) p)))
 
 (define (present-here F f)
-  (define p (fraction-numerator f))
-  (cond [(fraction-zero? f) 0]
-        [(and (fraction-polynomial? f) (poly-constant? p))
-         (present-number (poly-constant-value p) (field-inexact? F))]
+  (cond [(fraction-number f) => (lambda (c) (present-number c (field-inexact? F)))]
         [else
          (define usual (fraction-form F f))
          (define other (rationalize-above F f))

@@ -23,7 +23,7 @@
 ;; intern : expression -> kernel
 ;; not-negative? : expression -> is it known, or may it be taken, not to be negative?
 (define (gather-under-roots t intern not-negative?)
-  (if (ormap (lambda (p) (square-root? (car p))) (term-powers t))
+  (if (ormap square-root? (map car (term-powers t)))
       (for/fold ([c (term-coefficient t)] [powers (term-powers t)]
                  #:result (make-term c powers))
                 ([p (in-list (term-powers t))])
@@ -94,8 +94,8 @@
 
 ;; 1 or -1 if all exponents have that sign, else #f.
 (define (common-sign exponents)
-  (cond [(andmap (lambda (f) (positive? (cdr f))) exponents) 1]
-        [(andmap (lambda (f) (negative? (cdr f))) exponents) -1]
+  (cond [(andmap positive? (map cdr exponents)) 1]
+        [(andmap negative? (map cdr exponents)) -1]
         [else #f]))
 
 ;; ((factor . half-integer) ...)

@@ -114,8 +114,7 @@
   (define ratio (rational-root (/ (term-coefficient w) (term-coefficient content))))
   (define new
     (and ratio
-         (andmap (lambda (p) (even? (cdr p)))
-                 (divide-powers (term-powers w) (term-powers content)))
+         (andmap even? (map cdr (divide-powers (term-powers w) (term-powers content))))
          (term ratio (root-of (term-powers w) (term-powers content)))))
   (define products
     (and new

@@ -8,10 +8,11 @@
 
 (require racket/list
          "../expression/exact-numbers.rkt" "../expression/order.rkt"
-         "../kernel/exponentials.rkt" "../kernel/kernel.rkt")
+         "../kernel/exponentials.rkt" "../kernel/kernel.rkt"
+         (only-in "../polynomial/polynomial.rkt" raise-powers))
 
 (provide (struct-out term) make-term term-sort constant-first group-in-order in-tails
-         collect-powers combine-powers multiply-powers divide-powers raise-powers invert-powers
+         collect-powers combine-powers multiply-powers divide-powers invert-powers
          scale-terms multiply-terms extract-content common-powers nearer-to-zero
          exponential-power? has-exponential?
          positive-powers negative-powers by-rank)
@@ -108,8 +109,7 @@
 
 (define (multiply-powers as bs) (combine-powers (lambda (k m n) (+ m n)) as bs))
 (define (divide-powers as bs) (combine-powers (lambda (k m n) (- m n)) as bs))
-(define (raise-powers powers e)
-  (for/list ([p (in-list powers)]) (cons (car p) (* e (cdr p)))))
+
 (define (invert-powers powers) (raise-powers powers -1))
 
 (define (scale-terms c terms)
@@ -131,9 +131,9 @@
 ;; not all negative, and no kernel to a negative power or in every term; or, if
 ;; `shared?`, only what all terms share is taken out: no common denominator.
 (define (extract-content terms [shared? #f])
-  (define c (rational-content (map term-coefficient terms)))
-  (define signed
-    (if (andmap (lambda (t) (negative? (term-coefficient t))) terms) (- c) c))
+  (define coefficients (map term-coefficient terms))
+  (define c (rational-content coefficients))
+  (define signed (if (andmap negative? coefficients) (- c) c))
   (define powers
     (for/fold ([common (term-powers (car terms))]) ([t (in-list (cdr terms))])
       (common-powers common (term-powers t) shared?)))

@@ -45,7 +45,7 @@
   (define cosines (make-hasheqv))
   (define sines (make-hasheqv))
   (for ([t (in-list terms)])
-    (define odd (for/sum ([e (in-list (cdr t))]) (cdr e)))
+    (define odd (apply + (map cdr (cdr t))))
     (define degree (for/sum ([e (in-list (cdr t))]) (+ (car e) (cdr e))))
     (define amplitude (/ (car t) (arithmetic-shift 1 degree)))
     (add-products! (if (even? odd) cosines sines)

@@ -23,8 +23,7 @@
 ;; -> expression and assumptions
 (define (factored-expression e [A no-assumptions])
   (define-values (F f assumptions) (normal-form e A))
-  (define p (fraction-numerator f))
-  (values (if (and (fraction-polynomial? f) (poly-constant? p))
+  (values (if (fraction-number f)
               (quotient-expression F f)
               (flatten-products (form-expression (factored-form F f))))
           assumptions))
@@ -133,8 +132,7 @@
 
 (define (first-coefficient F p) (car (car (terms-as-presented F p))))
 
-(define (mixed? F p)
-  (for/or ([t (in-list (terms-as-presented F p))]) (negative? (car t))))
+(define (mixed? F p) (ormap negative? (map car (terms-as-presented F p))))
 
 ;; ---------------------------------------------------------------------------
 ;; Writing

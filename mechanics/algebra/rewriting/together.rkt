@@ -26,9 +26,9 @@
   (values (quotient-expression F f) assumptions))
 
 (define (quotient-expression F f)
-  (define p (fraction-numerator f))
-  (if (and (fraction-polynomial? f) (poly-constant? p))
-      (present-number (poly-constant-value p) (field-inexact? F))
+  (define c (fraction-number f))
+  (if c
+      (present-number c (field-inexact? F))
       (flatten-products (form-expression (quotient-form F f)))))
 
 ;; -> two expressions, whose quotient e is, and assumptions
@@ -74,8 +74,7 @@
       (values content powers rest)))
 
 ;; Does every term of the polynomial, as it is presented, have a minus sign?
-(define (all-negative? F p)
-  (for/and ([t (in-list (terms-as-presented F p))]) (negative? (car t))))
+(define (all-negative? F p) (andmap negative? (map car (terms-as-presented F p))))
 
 ;; ((number . expression) ...)
 (define (terms-as-presented F p) (linear-terms F (fraction-from-poly (field-ring F) p)))

@@ -30,11 +30,7 @@
   (define r (relation-of F i))
   (define u (and r (eqv? 2 (relation-degree r)) (relation-radicand r)))
   (define c
-    (and u
-         (root? (kernel-relation (field-kernel F i)))
-         (fraction-polynomial? u)
-         (poly-constant? (fraction-numerator u))
-         (poly-constant-value (fraction-numerator u))))
+    (and u (root? (kernel-relation (field-kernel F i))) (fraction-number u)))
   (and c (positive? c) c))
 
 ;; (a b) if p is a + b x with a ≠ 0

@@ -111,9 +111,7 @@
   (define R (field-ring F))
   (if (fraction-polynomial? f)
       0
-      (* 2 (for/fold ([degree (poly-total-degree R (fraction-numerator f))])
-                     ([h (in-list (fraction-denominator-factors f))])
-             (+ degree (* (power-exponent h) (poly-total-degree R (power-base h))))))))
+      (* 2 (+ (poly-total-degree R (fraction-numerator f)) (fraction-denominator-degree R f)))))
 
 ;; The form in a ring with room for that.
 (define (roomy n)

@@ -39,9 +39,8 @@
      (define-values (roots others) (roots-that-leave F number factors q real?))
      (define-values (joint together apart) (by-joint-sign F others q))
      (define-values (sign signed unknown) (by-signs F apart q real?))
-     (define known (append together signed))
      (define parts (append (number-parts (* sign number) q (field-inexact? F))
-                           (for/list ([g (in-list known)]) (cons (car g) (/ (cdr g) q)))))
+                           (raise-powers (append together signed) (/ 1 q))))
      (define-values (outer lower kept) (careful-roots F unknown q real?))
      (define rest (append (filter pair? (map fractional-part parts)) kept))
      (values (e:* joint
@@ -140,8 +139,7 @@
 
 ;; All parts under one root of degree q.
 (define (one-root F parts q)
-  (define powers (for/list ([p (in-list parts)]) (cons (car p) (* q (cdr p)))))
-  (cons (present F (fraction-product (field-ring F) powers)) (/ 1 q)))
+  (cons (present F (fraction-product (field-ring F) (raise-powers parts q))) (/ 1 q)))
 
 ;; -> the factors that are roots or exponentials, as ((root . integer) ...), and the others
 (define (partition-roots F factors real?)
@@ -169,12 +167,11 @@
 ;; came from a flonum is split only if nothing is left, and if it is no mere scale: without
 ;; its 2⁻⁵⁴, 0.6 - 0.2 y would have integers of 16 digits, exact in looks and rounded in truth.
 (define (number-parts x q inexact?)
-  (define factors
-    (for/list ([f (in-list (number-factors (abs x)))]) (cons (car f) (/ (cdr f) q))))
+  (define factors (raise-powers (number-factors (abs x)) (/ 1 q)))
   (define sign (if (negative? x) (list (cons -1 (/ 1 q))) '()))
   (cond [(eqv? x 1) '()]
         [(and inexact? (or (> (denominator x) most-scale)
-                           (not (andmap (lambda (f) (integer? (cdr f))) factors))))
+                           (not (andmap integer? (map cdr factors)))))
          (list (cons x (/ 1 q)))]
         [else (append factors sign)]))
 
@@ -191,15 +188,14 @@
 ;; Parts with fractions for exponents, those of one denominator in one root: its
 ;; radicand is no power itself, unless it is negative.
 (define (grouped-roots F parts)
-  (define degrees (remove-duplicates (for/list ([p (in-list parts)]) (denominator (cdr p))) eqv?))
+  (define degrees (remove-duplicates (map denominator (map cdr parts)) eqv?))
   (for/list ([d (in-list degrees)])
     (define group (filter (lambda (p) (eqv? d (denominator (cdr p)))) parts))
     (define signed? (assv -1 group))
-    (define common (apply gcd (for/list ([p (in-list group)]) (numerator (cdr p)))))
-    (define sign (if (andmap (lambda (p) (negative? (cdr p))) group) -1 1))
+    (define common (apply gcd (map numerator (map cdr group))))
+    (define sign (if (andmap negative? (map cdr group)) -1 1))
     (define power (if signed? 1 (* sign common)))
-    (define inner
-      (for/list ([p (in-list group)]) (cons (car p) (/ (numerator (cdr p)) power))))
+    (define inner (raise-powers group (/ d power)))
     (cons (present F (fraction-product (field-ring F) inner)) (/ power d))))
 
 ;; -> number and ((polynomial . integer) ...), whose product f is: the parts of
@@ -212,9 +208,7 @@
   (define given (fraction-denominator-factors f))
   (values (/ (* (poly-leading-coefficient p) (product-leading-coefficient below))
              (* (product-leading-coefficient above) (product-leading-coefficient given)))
-          (append above
-                  (for/list ([h (in-list below)])
-                    (make-power (power-base h) (- (power-exponent h)))))))
+          (append above (raise-powers below -1))))
 
 ;; The fraction as a number and ((expression . integer) ...), factors with a
 ;; positive leading coefficient.

@@ -48,8 +48,9 @@
     (simplify-expression
      (substitute-expression f (list (cons (of op:cos) cosine) (cons (of op:sin) sine))) A))
   (define C (with 0 0))
-  (define-values (a b) (values (e:- (with 1 0) C) (e:- (with 0 1) C)))
-  (define-values (cosine sine) (values (simplify-expression a A) (simplify-expression b A)))
+  (define (coefficient value) (simplify-expression (e:- value C) A))
+  (define cosine (coefficient (with 1 0)))
+  (define sine (coefficient (with 0 1)))
   (define wave (e:+ (e:* cosine (of op:cos)) (e:+ (e:* sine (of op:sin)) C)))
   (and (zero-everywhere? (e:- f wave) A)
        (not (ormap (lambda (e) (occurs? x e)) (list cosine sine C)))

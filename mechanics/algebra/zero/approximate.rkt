@@ -104,8 +104,7 @@
 ;; A bound for the derivative by argument k, from a difference quotient, with
 ;; room for its change over the error.
 (define (slope op xs k value)
-  (define x (list-ref xs k))
-  (define h (* 1e-6 (max 1.0 (magnitude x))))
+  (define h (* 1e-6 (max 1.0 (magnitude (list-ref xs k)))))
   (define (at dx)
     (define moved (for/list ([y (in-list xs)] [i (in-naturals)]) (if (eqv? i k) (+ y dx) y)))
     (magnitude (- (apply (operation-numeric op) moved) value)))

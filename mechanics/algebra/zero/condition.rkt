@@ -26,8 +26,8 @@
 ;; none.
 (define (factor-and-core F f variables may-vanish?)
   (define (parameter? e) (constant-expression? e variables))
-  (define candidates (vanishing-factors F (fraction-numerator f) may-vanish?))
-  (define core (choose-core F candidates parameter?))
+  (define core
+    (choose-core F (vanishing-factors F (fraction-numerator f) may-vanish?) parameter?))
   (cond [core
          (define-values (factor p)
            (with-flonums-in-core

@@ -37,6 +37,6 @@
 
 (define (unknown x unknowns)
   (define below? (and (real? x) (negative? x)))
-  (define key (if below? (- x) x))
-  (define symbol (hash-ref! unknowns key (lambda () (string->uninterned-symbol "c"))))
+  (define symbol
+    (hash-ref! unknowns (if below? (- x) x) (lambda () (string->uninterned-symbol "c"))))
   (if below? (e:negate symbol) symbol))

@@ -122,10 +122,9 @@
 
 ;; Has one of those that move other values where the variables are others?
 (define (varies? m lookup)
-  (define variables (meaning-variables m))
   (for*/or ([e (in-list (meaning-moving m))] [k (in-range 1 4)])
     (define x (real-value e lookup))
-    (define y (real-value e (elsewhere lookup variables k)))
+    (define y (real-value e (elsewhere lookup (meaning-variables m) k)))
     (or (not (and x y))
         (> (abs (- x y)) (* 1e-9 (+ (abs x) (abs y)))))))
 

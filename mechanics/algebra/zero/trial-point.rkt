@@ -26,8 +26,7 @@
 
 (define (make-question e residual place)
   (define complex? (contains-complex? e))
-  (define usable? (or complex? (not (contains-complex? residual))))
-  (question e (if usable? residual e) place
+  (question e (if (or complex? (not (contains-complex? residual))) residual e) place
             (if complex? complex-value tape-value)
             (not (or complex? (contains-flonum? e)))
             (if (eq? e residual) (hash) (decisive-leaves e))))
