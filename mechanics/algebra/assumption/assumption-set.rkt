@@ -117,8 +117,6 @@
              (lambda (leaf) (or (symbol? leaf) (real? leaf)))
              (lambda (n parts) (and (andmap values parts) (single-valued? n)))))
 
-
-
 (define (structural n parts)
   (define head (node-head n))
   (cond [(eq? head op:+) (known-sum parts)]

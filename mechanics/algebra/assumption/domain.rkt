@@ -33,13 +33,13 @@
   (define head (node-head n))
   (define u (and (pair? (node-args n)) (car (node-args n))))
   (define (need-signs! signs) (unless (signs-within? (known) signs) (need! signs u)))
-  (define (need-size! most)
-    (need! nonnegative (e:- u (- most)))
-    (need! nonnegative (e:- most u)))
+
   (cond [(eq? head op:sqrt) (need-signs! nonnegative)]
         [(eq? head op:log) (need-signs! positive)]
         [(eq? head op:expt) (power-conditions (cadr (node-args n)) need-signs!)]
-        [(memq head (list op:asin op:acos op:atanh)) (need-size! 1)]
+        [(memq head (list op:asin op:acos op:atanh))
+         (need! nonnegative (e:- u -1))
+         (need! nonnegative (e:- 1 u))]
         [(eq? head op:acosh) (need! nonnegative (e:- u 1))]
         [else (void)]))
 

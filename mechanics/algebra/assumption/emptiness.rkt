@@ -91,5 +91,3 @@
         [(infinite? high) (if (< low 1) 1 (* 2 low))]
         [(infinite? low) (if (> high -1) -1 (* 2 high))]
         [else (/ (+ low high) 2)]))
-
-

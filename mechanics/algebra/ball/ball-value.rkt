@@ -173,5 +173,3 @@
       (let ([b (value->ball x (+ p 32))])
         (unless (or (ball-positive? b) (not (ball? n))) (raise unknown))
         (ball-power b (value->ball n (+ p 32)) p))))
-
-

@@ -18,8 +18,6 @@
 
 (provide visit-angle! settle-angles! doubled-circles dependent-angles?)
 
-
-
 (define (visit-angle! c n)
   (define head (node-head n))
   (define circular? (and (memq head circular-functions) #t))

@@ -89,7 +89,6 @@
 (define inverse (operations-where arc))
 (define odd (cons op:atan (operations-where odd)))
 
-
 ;; What a blocked node simplifies to stands for it; a sum as one kernel.
 (define (visit-blocked! c n)
   (define simple
@@ -225,8 +224,6 @@
            (cons (cdr a) (tidy-power c (car a))))
          before?)))
 
-
-
 (define (signed-sum operands)
   (define (of sign) (filter (lambda (a) (eqv? sign (car a))) operands))
   (define plus (of 1))
@@ -250,7 +247,7 @@
          (and (exact-integer? (cadr args)) (cons (car args) (cadr args)))]
         [else
          (and (eq? (node-head e) op:*)
-              (for/and ([a (in-list (cdr args))]) (equal? a (car args)))
+              (= 1 (length (remove-duplicates args)))
               (cons (car args) (length args)))]))
 
 (define (settle-roots! c)

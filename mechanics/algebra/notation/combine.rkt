@@ -79,8 +79,6 @@
         (struct-copy application f [bare? #f])
         f)))
 
-
-
 (define (as-factor t)
   (if (or (sum? t) (relation? t)) (parenthesized t) t))
 

@@ -24,8 +24,6 @@
     (define m (regexp-match (cadr rule) text at))
     (and m (token (car rule) (car m) ((caddr rule) m) at spaced?))))
 
-
-
 (define rules
   (list
    (list 'number #px"^[½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞]" (lambda (m) (small-fraction->number (car m))))
@@ -50,8 +48,6 @@
    (list 'comma #rx"^," void) (list 'semicolon #rx"^;" void)
    (list 'relation #px"^[=<>≤≥∘↦]" void)
    (list 'dots #rx"^⋯" void)))
-
-
 
 (define (number-of m)
   (define exponent (caddr m))

@@ -23,8 +23,6 @@
              (replace basis same (make-power polynomial (add (power-exponent same) exponent)))
              (refine R add basis polynomial exponent))]))
 
-
-
 (define (replace basis old new)
   (for/list ([b (in-list basis)]) (if (eq? b old) new b)))
 

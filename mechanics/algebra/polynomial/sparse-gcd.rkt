@@ -194,8 +194,6 @@
     (fxvector-set! point i (sample-residue (+ 500 (problem-seed k)) i P)))
   point)
 
-
-
 ;; Newton's interpolation in y of every coefficient.
 ;; images : one a point, lists of coefficients in the order of the terms
 (define (interpolate R y terms points images P)

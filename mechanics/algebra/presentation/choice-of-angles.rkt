@@ -51,8 +51,6 @@
 
 (define (lone? group) (null? (cdr group)))
 
-
-
 ;; ---------------------------------------------------------------------------
 ;; One group
 
@@ -108,8 +106,7 @@
 ;; Do the exponents of the circle's functions differ among the summands?
 (define (varies? o summands)
   (define (exponents s) (exponents-of s (list o)))
-  (define own (exponents (car summands)))
-  (for/or ([s (in-list (cdr summands))]) (not (equal? (exponents s) own))))
+  (> (length (remove-duplicates (map exponents summands))) 1))
 
 ;; The powers that all summands share: those of no active circle.
 (define (unvarying written active)

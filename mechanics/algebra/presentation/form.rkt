@@ -175,5 +175,3 @@
   (define r (kernel-relation k))
   (define unit? (eqv? 1 (if (and (root? r) (> n 1)) (/ n (root-degree r)) (abs n))))
   (+ (kernel-size k) (if unit? 0 2)))
-
-

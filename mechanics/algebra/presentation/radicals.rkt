@@ -56,8 +56,6 @@
        (not (ormap (lambda (f) (headed? (car f) op:expt)) factors))
        factors))
 
-
-
 ;; ---------------------------------------------------------------------------
 ;; Gathering
 

@@ -25,7 +25,7 @@
 
 ;; terms : in the order of a sum; sum->kernel : terms -> the kernel of their sum
 (define (merge-squares terms sum->kernel)
-  (if (or (null? terms) (null? (cdr terms)) (null? (cddr terms)) (> (length terms) limit))
+  (if (not (<= 3 (length terms) limit))
       terms
       (let-values ([(squares rest) (find-squares terms)])
         (define kept (filter (lambda (s) (welcome? s squares)) squares))
@@ -62,8 +62,7 @@
   (define (degree m)
     (for/sum ([p (in-list (term-powers m))])
       (if (symbol? (kernel-expression (car p))) (cdr p) 0)))
-  (define own (degree (car members)))
-  (andmap (lambda (m) (= (degree m) own)) (cdr members)))
+  (= 1 (length (remove-duplicates (map degree members)))))
 
 ;; -> squares and the terms that are left
 (define (find-squares terms)
@@ -140,7 +139,7 @@
     (cons (if (= (term-coefficient t) (term-coefficient product)) 1 -1) t)))
 
 (define (common-sign signs)
-  (and (andmap (lambda (s) (eqv? s (car signs))) signs) (car signs)))
+  (and (= 1 (length (remove-duplicates signs))) (car signs)))
 
 ;; ---------------------------------------------------------------------------
 ;; Roots

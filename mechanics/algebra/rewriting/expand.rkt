@@ -39,8 +39,6 @@
 (define (piece-terms F p)
   (multiply-terms (poly->terms F (piece-numerator p) summands) (collect-powers (piece-powers p))))
 
-
-
 (define (quotient-forms F p)
   (define divisors
     (for/list ([h (in-list (piece-factors p))])

@@ -76,8 +76,6 @@
       (struct-copy factors product
         [polynomials (append (factors-polynomials product) (list (cons h e)))])))
 
-
-
 ;; ---------------------------------------------------------------------------
 ;; Squares of sines
 
@@ -130,7 +128,7 @@
            (for/list ([g (in-list (factors-polynomials product))])
              (if (eq? g h) (cons (poly-negate (field-ring F) (car g)) (cdr g)) g))))
 
-(define (first-coefficient F p) (car (car (terms-as-presented F p))))
+(define (first-coefficient F p) (caar (terms-as-presented F p)))
 
 (define (mixed? F p) (ormap negative? (map car (terms-as-presented F p))))
 

@@ -79,8 +79,6 @@
 ;; ((number . expression) ...)
 (define (terms-as-presented F p) (linear-terms F (fraction-from-poly (field-ring F) p)))
 
-
-
 ;; ---------------------------------------------------------------------------
 ;; Expressions as forms
 

@@ -84,10 +84,8 @@
   (define there
     (struct-copy assumptions A [relations (append (assumptions-relations A) others)]))
   (define lookup (find-reference (list e) there))
-  (define-values (x y)
-    (if lookup
-        (values (real-value e lookup) (real-value simple lookup))
-        (values #f #f)))
+  (define x (and lookup (real-value e lookup)))
+  (define y (and lookup (real-value simple lookup)))
   (and x y (> (abs (- x y)) (* 1e-9 (+ 1.0 (abs x))))))
 
 ;; Is it the same under these, too?  -> what that rests on, or #f.  Nothing is taken for granted

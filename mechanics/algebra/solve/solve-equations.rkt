@@ -95,8 +95,6 @@
 ;; Is e a rational multiple of π?
 (define (pi-turns? e) (and (symbolic? e) (number? (simplify-expression (e:/ e exact-pi)))))
 
-
-
 ;; Each once.
 (define (unconditional-first solutions)
   (define-values (conditional others)

@@ -63,7 +63,7 @@
 
 ;; The polynomial or its negative, whichever has its first term positive.
 (define (presentable-sign F p)
-  (if (negative? (car (car (linear-terms F p))))
+  (if (negative? (caar (linear-terms F p)))
       (fraction-negate (field-ring F) p)
       p))
 

@@ -84,8 +84,6 @@
       (append (take integers positive-points) fractions (drop integers positive-points))
       (append integers fractions)))
 
-
-
 ;; Has it a sine or the like of a multiple of π, or of a decimal, which may be one?  At
 ;; integers sin 2πt is 0.
 (define (counts-in-turns? t)
