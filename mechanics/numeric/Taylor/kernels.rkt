@@ -13,16 +13,15 @@
 (provide sum-kernels product-kernels square-kernels shared-product-kernels
          differential-kernel leading-kernel differential-leading-kernel
          root-kernel power-kernel reciprocal-kernel
-         derivative-kernel integral-kernel
-         itself (struct-out weighed) (struct-out product) (struct-out target)
-         last-index)
+         derivative-kernel integral-kernel pair-kernel
+         itself (struct-out weighed) (struct-out product) (struct-out target))
 
 ;; weight times a row; weight times a product of rows of the degrees given, or +inf.0 for one
 ;; that does not end
 (struct weighed (weight row) #:authentic)
 (struct product (weight a a-degree b b-degree) #:authentic)
-;; a row that becomes weight times a product of `a` and another
-(struct target (row weight a) #:authentic)
+;; a row that becomes the product of `a` and another
+(struct target (row a) #:authentic)
 
 ;; ---------------------------------------------------------------------------
 ;; Sums
@@ -31,22 +30,19 @@
 ;; the one that the kernel makes.
 (define (itself r) (weighed 1.0 r))
 
-;; In groups of at most three: (make group base) makes the kernel of each, of which the first
-;; begins with the base and the others with what is there.
-(define (grouped r things base make)
+;; In groups of at most three: make is applied to r, the base and each of the parts of a group,
+;; those of all its things in turn; the first group begins with the base and the others with what
+;; is there.
+(define (grouped r things base make . parts)
   (let loop ([things things] [base base])
     (cond [(null? things) '()]
           [else
-           (define n (min 3 (length things)))
-           (define-values (group rest) (split-at things n))
-           (cons (make group base) (loop rest (itself r)))])))
+           (define-values (group rest) (split-at things (min 3 (length things))))
+           (cons (apply make r base (append-map (lambda (part) (map part group)) parts))
+                 (loop rest (itself r)))])))
 
 ;; base + Σ weight row
-(define (sum-kernels r terms base)
-  (grouped r terms base
-           (lambda (group base)
-             (apply (case (length group) [(1) sum-1] [(2) sum-2] [else sum-3])
-                    r base (append (map weighed-weight group) (map weighed-row group))))))
+(define (sum-kernels r terms base) (grouped r terms base sums weighed-weight weighed-row))
 
 ;; A kernel of k that stores in r_k the sum of the base and of the terms, in the loop `within`.
 (define-syntax-rule (storing-kernel r k base (within loop-part ...) term ...)
@@ -59,18 +55,18 @@
 
 (define-syntax-rule (at-once k body) body)
 
-(define-syntax-rule (define-sum name (w x) ...)
-  (define (name r base w ... x ...)
-    (storing-kernel r k base (at-once) (unsafe-fl* w (at x k)) ...)))
-
 (define-syntax total
   (syntax-rules ()
     [(_ x) x]
     [(_ x y . more) (total (unsafe-fl+ x y) . more)]))
 
-(define-sum sum-1 (u x))
-(define-sum sum-2 (u x) (v y))
-(define-sum sum-3 (u x) (v y) (w z))
+(define-syntax-rule (define-sums name ([w x] ...) ...)
+  (define name
+    (case-lambda
+      [(r base w ... x ...) (storing-kernel r k base (at-once) (unsafe-fl* w (at x k)) ...)]
+      ...)))
+
+(define-sums sums ([u x]) ([u x] [v y]) ([u x] [v y] [w z]))
 
 ;; ---------------------------------------------------------------------------
 ;; Products
@@ -78,24 +74,21 @@
 ;; base + Σ weight a b
 (define (product-kernels r products base)
   (define-values (ending endless) (partition ends? products))
-  (append (grouped r endless base (lambda (group base) (endless-products r group base)))
+  (append (grouped r endless base products-of product-weight product-a product-b)
           (for/list ([p (in-list ending)] [k (in-naturals)])
             (ending-product r p (if (or (pair? endless) (> k 0)) (itself r) base)))))
 
 (define (ends? p) (< (min (product-a-degree p) (product-b-degree p)) +inf.0))
 
-(define (endless-products r group base)
-  (apply (case (length group) [(1) products-1] [(2) products-2] [else products-3])
-         r base
-         (append (map product-weight group) (map product-a group) (map product-b group))))
+(define-syntax-rule (define-products name ([w a b s] ...) ...)
+  (define name
+    (case-lambda
+      [(r base w ... a ... b ...)
+       (storing-kernel r k base (convolve 0 k ([s a b] ...)) (unsafe-fl* w s) ...)]
+      ...)))
 
-(define-syntax-rule (define-products name (w a b s) ...)
-  (define (name r base w ... a ... b ...)
-    (storing-kernel r k base (convolve 0 k ([s a b] ...)) (unsafe-fl* w s) ...)))
-
-(define-products products-1 (u a b s))
-(define-products products-2 (u a b s) (v c d t))
-(define-products products-3 (u a b s) (v c d t) (w e f q))
+(define-products products-of
+  ([u a b s]) ([u a b s] [v c d t]) ([u a b s] [v c d t] [w e f q]))
 
 (define (ending-product r p base)
   (define-values (a b w) (values (product-a p) (product-b p) (product-weight p)))
@@ -109,36 +102,30 @@
 (define (last-index degree) (if (< degree +inf.0) degree 1000000))
 
 ;; base + Σ weight row²
-(define (square-kernels r terms base)
-  (grouped r terms base
-           (lambda (group base)
-             (apply (case (length group) [(1) squares-1] [(2) squares-2] [else squares-3])
-                    r base (append (map weighed-weight group) (map weighed-row group))))))
+(define (square-kernels r terms base) (grouped r terms base squares weighed-weight weighed-row))
 
-(define-syntax-rule (define-squares name (w a s) ...)
-  (define (name r base w ... a ...)
-    (storing-kernel r k base (convolve-halves 0 ([s a] ...)) (unsafe-fl* w s) ...)))
+(define-syntax-rule (define-squares name ([w a s] ...) ...)
+  (define name
+    (case-lambda
+      [(r base w ... a ...)
+       (storing-kernel r k base (convolve-halves 0 ([s a] ...)) (unsafe-fl* w s) ...)]
+      ...)))
 
-(define-squares squares-1 (u a s))
-(define-squares squares-2 (u a s) (v b t))
-(define-squares squares-3 (u a s) (v b t) (w c q))
+(define-squares squares ([u a s]) ([u a s] [v b t]) ([u a s] [v b t] [w c q]))
 
 ;; Each target becomes the product of its row and b, endless ones.
 (define (shared-product-kernels targets b)
-  (grouped #f targets #f
-           (lambda (group _)
-             (apply (case (length group) [(1) shared-1] [(2) shared-2] [else shared-3])
-                    b (append (map target-row group) (map target-weight group)
-                              (map target-a group))))))
+  (grouped b targets #f shared-products target-row target-a))
 
-(define-syntax-rule (define-shared name (r w a s) ...)
-  (define (name b r ... w ... a ...)
-    (lambda (k)
-      (convolve k 0 k ([s a b] ...) (begin (put! r k (unsafe-fl* w s)) ...)))))
+(define-syntax-rule (define-shared-products name ([r a s] ...) ...)
+  (define name
+    (case-lambda
+      [(b base r ... a ...)
+       (lambda (k) (convolve k 0 k ([s a b] ...) (begin (put! r k s) ...)))]
+      ...)))
 
-(define-shared shared-1 (r u a s))
-(define-shared shared-2 (r u a s) (q v c t))
-(define-shared shared-3 (r u a s) (q v c t) (p w d x))
+(define-shared-products shared-products
+  ([r a s]) ([r a s] [q c t]) ([r a s] [q c t] [p d x]))
 
 ;; ---------------------------------------------------------------------------
 ;; Differential equations: with d_j = j r_j they are about products as well
@@ -153,6 +140,29 @@
 (define (differential-kernel r weight d degree b base)
   (define end (last-index degree))
   (storing-kernel r k base (convolve 1 (smaller k end) ([s d b])) (unsafe-fl* weight s)))
+
+;; r' = u p a' and p' = v r a', given d of a: two functions of which each has the other in its
+;; derivative, as sin and cos.
+(define (pair-kernel r u p v d degree)
+  (if (= degree 1) (turning-kernel r u p v d) (general-pair-kernel r u p v d degree)))
+
+(define (general-pair-kernel r u p v d degree)
+  (define end (last-index degree))
+  (lambda (k)
+    (define order (unsafe-fx->fl k))
+    (convolve k 1 (smaller k end) ([s d p] [t d r])
+              (begin (put! r k (unsafe-fl/ (unsafe-fl* u s) order))
+                     (put! p k (unsafe-fl/ (unsafe-fl* v t) order))))))
+
+;; The angle of a drive grows as the time does: coefficient k of its sine and cosine follows from
+;; the one before alone.
+(define (turning-kernel r u p v d)
+  (lambda (k)
+    (define order (unsafe-fx->fl k))
+    (define rate (at d 1))
+    (define before (unsafe-fx- k 1))
+    (put! r k (unsafe-fl/ (unsafe-fl* (unsafe-fl* u rate) (at p before)) order))
+    (put! p k (unsafe-fl/ (unsafe-fl* (unsafe-fl* v rate) (at r before)) order))))
 
 ;; ---------------------------------------------------------------------------
 ;; Equations l r = x for r, where x_k has been stored in r_k
