@@ -3,7 +3,8 @@
 ;; there may be.
 ;;
 ;; The values of instructions are forms (jet-forms.rkt), linear combinations of nodes
-;; (jet-nodes.rkt); at the end there are the nodes that the outputs need, by their ids.
+;; (jet-nodes.rkt); at the end there are the nodes that the outputs need, by their ids, those of the
+;; inputs first.
 
 (require "jet-forms.rkt" "jet-nodes.rkt" "../program.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
@@ -117,29 +118,13 @@
     [else (apply-law! b name fs)]))
 
 ;; ---------------------------------------------------------------------------
-;; What outputs need, numbered anew
+;; What outputs need; other nodes are unused
 
 (define (pruned b outputs inputs)
-  (define count (nodes-count b))
-  (define needed (make-vector count #f))
-  (for ([id (in-vector outputs)]) (vector-set! needed id #t))
-  (for ([i (in-range inputs)]) (vector-set! needed i #t))
-  (for ([id (in-range (- count 1) -1 -1)] #:when (vector-ref needed id))
-    (for ([x (in-list (node-operands (node-of b id)))]) (vector-set! needed x #t)))
-  (define new (make-vector count #f))
-  (for/fold ([k 0]) ([id (in-range count)] #:when (vector-ref needed id))
-    (vector-set! new id k)
-    (+ k 1))
-  (graph (for/vector ([id (in-range count)] #:when (vector-ref needed id))
-           (renamed (node-of b id) (lambda (x) (vector-ref new x))))
-         (for/vector ([id (in-vector outputs)]) (vector-ref new id))
-         inputs (nodes-varying b)))
-
-(define (renamed n new)
-  (case (node-kind n)
-    [(input one) n]
-    [(linear) (list* 'linear (cadr n)
-                     (for/list ([t (in-list (cddr n))]) (cons (new (car t)) (cdr t))))]
-    [(power component) (list (car n) (new (cadr n)) (caddr n))]
-    [(law integral still) (list* (car n) (cadr n) (map new (cddr n)))]
-    [else (cons (car n) (map new (cdr n)))]))
+  (define nodes (make-vector (nodes-count b) '(unused)))
+  (define (need! id) (vector-set! nodes id (node-of b id)))
+  (for ([id (in-range inputs)]) (need! id))
+  (for ([id (in-vector outputs)]) (need! id))
+  (for ([id (in-range (- (vector-length nodes) 1) -1 -1)])
+    (for-each need! (node-operands (vector-ref nodes id))))
+  (graph nodes outputs inputs (nodes-varying b)))

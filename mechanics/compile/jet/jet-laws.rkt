@@ -4,9 +4,9 @@
 (require racket/flonum
          "../flonum-functions.rkt" "jet-rows.rkt"
          "../../generic/operation-equations.rkt"
-         "../../numeric/Taylor/kernels.rkt" "../../numeric/Taylor/pair-kernel.rkt")
+         "../../numeric/Taylor/kernels.rkt")
 
-(provide emit-law! emit-integral!)
+(provide emit-law! emit-integral! emit-value!)
 
 ;; id : of the value; arguments : ids; partner : the id of the partner, or #f if nothing
 ;; else needs it
@@ -14,14 +14,7 @@
   (define equations (equations-of name (length arguments)))
   (define p (and (pair? (cdr equations)) (if partner (row r partner) (spare-row r))))
   (define names (law r id arguments p (make-hasheq)))
-  (define body (flonum-body name (length arguments)))
-  (define x (row r id))
-  (emit-start! r
-    (case (length arguments)
-      [(1) (define a (row-named names 'a))
-           (lambda () (flvector-set! x 0 (body (flvector-ref a 0))))]
-      [else (define-values (a b) (values (row-named names 'a) (row-named names 'b)))
-            (lambda () (flvector-set! x 0 (body (flvector-ref a 0) (flvector-ref b 0))))]))
+  (emit-value! r id name arguments)
   (when p (emit-partner-start! names (cadr equations) p))
   (if (pair-of-equations? equations)
       (emit-pair! names equations)
@@ -31,38 +24,46 @@
 
 ;; arguments : ids of the operand and of the derivative there
 (define (emit-integral! r id name arguments)
-  (define names (law r id arguments #f (make-hasheq)))
-  (define-values (x a) (values (row r id) (row-named names 'a)))
-  (define body (flonum-body name 1))
-  (emit-start! r (lambda () (flvector-set! x 0 (body (flvector-ref a 0)))))
-  (emit-differential! names integral-equation 'r))
+  (emit-value! r id name (list (car arguments)))
+  (emit-differential! (law r id arguments #f (make-hasheq)) integral-equation 'r))
+
+;; The value of the operation where the motion begins.
+(define (emit-value! r id name arguments)
+  (define f (flonum-body name (length arguments)))
+  (define x (row r id))
+  (define rows (for/list ([a (in-list arguments)]) (row r a)))
+  (define (first-of row) (flvector-ref row 0))
+  (define a (car rows))
+  (emit-start! r (if (null? (cdr rows))
+                     (lambda () (flvector-set! x 0 (f (first-of a))))
+                     (lambda () (flvector-set! x 0 (apply f (map first-of rows)))))))
 
 ;; What the names in equations stand for.  derivatives : of r and p, name -> row
 (struct law (rows id arguments p derivatives) #:authentic)
 
-(define (row-named l name)
+;; The id of the argument of that name, or #f
+(define (argument-named l name)
   (case name
-    [(a) (row (law-rows l) (car (law-arguments l)))]
-    [(b) (row (law-rows l) (cadr (law-arguments l)))]
-    [(r) (row (law-rows l) (law-id l))]
-    [else (law-p l)]))
+    [(a) (car (law-arguments l))]
+    [(b) (cadr (law-arguments l))]
+    [else #f]))
+
+(define (row-named l name)
+  (if (eq? name 'p)
+      (law-p l)
+      (row (law-rows l) (or (argument-named l name) (law-id l)))))
 
 (define (degree-named l name)
-  (case name
-    [(a) (degree (law-rows l) (car (law-arguments l)))]
-    [(b) (degree (law-rows l) (cadr (law-arguments l)))]
-    [else +inf.0]))
+  (define id (argument-named l name))
+  (if id (degree (law-rows l) id) +inf.0))
 
 (define (derivative-named l name)
-  (case name
-    [(a) (derivative-row (law-rows l) (car (law-arguments l)))]
-    [(b) (derivative-row (law-rows l) (cadr (law-arguments l)))]
-    [else
-     (hash-ref! (law-derivatives l) name
-                (lambda ()
-                  (define d (spare-row (law-rows l)))
-                  (emit-in! l (derivative-kernel d (row-named l name)))
-                  d))]))
+  (define id (argument-named l name))
+  (define (make)
+    (define d (spare-row (law-rows l)))
+    (emit-in! l (derivative-kernel d (row-named l name)))
+    d)
+  (if id (derivative-row (law-rows l) id) (hash-ref! (law-derivatives l) name make)))
 
 (define (emit-in! l kernel) (emit! (law-rows l) (law-id l) kernel))
 
@@ -70,21 +71,18 @@
 
 (define (emit-partner-start! l e p)
   (define s (equation-start e))
-  (define thunk
-    (cond [s
-           (define f (flonum-body (start-operation s) 1))
-           (define x (row-named l (start-row s)))
-           (lambda () (flvector-set! p 0 (f (flvector-ref x 0))))]
+  (define value
+    (cond [s (define f (flonum-body (start-operation s) 1))
+             (define x (row-named l (start-row s)))
+             (lambda () (f (flvector-ref x 0)))]
           [else
            (define (first name) (flvector-ref (row-named l name) 0))
            (lambda ()
-             (define value
-               (for/fold ([sum (real->double-flonum (equation-constant e))])
-                         ([t (in-list (equation-terms e))])
-                 (fl+ sum (fl* (factor-of t)
-                               (fl* (first (term-left t)) (first (term-right t)))))))
-             (flvector-set! p 0 value))]))
-  (emit-start! (law-rows l) thunk))
+             (for/fold ([sum (real->double-flonum (equation-constant e))])
+                       ([t (in-list (equation-terms e))])
+               (fl+ sum (fl* (factor-of t)
+                             (fl* (first (term-left t)) (first (term-right t)))))))]))
+  (emit-start! (law-rows l) (lambda () (flvector-set! p 0 (value)))))
 
 (define (factor-of t) (real->double-flonum (term-factor t)))
 

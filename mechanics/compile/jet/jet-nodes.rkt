@@ -4,7 +4,7 @@
 ;;     (input i)  (one)  (linear c (id . c_i) ...)  (product id id)  (power id n)
 ;;     (quotient id id)  (law name id ...)  (partner id)  (still name id ...)
 ;;     (integral name id slope)
-;;     (system id ...)  (component id k)
+;;     (system id ...)  (component id k)  (unused)
 ;;
 ;; A law is an operation that has equations (generic/operation-equations.rkt); `partner` is
 ;; the partner of its value; an `integral` has no equations, but its derivative at a is another

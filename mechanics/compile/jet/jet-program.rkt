@@ -9,8 +9,8 @@
 (require racket/fixnum
          racket/flonum
          racket/list
-         "../flonum-functions.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-nodes.rkt"
-         "jet-rows.rkt" "jet-sharing.rkt" "jet-sums.rkt" "jet-work.rkt" "../program.rkt"
+         "jet-degrees.rkt" "jet-graph.rkt" "jet-laws.rkt" "jet-nodes.rkt" "jet-rows.rkt"
+         "jet-sums.rkt" "../program.rkt"
          "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/kernels.rkt"
          "../../numeric/Taylor/linear-system.rkt"
          "../../operation/operation-column.rkt")
@@ -76,7 +76,7 @@
   (define n (vector-ref nodes id))
   (define operands (cdr n))
   (case (node-kind n)
-    [(input) (void)]
+    [(input unused) (void)]
     [(one) (flvector-set! (row r id) 0 1.0)]
     [(linear) (emit-sum! r nodes id uses)]
     [(product) (emit-product! r nodes id shared)]
@@ -88,18 +88,9 @@
      (emit! r id (leading-kernel x b (degree r (cadr operands))))]
     [(law) (emit-law! r id (car operands) (cdr operands) (partner-of nodes id))]
     [(integral) (emit-integral! r id (car operands) (cdr operands))]
-    [(still) (emit-still! r id (car operands) (cdr operands))]
+    [(still) (emit-value! r id (car operands) (cdr operands))]
     [(system) (emit-system! r nodes id operands)]
     [(partner component) (void)]))    ; with the law or the system
-
-;; Once for all orders: the value of an operation on what does not vary.
-(define (emit-still! r id name ids)
-  (define f (flonum-body name (length ids)))
-  (define x (row r id))
-  (define rows (for/list ([i (in-list ids)]) (row r i)))
-  (emit-start! r (lambda ()
-                   (flvector-set! x 0 (apply f (for/list ([v (in-list rows)])
-                                                 (flvector-ref v 0)))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers
@@ -136,19 +127,18 @@
 (define (emit-system! r nodes id entries)
   (define n (integer-sqrt (length entries)))
   (define width (+ n 1))
-  (define-values (matrix right)
-    (for/fold ([matrix '()] [right '()]) ([x (in-list (reverse entries))]
-                                          [k (in-range (- (* n width) 1) -1 -1)])
-      (if (= n (remainder k width))
-          (values matrix (cons x right))
-          (values (cons x matrix) right))))
+  (define (ids of-right?)
+    (for/list ([x (in-list entries)] [k (in-naturals)]
+               #:when (eq? of-right? (= n (remainder k width))))
+      x))
   (define (rows ids) (for/vector ([x (in-list ids)]) (row r x)))
+  (define matrix (ids #f))
   (define varying (for/vector ([x (in-list matrix)]) (> (degree r x) 0)))
   (define xs
     (for/vector ([k (in-range n)])
       (define component (find-node nodes (list 'component id k)))
       (if component (row r component) (spare-row r))))
   (define-values (start! step!)
-    (system-kernels (rows matrix) (lambda (k) (vector-ref varying k)) (rows right) xs))
+    (system-kernels (rows matrix) (lambda (k) (vector-ref varying k)) (rows (ids #t)) xs))
   (emit-start! r start!)
   (emit! r id step!))

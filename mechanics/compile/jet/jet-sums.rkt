@@ -1,22 +1,66 @@
 #lang racket/base
-;; Kernels of sums and products: products that only one sum is made of are added up in place,
-;; products that share a factor take one loop (jet-sharing.rkt).
+;; Sums and products of a graph, and their kernels: products that only one sum is made of are added
+;; up in place, products that share a factor are computed together, in one loop.
 
 (require racket/flonum
-         "jet-nodes.rkt" "jet-rows.rkt"
+         racket/list
+         "jet-graph.rkt" "jet-nodes.rkt" "jet-rows.rkt"
          "../../numeric/Taylor/kernels.rkt")
 
-(provide emit-sum! emit-product!)
+(provide sole-uses factor-groups emit-sum! emit-product!)
+
+;; ---------------------------------------------------------------------------
+;; Products that go together
+
+;; 'sum of products that only one sum is made of, which are added up there; else #f.
+(define (sole-uses g)
+  (define nodes (graph-nodes g))
+  (define counts (make-vector (vector-length nodes) 0))
+  (define in-sums (make-vector (vector-length nodes) 0))
+  (define (count! v id) (vector-set! v id (+ 1 (vector-ref v id))))
+  (for* ([n (in-vector nodes)] [id (in-list (node-operands n))])
+    (count! counts id)
+    (when (eq? 'linear (node-kind n)) (count! in-sums id)))
+  (for ([id (in-vector (graph-outputs g))]) (count! counts id))
+  (for/vector ([n (in-vector nodes)] [count (in-vector counts)] [in-sum (in-vector in-sums)])
+    (and (eq? 'product (node-kind n)) (= 1 count in-sum) 'sum)))
+
+;; First product of a group -> the factor and the others, that share it and have their other
+;; factor by then.  Each id of the others -> 'done.
+(define (factor-groups g degrees uses)
+  (define nodes (graph-nodes g))
+  (define groups (make-hasheqv))
+  (define (operands id) (node-operands (vector-ref nodes id)))
+  (define (free? id)
+    (and (eq? 'product (node-kind (vector-ref nodes id)))
+         (not (vector-ref uses id))
+         (not (apply = (operands id)))
+         (not (hash-ref groups id #f))
+         (for/and ([x (in-list (operands id))]) (= +inf.0 (vector-ref degrees x)))))
+  (for ([id (in-range (vector-length nodes))] #:when (free? id))
+    (define (companions factor)
+      (for/list ([k (in-range (+ id 1) (vector-length nodes))]
+                 #:when (and (free? k)
+                             (memv factor (operands k))
+                             (< (other-factor (operands k) factor) id)))
+        k))
+    (define groups-here (map companions (operands id)))
+    (define most (argmax length groups-here))
+    (unless (null? most)
+      (hash-set! groups id (cons (list-ref (operands id) (index-of groups-here most)) most))
+      (for ([k (in-list most)]) (hash-set! groups k 'done))))
+  groups)
+
+(define (other-factor xs factor) (if (= (car xs) factor) (cadr xs) (car xs)))
+
+;; ---------------------------------------------------------------------------
+;; Kernels
 
 (define (emit-sum! r nodes id uses)
   (define n (vector-ref nodes id))
   (define x (row r id))
   (define constant (real->double-flonum (cadr n)))
-  (define-values (products others)
-    (for/fold ([products '()] [others '()]) ([t (in-list (reverse (cddr n)))])
-      (if (vector-ref uses (car t))
-          (values (cons t products) others)
-          (values products (cons t others)))))
+  (define-values (products others) (partition (lambda (t) (vector-ref uses (car t))) (cddr n)))
   ;; one multiple of a row is where the first product begins
   (define (kernels varying? base)
     (define kept
@@ -35,29 +79,24 @@
 (define (products-of r nodes x terms base)
   (define-values (squares others)
     (for/fold ([squares '()] [others '()]) ([t (in-list terms)])
-      (define n (vector-ref nodes (car t)))
+      (define-values (a b) (apply values (node-operands (vector-ref nodes (car t)))))
       (define c (real->double-flonum (cdr t)))
-      (if (and (= (cadr n) (caddr n)) (= +inf.0 (degree r (cadr n))))
-          (values (cons (weighed c (row r (cadr n))) squares) others)
-          (values squares (cons (a-product r c (cadr n) (caddr n)) others)))))
-  (define first (square-kernels x squares base))
-  (append first (product-kernels x others (if (pair? first) (itself x) base))))
-
-(define (a-product r c a b)
-  (product c (row r a) (degree r a) (row r b) (degree r b)))
+      (if (and (= a b) (= +inf.0 (degree r a)))
+          (values (cons (weighed c (row r a)) squares) others)
+          (values squares
+                  (cons (product c (row r a) (degree r a) (row r b) (degree r b)) others)))))
+  (define of-squares (square-kernels x squares base))
+  (append of-squares (product-kernels x others (if (pair? of-squares) (itself x) base))))
 
 (define (emit-product! r nodes id shared)
   (define group (hash-ref shared id #f))
-  (define x (row r id))
+  (define (emit-all! kernels) (for ([k (in-list kernels)]) (emit-always! r id k)))
   (cond [(eq? group 'done) (void)]
         [group
          (define factor (car group))
          (define targets
            (for/list ([k (in-list (cons id (cdr group)))])
-             (define xs (node-operands (vector-ref nodes k)))
-             (target (row r k) 1.0 (row r (if (= (car xs) factor) (cadr xs) (car xs))))))
-         (for ([kernel (in-list (shared-product-kernels targets (row r factor)))])
-           (emit-always! r id kernel))]
-        [else
-         (for ([kernel (in-list (products-of r nodes x (list (cons id 1.0)) #f))])
-           (emit-always! r id kernel))]))
+             (define other (other-factor (node-operands (vector-ref nodes k)) factor))
+             (target (row r k) (row r other))))
+         (emit-all! (shared-product-kernels targets (row r factor)))]
+        [else (emit-all! (products-of r nodes (row r id) (list (cons id 1.0)) #f))]))
