@@ -19,7 +19,7 @@
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
          (only-in "../numeric/flvector.rkt" flvector->list flvector-finite? greatest norm)
          "../numeric/finite-number.rkt" "../error/progress.rkt"
-         "../numeric/linear-algebra/definiteness.rkt"
+         "../numeric/linear-algebra/definiteness.rkt" "../numeric/linear-algebra/row-matrix.rkt"
          "../numeric/optimization/newton.rkt" "../numeric/optimization/quasi-newton.rkt"
          "../value/shape.rkt")
 
@@ -110,7 +110,7 @@
       (quasi-newton action c #:tolerance tolerance #:limit most #:name who
                     #:observe (lambda (c value) (observe ((problem-path p) c) value))
                     #:argument stopped-at))
-    (define best (or (lower-point action found value (stationary-point action found)) found))
+    (define best (or (lower-point action value (stationary-point action found)) found))
     (check-least p action best)
     best))
 
@@ -129,7 +129,7 @@
     (when s (check-least p action s))
     (raise-no-path p (string-append no-minimum what) c +inf.0))
   (cond
-    [(and s (least? action s) (value-at action s)) s]
+    [(and s (least? action s) (finite? (value-at action s))) s]
     [(not (and (finite? value) (flvector-finite? slope))) (raise-none ": it is not finite there")]
     [(or (> (greatest last) far) (straight-down? action last slope))
      (raise-none ": it falls without end")]
@@ -151,25 +151,23 @@
 (define far 1e30)
 
 ;; The stationary point, if there is one and the action there is not greater.
-(define (lower-point action found value stationary)
+(define (lower-point action value stationary)
   (and stationary
-       (let-values ([(value* slope) (action stationary)])
-         (and (<= value* (+ value (* 1e-9 (+ 1.0 (abs value))))) stationary))))
+       (<= (value-at action stationary) (+ value (* 1e-9 (+ 1.0 (abs value)))))
+       stationary))
 
-;; If it is finite
 (define (value-at action c)
   (define-values (value slope) (action c))
-  (and (finite? value) value))
+  value)
 
 (define (least? action c) (not (takes-negative-values? (second-derivatives action c))))
 
 (define (check-least p action c)
   (unless (least? action c)
-    (define-values (value slope) (action c))
     (raise-no-path p (string-append "the stationary path does not make the action least:"
                                     " it falls in some direction from there, as it does"
                                     " where a motion lasts longer than half a period")
-                   c 0.0 "action of the stationary path" value)))
+                   c 0.0 "action of the stationary path" (value-at action c))))
 
 (define (stationary-point action x)
   (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
@@ -193,6 +191,4 @@
         (gradient-of action y))
       (for/vector #:length n ([a (in-flvector (slope-at h))] [b (in-flvector (slope-at (- h)))])
         (/ (- a b) (* 2.0 h)))))
-  (for/vector #:length n ([i (in-range n)])
-    (for/vector #:length n ([j (in-range n)])
-      (* 0.5 (+ (vector-ref (vector-ref rows i) j) (vector-ref (vector-ref rows j) i))))))
+  (rows-combine (lambda (x y) (* 0.5 (+ x y))) rows (rows-transpose rows)))

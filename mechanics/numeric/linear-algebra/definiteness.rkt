@@ -1,33 +1,29 @@
 #lang racket/base
 ;; Does a quadratic form ever fall below zero?
 ;;
-;; Elimination with the greatest diagonal entry as pivot writes the matrix as L D Lᵀ, and
-;; the form takes negative values if an entry of D is negative (Sylvester).  A negative
-;; entry appears on the diagonal at some step; and what is left with a diagonal of zeros
-;; has to be zero.
+;; A positive definite matrix, and no other, is L Lᵀ with real L (Cholesky).  So a form takes
+;; negative values, beyond rounding, if there is none for the matrix with a little more on its
+;; diagonal.
 
-(require racket/list
-         "row-matrix.rkt")
+(require "row-matrix.rkt")
 
-(provide takes-negative-values?)
+(provide Cholesky takes-negative-values?)
 
-;; rows : a symmetric matrix, a vector of rows; a ten-millionth of its greatest entry is 0.
+;; M : a symmetric matrix, a vector of rows -> those of the lower triangle L, or #f
+(define (Cholesky M)
+  (define n (vector-length M))
+  (define L (build-vector n (lambda (_) (make-vector n 0.0))))
+  (define (less-products i j)
+    (for/fold ([x (real->double-flonum (entry M i j))]) ([k (in-range j)])
+      (- x (* (entry L i k) (entry L j k)))))
+  (and (for*/and ([i (in-range n)] [j (in-range (+ i 1))])
+         (define x (less-products i j))
+         (cond [(< j i) (vector-set! (vector-ref L i) j (/ x (entry L j j))) #t]
+               [(> x 0.0) (vector-set! (vector-ref L i) i (sqrt x)) #t]
+               [else #f]))
+       L))
+
+;; rows : a symmetric matrix; a ten-millionth of its greatest entry is 0.
 (define (takes-negative-values? rows)
-  (define n (vector-length rows))
-  (define a (rows-map values rows))
-  (define (at i j) (entry a i j))
-  (define least (* 1e-7 (greatest-entry rows)))
-  (let loop ([left (range n)])
-    (define pivot (and (pair? left) (argmax (lambda (i) (at i i)) left)))
-    (cond
-      [(not pivot) #f]
-      [(for/or ([i (in-list left)]) (< (at i i) (- least))) #t]
-      [(<= (at pivot pivot) least)
-       (for*/or ([i (in-list left)] [j (in-list left)]) (> (abs (at i j)) least))]
-      [else
-       (define others (remv pivot left))
-       (for ([i (in-list others)])
-         (define factor (/ (at i pivot) (at pivot pivot)))
-         (for ([j (in-list others)])
-           (vector-set! (vector-ref a i) j (- (at i j) (* factor (at pivot j))))))
-       (loop others)])))
+  (define least (max 1e-300 (* 1e-7 (greatest-entry rows))))
+  (not (Cholesky (rows-combine + rows (unit-rows (vector-length rows) least 0.0)))))

@@ -8,20 +8,12 @@
 ;; That takes n³/3 multiplications, and each solution n².
 
 (require racket/fixnum
-         racket/unsafe/ops)
+         racket/unsafe/ops
+         "../unboxed-loop.rkt")
 
 (provide factor! solve-factored! solve-dense!)
 
-(define-syntax-rule (each (i from to) body ...)
-  (let ([end to])
-    (let loop ([i from])
-      (when (unsafe-fx< i end)
-        body ...
-        (loop (unsafe-fx+ i 1))))))
-
 ;; Rows are walked by the place in m where they begin: row i begins at i n.
-(define-syntax-rule (at m i) (unsafe-flvector-ref m i))
-(define-syntax-rule (put! m i x) (unsafe-flvector-set! m i x))
 
 ;; m : flvector of n² entries, which are changed; exchanges : fxvector of n entries
 ;; -> #f if m is singular, or a pivot is not a number

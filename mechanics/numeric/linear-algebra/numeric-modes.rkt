@@ -8,7 +8,8 @@
 
 (require racket/flonum
          racket/list
-         "flonum-systems.rkt" "general-eigenvalues.rkt" "row-matrix.rkt" "symmetric-eigenvalues.rkt"
+         "definiteness.rkt" "flonum-systems.rkt" "general-eigenvalues.rkt" "row-matrix.rkt"
+         "symmetric-eigenvalues.rkt"
          "../flvector.rkt")
 
 (provide symmetric-modes gyroscopic-modes)
@@ -18,7 +19,7 @@
 ;;    frequencies that are imaginary grow and decay
 (define (symmetric-modes M K)
   (define n (vector-length M))
-  (define L (Cholesky M n))
+  (define L (Cholesky M))
   (and L
        (let*-values ([(C) (congruent L K n)]
                      [(squares vectors) (symmetric-eigenvalues C n)])
@@ -30,26 +31,12 @@
 (define (clean square C)
   (if (<= (abs square) (* 1e-14 (flvector-length C) (greatest C))) 0.0 square))
 
-;; A vector of rows of the lower triangle, or #f.
-(define (Cholesky M n)
-  (define L (build-vector n (lambda (_) (make-vector n 0.0))))
-  (define (less-products i j)
-    (for/fold ([x (real->double-flonum (entry M i j))]) ([k (in-range j)])
-      (- x (* (entry L i k) (entry L j k)))))
-  (and (for*/and ([i (in-range n)] [j (in-range (+ i 1))])
-         (define x (less-products i j))
-         (cond [(< j i) (vector-set! (vector-ref L i) j (/ x (entry L j j))) #t]
-               [(> x 0.0) (vector-set! (vector-ref L i) i (sqrt x)) #t]
-               [else #f]))
-       L))
-
 ;; L⁻¹ K L⁻ᵀ: L⁻¹ acts on the columns of K, then on those of the transposed result.
 (define (congruent L K n)
-  (define (solved rows) (rows-transpose (for/vector ([c (in-vector (rows-transpose rows))])
-                                          (forward L c n))))
-  (define C (solved (rows-transpose (solved K))))
-  (for*/flvector #:length (* n n) ([i (in-range n)] [j (in-range n)])
-    (real->double-flonum (/ (+ (entry C i j) (entry C j i)) 2))))
+  (define (solved-transpose rows)
+    (for/vector ([c (in-vector (rows-transpose rows))]) (forward L c n)))
+  (define C (solved-transpose (solved-transpose K)))
+  (rows->flvector (rows-combine (lambda (x y) (/ (+ x y) 2)) C (rows-transpose C))))
 
 (define (forward L b n)
   (define x (make-vector n 0.0))
@@ -84,7 +71,7 @@
 
 (define (gyroscopic-modes M K G)
   (define n (vector-length M))
-  (and (Cholesky M n)
+  (and (Cholesky M)
        (let ([exponents (real-matrix-eigenvalues (first-order M K G n) (* 2 n))])
          (and exponents
               (let ([omegas (frequencies exponents n)])

@@ -14,12 +14,10 @@
 
 (require racket/flonum
          racket/unsafe/ops
-         "factored-system.rkt" "small-symmetric-system.rkt")
+         "factored-system.rkt" "small-symmetric-system.rkt"
+         "../unboxed-loop.rkt")
 
 (provide solve-symmetric!)
-
-(define-syntax-rule (at m i) (unsafe-flvector-ref m i))
-(define-syntax-rule (put! m i x) (unsafe-flvector-set! m i x))
 
 ;; m : n² entries, which are changed; exchanges : room, as solve-dense! needs it
 ;; b, the right-hand side, becomes the solution; of a singular m, all not-a-number.

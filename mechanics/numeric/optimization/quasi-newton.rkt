@@ -39,12 +39,12 @@
                       #:argument [argument flvector->list]
                       #:stuck [stuck void] #:metric [metric #f]
                       #:name [who 'minimize])
-  (define I (unit (flvector-length start)))
+  (define I (scaled-unit (flvector-length start) 1.0))
   (define-values (at evaluations) (counted value-and-gradient))
   (define-values (f0 g0) (at start))
   (let loop ([x start] [f f0] [g g0] [H (or metric I)] [scale (flabs f0)] [steps 0] [gain +inf.0])
     (observe x f)
-    (define p (negative-product H g))
+    (define p (flvector-scaled -1.0 (product H g)))
     (define slope (dot g p))
     (define (found) (values x f g (evaluations)))
     (define (not-found what)
@@ -110,17 +110,9 @@
 ;; ---------------------------------------------------------------------------
 ;; The matrix, as a vector of rows
 
-(define (unit n) (scaled-unit n 1.0))
+(define (scaled-unit n c) (build-vector n (lambda (i) (flvector-scaled c (unit-flvector i n)))))
 
-(define (scaled-unit n c)
-  (for/vector #:length n ([i (in-range n)])
-    (define row (make-flvector n))
-    (flvector-set! row i c)
-    row))
-
-(define (unit? H)
-  (for/and ([row (in-vector H)] [i (in-naturals)])
-    (for/and ([x (in-flvector row)] [j (in-naturals)]) (= x (if (= i j) 1.0 0.0)))))
+(define (unit? H) (equal? H (scaled-unit (vector-length H) 1.0)))
 
 ;; Before the first correction, H is given the size of the curvature met.
 (define (corrected H s y first?)
@@ -142,5 +134,3 @@
 
 (define (product H v)
   (for/flvector #:length (flvector-length v) ([row (in-vector H)]) (dot row v)))
-(define (negative-product H v)
-  (for/flvector #:length (flvector-length v) ([x (in-flvector (product H v))]) (- x)))
