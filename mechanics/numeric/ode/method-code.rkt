@@ -107,13 +107,13 @@
 
 (define (write-accept! a n m places rates)
   (emit-elements! a n places '((old (at y i)) (y (at z i))))
-  (if (last-taken? m)
+  (if (final-among-stages? m)
       (emit-elements! a n places `((slope (at ,(explicit-formulas-final m) i))))
       (call-rates! a places 'y 'slope rates)))
 
 (define (write-prepare! a n m places rates)
   (write-stages! a n places 'old #f (explicit-formulas-further m) rates)
-  (emit-elements! a n places (formulas-data (explicit-formulas-coefficients m))))
+  (emit-elements! a n places (coefficient-formulas m)))
 
 ;; θ is where other procedures are given h.
 (define (write-value! a n m places)
@@ -124,8 +124,8 @@
   (emit-elements! a n places `((out ,(polynomial m 'h 'other)))))
 
 (define (write-stages! a n places from to stages rates)
-  (define-values (slopes end) (apply values (formulas-data stages)))
-  (for ([s (in-list slopes)])
+  (define end (stage-formulas-end stages))
+  (for ([s (in-list (stage-formulas-slopes stages))])
     (emit-elements! a n places (list (reaching 'w from (rest s))))
     (call-rates! a places 'w (first s) rates))
   (cond [(pair? end) (emit-elements! a n places (list (reaching to from end)))]

@@ -6,19 +6,22 @@
 ;; each twice; then vectors of n components: w, the slopes and squares of errors.  The states, the
 ;; present slope and the coefficients of an interpolant are flvectors of their own.
 
-(require racket/list
+(require racket/flonum
          "method-formulas.rkt"
          "../machine/assembler.rkt" "../machine/elements.rkt" "../machine/executable.rkt")
 
-(provide room-length kept-length write-procedure-of-vectors! component)
+(provide room-length kept-length error-in-room write-procedure-of-vectors! component)
 
 ;; The numbers before the vectors of the room, by their indices.
-(define numbers '((error . 0) (divisor . 1) (h . 2) (other . 4)))
-(define first-vector 6)
+(define-values (error-place divisor-place first-vector) (values 0 1 6))
+(define numbers (hasheq 'error error-place 'divisor divisor-place 'h 2 'other 4))
+
+;; The error that the code of a step left; 0 where its divisor is.
+(define (error-in-room room)
+  (if (fl= (flvector-ref room divisor-place) 0.0) 0.0 (flvector-ref room error-place)))
 
 (define (room-vectors m)
-  (cons 'w (append (explicit-formulas-names m)
-                   (map first (first (formulas-data (explicit-formulas-estimate m)))))))
+  (cons 'w (append (explicit-formulas-names m) (map car (mean-formulas m)))))
 
 (define (room-length m n) (+ first-vector (* n (length (room-vectors m)))))
 (define (kept-length m n) (* n (length (coefficient-names m))))
@@ -52,17 +55,17 @@
 
 ;; given : places of the flvectors -> with those in the room and the coefficients kept
 (define (places-of m n given)
-  (define final (explicit-formulas-final m))
   (define (with-vectors places base-name names from)
     (define base (hash-ref given base-name #f))
     (for/fold ([places places]) ([name (in-list (if base names '()))] [k (in-naturals)])
       (hash-set places name (vector-at (vector-at-base base) (* 8 (+ from (* n k)))))))
+  (define room? (hash-has-key? given 'room))
   (define with-numbers
-    (for/fold ([places given]) ([name (in-list (if (hash-ref given 'room #f) numbers '()))])
-      (hash-set places (car name) (component given 'room (cdr name)))))
+    (for/fold ([places given]) ([(name place) (in-hash (if room? numbers (hasheq)))])
+      (hash-set places name (component given 'room place))))
   (define in-room (with-vectors with-numbers 'room (room-vectors m) first-vector))
-  (with-vectors (if (and (hash-ref given 'slope #f) (not (last-taken? m)))
-                    (hash-set in-room final (hash-ref given 'slope))
+  (with-vectors (if (and (hash-ref given 'slope #f) (not (final-among-stages? m)))
+                    (hash-set in-room (explicit-formulas-final m) (hash-ref given 'slope))
                     in-room)
                 'kept
                 (coefficient-names m) 0))

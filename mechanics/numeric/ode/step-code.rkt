@@ -22,11 +22,12 @@
   (define (with-vector vectors s)
     (hash-set vectors (first s)
               (for/vector #:length n ([i (in-range n)]) (write-formula! b i vectors (second s)))))
-  (define-values (stages end) (apply values (formulas-data (explicit-formulas-stages m))))
+  (define stages (explicit-formulas-stages m))
+  (define end (stage-formulas-end stages))
   (define with-slopes
     (for/fold ([vectors (hasheq 'y (vector-from 0) 'k0 (vector-from n)
                                 'h (vector (place (+ n n))))])
-              ([s (in-list stages)])
+              ([s (in-list (stage-formulas-slopes stages))])
       (define reached (with-vector vectors (reaching 'w 'y (rest s))))
       (hash-set reached (first s) (write-rates! b (hash-ref reached 'w) r))))
   (define with-z
@@ -62,7 +63,7 @@
 
 ;; Statements: the squares whose means the error is made of, each named as the mean is
 (define (square-statements m)
-  (for/list ([mean (in-list (first (formulas-data (explicit-formulas-estimate m))))])
+  (for/list ([mean (in-list (mean-formulas m))])
     (define x
       `(fl/ (weighted i ,@(rest mean)) (fl+ 1.0 (flmax (flabs (at y i)) (flabs (at z i))))))
     (list (first mean) `(fl* ,x ,x))))
@@ -70,14 +71,12 @@
 ;; square : statement of squares, index -> operand
 ;; -> vectors, name -> vector of operands, with error and divisor
 (define (write-error! b n vectors m square)
-  (define-values (_ named dividend divisor)
-    (apply values (formulas-data (explicit-formulas-estimate m))))
   (define with-means
     (for/fold ([vectors vectors]) ([s (in-list (square-statements m))])
       (define sum (for/fold ([sum 0.0]) ([i (in-range n)]) (do! b 'add sum (square s i))))
       (hash-set vectors (first s) (vector (do! b 'sqrt (do! b 'divide sum n))))))
   (for/fold ([vectors with-means])
-            ([s (in-list `(,@named (divisor ,divisor) (error (fl/ ,dividend ,divisor))))])
+            ([s (in-list `(,@(error-formulas m) (error (fl/ dividend divisor))))])
     (hash-set vectors (first s) (vector (write-formula! b 0 vectors (second s))))))
 
 ;; ---------------------------------------------------------------------------
