@@ -36,8 +36,8 @@
     (weighted-sum! n e [1.0 best] [-1.0 before])
     (root-mean-square e y best n))
   (f! y first)
-  (make-stepper y best (lambda () first) try! (by-shorter-steps start f! y)
-                #:accepted (lambda () (f! y first))))
+  (stepper-by-shorter-steps start f! y best (lambda () first) try!
+                            #:accepted (lambda () (f! y first))))
 
 ;; The smoothed midpoint rule from y, where the slope is `first`, in so many steps; u and w
 ;; are the last two points, k is room for a slope.

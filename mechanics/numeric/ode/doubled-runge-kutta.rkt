@@ -37,7 +37,7 @@
     (root-mean-square e y z n))
 
   (f! y first)
-  (make-stepper y z (lambda () first) try! (by-shorter-steps start f! y)
-                #:accepted (lambda () (f! y first))))
+  (stepper-by-shorter-steps start f! y z (lambda () first) try!
+                            #:accepted (lambda () (f! y first))))
 
 (define quality-controlled-runge-kutta-4 (adaptive-method 'qcrk4 5 start))

@@ -14,18 +14,17 @@
 
 (provide bridged-method)
 
-;; m foresees its steps; other : an adaptive method
+;; m knows the limit of its steps; other : an adaptive method
 (define (bridged-method m other)
   (define (start f! y0 tolerance)
     (define s ((method-start m) f! y0 tolerance))
     (define b (bridge s (lambda () (start-stepper other f! (stepper-state s) tolerance))
                       0.0 0.0 #f #f))
-    (foreseeing-stepper (stepper-state s) (stepper-slope s)
-                        (lambda (h) (try! b h))
-                        (lambda () (accept! b))
-                        (lambda () ((stepper-interpolant (bridge-used b))))
-                        (lambda () (limit b))
-                        (foreseeing-stepper-moved! s)))
+    (struct-copy stepper s
+                 [try! (lambda (h) (try! b h))]
+                 [accept! (lambda () (accept! b))]
+                 [interpolant (lambda () ((stepper-interpolant (bridge-used b))))]
+                 [limit (lambda () (limit b))]))
   (struct-copy method m [start start]))
 
 ;; begin   : -> stepper of the other method from the present state
@@ -39,7 +38,7 @@
 (define reach 32.0)
 (define forgetting 0.98)
 
-(define (foreseen b) ((foreseeing-stepper-limit (bridge-main b))))
+(define (foreseen b) ((stepper-limit (bridge-main b))))
 
 (define (limit b)
   (define-fields bridge b longest)
@@ -62,6 +61,6 @@
   ((stepper-accept! used))
   (unless (eq? used main)
     (flvector-copy! (stepper-state main) (stepper-state used))
-    ((foreseeing-stepper-moved! main)))
+    ((stepper-moved! main)))
   (set-bridge-longest! b (flmax tried (fl* forgetting longest)))
   (set-bridge-other! b #f))

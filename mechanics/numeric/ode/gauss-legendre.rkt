@@ -29,7 +29,7 @@
   (define (slope)
     (f! y first)
     first)
-  (make-stepper y z slope try! (by-shorter-steps (start A b) f! y)))
+  (stepper-by-shorter-steps (start A b) f! y z slope try!))
 
 (define ((implicit name order A b) h)
   (fixed-step-method name order h (start A b) #:asks 'jacobian))

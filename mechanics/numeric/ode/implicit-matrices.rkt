@@ -17,7 +17,7 @@
 (require racket/fixnum
          racket/flonum
          racket/unsafe/ops
-         "../record-fields.rkt"
+         "../record-fields.rkt" "../unboxed-loop.rkt"
          "../linear-algebra/factored-system.rkt")
 
 (provide make-matrices matrices-J
@@ -42,7 +42,6 @@
             (make-fxvector n) (make-fxvector n) (make-fxvector n) (make-flvector 2n)
             n 1.0 1.0 1.0))
 
-(define-syntax-rule (at v i) (unsafe-flvector-ref v i))
 (define-syntax-rule (index v i) (unsafe-fxvector-ref v i))
 
 ;; -> have both an inverse?

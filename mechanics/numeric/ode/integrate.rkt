@@ -66,7 +66,7 @@
 (define (length-to-begin-with m s f! tolerated longest span)
   (define sign (if (fl< span 0.0) -1.0 1.0))
   (cond [(method-step m) => (lambda (h) (flmin longest h))]
-        [(foreseeing-stepper? s) longest]
+        [(stepper-limit s) longest]
         [else (flmin longest (first-length m s f! tolerated sign (flabs span)))]))
 
 (define (check-digits m c f! s t now tolerated give-up stuck)
@@ -95,7 +95,7 @@
   (define-values (now next finite?)
     (take-step m s tolerated t t 0 end sign (or (method-step m) (flabs h)) give-up))
   (when clock (flvector-set! (stepper-state s) clock now))
-  (define proposed (if (foreseeing-stepper? s) ((foreseeing-stepper-limit s)) next))
+  (define proposed (if (stepper-limit s) ((stepper-limit s)) next))
   (values now (flvector-copy (stepper-state s)) (fl* sign proposed)))
 
 ;; The errors of many steps add up: each may have a tenth of the tolerance, but
@@ -112,7 +112,7 @@
 ;; tried whose error is not finite
 (define (take-step m s tolerance start t count end sign h give-up)
   (cond [(method-step m) (take-equal-step s start t count end sign h give-up)]
-        [(foreseeing-stepper? s) (take-foreseen-step s tolerance t end sign h give-up)]
+        [(stepper-limit s) (take-foreseen-step s tolerance t end sign h give-up)]
         [else (take-tried-step m s tolerance t end sign h give-up)]))
 
 ;; The time after a step is rounded, and the step is as long as that says: rounding errors of the
@@ -120,7 +120,7 @@
 
 ;; A step as long as it may be.
 (define (take-foreseen-step s tolerance t end sign longest give-up)
-  (define limit ((foreseeing-stepper-limit s)))
+  (define limit ((stepper-limit s)))
   (unless (fl> limit 0.0) (give-up t 'boundary))
   (define remaining (flabs (fl- end t)))
   (define h0 (flmin longest limit))
@@ -183,20 +183,15 @@
   (values now h #t))
 
 (define (proposed m s length error)
-  (if (controlled-stepper? s)
-      ((controlled-stepper-propose s) length error)
+  (if (stepper-propose s)
+      ((stepper-propose s) length error)
       (next-length m length error)))
 
 ;; ---------------------------------------------------------------------------
 
 (define ((giving-up f! s stuck) t why)
   (define y (flvector-copy (stepper-state s)))
-  (stuck t y (if (or (eq? why 'too-many-steps) (finite-slope? f! y)) why 'no-slope)))
-
-(define (finite-slope? f! y)
-  (define slope (make-flvector (flvector-length y)))
-  (f! y slope)
-  (flvector-finite? slope))
+  (stuck t y (if (or (eq? why 'too-many-steps) (flvector-finite? (rates-at f! y))) why 'no-slope)))
 
 (define (raise-stuck t y why)
   (if (eq? why 'too-many-steps)

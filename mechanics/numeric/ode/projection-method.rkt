@@ -32,12 +32,6 @@
       (at theta out)
       (call-with-semaphore lock project! #f out)
       (void)))
-  (define-values (slope try!) (values (stepper-slope s) (stepper-try! s)))
-  (cond [(controlled-stepper? s)
-         (controlled-stepper y slope try! accept! interpolant (controlled-stepper-propose s))]
-        [(foreseeing-stepper? s)
-         (foreseeing-stepper y slope try! accept! interpolant (foreseeing-stepper-limit s)
-                             (foreseeing-stepper-moved! s))]
-        [else (stepper y slope try! accept! interpolant)]))
+  (struct-copy stepper s [accept! accept!] [interpolant interpolant]))
 
 (define rounding 1e-15)

@@ -48,12 +48,12 @@
                    (make-equations f! y tolerance) 0.0 0.0 #f))
   (define guess! (continuing r))
   (f! y slope)
-  (controlled-stepper y
-                      (lambda () slope)
-                      (lambda (h) (try! r h guess!))
-                      (lambda () (accept! r))
-                      (lambda () (radau-cubic r))
-                      (lambda (h error) (propose r h error))))
+  (make-stepper y
+                (lambda () slope)
+                (lambda (h) (try! r h guess!))
+                (lambda () (accept! r))
+                (lambda () (radau-cubic r))
+                #:propose (lambda (h error) (propose r h error))))
 
 (define (try! r h guess!)
   (define-fields radau r n y slope next k e equations)

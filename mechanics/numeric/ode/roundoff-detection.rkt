@@ -12,6 +12,7 @@
 ;; left of it.
 
 (require racket/flonum
+         "stepper.rkt"
          (only-in "../constants.rkt" epsilon) "../flvector.rkt")
 
 (provide make-crawl crawls? rounding-exceeds? state-too-coarse)
@@ -69,15 +70,10 @@
 ;; Is h δ a fair part of the tolerance, relative to 1 + |y|, and δ more than rounding makes of f
 ;; where nothing cancels?
 (define (rounding-exceeds? f! y h tolerated)
-  (define n (flvector-length y))
-  (define (slope-at y)
-    (define dy (make-flvector n))
-    (f! y dy)
-    dy)
-  (define here (slope-at y))
+  (define here (rates-at f! y))
   (define slopes
     (for/list ([j (in-range -3 4)])
-      (slope-at (along y (fl* (->fl j) (fl* part h)) here))))
+      (rates-at f! (along y (fl* (->fl j) (fl* part h)) here))))
   (define usual (fl* usual-noise (greatest here)))
   (for/or ([x (in-flvector y)] [i (in-naturals)])
     (define sum
@@ -126,14 +122,11 @@
 
 ;; The greatest change of f, relative to 1 + |y|, by a change of one number to the next.
 (define (change-by-rounding f! y)
-  (define n (flvector-length y))
-  (define-values (here there) (values (make-flvector n) (make-flvector n)))
-  (f! y here)
+  (define here (rates-at f! y))
   (define beside (flvector-copy y))
-  (for/fold ([most 0.0]) ([k (in-range n)])
-    (define x (flvector-ref y k))
+  (for/fold ([most 0.0]) ([x (in-flvector y)] [k (in-naturals)])
     (flvector-set! beside k (fl+ x (fl* epsilon x)))
-    (f! beside there)
+    (define there (rates-at f! beside))
     (flvector-set! beside k x)
     (for/fold ([most most]) ([a (in-flvector here)] [b (in-flvector there)] [x (in-flvector y)])
       (flmax most (fl/ (flabs (fl- b a)) (fl+ 1.0 (flabs x)))))))

@@ -1,27 +1,43 @@
 #lang racket/base
-;; States within a step, for methods without a formula for them: where a shorter
-;; step from the same state leads.  As good as the step itself, and as dear.
+;; Steppers of methods without a formula for states within a step: these are where a shorter step
+;; from the same state leads.  As good as the step itself, and as dear.
 
 (require racket/flonum
          "stepper.rkt"
          "../flvector.rkt")
 
-(provide by-shorter-steps)
+(provide stepper-by-shorter-steps)
 
-;; start : as in a method; y : the state of its stepper -> (old h -> interpolant), for the
-;; steps of one run, of length h and from the state `old` to y.  All of them compute in the
-;; room that f! has: one thread at a time.
-(define (by-shorter-steps start f! y)
+;; start    : as in a method; f! : the right-hand side
+;; y        : the present state; z : where a step that is tried leaves the new one
+;; slope    : -> f(y); try! : h -> error, as in a stepper
+;; accepted! : -> void; called when z has become the present state
+(define (stepper-by-shorter-steps start f! y z slope try! #:accepted [accepted! void])
+  (define old (make-flvector (flvector-length y)))
+  (define step 0.0)
+  (define (try-step! h)
+    (set! step h)
+    (try! h))
+  (define (accept!)
+    (flvector-copy! old y)
+    (flvector-copy! y z)
+    (accepted!))
+  (define follow (following start f!))
+  (make-stepper y slope try-step! accept!
+                (lambda () (interpolant follow (flvector-copy old) (flvector-copy y) step))))
+
+;; -> (from h out -> void), which stores where the step of length h from a state leads.  All steps of
+;; one run compute in the room that f! has: one thread at a time.
+(define (following start f!)
   (define lock (make-semaphore 1))
   (define (follow from h out)
     (define s (start f! from))
     ((stepper-try! s) h)
     ((stepper-accept! s))
     (flvector-copy! out (stepper-state s)))
-  (lambda (old h)
-    (define from (flvector-copy old))
-    (define to (flvector-copy y))
-    (lambda (theta out)
-      (cond [(fl= theta 0.0) (flvector-copy! out from)]
-            [(fl= theta 1.0) (flvector-copy! out to)]
-            [else (call-with-semaphore lock follow #f from (fl* theta h) out)]))))
+  (lambda (from h out) (call-with-semaphore lock follow #f from h out)))
+
+(define ((interpolant follow from to h) theta out)
+  (cond [(fl= theta 0.0) (flvector-copy! out from)]
+        [(fl= theta 1.0) (flvector-copy! out to)]
+        [else (follow from (fl* theta h) out)]))

@@ -6,13 +6,11 @@
 ;; that may be; the driver (integrate.rkt) accepts it or tries a shorter one.
 ;; Time, where f depends on it, is a component of y with derivative 1.
 
-(require racket/flonum
-         "../flvector.rkt")
+(require racket/flonum)
 
 (provide (struct-out method) adaptive-method fixed-step-method
-         start-stepper (struct-out stepper) (struct-out controlled-stepper)
-         (struct-out foreseeing-stepper)
-         make-stepper)
+         start-stepper (struct-out stepper) make-stepper
+         rates-at)
 
 ;; order : the error of a step of length h, as far as it is estimated, is of the
 ;;         order h^order
@@ -43,41 +41,24 @@
 ;; accept!     : -> void; the state tried last becomes the present one
 ;; interpolant : -> (theta out -> void), which stores in `out` the state at the
 ;;               fraction theta of the step accepted last, and stays good
-(struct stepper (state slope try! accept! interpolant)
-  #:authentic)
+;; propose     : the length tried last, its error in units of the tolerance -> the length of the next
+;;               step, or of this one tried again if the error exceeds 1; #f if the driver decides
+;; limit       : -> the greatest length of the next step, not a number where there is none; #f if
+;;               none is known before the step is tried
+;; moved!      : -> void; to be told when the state was changed by another
+(struct stepper (state slope try! accept! interpolant propose limit moved!) #:authentic)
 
-;; One that proposes the lengths of steps itself.
-;; propose : the length tried last, its error in units of the tolerance -> the length of
-;;           the next step, or of this one tried again if the error exceeds 1
-(struct controlled-stepper stepper (propose)
-  #:authentic)
+(define (make-stepper state slope try! accept! interpolant
+                      #:propose [propose #f] #:limit [limit #f] #:moved! [moved! void])
+  (stepper state slope try! accept! interpolant propose limit moved!))
 
-;; One that knows how long the next step may be before it is tried.
-;; limit  : -> the greatest length, not a number where there is none
-;; moved! : -> void; to be told when the state was changed by another
-(struct foreseeing-stepper stepper (limit moved!)
-  #:authentic)
+;; f(y), in an flvector of its own
+(define (rates-at f! y)
+  (define rates (make-flvector (flvector-length y)))
+  (f! y rates)
+  rates)
 
 (define (start-stepper m f! y0 tolerance)
   (if (method-asks m)
       ((method-start m) f! y0 tolerance)
       ((method-start m) f! y0)))
-
-;; ---------------------------------------------------------------------------
-;; Making one
-
-;; y           : the present state; z : where a step that is tried leaves the new one
-;; try!        : h -> error, as above
-;; accepted!   : -> void; called when z has become the present state
-;; interpolant : old h -> interpolant of the step of length h from the state `old` to y
-(define (make-stepper y z slope try! interpolant #:accepted [accepted! void])
-  (define old (make-flvector (flvector-length y)))
-  (define step 0.0)
-  (define (try-step! h)
-    (set! step h)
-    (try! h))
-  (define (accept!)
-    (flvector-copy! old y)
-    (flvector-copy! y z)
-    (accepted!))
-  (stepper y slope try-step! accept! (lambda () (interpolant old step))))

@@ -32,7 +32,7 @@
   (define (slope)
     (f! y dz)
     dz)
-  (make-stepper y z slope try! (by-shorter-steps (start weights) f! y)))
+  (stepper-by-shorter-steps (start weights) f! y z slope try!))
 
 ;; The kicks, with the drifts between them, of a step from z, whose momenta begin at p-start.
 (define (kick-and-drift! f! z dz p-start n h kicks drifts)

@@ -2,17 +2,18 @@
 ;; What one integration by the Taylor method works with, and the coefficients where it is.
 ;;
 ;; They are of a time whose unit is near the length of the step, so that none is too large or
-;; too small for a flonum.  The step that they allow follows from the last two of them
-;; (taylor-order.rkt), ‖y_k‖ being the greatest component relative to 1 + |y|; and the last terms
-;; must not grow.
+;; too small for a flonum.  The step that they allow follows from the last two of them,
+;; ‖y_k‖ being the greatest component relative to 1 + |y|; and the last terms must not grow.
 
 (require racket/flonum
+         (only-in racket/list argmin range)
          racket/unsafe/ops
-         "right-hand-side.rkt" "taylor-order.rkt" "vector-formulas.rkt"
-         "../record-fields.rkt" "../flvector.rkt" "../unboxed-loop.rkt"
+         "right-hand-side.rkt" "vector-formulas.rkt"
+         (only-in "../constants.rkt" rounding) "../record-fields.rkt" "../flvector.rkt"
+         "../unboxed-loop.rkt"
          "../Taylor/expansion.rkt")
 
-(provide (struct-out run) make-run begin-at! forget! limit-of size)
+(provide (struct-out run) make-run begin-at! forget! limit-of size term-tolerance)
 
 ;; f!, n     : the right-hand side, of how many variables; e : its expansion
 ;; tolerance : of the error of a step; order : of the expansion; share : ln q
@@ -54,6 +55,36 @@
   (scale! (run-lost r) 0.0)
   (set-run-last! r 0.0)
   (set-run-limit! r #f))
+
+;; ---------------------------------------------------------------------------
+;; The order of the expansions
+;;
+;; With ρ_k = ‖y_k‖^(−1/k), near the radius of convergence, the step is
+;;
+;;     h = q min(ρ_{n−1}, ρ_n),   where q^(n+1)/(1 − q) = ε/200,
+;;
+;; as all terms left out are then.  Jorba and Zou's are twice as much: they take
+;; n = ⌈1 − ½ ln ε⌉ and q near e⁻², so that the work for a unit of time is least if an expansion
+;; takes n² operations.  But it takes a + b n + c n², and the smaller the system, the more of
+;; that are a and b; so n is the one for which (a + b n + c n²)/q is least.
+
+;; w : what an expansion takes (numeric/Taylor/expansion.rkt)
+(define (order-for tolerance w)
+  (define least (max 4 (fl->exact-integer (ceiling (- 1.0 (* 0.5 (log tolerance)))))))
+  (argmin (lambda (n) (/ (work-of-order w n) (exp (log-share n tolerance))))
+          (range least (* 2 least))))
+
+;; ln q, by repetition.
+(define (log-share n tolerance)
+  (for/fold ([l -2.0]) ([_ (in-range 8)])
+    (/ (+ (log (* 0.005 tolerance)) (log (- 1.0 (exp l)))) (+ n 1.0))))
+
+;; Of the terms left out, which do not need a tenth; or if that is no more than rounding, they
+;; are to be nothing beside rounding.
+(define (term-tolerance tolerated)
+  (if (fl<= tolerated rounding) least-term (fl* 10.0 tolerated)))
+
+(define least-term 1e-17)
 
 ;; ---------------------------------------------------------------------------
 ;; The length of the next step

@@ -2,8 +2,8 @@
 ;; The Taylor method: y(t + h) = Σ y_k h^k (À. Jorba and M. Zou, Experimental Mathematics 14,
 ;; 2005; F. Biscani and D. Izzo, Monthly Notices of the RAS 504, 2021).
 ;;
-;; The step is known from the last coefficients before it is taken (taylor-run.rkt,
-;; taylor-order.rkt), and is taken once.  Where it grows much, as the first one does from
+;; The step is known from the last coefficients before it is taken (taylor-run.rkt),
+;; and is taken once.  Where it grows much, as the first one does from
 ;; nothing, it is asked whether y' = f(y) holds in some places of it: terms beyond the order may
 ;; be the first that are not 0.  It is asked of each step where f has branches: the series of
 ;; |x| = √x², which is x, knows nothing of what is beyond 0.
@@ -14,7 +14,7 @@
 
 (require racket/flonum
          racket/unsafe/ops
-         "right-hand-side.rkt" "stepper.rkt" "taylor-order.rkt" "taylor-piece.rkt" "taylor-run.rkt"
+         "right-hand-side.rkt" "stepper.rkt" "taylor-piece.rkt" "taylor-run.rkt"
          "vector-formulas.rkt"
          "../record-fields.rkt" "../flvector.rkt" "../unboxed-loop.rkt"
          "../Taylor/expansion.rkt")
@@ -25,13 +25,13 @@
 (define (start f! y0 tolerated)
   (define r (run-from-start f! y0 tolerated))
   (define-fields run r y slope)
-  (foreseeing-stepper y
-                      (lambda () (f! y slope) slope)
-                      (lambda (h) (try! r h))
-                      (lambda () (accept! r))
-                      (lambda () (make-piece r))
-                      (lambda () (limit-of r))
-                      (lambda () (forget! r))))
+  (make-stepper y
+                (lambda () (f! y slope) slope)
+                (lambda (h) (try! r h))
+                (lambda () (accept! r))
+                (lambda () (make-piece r))
+                #:limit (lambda () (limit-of r))
+                #:moved! (lambda () (forget! r))))
 
 ;; The one that f! has worked with before, if that will do, or a new one.
 (define (run-from-start f! y0 tolerated)

@@ -30,18 +30,10 @@
      (begin (define id (unsafe-vector-ref vectors i))
             (define-elements-from (+ i 1) vectors . more))]))
 
-(define-syntax-rule (for-each-index i n body)
-  (let loop ([i 0])
-    (when (unsafe-fx< i n)
-      body
-      (loop (unsafe-fx+ i 1)))))
-
 (define-syntax sum
   (syntax-rules ()
     [(_ x) x]
     [(_ x y . more) (sum (unsafe-fl+ x y) . more)]))
-
-(define-syntax-rule (at k i) (unsafe-flvector-ref k i))
 
 ;; a₁ k₁ + a₂ k₂ + ..., of the components of index i
 (define-syntax-rule (weighted i [a k] ...)
@@ -49,26 +41,23 @@
 
 ;; out = y + h (a₁ k₁ + a₂ k₂ + ...)
 (define-syntax-rule (combine! n out y h [a k] ...)
-  (for-each-index i n
-    (unsafe-flvector-set! out i (unsafe-fl+ (at y i) (unsafe-fl* h (weighted i [a k] ...))))))
+  (each (i 0 n)
+    (put! out i (unsafe-fl+ (at y i) (unsafe-fl* h (weighted i [a k] ...))))))
 
 ;; out = a₁ k₁ + a₂ k₂ + ...
 (define-syntax-rule (weighted-sum! n out [a k] ...)
-  (for-each-index i n
-    (unsafe-flvector-set! out i (weighted i [a k] ...))))
+  (each (i 0 n)
+    (put! out i (weighted i [a k] ...))))
 
 ;; v = v + h w, from one index to before another
 (define-syntax-rule (advance! v w h from to)
-  (let ([step h] [end to])
-    (let loop ([i from])
-      (when (unsafe-fx< i end)
-        (unsafe-flvector-set! v i (unsafe-fl+ (at v i) (unsafe-fl* step (at w i))))
-        (loop (unsafe-fx+ i 1))))))
+  (let ([step h])
+    (each (i from to) (put! v i (unsafe-fl+ (at v i) (unsafe-fl* step (at w i)))))))
 
 ;; v = h v
 (define (scale! v h)
-  (for-each-index i (flvector-length v)
-    (unsafe-flvector-set! v i (unsafe-fl* h (unsafe-flvector-ref v i)))))
+  (each (i 0 (flvector-length v))
+    (put! v i (unsafe-fl* h (at v i)))))
 
 ;; The root of the mean of (xᵢ / (1 + max(|yᵢ|, |zᵢ|)))²: how large x is beside
 ;; y and z, numbers below 1 counting as 1.
@@ -95,15 +84,15 @@
 (define-syntax-rule (root-of-mean total n) (flsqrt (fl/ total (->fl n))))
 
 (define (exchange! v w)
-  (for-each-index i (flvector-length v)
-    (let ([x (unsafe-flvector-ref v i)])
-      (unsafe-flvector-set! v i (unsafe-flvector-ref w i))
-      (unsafe-flvector-set! w i x))))
+  (each (i 0 (flvector-length v))
+    (let ([x (at v i)])
+      (put! v i (at w i))
+      (put! w i x))))
 
 ;; Stores in `kept` vectors one after the other, whose components of index i are given by formulas;
 ;; each may use those before it.
 (define-syntax-rule (store-coefficients! n i kept [c value] ...)
-  (for-each-index i n
+  (each (i 0 n)
     (let* ([c value] ...)
       (store! kept i n c ...))))
 
@@ -111,7 +100,7 @@
   (syntax-rules ()
     [(_ v place n) (void)]
     [(_ v place n x . more)
-     (begin (unsafe-flvector-set! v place x)
+     (begin (put! v place x)
             (store! v (unsafe-fx+ place n) n . more))]))
 
 ;; kept : coefficients x, c₀ ..., vectors of n components one after the other
@@ -122,8 +111,8 @@
   (lambda (theta out)
     (define other (fl- 1.0 theta))
     (define-values (one two) (if last-by-theta? (values theta other) (values other theta)))
-    (for-each-index i n
-      (unsafe-flvector-set! out i (nested kept n (unsafe-fx+ i last) one two)))))
+    (each (i 0 n)
+      (put! out i (nested kept n (unsafe-fx+ i last) one two)))))
 
 ;; From the last coefficient on; factors take turns.
 (define-syntax-rule (nested kept n from one two)
