@@ -45,7 +45,7 @@
   (define (steps place-of)
     (for/list ([part (in-list parts)])
       (or (hash-ref procedures part #f) (system-step p part place-of))))
-  (steps->maker p steps))
+  (steps->runner-maker p steps))
 
 ;; ---------------------------------------------------------------------------
 ;; Sections

@@ -11,9 +11,10 @@
          racket/unsafe/ops
          "flonum-functions.rkt" "program.rkt"
          "../numeric/linear-algebra/factored-system.rkt"
-         "../numeric/linear-algebra/symmetric-system.rkt")
+         "../numeric/linear-algebra/symmetric-system.rkt"
+         "../numeric/unboxed-loop.rkt")
 
-(provide (protect-out program->closure-maker steps->maker system-step))
+(provide (protect-out program->closure-maker steps->runner-maker system-step))
 
 ;; -> (-> (input output -> void)), as program->maker has it
 (define (program->closure-maker p)
@@ -24,12 +25,12 @@
       (if (eq? 'solve (instruction-operation i))
           (system-step p k place-of)
           (operating (instruction-operation i) k (map place-of (instruction-operands i))))))
-  (steps->maker p steps))
+  (steps->runner-maker p steps))
 
 ;; (steps-of place-of) : operand -> place in the flvector, which then holds it
 ;; -> list of procedures of that flvector, and of the rooms where systems are solved, by their
 ;; unknowns; they store the values that later ones or outputs need
-(define (steps->maker p steps-of)
+(define (steps->runner-maker p steps-of)
   (define inputs (program-inputs p))
   (define first-constant (+ inputs (program-length p)))
   (define constants (make-hasheqv))
@@ -47,63 +48,51 @@
     (for ([(x k) (in-hash constants)]) (flvector-set! v k x))
     (define rooms (for/hasheqv ([n (in-list (system-sizes p))]) (values n (make-room n))))
     (lambda (input output)
-      (let loop ([k 0])
-        (when (unsafe-fx< k inputs)
-          (unsafe-flvector-set! v k (unsafe-flvector-ref input k))
-          (loop (unsafe-fx+ k 1))))
+      (each (k 0 inputs) (put! v k (at input k)))
       (for ([run! (in-vector steps)]) (run! v rooms))
-      (let loop ([k 0])
-        (when (unsafe-fx< k (unsafe-fxvector-length outputs))
-          (unsafe-flvector-set! output k (unsafe-flvector-ref v (unsafe-fxvector-ref outputs k)))
-          (loop (unsafe-fx+ k 1)))))))
+      (each (k 0 (unsafe-fxvector-length outputs))
+        (put! output k (at v (unsafe-fxvector-ref outputs k)))))))
 
 ;; k : the place of the value
 (define (operating name k places)
   (define a (car places))
   (define b (if (pair? (cdr places)) (cadr places) a))
-  (define-syntax-rule (storing v x) (lambda (v rooms) (unsafe-flvector-set! v k x)))
-  (define-syntax-rule (of-both operation)
-    (storing v (operation (unsafe-flvector-ref v a) (unsafe-flvector-ref v b))))
+  (define-syntax-rule (storing v x) (lambda (v rooms) (put! v k x)))
+  (define-syntax-rule (of-both operation) (storing v (operation (at v a) (at v b))))
   (case name
     [(add) (of-both unsafe-fl+)]
     [(subtract) (of-both unsafe-fl-)]
     [(multiply) (of-both unsafe-fl*)]
     [(divide) (of-both unsafe-fl/)]
-    [(negate) (storing v (unsafe-fl* -1.0 (unsafe-flvector-ref v a)))]
+    [(negate) (storing v (unsafe-fl* -1.0 (at v a)))]
     [else
      (define f (flonum-body name (length places)))
      (case (length places)
-       [(1) (storing v (f (unsafe-flvector-ref v a)))]
+       [(1) (storing v (f (at v a)))]
        [(2) (of-both f)]
-       [else (storing v (apply f (for/list ([k (in-list places)]) (flvector-ref v k))))])]))
+       [else (storing v (apply f (for/list ([p (in-list places)]) (at v p))))])]))
 
 ;; ---------------------------------------------------------------------------
 ;; Systems
 
 (struct room (matrix exchanges right) #:authentic)
-(define (list->fxvector xs) (apply fxvector xs))
 (define (make-room n) (room (make-flvector (* n n)) (make-fxvector n) (make-flvector n)))
 
 ;; The system at the place k, with its components, which follow it.
 (define (system-step p k place-of)
   (define i (instruction-at p k))
   (define n (system-unknowns i))
-  (define entries (list->fxvector (map place-of (instruction-operands i))))
+  (define entries (apply fxvector (map place-of (instruction-operands i))))
   (define solve! (if (symmetric-system? i) solve-symmetric! solve-dense!))
-  (define components (list->fxvector (components-after p k)))
+  (define components (apply fxvector (components-after p k)))
   (lambda (v rooms)
     (define r (hash-ref rooms n))
     (define-values (A b) (values (room-matrix r) (room-right r)))
-    (let row ([i 0] [k 0])
-      (when (unsafe-fx< i n)
-        (let column ([j 0] [k k])
-          (define x (unsafe-flvector-ref v (unsafe-fxvector-ref entries k)))
-          (cond [(unsafe-fx< j n)
-                 (unsafe-flvector-set! A (unsafe-fx+ (unsafe-fx* i n) j) x)
-                 (column (unsafe-fx+ j 1) (unsafe-fx+ k 1))]
-                [else
-                 (unsafe-flvector-set! b i x)
-                 (row (unsafe-fx+ i 1) (unsafe-fx+ k 1))]))))
+    (define (entry row column)
+      (at v (unsafe-fxvector-ref entries (unsafe-fx+ (unsafe-fx* row (unsafe-fx+ n 1)) column))))
+    (each (row 0 n)
+      (each (column 0 n) (put! A (unsafe-fx+ (unsafe-fx* row n) column) (entry row column)))
+      (put! b row (entry row n)))
     (solve! A n (room-exchanges r) b)
     (for ([j (in-fxvector components)] [to (in-naturals (+ k 1))])
       (flvector-set! v to (flvector-ref b j)))))

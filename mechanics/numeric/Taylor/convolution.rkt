@@ -6,12 +6,10 @@
 ;; convolutions as well, over parts of that range.  Several terms are taken at a time, and several
 ;; sums in one loop: the compiler keeps them all in registers.
 
-(require racket/unsafe/ops)
+(require racket/unsafe/ops
+         "../unboxed-loop.rkt")
 
 (provide at put! convolve convolve-halves polynomials smaller greater)
-
-(define-syntax-rule (at row k) (unsafe-flvector-ref row k))
-(define-syntax-rule (put! row k x) (unsafe-flvector-set! row k x))
 
 (define-syntax-rule (smaller a b) (let ([x a] [y b]) (if (unsafe-fx< x y) x y)))
 (define-syntax-rule (greater a b) (let ([x a] [y b]) (if (unsafe-fx< x y) y x)))

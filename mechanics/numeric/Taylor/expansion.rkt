@@ -8,7 +8,7 @@
 ;; step, and a long run drift.
 
 (require racket/unsafe/ops
-         "../record-fields.rkt" "../flvector.rkt"
+         "../record-fields.rkt" "../flvector.rkt" "../unboxed-loop.rkt"
          "convolution.rkt")
 
 (provide (struct-out expander) (struct-out work) work-of-order
@@ -45,11 +45,7 @@
 ;; Coefficients of the motion from the state y on, in the unit h.
 (define (expand! e y h)
   (define-fields expansion e states slopes moving order kernels ending)
-  (define n (vector-length states))
-  (let loop ([i 0])
-    (when (unsafe-fx< i n)
-      (put! (unsafe-vector-ref states i) 0 (unsafe-flvector-ref y i))
-      (loop (unsafe-fx+ i 1))))
+  (each (i 0 (vector-length states)) (put! (unsafe-vector-ref states i) 0 (at y i)))
   (start-all! (expansion-starts e))
   (let loop ([k 1])
     (if (unsafe-fx<= k latest-end) (next-of-all! states slopes h k) (next-of! moving h k))
@@ -82,18 +78,10 @@
     (run-all! (expansion-kernels e) k)))
 
 (define (start-all! starts)
-  (define n (vector-length starts))
-  (let loop ([i 0])
-    (when (unsafe-fx< i n)
-      ((unsafe-vector-ref starts i))
-      (loop (unsafe-fx+ i 1)))))
+  (each (i 0 (vector-length starts)) ((unsafe-vector-ref starts i))))
 
 (define (run-all! kernels k)
-  (define n (vector-length kernels))
-  (let loop ([i 0])
-    (when (unsafe-fx< i n)
-      ((unsafe-vector-ref kernels i) k)
-      (loop (unsafe-fx+ i 1)))))
+  (each (i 0 (vector-length kernels)) ((unsafe-vector-ref kernels i) k)))
 
 (define (run-ending! kernels k)
   (unless (null? kernels)

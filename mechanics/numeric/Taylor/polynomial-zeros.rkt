@@ -16,7 +16,7 @@
          racket/unsafe/ops
          "../unboxed-loop.rkt")
 
-(provide polynomial-zeros (struct-out zero) halved shifted)
+(provide polynomial-zeros (struct-out zero) polynomial-value halved shifted)
 
 ;; at : in (0, 1]; kind : 'rising, 'falling, or 'touching if p keeps its sign
 (struct zero (at kind) #:transparent)
@@ -32,8 +32,8 @@
              [(clear) '()]
              [(monotone) (only-zero q 0.0 1.0 0.0 1.0)]
              [else (search q 0.0 1.0 touch most-halvings)]))
-         (if (fl= (value q 1.0) 0.0)
-             (append inside (list (zero 1.0 (direction (value (derivative q) 1.0)))))
+         (if (fl= (polynomial-value q 1.0) 0.0)
+             (append inside (list (zero 1.0 (direction (polynomial-value (derivative q) 1.0)))))
              inside)]))
 
 ;; 'clear if p is plainly not 0 between 0 and 1, 'monotone if p' is not, or #f.
@@ -44,15 +44,15 @@
   (let loop ([k n] [rest 0.0] [slope-rest 0.0])
     (if (unsafe-fx= k m)
         (shape-of b m (unboxed rest) (unsafe-fl/ slope-rest (unsafe-fx->fl m)))
-        (let ([c (unsafe-flabs (unsafe-flvector-ref p k))])
+        (let ([c (unsafe-flabs (at p k))])
           (loop (unsafe-fx- k 1)
                 (unsafe-fl+ rest c)
                 (unsafe-fl+ slope-rest (unsafe-fl* (unsafe-fx->fl k) c)))))))
 
 ;; by, slope-by : how far value and slope, divided by m, may be from what b tells
 (define (shape-of b m by slope-by)
-  (let loop ([k (unsafe-fx- m 1)] [last (unsafe-flvector-ref b m)]
-             [least (unsafe-flvector-ref b m)] [greatest (unsafe-flvector-ref b m)]
+  (let loop ([k (unsafe-fx- m 1)] [last (at b m)]
+             [least (at b m)] [greatest (at b m)]
              [falls +inf.0] [rises -inf.0])
     (if (unsafe-fx< k 0)
         (let ([doubt (unsafe-fl* 1e-14 (unsafe-flmax (unsafe-flabs least)
@@ -60,7 +60,7 @@
           (cond [(one-sign? least greatest (unsafe-fl+ by doubt)) 'clear]
                 [(one-sign? falls rises (unsafe-fl+ slope-by doubt)) 'monotone]
                 [else #f]))
-        (let* ([x (unsafe-flvector-ref b k)] [change (unsafe-fl- last x)])
+        (let* ([x (at b k)] [change (unsafe-fl- last x)])
           (loop (unsafe-fx- k 1) x
                 (unsafe-flmin x least) (unsafe-flmax x greatest)
                 (unsafe-flmin change falls) (unsafe-flmax change rises))))))
@@ -75,7 +75,7 @@
   (define b (make-flvector (+ m 1)))
   (let loop ([k 0] [binomial 1.0])
     (when (unsafe-fx<= k m)
-      (unsafe-flvector-set! b k (unsafe-fl/ (unsafe-flvector-ref p k) binomial))
+      (put! b k (unsafe-fl/ (at p k) binomial))
       (loop (unsafe-fx+ k 1)
             (unsafe-fl/ (unsafe-fl* binomial (unsafe-fx->fl (unsafe-fx- m k)))
                         (unsafe-fx->fl (unsafe-fx+ k 1))))))
@@ -83,8 +83,8 @@
     (when (unsafe-fx<= j m)
       (let inner ([i m])
         (when (unsafe-fx>= i j)
-          (unsafe-flvector-set! b i (unsafe-fl+ (unsafe-flvector-ref b i)
-                                                (unsafe-flvector-ref b (unsafe-fx- i 1))))
+          (put! b i (unsafe-fl+ (at b i)
+                                                (at b (unsafe-fx- i 1))))
           (inner (unsafe-fx- i 1))))
       (outer (unsafe-fx+ j 1))))
   b)
@@ -126,7 +126,8 @@
 (define (only-zero p a b low width) (if (opposite? p a b) (crossing p a b low width) '()))
 
 (define (crossing p a b low width)
-  (list (zero (fl+ low (fl* width (refined p a b))) (direction (fl- (value p b) (value p a))))))
+  (define rise (fl- (polynomial-value p b) (polynomial-value p a)))
+  (list (zero (fl+ low (fl* width (refined p a b))) (direction rise))))
 
 (define (search-halves p low width touch halvings)
   (define left (halved p))
@@ -134,7 +135,7 @@
   (define half (fl* 0.5 width))
   (define middle
     (if (fl= (flvector-ref right 0) 0.0)
-        (list (zero (fl+ low half) (direction (value (derivative right) 0.0))))
+        (list (zero (fl+ low half) (direction (polynomial-value (derivative right) 0.0))))
         '()))
   (append (search left low half touch halvings)
           middle
@@ -142,21 +143,21 @@
 
 ;; Not by a product, which may be too small for a flonum.
 (define (opposite? p a b)
-  (define-values (pa pb) (values (value p a) (value p b)))
+  (define-values (pa pb) (values (polynomial-value p a) (polynomial-value p b)))
   (if (fl< pa 0.0) (fl> pb 0.0) (and (fl> pa 0.0) (fl< pb 0.0))))
 
 ;; Is the extremum at x zero, as far as can be told, and p of one sign on both sides?
 (define (touches? p x touch)
-  (and (fl<= (flabs (value p x)) touch) (not (opposite? p 0.0 1.0))))
+  (and (fl<= (flabs (polynomial-value p x)) touch) (not (opposite? p 0.0 1.0))))
 
 ;; ---------------------------------------------------------------------------
 ;; Polynomials
 
-(define (value p x)
+(define (polynomial-value p x)
   (let loop ([k (unsafe-fx- (flvector-length p) 1)] [sum 0.0])
     (if (unsafe-fx< k 0)
         (unboxed sum)
-        (loop (unsafe-fx- k 1) (unsafe-fl+ (unsafe-flvector-ref p k) (unsafe-fl* x sum))))))
+        (loop (unsafe-fx- k 1) (unsafe-fl+ (at p k) (unsafe-fl* x sum))))))
 
 (define (derivative p)
   (define n (flvector-length p))
@@ -178,10 +179,10 @@
   (define n (flvector-length q))
   (let outer ([i 0])
     (when (unsafe-fx< i (unsafe-fx- n 1))
-      (let loop ([k (unsafe-fx- n 2)] [above (unsafe-flvector-ref q (unsafe-fx- n 1))])
+      (let loop ([k (unsafe-fx- n 2)] [above (at q (unsafe-fx- n 1))])
         (when (unsafe-fx>= k i)
-          (let ([sum (unsafe-fl+ (unsafe-flvector-ref q k) above)])
-            (unsafe-flvector-set! q k sum)
+          (let ([sum (unsafe-fl+ (at q k) above)])
+            (put! q k sum)
             (loop (unsafe-fx- k 1) sum))))
       (outer (unsafe-fx+ i 1)))))
 
@@ -189,15 +190,12 @@
 (define (sign-changes p)
   (define n (flvector-length p))
   (define q (make-flvector n))
-  (let loop ([k 0])
-    (when (unsafe-fx< k n)
-      (unsafe-flvector-set! q k (unsafe-flvector-ref p (unsafe-fx- (unsafe-fx- n 1) k)))
-      (loop (unsafe-fx+ k 1))))
+  (each (k 0 n) (put! q k (at p (unsafe-fx- (unsafe-fx- n 1) k))))
   (shift! q)
   (let loop ([k 0] [count 0] [sign 0.0])
     (if (unsafe-fx= k n)
         count
-        (let ([c (unsafe-flvector-ref q k)])
+        (let ([c (at q k)])
           (cond [(unsafe-fl= c 0.0) (loop (unsafe-fx+ k 1) count sign)]
                 [(unsafe-fl< (unsafe-fl* sign c) 0.0)
                  (loop (unsafe-fx+ k 1) (unsafe-fx+ count 1) (unsafe-fl- 0.0 sign))]
@@ -206,15 +204,15 @@
 ;; The zero between a and b, where p has opposite signs, by Newton's steps, or halving where
 ;; these lead out or are slow.
 (define (refined p a b)
-  (define rising? (fl< (value p a) (value p b)))
+  (define rising? (fl< (polynomial-value p a) (polynomial-value p b)))
   (define last (unsafe-fx- (flvector-length p) 1))
   (let loop ([a a] [b b] [x (fl* 0.5 (fl+ a b))] [count 0])
     (define-values (px slope)
-      (let horner ([k (unsafe-fx- last 1)] [sum (unsafe-flvector-ref p last)] [slope 0.0])
+      (let horner ([k (unsafe-fx- last 1)] [sum (at p last)] [slope 0.0])
         (if (unsafe-fx< k 0)
             (values (unboxed sum) (unboxed slope))
             (horner (unsafe-fx- k 1)
-                    (unsafe-fl+ (unsafe-flvector-ref p k) (unsafe-fl* x sum))
+                    (unsafe-fl+ (at p k) (unsafe-fl* x sum))
                     (unsafe-fl+ sum (unsafe-fl* x slope))))))
     (define below? (if rising? (fl< px 0.0) (fl> px 0.0)))
     (define-values (low high) (if below? (values x b) (values a x)))

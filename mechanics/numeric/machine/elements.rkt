@@ -30,9 +30,9 @@
             (define operands (map operand (cdr f)))
             (if (and (eq? (car f) 'fl/) (andmap real? operands))
                 (apply fl/ operands)
-                (apply do! b (hash-ref operation-names (car f)) operands))])]))
+                (apply do! b (hash-ref instruction-names (car f)) operands))])]))
 
-(define operation-names
+(define instruction-names
   (hasheq 'fl+ 'add 'fl- 'subtract 'fl* 'multiply 'fl/ 'divide
           'flmax 'larger 'flabs 'abs 'flsqrt 'sqrt))
 

@@ -122,14 +122,15 @@
 
 (define (caller m where types)
   (define run ((caller-of types) (+ where (address-of (executable-memory-pages m)))))
+  (define-syntax-rule (taking a ...) (lambda (a ...) (run a ...) (void/reference-sink m)))
   (case (length types)
-    [(1) (lambda (a) (run a) (void/reference-sink m))]
-    [(2) (lambda (a b) (run a b) (void/reference-sink m))]
-    [(3) (lambda (a b c) (run a b c) (void/reference-sink m))]
-    [(4) (lambda (a b c d) (run a b c d) (void/reference-sink m))]
-    [(5) (lambda (a b c d e) (run a b c d e) (void/reference-sink m))]
-    [(6) (lambda (a b c d e f) (run a b c d e f) (void/reference-sink m))]
-    [(7) (lambda (a b c d e f g) (run a b c d e f g) (void/reference-sink m))]))
+    [(1) (taking a)]
+    [(2) (taking a b)]
+    [(3) (taking a b c)]
+    [(4) (taking a b c d)]
+    [(5) (taking a b c d e)]
+    [(6) (taking a b c d e f)]
+    [(7) (taking a b c d e f g)]))
 
 ;; types -> (address -> procedure); each is compiled once, which takes longer than most code here.
 ;; Threads that ask at once, or are killed in between, compile one twice, no more.

@@ -52,6 +52,10 @@
 
 (define near 1e-3)                      ; the series leave out its sixth power
 
+;; How far each is from the mean, beside it
+(define-syntax-rule (define-deviations mean [X x] ...)
+  (begin (define X (- 1.0 (/ x mean))) ...))
+
 (define (lambda-of x y z)
   (define-values (a b c) (values (sqrt x) (sqrt y) (sqrt z)))
   (+ (* a b) (* a c) (* b c)))
@@ -59,7 +63,7 @@
 (define (R_F x y z)
   (let loop ([x x] [y y] [z z])
     (define mean (/ (+ x y z) 3.0))
-    (define-values (X Y Z) (values (- 1.0 (/ x mean)) (- 1.0 (/ y mean)) (- 1.0 (/ z mean))))
+    (define-deviations mean [X x] [Y y] [Z z])
     (cond
       [(< (max (abs X) (abs Y) (abs Z)) near)
        (define e2 (- (* X Y) (* Z Z)))
@@ -72,7 +76,7 @@
 (define (R_D x y z)
   (let loop ([x x] [y y] [z z] [sum 0.0] [power 1.0])
     (define mean (/ (+ x y (* 3.0 z)) 5.0))
-    (define-values (X Y Z) (values (- 1.0 (/ x mean)) (- 1.0 (/ y mean)) (- 1.0 (/ z mean))))
+    (define-deviations mean [X x] [Y y] [Z z])
     (cond
       [(< (max (abs X) (abs Y) (abs Z)) near)
        (define a (* X Y))
@@ -95,8 +99,7 @@
 (define (R_J x y z p)
   (let loop ([x x] [y y] [z z] [p p] [sum 0.0] [power 1.0])
     (define mean (/ (+ x y z p p) 5.0))
-    (define-values (X Y Z) (values (- 1.0 (/ x mean)) (- 1.0 (/ y mean)) (- 1.0 (/ z mean))))
-    (define P (- 1.0 (/ p mean)))
+    (define-deviations mean [X x] [Y y] [Z z] [P p])
     (cond
       [(< (max (abs X) (abs Y) (abs Z) (abs P)) near)
        (+ (* 3.0 sum) (/ (* power (R_J-series X Y Z P)) (* mean (sqrt mean))))]
