@@ -5,57 +5,87 @@
 ;; instruction to the first, its adjoint times its partial derivatives is added to those of
 ;; its operands.  One sweep gives the derivatives by all inputs, for a few times the
 ;; operations of the program.  *Forwards*: each value has a tangent, its derivative in one
-;; direction; what does not depend on the direction is passed over.
+;; direction; what does not depend on the direction is passed over, so that sweeps in the direction
+;; of each input do for derivatives of which most are 0.
 ;;
 ;; Sums and products are written here; the partial derivatives of other operations are those
 ;; of the generic arithmetic.  The solution of A x = b has the adjoint λ of b, where Aᵀ λ is
-;; the adjoint of x, and −λ xᵀ is that of A.
+;; the adjoint of x, and −λ xᵀ is that of A; its tangent is that of A x' = b' − A' x.
 
 (require racket/list
          "program-builder.rkt" "program.rkt"
          "../generic/elementary.rkt" "../generic/kind.rkt")
 
-(provide reload sweep-back! sweep-forward! next-tangent last-dependent
-         differentiable? has-derivatives? program-with-gradient)
+(provide reload sweep-back! derivative-along last-dependent differentiable?
+         program-with-gradient tangent-program jacobian-program)
 
-;; A builder that holds the instructions of p, in the places that they have there.
+;; p with all components of its systems, none of which can be had later; and a builder that holds
+;; it, in the same places.
 (define (reload p)
-  (define b (make-builder (program-inputs p) real->double-flonum))
-  (for ([i (in-vector (program-instructions p))]) (write! b i))
-  b)
+  (define inputs (program-inputs p))
+  (define b (make-builder inputs real->double-flonum))
+  (define operands (make-vector (+ inputs (program-length p)) #f))
+  (define (moved x) (if (place? x) (vector-ref operands (place-index x)) x))
+  (for ([k (in-range inputs)]) (vector-set! operands k (place k)))
+  (for ([i (in-vector (program-instructions p))] [k (in-naturals inputs)])
+    (vector-set! operands k (rewrite! b i moved)))
+  (values b (program inputs (written b)
+                     (for/vector ([o (in-vector (program-outputs p))]) (moved o)))))
+
+;; -> the operand of the instruction's value; of a system those of its components
+(define (rewrite! b i moved)
+  (case (instruction-operation i)
+    [(solve) (solve! b (map moved (instruction-operands i)))]
+    [(component) (list-ref (moved (first-operand i)) (second-operand i))]
+    [else (write! b (cons (instruction-operation i) (map moved (instruction-operands i))))]))
 
 ;; Are there derivatives of all its operations?
-(define (has-derivatives? p)
+(define (differentiable? p)
   (for/and ([i (in-vector (program-instructions p))])
     (or (memq (instruction-operation i) written-here) (and (record-of i) #t))))
 
-;; Can it be swept?  A system with all its components only: none can be had of it later.
-(define (differentiable? p)
-  (define components (for/sum ([i (in-vector (program-instructions p))]) (if (component? i) 1 0)))
-  (define unknowns
-    (for/sum ([i (in-vector (program-instructions p))])
-      (define name (instruction-operation i))
-      (if (eq? name 'solve) (system-unknowns i) 0)))
-  (and (= components unknowns) (has-derivatives? p)))
-
 (define written-here '(add subtract multiply divide negate sqrt wrapped solve component))
-
-(define (component? i) (eq? 'component (instruction-operation i)))
 
 ;; p of one output -> a program of its value and its derivatives by all inputs; or #f
 (define (program-with-gradient p)
-  (and (differentiable? p)
-       (let* ([b (reload p)]
-              [value (vector-ref (program-outputs p) 0)]
-              [adjoints (sweep-back! b p value)])
-         (builder->program b (program-inputs p)
-                           (cons value (for/list ([a (in-vector adjoints 0 (program-inputs p))])
-                                         a))))))
+  (define (with-gradient)
+    (define-values (b q) (reload p))
+    (define value (vector-ref (program-outputs q) 0))
+    (define adjoints (sweep-back! b q value))
+    (define slopes (for/list ([a (in-vector adjoints 0 (program-inputs q))]) a))
+    (builder->program b (program-inputs q) (cons value slopes)))
+  (and (differentiable? p) (with-gradient)))
+
+;; -> program whose values are the derivatives of the first value by all inputs, then those of
+;; the second one ...
+(define (tangent-program p)
+  (define n (program-inputs p))
+  (define-values (b columns) (differentiate p n +inf.0))
+  (builder->program b n (append* (apply map list columns))))
+
+;; -> program whose values are the derivatives of all values by the first of the first n inputs,
+;; then those by the second one ..., which is how implicit methods take them; or #f where not all
+;; operations have derivatives, or where it would take more operations than `most`
+(define (jacobian-program p n #:most [most +inf.0])
+  (define-values (b columns) (if (differentiable? p) (differentiate p n most) (values #f #f)))
+  (and b
+       (<= (written-count b) most)
+       (builder->program b (program-inputs p) (append* columns))))
+
+;; -> a builder that holds them, and for each of the first n inputs the derivatives of the outputs by
+;; it, a list of operands; no more are written than `most` operations and those by one input
+(define (differentiate p n most)
+  (define-values (b q) (reload p))
+  (define columns
+    (for/list ([j (in-range n)] #:break (> (written-count b) most))
+      (define along (derivative-along b q (lambda (k) (if (= k j) 1 0))))
+      (for/list ([o (in-vector (program-outputs q))]) (along o))))
+  (values b columns))
 
 ;; ---------------------------------------------------------------------------
 ;; Backwards
 
-;; b : a builder reloaded with p -> place index -> the derivative of the operand by it, a vector
+;; b, p : reloaded -> place index -> the derivative of the operand by it, a vector
 (define (sweep-back! b p result)
   (define first (program-inputs p))
   (define adjoints (make-vector (+ first (program-length p)) 0))
@@ -72,7 +102,7 @@
            (define parts (hash-ref of-solutions k #f))
            (when parts (sweep-system-back! b i k parts add-to!))]
           [(eqv? a 0) (void)]
-          [(component? i)
+          [(eq? 'component (instruction-operation i))
            (define system (place-index (first-operand i)))
            (hash-update! of-solutions system
                          (lambda (parts) (cons (cons (second-operand i) a) parts)) '())]
@@ -100,37 +130,47 @@
 
 ;; parts : ((component . adjoint) ...)
 (define (sweep-system-back! b i k parts add-to!)
-  (define operands (list->vector (instruction-operands i)))
-  (define n (integer-sqrt (vector-length operands)))
-  (define width (+ n 1))
-  (define (entry row column) (vector-ref operands (+ (* row width) column)))
+  (define n (system-unknowns i))
+  (define entry (entries-of i))
   (define adjoints
-    (solve! b (for*/list ([row (in-range n)] [column (in-range width)])
-                (if (= column n)
-                    (cond [(assv row parts) => cdr] [else 0])
-                    (entry column row)))))
-  (define solution (for/list ([column (in-range n)]) (write! b (list 'component (place k) column))))
+    (solve-with! b n (lambda (row column) (entry column row))
+                 (lambda (row) (cond [(assv row parts) => cdr] [else 0]))))
+  (define solution (components! b n k))
   (for ([row (in-range n)] [λ (in-list adjoints)])
     (add-to! (entry row n) λ)
     (for ([column (in-range n)] [x (in-list solution)] #:when (place? (entry row column)))
       (add-to! (entry row column) (negate! b (multiply! b λ x))))))
 
+;; (row column -> operand), with the right-hand side in the last column
+(define (entries-of i)
+  (define operands (list->vector (instruction-operands i)))
+  (define width (+ 1 (system-unknowns i)))
+  (lambda (row column) (vector-ref operands (+ (* row width) column))))
+
+;; -> the solution of the system of this matrix and right-hand side, a list of operands
+(define (solve-with! b n entry right)
+  (solve! b (for*/list ([row (in-range n)] [column (in-range (+ n 1))])
+              (if (= column n) (right row) (entry row column)))))
+
+;; The components of the system at the place k
+(define (components! b n k)
+  (for/list ([column (in-range n)]) (write! b (list 'component (place k) column))))
+
 ;; ---------------------------------------------------------------------------
 ;; Forwards
 
-;; tangents-of-inputs : vector of operands; wanted? : index of a place -> is its tangent asked
-;; for, or that of what depends on it?  -> the same of all places
-(define (sweep-forward! b p tangents-of-inputs [wanted? (lambda (k) #t)])
-  (define first (program-inputs p))
-  (define tangents (make-vector (+ first (program-length p)) 0))
-  (vector-copy! tangents 0 tangents-of-inputs)
+;; b, p : reloaded; direction : input index -> operand; wanted? : place index -> does the derivative
+;; of what is there matter?  -> (operand ↦ its derivative in that direction)
+(define (derivative-along b p direction [wanted? (lambda (k) #t)])
+  (define inputs (program-inputs p))
+  (define tangents (make-vector (+ inputs (program-length p)) 0))
   (define (tangent x) (if (place? x) (vector-ref tangents (place-index x)) 0))
-  (for ([i (in-vector (program-instructions p))] [k (in-naturals first)])
-    (define x (tangent (first-operand i)))
-    (define y (if (null? (cddr i)) 0 (tangent (second-operand i))))
-    (unless (or (and (eqv? x 0) (eqv? y 0) (short? i)) (not (wanted? k)))
-      (vector-set! tangents k (next-tangent b i (place k) x y tangent))))
-  tangents)
+  (for ([k (in-range inputs)]) (vector-set! tangents k (direction k)))
+  (for ([i (in-vector (program-instructions p))] [k (in-naturals inputs)])
+    (unless (or (for/and ([x (in-list (instruction-operands i))]) (eqv? 0 (tangent x)))
+                (not (wanted? k)))
+      (vector-set! tangents k (next-tangent b i k tangent))))
+  tangent)
 
 ;; results : vector of operands -> place index -> the last of those that depend on it, or -1
 (define (last-dependent p results)
@@ -147,23 +187,39 @@
       (reach! x n)))
   last)
 
-(define (short? i) (or (null? (cddr i)) (null? (cdddr i))))
-
-;; x, y : tangents of the first operands
-(define (next-tangent b i value x y tangent)
+;; k : the place of the value; of a system the vector of its components' tangents
+(define (next-tangent b i k tangent)
+  (define value (place k))
+  (define x (tangent (first-operand i)))
+  (define (y) (tangent (second-operand i)))
   (case (instruction-operation i)
-    [(add) (add! b x y)]
-    [(subtract) (subtract! b x y)]
+    [(add) (add! b x (y))]
+    [(subtract) (subtract! b x (y))]
     [(multiply)
-     (add! b (multiply! b x (second-operand i)) (multiply! b (first-operand i) y))]
-    [(divide) (divide! b (subtract! b x (multiply! b value y)) (second-operand i))]
+     (add! b (multiply! b x (second-operand i)) (multiply! b (first-operand i) (y)))]
+    [(divide) (divide! b (subtract! b x (multiply! b value (y))) (second-operand i))]
     [(negate) (negate! b x)]
     [(sqrt) (divide! b (multiply! b 1/2 x) value)]
     [(wrapped) x]
+    [(solve) (system-tangent b i k tangent)]
+    [(component) (vector-ref x (second-operand i))]
     [else
      (for/fold ([sum 0]) ([operand (in-list (instruction-operands i))] [k (in-naturals)])
        (define d (tangent operand))
        (if (eqv? d 0) sum (add! b sum (multiply! b d (partial! b i k value)))))]))
+
+;; Another system with the same matrix
+(define (system-tangent b i k tangent)
+  (define n (system-unknowns i))
+  (define entry (entries-of i))
+  (define solution (components! b n k))
+  (define right
+    (for/list ([row (in-range n)])
+      (for/fold ([sum (tangent (entry row n))]) ([x (in-list solution)] [column (in-naturals)])
+        (subtract! b sum (multiply! b (tangent (entry row column)) x)))))
+  (if (andmap (lambda (x) (eqv? x 0)) right)
+      (make-vector n 0)
+      (list->vector (solve-with! b n entry (lambda (row) (list-ref right row))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Partial derivatives

@@ -21,7 +21,7 @@
          "../compile/derivative-sweep.rkt"
          "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../motion/system/mass-matrix.rkt"
+         "../motion/system/Lagrangian-code.rkt"
          "../value/shape.rkt")
 
 (provide constrained-code ingredients
@@ -63,11 +63,11 @@
 ;; ---------------------------------------------------------------------------
 ;; First derivatives
 
-;; p : program of the ingredients -> the program of ∂L/∂q, P, the force if there is one, and for
+;; ingredients : their program -> the program of ∂L/∂q, P, the force if there is one, and for
 ;; each constraint its value, its rate and its row of J
-(define (swept-back p n holonomic outside)
+(define (swept-back ingredients n holonomic outside)
+  (define-values (b p) (reload ingredients))
   (define outputs (vector->list (program-outputs p)))
-  (define b (reload p))
   (define of-L (sweep-back! b p (car outputs)))
   (define-values (constraints force) (split-at (cdr outputs) (length holonomic)))
   (builder->program
@@ -106,9 +106,9 @@
          (for/vector ([i (in-range count)]) (vector-ref outputs (+ 1 (constraint i))))
          (for/vector ([i (in-range count)]) (from (+ 2 (constraint i))))))
 
-(define (codes-of p n holonomic outside derivative state)
+(define (codes-of first-derivatives n holonomic outside derivative state)
+  (define-values (b p) (reload first-derivatives))
   (define ps (parts-of p n (length holonomic) (and outside #t)))
-  (define b (reload p))
   (define velocities (for/list ([k (in-range n)]) (place (+ 1 n k))))
   (define solve (solver b (mass-matrix b p (parts-momenta ps)) (parts-J ps)))
   (define all (range (length holonomic)))

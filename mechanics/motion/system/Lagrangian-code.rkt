@@ -13,7 +13,7 @@
 
 (require racket/flonum
          (only-in racket/vector vector-copy)
-         "check.rkt" "mass-matrix.rkt"
+         "check.rkt"
          "../../compile/program-builder.rkt" "../../compile/compile-function.rkt"
          "../../compile/program.rkt" "../../compile/derivative-sweep.rkt"
          "../../generic/up-down.rkt"
@@ -21,7 +21,9 @@
          "../../numeric/flvector.rkt"
          "../../value/structure.rkt")
 
-(provide Lagrangian-code)
+(provide Lagrangian-code
+         ;; for those of constrained motions
+         known-rates mass-matrix)
 
 ;; For less, what is saved is not worth a second way.
 (define fewest-coordinates 6)
@@ -52,16 +54,42 @@
 
 ;; gradient : the program of L and its derivatives by t, q and v -> that of (1, v, a)
 (define (motion-program gradient)
-  (define inputs (program-inputs gradient))
+  (define-values (b p) (reload gradient))
+  (define inputs (program-inputs p))
   (define n (quotient (- inputs 1) 2))
-  (define outputs (program-outputs gradient))
+  (define outputs (program-outputs p))
   (define (by-coordinate i) (vector-ref outputs (+ 2 i)))
   (define velocities (for/list ([i (in-range n)]) (place (+ 1 n i))))
-  (define b (reload gradient))
   (define momenta (vector-copy outputs (+ 2 n)))
-  (define known-rate (known-rates b gradient momenta))
-  (define mass (mass-matrix b gradient momenta))
+  (define known-rate (known-rates b p momenta))
+  (define mass (mass-matrix b p momenta))
   (define system
     (for*/list ([i (in-range n)] [j (in-range (+ n 1))])
       (if (= j n) (subtract! b (by-coordinate i) (known-rate (vector-ref momenta i))) (mass i j))))
   (builder->program b inputs (cons 1 (append velocities (solve! b system)))))
+
+;; ---------------------------------------------------------------------------
+;; Derivatives of momenta in a program of t, q and v
+
+;; In the direction (1, v, 0): the rates of its values but for the accelerations.
+;; b, p : reloaded (compile/derivative-sweep.rkt)
+;; xs : vector of operands -> (one of them ↦ its rate)
+(define (known-rates b p xs)
+  (define inputs (program-inputs p))
+  (define n (quotient (- inputs 1) 2))
+  (define last (last-dependent p xs))
+  (derivative-along b p
+                    (lambda (k) (cond [(= k 0) 1] [(<= k n) (place (+ n k))] [else 0]))
+                    (lambda (k) (>= (vector-ref last k) 0))))
+
+;; In that of each velocity, those of the momenta: a column of the mass matrix.
+;; momenta : vector of operands -> (i j ↦ entry), half of which are enough
+(define (mass-matrix b p momenta)
+  (define n (vector-length momenta))
+  (define last (last-dependent p momenta))
+  (define columns
+    (for/vector #:length n ([j (in-range n)])
+      (derivative-along b p
+                        (lambda (k) (if (= k (+ 1 n j)) 1 0))
+                        (lambda (k) (>= (vector-ref last k) j)))))
+  (lambda (i j) ((vector-ref columns (min i j)) (vector-ref momenta (max i j)))))

@@ -10,9 +10,8 @@
          (only-in mechanics/compile/compile-function compiled-function-program)
          (only-in mechanics/compile/closures program->closure-maker)
          (only-in mechanics/compile/program program-inputs program-length program-outputs)
-         (only-in mechanics/compile/tangent-program jacobian-program tangent-program)
-         (only-in mechanics/value/shape scalars structure->flvector flvector->structure)
-         "../support/checks.rkt")
+         (only-in mechanics/compile/derivative-sweep jacobian-program tangent-program)
+         (only-in mechanics/value/shape scalars structure->flvector flvector->structure))
 
 (define (program-of f example) (compiled-function-program (compile-function f example)))
 
