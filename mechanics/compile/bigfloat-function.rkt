@@ -6,7 +6,7 @@
 ;; they are not compiled.  What cannot be traced is evaluated by the generic
 ;; arithmetic, as for flonums.
 
-(require "value-agreement.rkt" "program.rkt" "trace.rkt"
+(require "code-check.rkt" "program.rkt" "trace.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt" "../generic/up-down.rkt"

@@ -42,9 +42,8 @@
 ;; What (make) makes of a program, kept under a name as long as the program is.
 (define (made-of-program p name make)
   (define e (entry-of p))
-  (define known (and e (hash-ref (entry-made e) name #f)))
-  (cond [known known]
-        [else
-         (define new (make))
-         (when e (set-entry-made! e (hash-set (entry-made e) name new)))
-         new]))
+  (define (make-and-keep)
+    (define new (make))
+    (set-entry-made! e (hash-set (entry-made e) name new))
+    new)
+  (if e (hash-ref (entry-made e) name make-and-keep) (make)))

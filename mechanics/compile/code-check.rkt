@@ -6,11 +6,11 @@
 ;; the example, beside it, and on the other side of zero.
 
 (require racket/flonum
-         "value-agreement.rkt"
+         "../error/failure.rkt" "../error/refusal.rkt"
          "../numeric/constants.rkt"
          "../value/shape.rkt")
 
-(provide right? points-about)
+(provide right? points-about agrees?)
 
 ;; code : flvector -> flvector; value-at : flvector -> the value of the function; point : the
 ;; example, of which the first `varying` scalars may be others; value : that there, if known
@@ -36,6 +36,22 @@
                      (and (= (flvector-length xs) (flvector-length ys))
                           (for/and ([x (in-flvector xs)] [y (in-flvector ys)]) (close? x y))))
            #:numbers? (lambda (ys) (for/and ([y (in-flvector ys)]) (rational? y)))))
+
+;; Where the function has no value, nothing is known.  Where it fails in another way the
+;; program must not go on with numbers, or the user would never hear of it; if what the
+;; program makes is no number, the generic arithmetic may have complained of a complex one.
+;;
+;; (value), (made) : what the function and the program make of the point
+;; (same? value made), (numbers? made) -> boolean
+(define (agrees? value made #:same? same? #:numbers? numbers?)
+  (define v
+    (with-handlers ([no-value? (lambda (e) 'none)]
+                    [raised? (lambda (x) 'failure)])
+      (value)))
+  (case v
+    [(none) #t]
+    [(failure) (not (numbers? (made)))]
+    [else (same? v (made))]))
 
 ;; x : of the function, y : of the code; up to what rounding does where the order of
 ;; operations differs.  An x that is not finite tells nothing.

@@ -11,13 +11,14 @@
          "trace.rkt"
          "../calculus/gradient.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function-check.rkt" "../generic/function.rkt" "../generic/up-down.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/flvector.rkt"
          "../value/shape.rkt")
 
 (provide
- compile-function
+ compile-function compile-scalar
  compiled-function? compiled-function-reason compiled-function-operations
  ;; for the integrators
  compile-traced traced-program traced-gradient program->compiled-function
@@ -47,20 +48,18 @@
   (check-function who f)
   (cond [gradient? (compile-with-gradient who f example)]
         [else
-         (define (value-at v) (f (flvector->structure example v)))
          (define-values (code reason)
-           (code-or-reason who f example value-at (shape-length example) value))
+           (code-or-reason who f example (on-flvector f example) (shape-length example) value))
          (or code (evaluate-generically who f example reason))]))
 
 ;; One sweep back over what f does gives all its derivatives; where that is not possible
 ;; they are taken of f itself.
 (define (compile-with-gradient who f example)
-  (define point (example->flvector who example))
-  (check-scalar-value who f (flvector->structure example point))
+  (check-scalar-value who f (flvector->structure example (example->flvector who example)))
   (define-values (p shape) (trace who f example))
   (define q (and (program? p) (program-with-gradient p)))
   (define code (and q (gradient-code q f)))
-  (cond [(and code (right? code (both-at f example) point (shape-length example) #f)) code]
+  (cond [(and code (all-right? who code (with-gradient f) example)) code]
         [(program? p) (compile-function (with-gradient f) example #:name who)]
         [else (evaluate-generically who (with-gradient f) example p)]))
 
@@ -69,7 +68,12 @@
   (program->compiled-function q (apply up (build-list outputs (lambda (k) 0))) f make-runner))
 
 (define ((with-gradient f) x) (up (f x) ((gradient f) x)))
-(define ((both-at f example) v) ((with-gradient f) (flvector->structure example v)))
+
+;; Is the code that of f, whatever its argument?
+(define (all-right? who code f example)
+  (right? code (on-flvector f example) (example->flvector who example) (shape-length example) #f))
+
+(define ((on-flvector f example) v) (f (flvector->structure example v)))
 
 (define (check-scalar-value who f x)
   (define y (f x))
@@ -81,7 +85,7 @@
 ;; The code is used only where the scalars of the argument after the first `varying` are
 ;; those of the example; value-at : flvector -> what the value is there
 (define (compile-traced f example #:name who
-                        #:value-at [value-at (lambda (v) (f (flvector->structure example v)))]
+                        #:value-at [value-at (on-flvector f example)]
                         #:varying [varying (shape-length example)]
                         #:value [value #f])
   (check-function who f)
@@ -98,13 +102,25 @@
         [(right? code value-at point varying value) (values code #f)]
         [else (values #f different)]))
 
+;; f as a function from flonum to flonum, or #f; `example` is an argument to try it on.
+;; Not for two threads at once: argument and value pass through vectors of its own.
+(define (compile-scalar f example)
+  (define code (compile-traced f example #:name 'compile-scalar))
+  (and code
+       (= 1 (compiled-function-outputs code))
+       (let ([run (compiled-function-runner code)]
+             [input (make-flvector 1)]
+             [output (make-flvector 1)])
+         (lambda (x)
+           (flvector-set! input 0 x)
+           (run input output)
+           (flvector-ref output 0)))))
+
 ;; The program of a function that can be traced, checked by running it, and not compiled; or #f.
 (define (traced-program f example #:name who)
   (define-values (p shape) (trace who f example #:unknown void))
-  (define (value-at v) (f (flvector->structure example v)))
   (and (program? p)
-       (right? (program->compiled-function p shape f (program->closure-maker p))
-               value-at (example->flvector who example) (shape-length example) #f)
+       (all-right? who (program->compiled-function p shape f (program->closure-maker p)) f example)
        p))
 
 ;; The same of the value and the derivatives of a function whose value is one number.
@@ -112,8 +128,7 @@
   (define-values (p shape) (trace who f example #:unknown void))
   (define q (and (program? p) (= 1 (shape-length shape)) (program-with-gradient p)))
   (and q
-       (right? (gradient-code q f (program->closure-maker q))
-               (both-at f example) (example->flvector who example) (shape-length example) #f)
+       (all-right? who (gradient-code q f (program->closure-maker q)) (with-gradient f) example)
        q))
 
 (define different "its value differs from that of its trace: it tells symbols from numbers")
@@ -129,12 +144,12 @@
 
 ;; f takes one structure.
 (define (check-function who f [expected "a function of one structure"])
-  (unless (and (procedure? f) (accepts? f 1))
-    (complain who "expected ~a\n  given: ~a~a" expected (describe-with-value f)
-              (if (procedure? f)
-                  (format ", which takes ~a\n  parameters are supplied first: (~a ...)"
-                          (arity->text f) (value->text f))
-                  ""))))
+  (unless (takes-arguments? f 1)
+    (complain-of-argument who expected f
+                          (if (procedure? f)
+                              (format ", which takes ~a\n  parameters are supplied first: (~a ...)"
+                                      (arity->text f) (value->text f))
+                              ""))))
 
 (define (apply-to-flvector c input)
   (unless (flvector? input)

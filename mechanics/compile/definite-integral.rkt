@@ -8,7 +8,7 @@
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
 
 (require-on-demand
- ["one-variable.rkt" compile-scalar]
+ ["compile-function.rkt" compile-scalar]
  ["../calculus/integral.rkt" [integrate generic:integrate]]
  ["../calculus/symbolic-integral.rkt" symbolic-integral]
  ["../verdict/prove-zero.rkt" prove-zero])

@@ -26,7 +26,7 @@
 ;; inputs : how many
 ;; instructions : vector; the value of the k-th has the place inputs + k
 ;; outputs : vector of operands
-(struct program (inputs instructions outputs) #:transparent)
+(struct program (inputs instructions outputs) #:prefab)
 
 (define (program-length p) (vector-length (program-instructions p)))
 

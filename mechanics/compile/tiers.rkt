@@ -45,9 +45,7 @@
 
 (define (tiered-maker p)
   (define t (tiers p (program->closure-maker p) 0 #f))
-  (lambda () (if (tiers-compiled t) (run-compiled t) (tiers-runner t))))
-
-(define (run-compiled t) ((tiers-compiled t)))
+  (lambda () (if (tiers-compiled t) ((tiers-compiled t)) (tiers-runner t))))
 
 ;; -> (input output -> void), which goes over to compiled code in time
 (define (tiers-runner t)
@@ -58,6 +56,6 @@
       (set-tiers-counted! t (+ 1 (tiers-counted t)))
       (when (> (tiers-counted t) runs-that-pay)
         (unless (tiers-compiled t) (set-tiers-compiled! t (program->maker (tiers-program t))))
-        (set! run (run-compiled t))
+        (set! run ((tiers-compiled t)))
         (set! compiled? #t)))
     (run input output)))

@@ -13,7 +13,7 @@
                          algebra/rewriting/expand algebra/rewriting/factor
                          algebra/zero/zero-test
                          calculus/integral
-                         compile/compile-function compile/one-variable
+                         compile/compile-function
                          map/iterated-map
                          motion/evolution motion/evolve-trajectory motion/find-path))])
     (dynamic-require (string->symbol (format "mechanics/~a" file)) #f)))

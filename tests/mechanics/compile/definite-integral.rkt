@@ -7,7 +7,7 @@
          mechanics/error/failure
          mechanics/calculus/derivative
          mechanics/compile/definite-integral
-         mechanics/compile/one-variable
+         (only-in mechanics/compile/compile-function compile-scalar)
          mechanics/lagrangian/local-tuple
          (only-in mechanics [< g:<])
          mechanics/value/compose

@@ -6,7 +6,9 @@
          mechanics/compile/closures
          mechanics/compile/program
          mechanics/compile/tiers
-         (only-in mechanics/motion/system/rates-code program-machine-rates)
+         (only-in mechanics/compile/compile-function program->compiled-function)
+         (only-in mechanics/motion/system/rates-code machine-rates-of)
+         (only-in mechanics/generic/up-down up)
          mechanics/numeric/machine/executable
          mechanics/numeric/machine/straight-code
          "../support/checks.rkt" "../support/random.rkt" "../support/skip.rkt")
@@ -163,7 +165,7 @@
                        [else (list 'multiply (place (- k 1)) (place (- (* 2 n) k 1)))]))
                (vector (place (- (* 2 n) 1)) (place n) (place 17))))
     (check-false (machine-procedure p))
-    (check-false (program-machine-rates p 1))
+    (check-false (machine-rates-of (program->compiled-function p (up 0 0 0) 'f) 1))
     (for ([x (in-list '(-0.3 -9.0 1e-5))])
       (define v (flvector x))
       (check-equal? (values-by ((program->tiered-maker p)) p v)
