@@ -14,7 +14,8 @@
          "../error/complain.rkt" "../error/failure.rkt" "../error/hint.rkt"
          "../error/computed-once.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
-         "../generic/describe.rkt" "../generic/function.rkt" "../generic/wrong-argument.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt" "../generic/printed-function.rkt"
+         "../generic/wrong-argument.rkt"
          "../lagrangian/function-of-momenta.rkt"
          "../motion/system/check.rkt" "../motion/event/event.rkt" "../motion/event/event-watch.rkt"
          "../motion/evolution.rkt" "../motion/integration-plan.rkt" "../motion/run-system.rkt"
@@ -35,8 +36,7 @@
   (check-most 'Poincare-map most)
   (define finder-for (finders derivative event p most))
   (define advance (once (lambda () (state-advancer (lambda () derivative)))))
-  (unary-function (lambda () (list 'Poincare-map (value->datum derivative) (value->datum event)))
-      (state)
+  (printed-function (Poincare-map derivative event) (state)
     (if (ormap perturbed? (scalars state))
         (varied-crossing derivative event (advance) tolerance finder-for state)
         (let-values ([(t next) ((finder-for state) state)]) next))))
@@ -163,5 +163,5 @@
       (check-period who derivative state period)
       (set! checked? #t))
     (advance state period tolerance))
-  (unary-function (lambda () (list 'stroboscopic-map (value->datum derivative) period)) (state)
+  (printed-function (stroboscopic-map derivative period) (state)
     (next state)))

@@ -11,6 +11,7 @@
          "jacobian.rkt" "map-on-tuples.rkt"
          "../../error/failure.rkt" "../../error/refusal.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/printed-function.rkt"
          "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/flvector.rkt"
@@ -115,9 +116,7 @@
                                          [message #:parent exn (advised e)])))])
     (search)))
 
-(define (of-section? map)
-  (define d (value->datum map))
-  (and (pair? d) (eq? 'Poincare-map (car d))))
+(define (of-section? map) (eq? 'Poincare-map (made-by map)))
 
 ;; By falling size.
 (define (multipliers-of M)

@@ -9,7 +9,8 @@
          "../../error/complain.rkt" "../../error/hint.rkt" "../../error/refusal.rkt"
          "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
-         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/printed-function.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt"
          "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
          "../../numeric/finite-number.rkt")
 
@@ -59,9 +60,7 @@
        "(Hamiltonian->state-derivative H)")))
 
 ;; Is it a map made of a motion (section.rkt)?
-(define (of-states? f)
-  (define d (value->datum f))
-  (and (pair? d) (memq (car d) '(stroboscopic-map Poincare-map)) #t))
+(define (of-states? f) (memq (made-by f) '(stroboscopic-map Poincare-map)))
 
 ;; Has it parameters, as (standard-map K) has one?
 (define (gives-functions? f)

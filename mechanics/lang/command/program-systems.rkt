@@ -7,8 +7,9 @@
 
 (require "definition-heads.rkt" "run-program.rkt" "system-of-program.rkt"
          "../program-file.rkt"
-         "../../generic/describe.rkt"
          "../../motion/observed-systems.rkt"
+         (only-in "../../motion/system/check.rkt" state-derivative?)
+         (only-in "../../motion/system/manifold.rkt" manifold-derivative?)
          (only-in "../../motion/system/parametric-system.rkt" derivative-for)
          "../../generic/up-down.rkt")
 
@@ -66,13 +67,6 @@
               #:when (procedure? value))
     (cons name value)))
 
-(define makers
-  '(Lagrangian->state-derivative Hamiltonian->state-derivative constrained-state-derivative))
-
-(define (state-derivative? x)
-  (define d (value->datum x))
-  (and (pair? d) (memq (car d) makers) #t))
-
 ;; -> followed, with states from the patterns of arguments; and the names of state derivatives
 ;; without a pattern
 (define (defined-only all defined k)
@@ -80,7 +74,7 @@
   (for/fold ([unfollowed '()] [shapeless '()]
              #:result (values (reverse unfollowed) (reverse shapeless)))
             ([d (in-list defined)]
-             #:when (state-derivative? (cdr d))
+             #:when (or (state-derivative? (cdr d)) (manifold-derivative? (cdr d)))
              #:unless (memq (cdr d) makers))
     (define state (state-by-pattern (cdr d) k))
     (if state

@@ -5,8 +5,10 @@
          "../../algebra/expression/constant-value.rkt" "../../algebra/expression/expression.rkt"
          "../../algebra/expression/symbols.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
-         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
-         "../../generic/kind.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/function-check.rkt" "../../generic/function.rkt"
+         "../../generic/kind.rkt" "../../generic/printed-function.rkt" "../../generic/scalar.rkt"
+         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
          "../../numeric/finite-number.rkt"
          "../../value/shape.rkt")
@@ -15,7 +17,7 @@
  ;; numbers
  check-real check-positive check-tolerance check-longest check-most real-number
  ;; procedures
- checked-monitor check-maker takes-state-only? raise-arguments with-tolerance-after
+ checked-monitor check-maker state-derivative? takes-state-only? raise-arguments with-tolerance-after
  ;; states and their derivatives
  state-vector check-derivative check-rates check-clock state-derivative-hint)
 
@@ -76,9 +78,8 @@
 ;; -> the monitor.  One that returns a function was given too few arguments, as
 ;; `monitor-theta` without its frame, and would show nothing of any state.
 (define (checked-monitor who f)
-  (unless (and (procedure? f) (accepts? f 1))
-    (complain who "expected a monitor, a procedure of one state\n  given: ~a"
-              (describe-function f)))
+  (unless (takes-arguments? f 1)
+    (raise-other-function who "a monitor, a procedure of one state" f))
   (define (check-shown . values)
     (for ([v (in-list values)] #:when (pointwise? v))
       (complain who
@@ -92,9 +93,7 @@
 ;; maker : it must make a state derivative of that many parameters
 (define (check-maker who maker parameters)
   (check-not-residual who maker)
-  (unless (procedure? maker)
-    (complain who "expected a procedure that makes a state derivative\n  given: ~a"
-              (describe-with-value maker)))
+  (check-argument who procedure? maker "a procedure that makes a state derivative")
   (unless (or (accepts? maker (length parameters)) (takes-state-only? maker parameters))
     (complain
      who
@@ -114,11 +113,7 @@
               (value->text maker) (value->text parameters))))
 
 (define (state-derivative? f)
-  (define d (value->datum f))
-  (and (procedure? f)
-       (pair? d)
-       (memq (car d) '(Lagrangian->state-derivative Hamiltonian->state-derivative))
-       #t))
+  (memq (made-by f) '(Lagrangian->state-derivative Hamiltonian->state-derivative)))
 
 ;; Refuses Lagrange's equations, which are residuals and no state derivative.
 (define (check-not-residual who f)
@@ -177,11 +172,11 @@
 
 (define (raise-no-state who state x)
   (when (eq? state x)
-    (complain who "expected a state, a tuple of real numbers such as (up t q v)\n  given: ~a~a"
-              (describe-with-value x)
-              (cond [(symbolic? x) symbols-hint]
-                    [(procedure? x) "\n  the state derivative comes first, then the state"]
-                    [else (list-hint x "(up t q v)")])))
+    (complain-of-argument
+     who "a state, a tuple of real numbers such as (up t q v)" x
+     (cond [(symbolic? x) symbols-hint]
+           [(procedure? x) "\n  the state derivative comes first, then the state"]
+           [else (list-hint x "(up t q v)")])))
   (complain who "expected a state of real numbers; ~a is none\n  state: ~a~a"
             (describe-with-value x) (value->text state)
             (if (symbolic? x) symbols-hint (list-hint x))))
@@ -190,7 +185,7 @@
 (define (check-derivative who derivative state)
   (define y (state-vector who state))
   (check-not-residual who derivative)
-  (unless (and (procedure? derivative) (accepts? derivative 1))
+  (unless (takes-arguments? derivative 1)
     (complain who "expected a state derivative, a function of the state\n  given: ~a~a"
               (describe-function derivative)
               (if (pointwise? derivative)
