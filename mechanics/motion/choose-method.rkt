@@ -27,7 +27,7 @@
   (cond [(eq? m automatic)
          (define o (and (not (long? s)) (outlook-of p s y)))
          (define Taylor? (and (outlook? o) (not (slower? o p s))))
-         (plan-by p (if Taylor? bridged-taylor dormand-prince-853))]
+         (struct-copy plan p [method (if Taylor? bridged-taylor dormand-prince-853)])]
         [(eq? m taylor)
          (define o (outlook-of p s y))
          (when (string? o) (raise-not-suited (plan-who p) o))
@@ -39,8 +39,6 @@
 (define most-operations 200)
 
 (define bridged-taylor (bridged-method taylor dormand-prince-853))
-
-(define (plan-by p m) (struct-copy plan p [method m]))
 
 ;; -> the outlook of the Taylor method at y, or a string, the reason why it cannot integrate s
 (define (outlook-of p s y)

@@ -91,8 +91,8 @@
   (check-maker 'linearized-flow derivative-maker parameters)
   (define datum (apply call-datum 'linearized-flow derivative-maker parameters))
   (define check-once
-    (for-each-shape (lambda (state)
-                      (check-rates-at 'linearized-flow derivative-maker parameters state))))
+    (by-shape (lambda (state)
+                (check-rates-at 'linearized-flow derivative-maker parameters state))))
   (define (derivative plan-with parameters? state duration [tolerance #f])
     (define p (plan-with tolerance))
     (check-method-of-displacements 'linearized-flow (plan-method p))
@@ -183,18 +183,15 @@
 ;; A system is compiled once for an advancer and each shape of state it meets.
 (define (system-by-shape who derivative-maker parameters)
   (check-maker who derivative-maker parameters)
-  (for-each-shape
+  (by-shape
    (lambda (state)
      (begin0 (make-parametric-system who derivative-maker parameters state)
              (note-followed derivative-maker parameters state)))))
 
 ;; (f state), called once for each shape of state, of which all are kept
-(define (for-each-shape f)
+(define (by-shape f)
   (define known '())                    ; ((state . value) ...)
   (lambda (state)
-    (define entry (assf (lambda (s) (same-shape? s state)) known))
-    (cond [entry (cdr entry)]
-          [else
-           (define value (f state))
-           (set! known (cons (cons state value) known))
-           value])))
+    (unless (assoc state known same-shape?)
+      (set! known (cons (cons state (f state)) known)))
+    (cdr (assoc state known same-shape?))))

@@ -9,7 +9,7 @@
 (define (call-watching-systems report use) (parameterize ([watcher report]) (use)))
 
 ;; (use), in which systems of the library are followed, which are not reported.
-(define (call-unwatched use) (if (watcher) (parameterize ([watcher #f]) (use)) (use)))
+(define (call-unwatched use) (parameterize ([watcher #f]) (use)))
 
 ;; maker : a state derivative, or a procedure that makes one of the parameters
 (define (note-followed maker parameters state)

@@ -56,33 +56,10 @@
     (define (at t)
       (or (value-of e (stretch-state m s t)) (return (crossing t (undefined e) #f))))
     (define-values (ga gb) (values (at a) (at b)))
+    (define near (* tolerance (+ 1 (abs b))))
     (define t
       (and (crosses? ga gb (event-direction e))
-           (zero-between m at a ga b gb tolerance)))
+           (zero-between at a ga b gb #:near near
+                         #:close? (lambda (a b c) (<= (abs (- c b)) near))
+                         #:rounded (lambda (t) (exact-time m t)))))
     (and t (crossing t e #f))))
-
-;; #f at a pole, where the values grow.
-(define (zero-between m g from at-from to at-to tolerance)
-  (define size (max (abs at-from) (abs at-to)))
-  (let loop ([a from] [ga at-from] [b to] [gb at-to] [count 0])
-    (define c (if (= ga gb) b (exact-time m (- b (* gb (/ (- b a) (- gb ga)))))))
-    (cond [(= gb 0) (first-zero m g from at-from b tolerance)]
-          [(or (= count 100) (<= (abs (- c b)) (* tolerance (+ 1 (abs b)))))
-           (and (<= (abs gb) size) c)]
-          [else
-           (define gc (g c))
-           (if (< (* gc gb) 0)
-               (loop b gb c gc (+ count 1))
-               (loop a (/ ga 2) c gc (+ count 1)))])))
-
-;; g is 0 at b, and perhaps before, as in event/sign-change.rkt.
-(define (first-zero m g a ga b tolerance)
-  (define near (* tolerance (+ 1 (abs b))))
-  (define (before? t) (> (* ga (g t)) 0))
-  (if (before? (exact-time m ((if (< a b) - +) b near)))
-      b
-      (let loop ([a a] [b b])
-        (define middle (exact-time m (/ (+ a b) 2)))
-        (cond [(<= (abs (- a b)) near) b]
-              [(before? middle) (loop middle b)]
-              [else (loop a middle)]))))

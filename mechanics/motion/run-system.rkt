@@ -3,11 +3,11 @@
 ;; notes of progress; a failure gives the reason and carries the partial result.
 
 (require racket/flonum
-         "integration-plan.rkt" "rest-by-rounding.rkt" "sample-times.rkt" "partial-result.rkt"
-         "integration-failure.rkt" "choose-method.rkt"
+         "integration-plan.rkt" "sample-times.rkt" "partial-result.rkt" "integration-failure.rkt"
+         "choose-method.rkt"
          "system/separable.rkt" "system/system.rkt"
-         "../error/progress.rkt"
-         "../numeric/ode/integrate.rkt")
+         "../error/note.rkt" "../error/progress.rkt"
+         "../numeric/ode/integrate.rkt" "../numeric/ode/stepper.rkt")
 
 (provide start-time run-reaching run-system stuck-in)
 
@@ -56,3 +56,30 @@
 
 (define ((stuck-in p s [kept values]) t y why)
   (raise-stuck (plan-who p) s (plan-method p) t y why (kept (system-state s y))))
+
+;; ---------------------------------------------------------------------------
+;; A note on motions that begin at rest except for rounding, as a pendulum at π, which is no flonum:
+;; they leave an unstable equilibrium at a time and in a direction that rounding decides.
+
+;; y, end : the states at the start and at the end; clock? : is the first number the time?
+(define (note-left-rest who f! y end clock?)
+  (define from (if clock? 1 0))
+  (when (and (left? y end from) (rest-by-rounding? f! y from))
+    (note-once
+     (string-append (symbol->string who)
+                    ": the motion begins at rest but for rounding, which decides when it leaves\n"
+                    "and where to; to see how an equilibrium is left, begin beside it"))))
+
+(define (left? y end from)
+  (for/or ([a (in-flvector y from)] [b (in-flvector end from)])
+    (fl> (flabs (fl- b a)) (fl* noticeable (fl+ 1.0 (flabs a))))))
+
+;; Are the rates as small as rounding, but not all 0?  From exact rest the motion would not leave.
+(define (rest-by-rounding? f! y from)
+  (define slope (rates-at f! y))
+  (and (for/and ([v (in-flvector slope from)] [x (in-flvector y from)])
+         (fl<= (flabs v) (fl* rounding-of-rates (fl+ 1.0 (flabs x)))))
+       (for/or ([v (in-flvector slope from)]) (not (fl= v 0.0)))))
+
+(define noticeable 1e-6)
+(define rounding-of-rates 1e-14)

@@ -10,7 +10,7 @@
          "system/check.rkt" "system/system.rkt"
          "../calculus/perturbed-value.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/notation.rkt"
+         "../generic/notation.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/ode/stepper.rkt")
 
@@ -59,16 +59,12 @@
 (define (trajectory-states tr [times #f])
   (check-trajectory 'trajectory-states tr)
   (unless (or (not times) (list? times))
-    (complain 'trajectory-states "expected a list of times\n  given: ~a"
-              (describe-with-value times)))
+    (complain-of-argument 'trajectory-states "a list of times" times))
   (for/list ([t (or times (step-times tr))]) (state-at tr t)))
 
 ;; e : an exception that ended an integration, of whatever kind
 (define (trajectory-so-far e)
-  (unless (exn? e)
-    (complain 'trajectory-so-far
-              "expected an exception, as a handler of with-handlers gets it\n  given: ~a"
-              (describe-with-value e)))
+  (check-argument 'trajectory-so-far exn? e "an exception, as a handler of with-handlers gets it")
   (define found (so-far e))
   (if (reached? found) (resting-trajectory found) found))
 
@@ -84,8 +80,7 @@
 
 (define a-trajectory "a trajectory, such as evolve-trajectory gives")
 
-(define (check-trajectory who tr)
-  (unless (trajectory? tr) (complain-of-argument who a-trajectory tr)))
+(define (check-trajectory who tr) (check-argument who trajectory? tr a-trajectory))
 
 (provide-parts trajectory? a-trajectory trajectory-events trajectory-method)
 

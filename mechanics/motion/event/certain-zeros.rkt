@@ -14,8 +14,7 @@
          racket/unsafe/ops
          "../../numeric/constants.rkt" "../../numeric/unboxed-loop.rkt")
 
-(provide tells-zeros? polynomial-value total scaled
-         places-for usual-places)
+(provide tells-zeros? total scaled places-for usual-places)
 
 ;; uncertain : -> the uncertainty of the function, which costs another evaluation
 (define (tells-zeros? c tolerance uncertain)
@@ -55,17 +54,13 @@
         (unboxed sum)
         (loop (unsafe-fx- k 1) (unsafe-fl+ sum (unsafe-flabs (unsafe-flvector-ref c k)))))))
 
-(define (polynomial-value c x)
-  (for/fold ([sum 0.0]) ([k (in-range (- (flvector-length c) 1) -1 -1)])
-    (fl+ (flvector-ref c k) (fl* x sum))))
-
 ;; c_k span^k; 0 where c_k is 0, even if the power is infinite
 (define (scaled row order span)
   (define c (make-flvector (+ order 1)))
   (let loop ([k 0] [power 1.0])
     (when (unsafe-fx<= k order)
-      (define x (unsafe-flvector-ref row k))
-      (unsafe-flvector-set! c k (if (unsafe-fl= x 0.0) 0.0 (unsafe-fl* power x)))
+      (define x (at row k))
+      (put! c k (if (unsafe-fl= x 0.0) 0.0 (unsafe-fl* power x)))
       (loop (unsafe-fx+ k 1) (unsafe-fl* span power))))
   c)
 

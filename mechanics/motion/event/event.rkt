@@ -8,7 +8,8 @@
 (require "../system/check.rkt"
          "../../algebra/expression/expression.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/hint.rkt"
-         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/function-check.rkt" "../../generic/function.rkt"
          "../../generic/kind.rkt" "../../generic/notation.rkt" "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt"
          "../../value/shape.rkt")
@@ -28,8 +29,7 @@
 
 (define-plain (event f #:name [name (procedure-datum f)]
                #:direction [direction 'both] #:terminal? [terminal? #f])
-  (unless (and (procedure? f) (accepts? f 1))
-    (complain 'event "expected a function of one state\n  given: ~a" (describe-function f)))
+  (unless (takes-arguments? f 1) (raise-other-function 'event "a function of one state" f))
   (unless (memq direction '(rising falling both))
     (complain-of-argument 'event "'rising, 'falling or 'both" direction))
   (make-event f name direction terminal?))
@@ -38,10 +38,7 @@
 (define (check-events who events)
   (define all (if (list? events) events (list events)))
   (for ([e (in-list all)])
-    (unless (event? e)
-      (complain who
-                "expected events; (event f) makes one of a function of the state\n  given: ~a"
-                (describe-with-value e))))
+    (check-argument who event? e "events; (event f) makes one of a function of the state"))
   all)
 
 ;; An event, its time and the state then; grazing? : did its function only touch zero?

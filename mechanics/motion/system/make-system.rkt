@@ -7,7 +7,7 @@
          "../../compile/compile-function.rkt"
          "../../error/complain.rkt" "../../error/computed-once.rkt"
          "../../generic/describe.rkt"
-         "../../numeric/flvector.rkt"
+         "../../numeric/flvector.rkt" "../../numeric/ode/stepper.rkt"
          "../../value/shape.rkt")
 
 (provide make-system system-of-code)
@@ -36,9 +36,7 @@
 
 ;; Are the rates finite at y?  If not, the system is made anew, which raises the reason.
 (define (starts? s y)
-  (define slope (make-flvector (flvector-length y)))
-  (((system-make-slope! s)) y slope)
-  (flvector-finite? slope))
+  (flvector-finite? (rates-at ((system-make-slope! s)) y)))
 
 (define (new-system who p state)
   (define derivative (preparation-derivative p))
@@ -64,4 +62,4 @@
           (compiled-function-operations code)
           (once (lambda () (expander-of code n ps)))
           (once (lambda () (machine-rates-of code n)))
-          ps corrections (box '()) (box #f) #f))
+          ps corrections (box #f) (box #f) #f))

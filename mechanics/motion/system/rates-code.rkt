@@ -7,37 +7,33 @@
 ;; what was true of the rates when they were compiled is true of these.
 
 (require racket/flonum
-         racket/unsafe/ops
          "../../compile/cache.rkt" "../../compile/compile-function.rkt"
          "../../compile/jet/jet-program.rkt" "../../compile/program.rkt"
-         "../../compile/tangent-program.rkt"
+         "../../compile/derivative-sweep.rkt"
          "../../numeric/flvector.rkt" "../../numeric/machine/straight-code.rkt"
          "../../numeric/ode/right-hand-side.rkt")
 
-(provide expander-of program-expander machine-rates-of program-machine-rates
-         jacobian-maker rates-jacobian fix-parameters)
+(provide expander-of machine-rates-of jacobian-maker fix-parameters)
 
-;; n : how many scalars a state has; ps : the values of the parameters
+;; n : how many scalars a state has; ps : the values of the parameters, which become coefficients: to
+;; look for these anew takes less than a step or two for each operation, and saves as much at every
+;; step.  -> expander (numeric/Taylor/expansion.rkt), or a string, the reason why there is none
 (define (expander-of code n ps)
   (define p (compiled-function-program code))
-  (if p (program-expander p n ps) (compiled-function-reason code)))
+  (define make (and p (program->expansion-maker p n #:constants (flvector->list ps))))
+  (cond [(not p) (compiled-function-reason code)]
+        [(string? make) make]
+        [else (maker->expander make (inputs-with n ps))]))
 
-;; The same of a program.  The parameters become coefficients: to look for these anew takes less
-;; than a step or two for each operation, and saves as much at every step.
-(define (program-expander p n ps)
-  (define make (program->expansion-maker p n #:constants (flvector->list ps)))
-  (if (string? make) make (maker->expander make (inputs-with n ps))))
-
-;; The rates for machine code, kept with their program; or #f
+;; The rates for machine code, kept with their program; or #f.  The inputs after the first n are
+;; parameters.
 (define (machine-rates-of code n)
   (define p (compiled-function-program code))
-  (and p (made-of-program p 'machine-rates (lambda () (program-machine-rates p n)))))
-
-;; The inputs after the first n are parameters.
-(define (program-machine-rates p n)
-  (and (straight-code? (program-instructions p))
-       (make-machine-rates n (- (program-inputs p) n)
-                           (program-instructions p) (program-outputs p))))
+  (define (make)
+    (and (straight-code? (program-instructions p))
+         (make-machine-rates n (- (program-inputs p) n)
+                             (program-instructions p) (program-outputs p))))
+  (and p (made-of-program p 'machine-rates make)))
 
 ;; Room for a state, and the parameters.
 (define (inputs-with n ps)
@@ -49,22 +45,18 @@
 (define (fix-parameters run n ps)
   (define inputs (inputs-with n ps))
   (lambda (y out)
-    (let loop ([i 0])
-      (when (unsafe-fx< i n)
-        (unsafe-flvector-set! inputs i (unsafe-flvector-ref y i))
-        (loop (unsafe-fx+ i 1))))
+    (flvector-copy! inputs y)
     (run inputs out)))
 
 ;; How long the list of derivatives may be: it takes a second to write then, in which differences
 ;; of the rates do many steps.
 (define most-operations 200000)
 
-;; p : program of the rates -> that of their derivatives by the n scalars of a state; or #f where
-;; there are differences only
-(define (rates-jacobian p n) (jacobian-program p n #:most most-operations))
-
-;; -> (-> (inputs J -> void)); or #f, as well where the rates have no code
+;; -> (-> (inputs J -> void)), kept with the program; or #f where there are differences only, as where
+;; the rates have no code
 (define (jacobian-maker code n)
   (define p (compiled-function-program code))
-  (define J (and p (rates-jacobian p n)))
-  (and J (compiled-program J)))
+  (define (make)
+    (define J (jacobian-program p n #:most most-operations))
+    (and J (compiled-program J)))
+  (and p (made-of-program p 'jacobian make)))

@@ -23,7 +23,8 @@
     (define n (flvector-length y))
     (define first (if (system-clock? s) 1 0))      ; of the coordinates
     (define middle (+ first (quotient (- n first) 2)))
-    (define slope (slope-of s n))
+    (define f! ((system-make-slope! s)))
+    (define (slope y) (rates-at f! y))
     (unless (even? (- n first)) (raise-odd who m s y))
     (define elsewhere (moved y (car moves) 0 n))
     (define (depend? rates-from rates-to on-from on-to)
@@ -34,13 +35,6 @@
     (when (depend? first middle 0 middle)
       (raise-not-separable who m "coordinates" "time or the coordinates"))
     (set-box! (system-separable s) #t)))
-
-(define (slope-of s n)
-  (define f! ((system-make-slope! s)))
-  (lambda (y)
-    (define dy (make-flvector n))
-    (f! y dy)
-    dy))
 
 (define moves
   (list (lambda (x k) (fl+ x (fl* (fl+ 1.0 (flabs x)) (fl+ 0.1 (fl/ 0.3 (->fl (+ k 1)))))))

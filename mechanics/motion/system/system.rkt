@@ -22,11 +22,11 @@
 ;;                  made when first asked for
 ;; parameters     : their values in these, an flvector
 ;; corrections    : those of the manifold that motions are on (manifold.rkt), or #f
-;; spares         : a box of right-hand sides that no integration uses any more
+;; spare          : a box of a right-hand side that no integration uses any more, or #f
 ;; separable      : a box: is it known to be separable (separable.rkt)?
 ;; own            : its right-hand side in one integration, or #f
 (struct system (shape clock? derivative make-slope! make-jacobian! operations expander machine
-                parameters corrections spares separable own)
+                parameters corrections spare separable own)
   #:authentic)
 
 ;; The right-hand side that the method integrates.
@@ -55,22 +55,16 @@
 ;; (use s'), s' being s for one integration of which no interpolant is kept: its right-hand side,
 ;; which takes longer to make than a few steps, is kept for the next integration.
 (define (call-for-passage s use)
-  (define spares (system-spares s))
-  (define f! (or (take-spare! spares) (new-right-hand-side s)))
+  (define spare (system-spare s))
+  (define f! (or (take-spare! spare) (new-right-hand-side s)))
   (begin0 (use (with-own s f!))
           (rest! f!)
-          (give-back! spares f!)))
+          (set-box! spare f!)))
 
-(define (take-spare! spares)
-  (define all (unbox spares))
-  (cond [(null? all) #f]
-        [(box-cas! spares all (cdr all)) (car all)]
-        [else (take-spare! spares)]))
-
-;; At most eight are kept.
-(define (give-back! spares f!)
-  (define all (unbox spares))
-  (when (< (length all) 8) (box-cas! spares all (cons f! all))))
+;; For one thread alone; others make their own.
+(define (take-spare! spare)
+  (define f! (unbox spare))
+  (and f! (box-cas! spare f! #f) f!))
 
 (define (with-own s f!)
   (struct-copy system s [own f!]))
