@@ -16,8 +16,8 @@
          instruction-operation instruction-operands first-operand second-operand
          system-unknowns symmetric-system?)
 
-;; Transparent: two places of one index are the same operand.
-(struct place (index) #:transparent)
+;; Prefab: two places of one index are the same operand, and programs are data for other processes.
+(struct place (index) #:prefab)
 
 (define (instruction-operation i) (car i))
 (define (instruction-operands i) (cdr i))

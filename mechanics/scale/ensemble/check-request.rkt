@@ -3,7 +3,7 @@
 
 (require (only-in racket/path path-only)
          "../../error/complain.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/describe.rkt" "../../generic/function-check.rkt"
          "../../motion/system/check.rkt" "../../motion/method-names.rkt")
 
 (provide check-argument-order check-settings check-callbacks)
@@ -59,5 +59,5 @@
               (value->text initial))))
 
 (define (check-callback what f arguments takes)
-  (unless (or (not f) (and (procedure? f) (accepts? f arguments)))
+  (unless (or (not f) (takes-arguments? f arguments))
     (complain who "~a is a procedure of ~a\n  given: ~a" what takes (describe-with-value f))))

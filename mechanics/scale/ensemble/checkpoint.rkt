@@ -9,7 +9,7 @@
 
 (require file/sha1
          racket/fasl
-         "batch.rkt" "record-file.rkt" "task.rkt"
+         "record-file.rkt" "task.rkt"
          "../../error/complain.rkt" "../../error/machine-limits.rkt" "../../error/note.rkt")
 
 (provide open-checkpoint checkpointed keep! close-checkpoint)
@@ -19,12 +19,11 @@
 
 (define title #"mechanics: an ensemble, version 2\n")
 
-(define (task-fingerprint t) (fingerprint (task->datum t)))
 (define (fingerprint x) (sha1 (open-input-bytes (s-exp->fasl x))))
 
 ;; Opens the file at that path, or begins it.
 (define (open-checkpoint who file t)
-  (define print (task-fingerprint t))
+  (define print (fingerprint t))
   (define found (make-hasheqv))
   (define good
     (if (and (file-exists? file) (positive? (file-size file)))

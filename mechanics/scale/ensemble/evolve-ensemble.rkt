@@ -5,7 +5,7 @@
 ;; out in the order of the starts whatever is finished first, so that sums do not depend on chance.
 
 (require racket/future
-         "check-request.rkt" "ordered-results.rkt" "perform-task.rkt" "prepare-task.rkt"
+         "check-request.rkt" "perform-task.rkt" "prepare-task.rkt"
          "run-batches.rkt" "start-rows.rkt"
          "task.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/computed-once.rkt"
@@ -85,6 +85,31 @@
 
 ;; ---------------------------------------------------------------------------
 ;; What comes out
+
+;; Puts batches that are finished in any order into the order of the starts.
+;; fold : value result -> result; value-of : index outcome -> value; on-each : index value -> void
+;; Returns a procedure that adds a finished batch, and one that returns the final result.
+(define (in-order fold from on-each value-of)
+  (define made from)
+  (define next 0)
+  (define waiting (make-hasheqv))
+  (define (take! f)
+    (define outcomes (finished-outcomes f))
+    (for ([o (in-list outcomes)] [k (in-naturals (finished-index f))])
+      (define v (value-of k o))
+      (on-each k v)
+      (set! made (fold v made)))
+    (set! next (+ (finished-index f) (length outcomes))))
+  (define (flush!)
+    (define f (hash-ref waiting next #f))
+    (when f
+      (hash-remove! waiting next)
+      (take! f)
+      (flush!)))
+  (values (lambda (f)
+            (hash-set! waiting (finished-index f) f)
+            (flush!))
+          (lambda () made)))
 
 ;; -> (index outcome -> value)
 (define ((outcome->value example events collect shape) index o)

@@ -3,12 +3,11 @@
 
 (require racket/flonum
          "task.rkt" "event-watching.rkt"
-         "../../compile/Racket-code.rkt" "../../compile/program.rkt"
-         "../../error/failure.rkt" "../../error/computed-once.rkt"
+         "../../compile/compile-function.rkt" "../../compile/program.rkt"
+         "../../error/failure.rkt"
          "../../generic/up-down.rkt"
-         "../../motion/integration-plan.rkt" "../../motion/system/rates-code.rkt"
-         "../../motion/run-system.rkt"
-         "../../motion/system/system.rkt"
+         "../../motion/integration-plan.rkt" "../../motion/run-system.rkt"
+         "../../motion/system/make-system.rkt" "../../motion/system/rates-code.rkt"
          "../../value/shape.rkt")
 
 (provide performer)
@@ -44,24 +43,17 @@
 
 (define (system-maker t)
   (define n (task-size t))
-  (define shape (apply up (for/list ([_ (in-range n)]) 0)))
-  (define slope-maker (program->maker (task-slope t)))
-  (define jacobian-maker
-    (once (lambda () (and (task-jacobian t) (program->maker (task-jacobian t))))))
-  (define machine (once (lambda () (program-machine-rates (task-slope t) n))))
+  (define shape (vector->up (make-vector n 0)))
+  (define rates (vector->up (build-vector n (lambda (k) (if (and (task-clock? t) (= k 0)) 1 0)))))
+  (define code (program->compiled-function (task-slope t) rates 'rates))
   (lambda (parameters)
-    (define slope! (fix-parameters (slope-maker) n parameters))
+    (define (with-parameters run) (fix-parameters run n parameters))
+    (define slope! (with-parameters (compiled-function-runner code)))
     (define (derivative state)
       (define rates (make-flvector n))
       (slope! (structure->flvector state values) rates)
       (flvector->structure shape rates))
-    (system shape (task-clock? t) derivative
-            (lambda () (fix-parameters (slope-maker) n parameters))
-            (lambda () (and (jacobian-maker) (fix-parameters ((jacobian-maker)) n parameters)))
-            (program-length (task-slope t))
-            (once (lambda () (program-expander (task-slope t) n parameters)))
-            machine parameters
-            #f (box '()) (box #f) #f)))
+    (system-of-code shape derivative code with-parameters with-parameters parameters #f)))
 
 (define (failed e)
   (define where
@@ -75,9 +67,6 @@
 ;; Returns a function from the last state to the wanted numbers, both flvectors.
 (define (collector t)
   (define p (task-collect t))
-  (cond [p (define run ((program->maker p)))
-           (lambda (y)
-             (define out (make-flvector (vector-length (program-outputs p))))
-             (run y out)
-             out)]
-        [else values]))
+  (if p
+      (program->compiled-function p (vector->up (program-outputs p)) 'collect)
+      values))

@@ -8,10 +8,8 @@
          "../../error/failure.rkt"
          "../../generic/up-down.rkt"
          "../../motion/event/event.rkt" "../../motion/evolve-trajectory.rkt"
-         "../../motion/method.rkt"
          "../../motion/system/clock.rkt" "../../motion/system/parametric-system.rkt"
-         "../../motion/system/rates-code.rkt" "../../motion/trajectory.rkt"
-         (only-in "../../numeric/ode/stepper.rkt" method-asks)
+         "../../motion/trajectory.rkt"
          "../../value/shape.rkt" (only-in "../../value/structure.rkt" ref structure->list))
 
 (provide make-task generically)
@@ -27,7 +25,7 @@
     (and code collect (null? events) (compile-traced collect example #:name who)))
   (define slope (and code (compiled-function-program code)))
   (values (and slope
-               (task slope (and (asks-for-jacobian? who method) (rates-jacobian slope n))
+               (task slope
                      (and collecting (compiled-function-program collecting))
                      watches
                      n
@@ -52,9 +50,6 @@
   (if (null? parameters)
       (compile-traced (derivative-for maker '()) example #:name who)
       (compile-traced rates (up example (apply up parameters)) #:name who)))
-
-;; Only implicit methods need the jacobian.
-(define (asks-for-jacobian? who method) (eq? 'jacobian (method-asks (method-of who method))))
 
 ;; Returns a function from start and parameters to the outcome, by the generic arithmetic.
 ;; example, parameters : for their shapes.  collect is not applied.

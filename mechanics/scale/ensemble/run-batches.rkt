@@ -2,7 +2,7 @@
 ;; Has batches performed by workers (worker-pool.rkt), or here if there is only one job or the
 ;; system has no code.  Batches that are in the checkpoint are not performed again.
 
-(require "batch.rkt" "checkpoint.rkt" "worker-pool.rkt" "task.rkt"
+(require "checkpoint.rkt" "worker-pool.rkt" "task.rkt"
          "../../error/complain.rkt")
 
 (provide run)
@@ -20,10 +20,11 @@
 (define (run-all t next perform jobs add! add-unkept!)
   (define first (next))
   (define second (and first (next)))
+  (define ahead (filter values (list first second)))
   (define (next-of-all)
-    (cond [first (begin0 first (set! first #f))]
-          [second (begin0 second (set! second #f))]
-          [else (next)]))
+    (if (pair? ahead)
+        (begin0 (car ahead) (set! ahead (cdr ahead)))
+        (next)))
   (if (and t (> jobs 1) second)
       (perform-by-workers t jobs next-of-all add! (lambda (b) (add-unkept! (given-up b))))
       (let loop ()

@@ -3,7 +3,7 @@
 ;; batches.
 
 (require racket/flonum
-         "batch.rkt" "task.rkt"
+         "task.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../motion/system/check.rkt"

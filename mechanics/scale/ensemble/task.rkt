@@ -1,57 +1,26 @@
 #lang racket/base
-;; The task that is performed for each start of an ensemble, as data for other processes.
+;; The task that is performed for each start of an ensemble, batches of starts and their outcomes, as
+;; data for other processes; and the messages that carry these.
 ;;
 ;; A closure cannot leave its process; the list of instructions that is compiled there can.
 
-(require racket/flonum
-         "../../compile/program.rkt")
+(require racket/fasl
+         racket/flonum)
 
-(provide (struct-out task) (struct-out watch) task->datum datum->task
-         (struct-out outcome) (struct-out happened)
-         flvector->vector vector->flvector)
+(provide (struct-out task) (struct-out watch) (struct-out outcome) (struct-out happened)
+         flvector->vector
+         (struct-out batch) (struct-out finished) (struct-out trouble) perform-batch
+         message send receive)
 
 ;; slope     : program of the rates, of a state of `size` scalars and the parameters
-;; jacobian  : program of their derivatives by the state, column by column, or #f
 ;; collect   : program of what is wanted of the last state, or #f for all of it
 ;; watches   : of the events that are looked for
 ;; clock?    : is the first scalar the time?
 ;; end, tolerance : flonums; method : a symbol
 ;; program : of an event's function of the state; direction, terminal? : as of the event
-(struct watch (program direction terminal?) #:authentic)
+(struct watch (program direction terminal?) #:prefab)
 
-(struct task (slope jacobian collect watches size clock? end tolerance method) #:authentic)
-
-(define (task->datum t)
-  (list (program->datum (task-slope t))
-        (program->datum (task-jacobian t))
-        (program->datum (task-collect t))
-        (for/list ([w (in-list (task-watches t))])
-          (list (program->datum (watch-program w)) (watch-direction w) (watch-terminal? w)))
-        (task-size t) (task-clock? t) (task-end t) (task-tolerance t) (task-method t)))
-
-(define (datum->task d)
-  (define programs (list (car d) (cadr d) (caddr d)))
-  (define watches
-    (for/list ([w (in-list (cadddr d))])
-      (apply watch (datum->program (car w)) (cdr w))))
-  (apply task (append (map datum->program programs) (list watches) (cddddr d))))
-
-(define (program->datum p)
-  (and p (list (program-inputs p)
-               (for/list ([i (in-vector (program-instructions p))])
-                 (cons (instruction-operation i)
-                       (map operand->datum (instruction-operands i))))
-               (map operand->datum (vector->list (program-outputs p))))))
-
-(define (datum->program d)
-  (and d (program (car d)
-                  (for/vector ([i (in-list (cadr d))])
-                    (cons (car i) (map datum->operand (cdr i))))
-                  (list->vector (map datum->operand (caddr d))))))
-
-;; Places are boxed.
-(define (operand->datum x) (if (place? x) (box (place-index x)) x))
-(define (datum->operand x) (if (box? x) (place (unbox x)) x))
+(struct task (slope collect watches size clock? end tolerance method) #:prefab)
 
 ;; The outcome of a start: values is a vector; or, if it failed, #f, with the message and the last
 ;; good state, a vector or #f.  events : list of `happened`
@@ -63,3 +32,40 @@
 ;; Messages hold vectors.
 (define (flvector->vector v) (for/vector #:length (flvector-length v) ([x (in-flvector v)]) x))
 (define (vector->flvector v) (for/flvector #:length (vector-length v) ([x (in-vector v)]) x))
+
+;; ---------------------------------------------------------------------------
+;; Batches
+
+;; index : of its first start; starts, parameters : lists of vectors of flonums
+(struct batch (index starts parameters) #:prefab)
+
+;; A worker's report of an error that is no failure of a motion.
+(struct trouble (message) #:prefab)
+
+;; outcomes : in the order of the starts
+(struct finished (index outcomes) #:prefab)
+
+(define (perform-batch perform b)
+  (finished (batch-index b)
+            (for/list ([y (in-list (batch-starts b))] [p (in-list (batch-parameters b))])
+              (perform (vector->flvector y) (vector->flvector p)))))
+
+;; A message is its length and so many bytes.
+(define (message x)
+  (define bytes (s-exp->fasl x))
+  (bytes-append (integer->integer-bytes (bytes-length bytes) 8 #f) bytes))
+
+(define (send x out)
+  (write-bytes (message x) out)
+  (flush-output out))
+
+;; -> the next message, or eof where the input ends before it is whole
+(define (receive in)
+  (define head (read-whole 8 in))
+  (define content (and head (read-whole (integer-bytes->integer head #f) in)))
+  (if content (fasl->s-exp content) eof))
+
+;; -> so many bytes, or #f
+(define (read-whole count in)
+  (define bytes (read-bytes count in))
+  (and (bytes? bytes) (= count (bytes-length bytes)) bytes))

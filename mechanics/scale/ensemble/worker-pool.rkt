@@ -8,7 +8,7 @@
          racket/list
          racket/port
          racket/runtime-path
-         "batch.rkt" "task.rkt"
+         "task.rkt"
          "../../error/failure.rkt")
 
 (provide perform-by-workers)
@@ -35,7 +35,7 @@
    (lambda ()
      (parameterize ([current-custodian custodian]
                     [current-subprocess-custodian-mode 'kill])
-       (run-pool pool '() jobs (task->datum t))))
+       (run-pool pool '() jobs t)))
    (lambda () (custodian-shutdown-all custodian))))
 
 ;; again : batches to be handed out again; deaths : index of a batch -> number of workers that died
@@ -47,21 +47,21 @@
         [else ((worker-pool-next-batch pool))]))
 
 ;; Hands out batches and receives outcomes until no batch is left.
-(define (run-pool pool workers jobs datum)
-  (define full (start-workers pool workers jobs datum))
+(define (run-pool pool workers jobs t)
+  (define full (start-workers pool workers jobs t))
   (for ([w (in-list full)]) (supply! pool w))
   (define busy (filter (lambda (w) (pair? (worker-handed w))) full))
   (unless (null? busy)
     (define w (apply sync (for/list ([w (in-list busy)])
                             (wrap-evt (worker-out w) (lambda (_) w)))))
-    (run-pool pool (if (receive-outcome! pool w) full (remq w full)) jobs datum)))
+    (run-pool pool (if (receive-outcome! pool w) full (remq w full)) jobs t)))
 
 ;; Returns the workers and new ones, as many as there are jobs and batches.
-(define (start-workers pool workers jobs datum)
+(define (start-workers pool workers jobs t)
   (define b (and (< (length workers) jobs) (take-batch! pool)))
-  (cond [b (define w (start-worker datum))
+  (cond [b (define w (start-worker t))
            (hand! w b)
-           (start-workers pool (cons w workers) jobs datum)]
+           (start-workers pool (cons w workers) jobs t)]
         [else workers]))
 
 (define (supply! pool w)
@@ -96,13 +96,13 @@
 
 ;; ---------------------------------------------------------------------------
 
-(define (start-worker datum)
+(define (start-worker t)
   (define stderr (current-error-port))
   (define-values (process out in errors)
     (subprocess #f #f (and (file-stream-port? stderr) stderr) (find-exe) worker-file))
   (when errors (thread (lambda () (copy-port errors stderr))))
   (define w (worker out (thread (lambda () (write-all in))) '()))
-  (say! w datum)
+  (say! w t)
   w)
 
 (define (say! w x) (thread-send (worker-writer w) (message x) void))

@@ -3,12 +3,12 @@
 ;; outcomes.  It ends when its input ends, or is killed; breaks are off in it, for Ctrl-C at a
 ;; terminal reaches every process.
 
-(require "batch.rkt" "perform-task.rkt" "task.rkt")
+(require "perform-task.rkt" "task.rkt")
 
 (module+ main (parameterize-break #f (work (current-input-port) (current-output-port))))
 
 (define (work in out)
-  (define perform (performer 'evolve-ensemble (datum->task (receive in))))
+  (define perform (performer 'evolve-ensemble (receive in)))
   ;; Text that a user's function prints must not come between the messages.
   (parameterize ([current-output-port (current-error-port)])
     (let loop ()

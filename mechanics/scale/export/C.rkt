@@ -11,7 +11,6 @@
          "exported-system.rkt" "method-text.rkt" "variable-names.rkt" "program-text.rkt"
          "template.rkt"
          "../../compile/program.rkt"
-         "../../error/complain.rkt"
          (only-in "../../numeric/ode/dormand-prince-853.rkt" dormand-prince-853-formulas)
          "../../operation/operation-column.rkt")
 
@@ -106,29 +105,22 @@ text
   (define variables (exported-variables s))
   (define parameters (exported-parameters s))
   (define names (identifiers (append variables parameters) reserved))
-  (define-values (lines outputs)
-    (program->code p C names (lambda (operation) (raise-no-function who s operation))))
+  (define-values (lines outputs) (program->code p C names (no-function who s "C")))
   (define stores
     (for/list ([text (in-list outputs)] [k (in-naturals)]) (format "~a[~a] = ~a;" output k text)))
   (define body (append lines stores))
-  (define inputs (take-inputs names (length variables) body))
+  (define inputs (take-inputs names (length variables) (program-uses p)))
   (string-append
    (format "\nvoid ~a_~a(const double *y, const double *p, double *~a)\n{\n"
            (exported-name s) suffix output)
-   (string-append* (for/list ([line (in-list (append inputs body (unused inputs)))])
-                     (string-append "    " line "\n")))
+   (indented (append inputs body (unused inputs)))
    "}\n"))
 
-;; The inputs that the lines need, by name.
-(define (take-inputs names n lines)
-  (define needed (words-of lines))
-  (for/list ([name (in-list names)] [k (in-naturals)] #:when (member name needed))
-    (if (< k n)
-        (format "const double ~a = y[~a];" name k)
-        (format "const double ~a = p[~a];" name (- k n)))))
-
-(define (words-of lines)
-  (append-map (lambda (l) (regexp-match* #px"[A-Za-z_][A-Za-z0-9_]*" l)) lines))
+;; The inputs that are used, by name; n : how many are variables
+(define (take-inputs names n uses)
+  (for/list ([name (in-list names)] [k (in-naturals)] [count (in-vector uses)] #:when (> count 0))
+    (define-values (from index) (if (< k n) (values "y" k) (values "p" (- k n))))
+    (format "const double ~a = ~a[~a];" name from index)))
 
 ;; Compilers warn of arguments that are not looked at.
 (define (unused inputs)
@@ -158,19 +150,14 @@ text
    (lambda (name k) (format "~a[~a]" name k))
    (lambda (name text) (format "const double ~a = ~a;" name text))))
 
-(define (raise-no-function who s operation)
-  (complain who "there is no function for this operation in C\n  operation: ~a\n  of: ~a"
-            operation (exported-definition s)))
-
 ;; Words of C, its mathematics and the code around.
 (define reserved
   (append
+   C-keywords
    '("y" "p" "dy" "J" "solve" "solve_symmetric" "wrapped" "sgn")
    (string-split
     (string-append
-     "auto break case char const continue default do double else enum extern float for goto if "
-     "inline int long register restrict return short signed sizeof static struct switch typedef "
-     "union unsigned void volatile while acos asin atan atan2 cos sin tan acosh asinh atanh cosh "
-     "sinh tanh exp log sqrt pow fabs floor gamma lgamma tgamma j0 j1 jn y0 y1 yn erf erfc cbrt "
-     "ceil exp2 expm1 fdim fma fmax fmin fmod frexp hypot ilogb ldexp log10 log1p log2 logb "
-     "lround modf nan nearbyint remainder rint round signbit trunc signgam INFINITY NAN main"))))
+     "acos asin atan atan2 cos sin tan acosh asinh atanh cosh sinh tanh exp log sqrt pow fabs floor "
+     "gamma lgamma tgamma j0 j1 jn y0 y1 yn erf erfc cbrt ceil exp2 expm1 fdim fma fmax fmin fmod "
+     "frexp hypot ilogb ldexp log10 log1p log2 logb lround modf nan nearbyint remainder rint round "
+     "signbit trunc signgam INFINITY NAN main"))))

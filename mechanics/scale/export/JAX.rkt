@@ -7,7 +7,6 @@
          racket/string
          "exported-system.rkt" "method-text.rkt" "program-text.rkt" "python.rkt" "template.rkt"
          "variable-names.rkt"
-         "../../error/complain.rkt"
          (only-in "../../numeric/ode/dormand-prince-54.rkt" dormand-prince-54-formulas)
          "../../operation/operation-column.rkt")
 
@@ -19,15 +18,11 @@
 (define (JAX-files who s)
   (define-values (stages estimate) (method-tableau dormand-prince-54-formulas))
   (define words
-    (hash "NAME" (exported-name s)
-          "DEFINITION" (python-text (exported-definition s))
-          "VARIABLES" (python-tuple (exported-variables s))
-          "PARAMETERS" (python-tuple (exported-parameters s))
-          "SIZE" (number->string (exported-size s))
-          "CLOCK" (if (exported-clock? s) "True" "False")
-          "STAGES" (parenthesized (map parenthesized stages) ",\n      ")
-          "ERROR" (parenthesized estimate)
-          "BODY" (python-body who s)))
+    (hash-set* (python-words s)
+               "SIZE" (number->string (exported-size s))
+               "STAGES" (parenthesized (map parenthesized stages) ",\n      ")
+               "ERROR" (parenthesized estimate)
+               "BODY" (python-body who s)))
   (list (cons (string-append (exported-name s) ".py")
               (fill-template (build-path JAX-folder "module.py") words))))
 
@@ -35,17 +30,11 @@
   (define variables (exported-variables s))
   (define names (identifiers (append variables (exported-parameters s)) reserved))
   (define-values (lines outputs)
-    (program->code (exported-slope s) python names
-                   (lambda (operation)
-                     (complain who "there is no function for this operation in JAX\n  ~a: ~a"
-                               "operation" operation))))
+    (program->code (exported-slope s) python names (no-function who s "JAX")))
   (define n (length variables))
-  (string-append*
-   (for/list ([line (in-list
-                     (append (unpacked "y" (take names n)) (unpacked "p" (drop names n)) lines
-                             (list (format "return jnp.stack([~a])"
-                                           (string-join (map as-array outputs) ", ")))))])
-     (string-append "    " line "\n"))))
+  (define result (format "return jnp.stack([~a])" (string-join (map as-array outputs) ", ")))
+  (indented (append (unpacked "y" (take names n)) (unpacked "p" (drop names n)) lines
+                    (list result))))
 
 ;; A tuple of Python.
 (define (parenthesized texts [between ", "]) (format "(~a,)" (string-join texts between)))
@@ -77,8 +66,5 @@
    (lambda (name text) (format "~a = ~a" name text))))
 
 (define reserved
-  (string-split
-   (string-append
-    "False None True and as assert async await break class continue def del elif else except "
-    "finally for from global if import in is lambda nonlocal not or pass raise return try while "
-    "with yield y p jax jnp jnp_ lax derivative evolve partial INFINITY NAN")))
+  (append python-keywords
+          '("y" "p" "jax" "jnp" "jnp_" "lax" "derivative" "evolve" "partial" "INFINITY" "NAN")))

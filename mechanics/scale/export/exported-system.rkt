@@ -5,15 +5,16 @@
 ;; symbols left in it are parameters of the code; those of the example name the variables.
 
 (require racket/list
-         "suggested-names.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
-         "../../compile/tangent-program.rkt" "../../compile/trace.rkt"
+         "../../compile/derivative-sweep.rkt" "../../compile/trace.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"
+         "../../generic/describe.rkt" "../../generic/function-check.rkt"
+         "../../generic/printed-function.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt"
          (only-in "../../motion/system/check.rkt" check-rates)
-         "../../value/shape.rkt")
+         "../../value/shape.rkt" (only-in "../../value/structure.rkt" structure->list))
 
-(provide (struct-out exported) make-exported exported-size exported-parameter-count)
+(provide (struct-out exported) make-exported exported-size exported-parameter-count no-function)
 
 ;; name       : string, of the functions and files
 ;; definition : string, what the system is, as the user wrote it
@@ -33,9 +34,8 @@
 (define (make-exported who derivative example name order derivatives?
                        #:names [names #f] #:definition [definition (value->text derivative)]
                        #:otherwise [otherwise #f])
-  (unless (and (procedure? derivative) (accepts? derivative 1))
-    (complain who "expected a state derivative, a function of one state\n  given: ~a"
-              (describe-with-value derivative)))
+  (unless (takes-arguments? derivative 1)
+    (complain-of-argument who "a state derivative, a function of one state" derivative))
   (define given (given-names who example))
   (define (parameters-in es) (check-parameters who order (free-symbols es) given))
   (define (trace-it)
@@ -64,6 +64,11 @@
             (string-append "this state derivative has no code in other languages\n  of: ~a"
                            "\n  reason: ~a")
             (value->text derivative) reason))
+
+;; Called with an operation of s that a language, a string, lacks; does not return.
+(define ((no-function who s language) operation)
+  (complain who "there is no function for this operation in ~a\n  operation: ~a\n  of: ~a"
+            language operation (exported-definition s)))
 
 ;; ---------------------------------------------------------------------------
 ;; Variables
@@ -98,6 +103,38 @@
         (or x (free (or (and (< k (length wanted)) (list-ref wanted k)) other) taken)))
       (values (cons name names) (cons name taken))))
   (reverse names))
+
+;; Names for the variables of a state whose example is of numbers: t, q and v, or p, for a state
+;; (up t q v), numbered where coordinates are several; for any other x with the indices that `ref`
+;; takes, as x1_0.
+;; clock? : is the rate of the first scalar 1?  -> symbols, one for each scalar
+(define (suggested-names derivative example clock?)
+  (define parts (if (tuple? example) (structure->list example) (list example)))
+  (cond [(and clock? (local-state? parts))
+         (append (list 't)
+                 (named 'q (cadr parts))
+                 (named (if (momenta? derivative (caddr parts)) 'p 'v) (caddr parts)))]
+        [else
+         (define names (named 'x example))
+         (if clock? (cons 't (cdr names)) names)]))
+
+(define (local-state? parts)
+  (and (= 3 (length parts))
+       (not (tuple? (car parts)))
+       (= (shape-length (cadr parts)) (shape-length (caddr parts)))))
+
+;; Momenta are down, and those of Hamilton's equations are no velocities.
+(define (momenta? derivative x)
+  (or (and (tuple? x) (down? x)) (eq? 'Hamiltonian->state-derivative (made-by derivative))))
+
+;; q; or q0, q1 ..., and q0_1 in tuples of tuples
+(define (named letter x)
+  (let walk ([name (symbol->string letter)] [x x] [joint ""])
+    (if (tuple? x)
+        (for*/list ([(e k) (in-indexed (structure->list x))]
+                    [all (in-list (walk (format "~a~a~a" name joint k) e "_"))])
+          all)
+        (list (string->symbol name)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Parameters

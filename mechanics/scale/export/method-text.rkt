@@ -18,19 +18,17 @@
                         '((h . "h") (a . "a") (b . "b"))))
   (define (loop statements targets) (C-loop given statements targets language))
   (define (stages from to part)
-    (define-values (slopes end) (apply values (formulas-data part)))
+    (define end (stage-formulas-end part))
     (string-append*
      (append
-      (for/list ([s (in-list slopes)])
+      (for/list ([s (in-list (stage-formulas-slopes part))])
         (string-append (loop (list (reaching 'w from (rest s))) '("w[i] ="))
                        (format "    slope(w, p, ~a);\n" (first s))))
       (if end (list (loop (list (reaching to from end)) (list (format "~a[i] =" to)))) '()))))
   (hash "STAGES" (stages 'y 'z (explicit-formulas-stages m))
         "FURTHER_STAGES" (stages 'old #f (explicit-formulas-further m))
         "ERROR" (error-text m loop language)
-        "WITHIN" (loop `(,@(formulas-data (explicit-formulas-coefficients m))
-                         (out ,(polynomial m 'a 'b)))
-                       '("out[i] ="))))
+        "WITHIN" (loop `(,@(coefficient-formulas m) (out ,(polynomial m 'a 'b))) '("out[i] ="))))
 
 ;; targets : what becomes the values of the last statements, with the sign of assignment
 (define (C-loop given statements targets language)
@@ -45,11 +43,9 @@
 (define (error-text m loop language)
   (define squares (square-statements m))
   (define means (map first squares))
-  (define-values (_ named dividend divisor)
-    (apply values (formulas-data (explicit-formulas-estimate m))))
   (define-values (lines texts)
     (statement-lines (for/list ([x (in-list (cons 'h means))]) (cons x (symbol->string x)))
-                     `(,@named (dividend ,dividend) (divisor ,divisor)) language))
+                     (error-formulas m) language))
   (define-values (above below) (apply values (take-right texts 2)))
   (string-append*
    `(,(loop squares (for/list ([e (in-list means)]) (format "~a +=" e)))
@@ -75,11 +71,10 @@
     (for/list ([k (in-list names)] [_ (in-range count)])
       (define term (findf (lambda (t) (eq? k (second t))) terms))
       (if term (coefficient->text (first term)) "0.0")))
-  (values (for/list ([s (in-list (first (formulas-data (explicit-formulas-stages m))))]
+  (values (for/list ([s (in-list (stage-formulas-slopes (explicit-formulas-stages m)))]
                      [count (in-naturals 1)])
             (row (rest s) count))
-          (row (rest (first (first (formulas-data (explicit-formulas-estimate m)))))
-               (length names))))
+          (row (rest (first (mean-formulas m))) (length names))))
 
 ;; c : a number, or a fraction (fl/ p q)
 (define (coefficient->text c)

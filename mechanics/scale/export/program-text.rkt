@@ -10,7 +10,7 @@
          "../../compile/program.rkt"
          "../../operation/operation-column.rkt")
 
-(provide (struct-out language) program->code number->literal)
+(provide (struct-out language) program->code number->literal indented)
 
 ;; calls   : hasheq, operation -> how it is called, a string
 ;; solve   : name, rows of entries, right-hand sides, all texts, is it symmetric? -> lines
@@ -103,6 +103,10 @@
 
 (define (number-formula x)
   (formula (number->literal x) (if (or (< x 0.0) (eqv? x -0.0)) sum atom)))
+
+;; The lines as the text of a body.
+(define (indented lines)
+  (string-append* (for/list ([line (in-list lines)]) (string-append "    " line "\n"))))
 
 ;; The shortest decimal that is read as x.
 (define (number->literal x)

@@ -6,9 +6,7 @@
          racket/string
          "C.rkt" "exported-system.rkt" "template.rkt")
 
-(provide python-files
-         ;; texts of the language
-         python-text python-tuple)
+(provide python-files python-words)
 
 (define-runtime-path python-folder "python")
 
@@ -26,6 +24,7 @@
 
 (define (in folder file) (string-append folder "/" file))
 
+;; By the words for them in the files of Python
 (define (python-words s)
   (hash "NAME" (exported-name s)
         "DEFINITION" (python-text (exported-definition s))

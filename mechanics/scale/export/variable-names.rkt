@@ -7,7 +7,7 @@
 
 (require racket/string)
 
-(provide identifiers identifier?)
+(provide identifiers identifier? C-keywords python-keywords)
 
 ;; names : symbols; reserved : strings -> as many strings, all different
 (define (identifiers names reserved)
@@ -37,14 +37,21 @@
 
 ;; Is the text good for the name of a folder and of functions?
 (define (identifier? text)
-  (and (regexp-match? #px"^[A-Za-z][A-Za-z0-9_]*$" text) (not (member text words))))
+  (and (regexp-match? #px"^[A-Za-z][A-Za-z0-9_]*$" text) (not (member text (words)))))
 
 ;; Words of C and of Python, and names that exported folders have already.
-(define words
+(define (words) (append C-keywords python-keywords '("main" "dop853" "numpy" "jax" "ctypes" "os")))
+
+(define C-keywords
   (string-split
    (string-append
     "auto break case char const continue default do double else enum extern float for goto if "
     "inline int long register restrict return short signed sizeof static struct switch typedef "
-    "union unsigned void volatile while False None True and as assert async await class def del "
-    "elif except finally from global import in is lambda nonlocal not or pass raise try with "
-    "yield main dop853 numpy jax ctypes os")))
+    "union unsigned void volatile while")))
+
+(define python-keywords
+  (string-split
+   (string-append
+    "False None True and as assert async await break class continue def del elif else except "
+    "finally for from global if import in is lambda nonlocal not or pass raise return try while "
+    "with yield")))

@@ -11,7 +11,8 @@
          (only-in mechanics/compile/closures program->closure-maker)
          (only-in mechanics/compile/program program-inputs program-length program-outputs)
          (only-in mechanics/compile/derivative-sweep jacobian-program tangent-program)
-         (only-in mechanics/value/shape scalars structure->flvector flvector->structure))
+         (only-in mechanics/value/shape scalars structure->flvector flvector->structure)
+         "../support/checks.rkt")
 
 (define (program-of f example) (compiled-function-program (compile-function f example)))
 

@@ -8,7 +8,7 @@
          racket/system
          (only-in racket/sequence sequence-map)
          mechanics/book
-         mechanics/scale/ensemble/batch mechanics/scale/ensemble/worker-pool
+         mechanics/scale/ensemble/worker-pool
          mechanics/scale/ensemble/task
          mechanics/compile/program
          mechanics
@@ -170,7 +170,7 @@
 
 (test-case "a batch whose workers always die is given up, and told"
   (define nonsense (program 1 (vector (list 'no-such-operation (place 0))) (vector (place 1))))
-  (define t (task nonsense #f #f '() 1 #f 1.0 1e-9 'auto))
+  (define t (task nonsense #f '() 1 #f 1.0 1e-9 'auto))
   (define left (list (batch 0 '(#(1.0)) '(#())) (batch 1 '(#(2.0)) '(#()))))
   (define (next) (and (pair? left) (begin0 (car left) (set! left (cdr left)))))
   (define given-up '())
