@@ -72,8 +72,8 @@
        (<= (written-count b) most)
        (builder->program b (program-inputs p) (append* columns))))
 
-;; -> a builder that holds them, and for each of the first n inputs the derivatives of the outputs by
-;; it, a list of operands; no more are written than `most` operations and those by one input
+;; -> a builder that holds them, and for each of the first n inputs the derivatives of the outputs
+;; by it, a list of operands; no more are written than `most` operations and those by one input
 (define (differentiate p n most)
   (define-values (b q) (reload p))
   (define columns

@@ -21,7 +21,11 @@
   (when tolerance (check-tolerance who tolerance bits))
   (check-longest who longest)
   (check-most who most)
-  (when (and bits method) (raise-no-method who method bits))
+  (when (and bits method)
+    (raise-arguments-error
+     who "methods are for flonums; with a precision, extrapolation integrates"
+     "method" method
+     "precision" bits))
   (plan who
         (if bits
             (inexact->exact (real-number (or tolerance (tolerance-of-precision bits))))
@@ -32,9 +36,3 @@
 
 ;; Five sixths of the digits.
 (define (tolerance-of-precision bits) (expt 10 (- (quotient bits 4))))
-
-(define (raise-no-method who method bits)
-  (raise-arguments-error
-   who "methods are for flonums; with a precision, extrapolation integrates"
-   "method" method
-   "precision" bits))

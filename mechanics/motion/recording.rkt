@@ -19,9 +19,6 @@
 
 (define (record-step! r step) (set-recording-steps! r (cons step (recording-steps r))))
 
-(define (record-occurrence! r o)
-  (set-recording-occurrences! r (cons o (recording-occurrences r))))
-
 ;; found : the crossings within a step up to the time `to`, with times; (end! t) records the
 ;; step as far as t; (give-up event t state) does not return
 ;; -> is the motion to go on?
@@ -34,6 +31,7 @@
            (when (undefined? e)
              (end! t)
              (give-up (undefined-event e) t there))
-           (record-occurrence! r (occurrence e (shown t) there (crossing-grazing? (car found))))
+           (define o (occurrence e (shown t) there (crossing-grazing? (car found))))
+           (set-recording-occurrences! r (cons o (recording-occurrences r)))
            (cond [(event-terminal? e) (end! t) #f]
                  [else (loop (cdr found))])])))

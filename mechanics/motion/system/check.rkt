@@ -17,7 +17,8 @@
  ;; numbers
  check-real check-positive check-tolerance check-longest check-most real-number
  ;; procedures
- checked-monitor check-maker state-derivative? takes-state-only? raise-arguments with-tolerance-after
+ checked-monitor check-maker state-derivative? takes-state-only? raise-arguments
+ with-tolerance-after
  ;; states and their derivatives
  state-vector check-derivative check-rates check-clock state-derivative-hint)
 

@@ -15,9 +15,9 @@
 
 (provide expander-of machine-rates-of jacobian-maker fix-parameters)
 
-;; n : how many scalars a state has; ps : the values of the parameters, which become coefficients: to
-;; look for these anew takes less than a step or two for each operation, and saves as much at every
-;; step.  -> expander (numeric/Taylor/expansion.rkt), or a string, the reason why there is none
+;; n : how many scalars a state has; ps : the values of the parameters, which become coefficients:
+;; to look for these anew takes less than a step or two for each operation, and saves as much at
+;; every step.  -> expander (numeric/Taylor/expansion.rkt), or a string, the reason why there is none
 (define (expander-of code n ps)
   (define p (compiled-function-program code))
   (define make (and p (program->expansion-maker p n #:constants (flvector->list ps))))
@@ -52,8 +52,8 @@
 ;; of the rates do many steps.
 (define most-operations 200000)
 
-;; -> (-> (inputs J -> void)), kept with the program; or #f where there are differences only, as where
-;; the rates have no code
+;; -> (-> (inputs J -> void)), kept with the program; or #f where there are differences only, as
+;; where the rates have no code
 (define (jacobian-maker code n)
   (define p (compiled-function-program code))
   (define (make)

@@ -22,8 +22,8 @@
 ;; Each of them runs as Racket code.  slopes : (slope [a k] ...) for each; end : [a k] ..., or the
 ;; name of the state that is the end, or #f
 (struct stage-formulas (run slopes end) #:property prop:procedure 0 #:authentic)
-;; means : (mean [a k] ...) for each; statements : (name formula), of which the last are the dividend
-;; and the divisor
+;; means : (mean [a k] ...) for each; statements : (name formula), of which the last are the
+;; dividend and the divisor
 (struct estimate-formulas (run means statements) #:property prop:procedure 0 #:authentic)
 ;; statements : (coefficient formula)
 (struct polynomial-formulas (run statements) #:property prop:procedure 0 #:authentic)
@@ -31,7 +31,8 @@
 (define (stage-names f) (map car (stage-formulas-slopes f)))
 (define (mean-formulas m) (estimate-formulas-means (explicit-formulas-estimate m)))
 (define (error-formulas m) (estimate-formulas-statements (explicit-formulas-estimate m)))
-(define (coefficient-formulas m) (polynomial-formulas-statements (explicit-formulas-coefficients m)))
+(define (coefficient-formulas m)
+  (polynomial-formulas-statements (explicit-formulas-coefficients m)))
 (define (coefficient-names m) (map car (coefficient-formulas m)))
 
 (define (final-among-stages? m)

@@ -26,8 +26,8 @@
   (make-stepper y slope try-step! accept!
                 (lambda () (interpolant follow (flvector-copy old) (flvector-copy y) step))))
 
-;; -> (from h out -> void), which stores where the step of length h from a state leads.  All steps of
-;; one run compute in the room that f! has: one thread at a time.
+;; -> (from h out -> void), which stores where the step of length h from a state leads.  All steps
+;; of one run compute in the room that f! has: one thread at a time.
 (define (following start f!)
   (define lock (make-semaphore 1))
   (define (follow from h out)

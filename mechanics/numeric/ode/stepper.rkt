@@ -41,8 +41,9 @@
 ;; accept!     : -> void; the state tried last becomes the present one
 ;; interpolant : -> (theta out -> void), which stores in `out` the state at the
 ;;               fraction theta of the step accepted last, and stays good
-;; propose     : the length tried last, its error in units of the tolerance -> the length of the next
-;;               step, or of this one tried again if the error exceeds 1; #f if the driver decides
+;; propose     : the length tried last, its error in units of the tolerance -> the length of the
+;;               next step, or of this one tried again if the error exceeds 1; #f if the driver
+;;               decides
 ;; limit       : -> the greatest length of the next step, not a number where there is none; #f if
 ;;               none is known before the step is tried
 ;; moved!      : -> void; to be told when the state was changed by another

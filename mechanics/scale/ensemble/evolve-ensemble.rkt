@@ -60,13 +60,13 @@
 ;; -> (note! -> (-> batch or #f)), task or #f, (start parameters -> outcome),
 ;; (index outcome -> value)
 (define (prepare maker rows batch-size events collect end tolerance method)
-  (define-values (example ps) (first-row rows))
+  (define-values (example ps next) (first-row rows))
   (check-maker who maker ps)
   (check-first maker ps example)
   (note-followed maker ps example)
   (define (make how) (how who maker example ps events collect end tolerance method))
   (define-values (t shape) (make make-task))
-  (values (lambda (note!) (batches rows example ps batch-size note!))
+  (values (lambda (note!) (batches next example ps batch-size note!))
           t
           (if t (performer-here t) (make generically))
           (outcome->value example events collect shape)))

@@ -14,6 +14,7 @@
 
 (define who 'evolve-ensemble)
 
+;; -> (k -> (cons state parameters) or #f), the rows one after the other
 (define (start-rows starts parameters)
   (check-rows starts "expected the starts as a list or another sequence of states")
   (when parameters
@@ -29,25 +30,23 @@
                 (if more? "starts" "rows of parameters") (if more? "rows of parameters" "starts")
                 k))
     (and more? (cons (next-start) (next-parameters))))
-  (rows next #f))
+  next)
 
 ;; Numbers, texts and hashes are sequences as well, but not of states.
 (define (check-rows x expected)
   (when (or (not (sequence? x)) (tuple? x) (number? x) (string? x) (bytes? x) (hash? x))
     (complain who "~a\n  given: ~a" expected (describe-with-value x))))
 
-;; next : k -> (cons state parameters) or #f; ahead : the row that was taken already, or #f
-(struct rows (next [ahead #:mutable]) #:authentic)
-
-;; Returns the first state and its parameters.
-(define (first-row r)
-  (define row ((rows-next r) 0))
+;; Returns the first state and its parameters, and the rows from that one on.
+(define (first-row next)
+  (define row (next 0))
   (unless row (complain who "there are no starts"))
-  (set-rows-ahead! r row)
   (check-parameter-list 0 (cdr row))
   (check-finite (car row))
   (state-vector who (car row))
-  (values (car row) (as-flonums (cdr row))))
+  (define ahead row)
+  (define (next-from-first k) (if ahead (begin0 ahead (set! ahead #f)) (next k)))
+  (values (car row) (as-flonums (cdr row)) next-from-first))
 
 ;; A number that is not finite is told with the index of its start, 0.
 (define (check-finite state)
@@ -60,17 +59,12 @@
   (define all (apply up ps))
   (structure->list (flvector->structure all (structure->flvector all values))))
 
-(define (take-row! r k)
-  (define ahead (rows-ahead r))
-  (cond [ahead (set-rows-ahead! r #f) ahead]
-        [else ((rows-next r) k)]))
-
 ;; Returns a procedure that returns the next batch, or #f.
-(define (batches r example parameters size note!)
+(define (batches next example parameters size note!)
   (define k 0)
   (define shape (apply up parameters))
   (define (next-pair)
-    (define row (take-row! r k))
+    (define row (next k))
     (and row
          (begin0 (cons (start-vector k (car row) example) (parameter-vector k (cdr row) shape))
                  (set! k (+ k 1)))))

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The task that is performed for each start of an ensemble, batches of starts and their outcomes, as
-;; data for other processes; and the messages that carry these.
+;; The task that is performed for each start of an ensemble, batches of starts and their outcomes,
+;; as data for other processes; and the messages that carry these.
 ;;
 ;; A closure cannot leave its process; the list of instructions that is compiled there can.
 
