@@ -17,7 +17,8 @@
 
 ;; n : how many scalars a state has; ps : the values of the parameters, which become coefficients:
 ;; to look for these anew takes less than a step or two for each operation, and saves as much at
-;; every step.  -> expander (numeric/Taylor/expansion.rkt), or a string, the reason why there is none
+;; every step.  -> expander (numeric/Taylor/expansion.rkt), or a string, the reason why there is
+;; none
 (define (expander-of code n ps)
   (define p (compiled-function-program code))
   (define make (and p (program->expansion-maker p n #:constants (flvector->list ps))))

@@ -15,7 +15,6 @@
 (require racket/flonum
          racket/unsafe/ops
          "right-hand-side.rkt" "stepper.rkt" "taylor-piece.rkt" "taylor-run.rkt"
-         "vector-formulas.rkt"
          "../record-fields.rkt" "../flvector.rkt" "../unboxed-loop.rkt"
          "../Taylor/expansion.rkt")
 
