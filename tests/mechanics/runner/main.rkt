@@ -9,7 +9,8 @@
          racket/future
          racket/list
          racket/string
-         (file "../../../.ci/compile.rkt") "discover.rkt" "quick-choice.rkt" "record.rkt" "run-files.rkt")
+         (file "../../../.ci/compile.rkt")
+         "discover.rkt" "quick-choice.rkt" "record.rkt" "run-files.rkt")
 
 ;; known : record of earlier runs; digests : of the sources now -> exit code
 (define (run files known digests jobs limit)
