@@ -13,7 +13,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/shape.rkt"

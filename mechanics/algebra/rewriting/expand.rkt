@@ -7,7 +7,6 @@
 ;; below it that it needs.
 
 (require racket/list
-         "together.rkt"
          (only-in "../assumption/assumption-set.rkt" no-assumptions)
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../field/field.rkt"
