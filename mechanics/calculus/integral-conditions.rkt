@@ -1,43 +1,95 @@
 #lang racket/base
 ;; Under what conditions F(high) − F(low) is the integral of e, of which F is an antiderivative.
 ;;
-;; F must not be interrupted between the ends: an argument u of a logarithm or a denominator in F
-;; is not 0 there, and one of a root not negative.  If u is a line in x, that is seen at the ends:
-;; u(low) u(high) > 0.  What divides F and not e is not 0 either, as k in the integral of e^(kx),
-;; n + 1 in that of xⁿ, a − b in that of sin ax sin bx.  And F' = e may hold for some signs alone.
+;; F must be continuous on the whole path of x, from low to high: what divides in F, what a
+;; logarithm, a sign or, as cos v, a tan v is taken of, has no zero there.  That u has none is
+;; known from its sign, or told by relations between the ends and the parameters:
 ;;
-;; A condition is a relation as `assume` takes it, with the variable written x; that u is not 0
-;; is (> (abs u) 0).
+;;   u a line in x, or monotone        u(low) u(high) > 0
+;;   u = sin v or cos v, v a line      the same, and |v(high) − v(low)| < π
+;;   u = a + b with a root in b        a² − b² has no zero
+;;   u quadratic, with roots r         as for the lines x − r
+;;
+;; Of anything else nothing can be told, and there is no formula.  A condition never speaks of x,
+;; which has no meaning outside its integral.  What F' = e rests on must hold on the path, too.
+;; That radicands are not negative there is left to the integrand, which has no value where they
+;; are; where that is known there is no formula.
+;;
+;; What divides F and not e is not 0 either, as k in the integral of e^(kx), n + 1 in that of xⁿ,
+;; a − b in that of sin ax sin bx.
+;;
+;; A condition is a relation as `assume` takes it; that u is not 0 is (> (abs u) 0).
 
 (require racket/list
          "expression-function.rkt"
+         (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/pi.rkt" "../algebra/expression/read.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/solve/factors.rkt"
-         "../algebra/simplify/known-sign.rkt" "../algebra/simplify/simplify-expression.rkt")
+         "../algebra/simplify/declare.rkt" "../algebra/simplify/known-sign.rkt"
+         "../algebra/simplify/simplify-expression.rkt")
 
-(provide integral-conditions-of never-holds?)
+(provide integral-conditions-of continuous-logarithms)
 
-;; -> a list of datums, some of which may never hold; declared ones are among them
+;; x : the variable, which goes from low to high
+;; A : assumptions; inside : the same, with x between the ends, if their order is known
+(struct path (x low high A inside) #:authentic)
+
+(define (make-path x low high A)
+  (define (between from to) (list (relation-of '<= from x) (relation-of '<= x to)))
+  (define facts
+    (case (known-sign (e:- high low) A)
+      [(1) (between low high)]
+      [(-1) (between high low)]
+      [else '()]))
+  (path x low high A (with-facts A facts)))
+
+(define (with-facts A facts)
+  (with-handlers ([exn:algebra:contradiction? (lambda (e) A)]) (declare-relations A facts)))
+
+(define (relation-of head a b) (list head (expression->datum a) (expression->datum b)))
+
+;; -> a list of datums, among them declared ones; #f if there are none under which F will do
 (define (integral-conditions-of e F x low high A)
-  (define divisors (factors-of (denominators F) A))
-  (define ends (list low high))
-  (define (moves? u) (occurs? x u))
-  (remove-duplicates
-   (append
-    (append-map (lambda (u) (apart-from-0 u x ends A))
-                (append (filter moves? divisors) (filter moves? (arguments F op:log))))
-    (append-map (lambda (u) (not-negative u x ends A)) (filter moves? (arguments F op:sqrt)))
-    (append-map (lambda (power) (finite-power power x ends A)) (symbolic-powers F x))
-    (append-map (lambda (u) (not-zero u A))
-                (remove* (factors-of (denominators e) A) (filter-not moves? divisors)))
-    (grounds-of F e x A))))
+  (define p (make-path x low high A))
+  (define-values (moving still) (partition (moves? p) (factors-of (denominators F) A)))
+  (let/ec return
+    (define (fail) (return #f))
+    (define conditions
+      (append
+       (append-map (lambda (u) (without-zero u p fail)) (append moving (other-cuts F p fail)))
+       (begin (check-domain e p fail) '())
+       (append-map (lambda (power) (finite-power power p fail)) (symbolic-powers F x))
+       (append-map (lambda (u) (not-zero u A)) (remove* (factors-of (denominators e) A) still))
+       (grounds-of F e p fail)))
+    (remove-duplicates (possible conditions A fail))))
 
-(define impossible '(> -1 0))
+;; Those that can hold together, or (fail).
+(define (possible conditions A fail)
+  (with-handlers ([exn:algebra:contradiction? (lambda (e) (fail))])
+    (declare-relations A conditions)
+    conditions))
 
-;; Is it (> u 0) of a number u that is not?
-(define (never-holds? datum)
-  (and (eq? (car datum) '>) (real? (cadr datum)) (<= (cadr datum) 0)))
+(define ((moves? p) u) (occurs? (path-x p) u))
+(define (at u p end) (substitute-expression u (list (cons (path-x p) end))))
+(define (at-low u p) (at u p (path-low p)))
+(define (at-high u p) (at u p (path-high p)))
+
+;; F with log(u/u(low)) in place of log u, where u may be negative and F' = e remains: so values
+;; are real.
+(define (continuous-logarithms F e x low high A)
+  (define p (make-path x low high A))
+  (define (real-logarithm u)
+    (define positive? (or (not (occurs? x u)) (eqv? 1 (known-sign u (path-inside p)))))
+    (e:apply op:log (if positive? u (e:/ u (at-low u p)))))
+  (define real
+    (node-fold F values
+               (lambda (n args)
+                 (if (eq? (node-head n) op:log)
+                     (real-logarithm (car args))
+                     (rebuild (node-head n) args)))))
+  (if (eqv? 0 (simplify-expression (e:- (derivative real p) e) A)) real F))
 
 ;; ---------------------------------------------------------------------------
 ;; Parts of an expression
@@ -50,12 +102,26 @@
                     (car args)]
                    [else #f]))))
 
-(define (arguments e op)
-  (parts-of-expression e (lambda (n) (and (eq? (node-head n) op) (car (node-args n))))))
+;; What else must have no zero where x moves; (fail) where F may jump elsewhere.
+(define (other-cuts F p fail)
+  (define (cut n)
+    (define u (car (node-args n)))
+    (define (either-sign) (if (pair? (cdr (node-args n))) (fail) #f))
+    (cond [(not (ormap (moves? p) (node-args n))) #f]
+          [else
+           (case (operation-name (node-head n))
+             [(log sgn) u]
+             [(tan) (e:apply op:cos u)]
+             [(atan) (either-sign)]
+             [(floor ceiling round truncate) (fail)]
+             [else #f])]))
+  (factors-of (parts-of-expression F (lambda (n) (and (operation? (node-head n)) (cut n))))
+              (path-A p)
+              (moves? p)))
 
 ;; (base . exponent) of powers with an exponent that is no number
-(define (symbolic-powers e x)
-  (parts-of-expression e (lambda (n)
+(define (symbolic-powers F x)
+  (parts-of-expression F (lambda (n)
              (define args (node-args n))
              (and (eq? (node-head n) op:expt)
                   (occurs? x (car args))
@@ -63,63 +129,169 @@
                   (cons (car args) (cadr args))))))
 
 ;; Bases of the factors of the expressions, but numbers
-(define (factors-of es A)
+(define (factors-of es A [wanted? void])
   (remove-duplicates
    (for*/list ([e (in-list es)] [f (in-list (expression-factors e A))]
-               #:unless (real? (car f)))
+               #:unless (real? (car f))
+               #:when (wanted? (car f)))
      (car f))))
 
 ;; ---------------------------------------------------------------------------
-;; Conditions
+;; Values on the path
 
-(define (relation u A) (list '> (expression->datum (simplify-expression u A)) 0))
+;; (fail) where a radicand, or what e has a logarithm of, is negative at an end or in the middle.
+(define (check-domain e p fail)
+  (define places (list (path-low p) (path-high p) (e:/ (e:+ (path-low p) (path-high p)) 2)))
+  (for* ([u (in-list (parts-of-expression e radicand))] [x (in-list places)])
+    (when (eqv? -1 (known-sign (at u p x) (path-A p))) (fail))))
+
+(define (radicand n)
+  (define args (node-args n))
+  (and (or (memq (node-head n) (list op:sqrt op:log))
+           (and (eq? (node-head n) op:expt)
+                (rational? (cadr args))
+                (not (integer? (cadr args)))))
+       (car args)))
+
+;; ---------------------------------------------------------------------------
+;; No zero on the path
 
 (define (not-zero u A)
-  (if (memv (known-sign u A) '(1 -1))
-      '()
-      (list (relation (e:apply op:abs u) A))))
+  (if (memv (known-sign u A) '(1 -1)) '() (list (positive (e:apply op:abs u) A))))
 
-(define (line? u x A)
-  (eqv? 0 (simplify-expression (expression-derivative (expression-derivative u x) x) A)))
+(define (positive u A) (list '> (expression->datum (simplify-expression u A)) 0))
 
-(define (at u x end) (substitute-expression u (list (cons x end))))
+;; -> conditions
+(define (without-zero u p fail)
+  (cond [(memv (known-sign u (path-inside p)) '(1 -1)) '()]
+        [(radicand-of-root u) => (lambda (v) (factors-without-zero v p fail))]
+        [(or (line? u p) (monotone? u p)) (same-sign-at-ends u p fail)]
+        [(wave-of-line? u p)
+         (append (within-half-turn (car (node-args u)) p fail) (same-sign-at-ends u p fail))]
+        [(norm u p) => (lambda (n) (factors-without-zero n p fail))]
+        [(discriminant-of u p) => (lambda (d) (quadratic-without-zero u d p fail))]
+        [else (fail)]))
 
-(define (apart-from-0 u x ends A)
-  (cond [(memv (known-sign u A) '(1 -1)) '()]
-        [(line? u x A)
-         (define product (e:* (at u x (car ends)) (at u x (cadr ends))))
-         (case (known-sign product A)
-           [(1) '()]
-           [(-1) (list impossible)]
-           [else (list (relation product A))])]
-        [else (list (relation (e:apply op:abs (at u x 'x)) A))]))
+;; v of √v and other roots
+(define (radicand-of-root u) (and (node? u) (not (headed? u op:log)) (radicand u)))
 
-(define (not-negative u x ends A)
-  (define (condition v)
-    (if (memv (known-sign v A) '(0 1))
-        '()
-        (list (list '>= (expression->datum (simplify-expression v A)) 0))))
-  (cond [(eqv? (known-sign u A) 1) '()]
-        [(line? u x A) (append-map (lambda (end) (condition (at u x end))) ends)]
-        [else (condition (at u x 'x))]))
+(define (factors-without-zero n p fail)
+  (append-map (lambda (u) (if ((moves? p) u) (without-zero u p fail) (not-zero u (path-A p))))
+              (factors-of (list n) (path-A p))))
 
-;; uⁿ at the ends: of u = 0 there n is positive; else u is positive
-(define (finite-power power x ends A)
+(define (same-sign-at-ends u p fail)
+  (define (simple e) (simplify-expression e (path-A p)))
+  (define-values (a b) (values (simple (at-low u p)) (simple (at-high u p))))
+  (more-than-0 (e:* (sign-if-known a p) (sign-if-known b p)) p fail))
+
+(define (sign-if-known e p) (or (known-sign e (path-A p)) e))
+
+(define (more-than-0 e p fail)
+  (case (known-sign e (path-A p))
+    [(1) '()]
+    [(0 -1) (fail)]
+    [else (list (positive e (path-A p)))]))
+
+(define (within-half-turn angle p fail)
+  (define turn (simplify-expression (e:- (at-high angle p) (at-low angle p)) (path-A p)))
+  (more-than-0 (e:- exact-pi (e:apply op:abs turn)) p fail))
+
+(define (derivative u p) (expression-derivative u (path-x p)))
+
+(define (line? u p)
+  (eqv? 0 (simplify-expression (derivative (derivative u p) p) (path-A p))))
+
+;; Do all factors of the derivative that move keep their signs, but for zeros?
+(define (monotone? u p)
+  (for/and ([f (in-list (factors-of (list (derivative u p)) (path-A p) (moves? p)))])
+    (one-sided? f (path-inside p))))
+
+(define (one-sided? f A) (or (never-positive? f A) (never-positive? (e:negate f) A)))
+
+(define (never-positive? e A)
+  (eqv? 0 (simplify-expression (e:+ (e:apply op:abs e) e) (with-automatic-assumptions A #f))))
+
+(define (wave-of-line? u p)
+  (and (node? u)
+       (memq (node-head u) (list op:sin op:cos))
+       (line? (car (node-args u)) p)))
+
+;; a² − b² of u = a + b, where it has fewer roots than u; else #f.  It is 0 wherever u is.
+(define (norm u p)
+  (define-values (b a) (partition (rooted? p) (if (headed? u op:+) (node-args u) (list u))))
+  (and (pair? a)
+       (pair? b)
+       (let ([n (simplify-expression (e:- (e:expt (sum a) 2) (e:expt (sum b) 2)) (path-A p))])
+         (and (not ((rooted? p) n)) (not (eqv? n 0)) n))))
+
+(define (sum es) (for/fold ([s 0]) ([e (in-list es)]) (e:+ s e)))
+
+(define ((rooted? p) e)
+  (pair? (parts-of-expression
+          e (lambda (n) (and (eq? (node-head n) op:sqrt) ((moves? p) (car (node-args n))))))))
+
+;; c₁² − 4c₀c₂ of a quadratic polynomial c₀ + c₁x + c₂x²; else #f
+(define (discriminant-of u p)
+  (define A (path-A p))
+  (define slope (simplify-expression (derivative u p) A))
+  (and (line? slope p)
+       (let ([c1 (at slope p 0)])
+         (simplify-expression
+          (e:- (e:expt c1 2) (e:* 2 (e:* (derivative slope p) (at u p 0)))) A))))
+
+(define (quadratic-without-zero u discriminant p fail)
+  (define slope (derivative u p))
+  (define (root sign)
+    (e:/ (e:- (e:* sign (e:apply op:sqrt discriminant)) (at slope p 0)) (derivative slope p)))
+  (case (known-sign discriminant (path-A p))
+    [(-1) '()]
+    [(1) (append-map (lambda (sign) (same-sign-at-ends (e:- (path-x p) (root sign)) p fail))
+                     '(1 -1))]
+    [else (if (never-positive? discriminant (path-A p))
+              (factors-without-zero discriminant p fail)
+              (fail))]))
+
+;; uⁿ on the path: u is positive, or 0 at an end, and n positive.
+(define (finite-power power p fail)
   (define-values (u n) (values (car power) (cdr power)))
+  (unless (or (eqv? 1 (known-sign u (path-inside p))) (line? u p) (monotone? u p)) (fail))
   (append-map (lambda (end)
-                (define v (simplify-expression (at u x end) A))
-                (define must (if (eqv? v 0) n v))
-                (if (eqv? 1 (known-sign must A)) '() (list (relation must A))))
-              ends))
+                (define v (simplify-expression (at u p end) (path-A p)))
+                (more-than-0 (if (eqv? v 0) n v) p fail))
+              (list (path-low p) (path-high p))))
 
+;; ---------------------------------------------------------------------------
 ;; What F' = e rests on
-(define (grounds-of F e x A)
-  (define-values (_ grounds)
-    (simplify-expression/assumptions (e:- (expression-derivative F x) e) A))
-  (for/list ([g (in-list grounds)] #:unless (eq? (car g) 'left-unexpanded))
-    (renamed g x)))
 
-(define (renamed datum x)
-  (cond [(eq? datum x) 'x]
-        [(pair? datum) (cons (renamed (car datum) x) (renamed (cdr datum) x))]
-        [else datum]))
+(define (grounds-of F e p fail)
+  (define-values (_ grounds)
+    (simplify-expression/assumptions (e:- (derivative F p) e) (path-A p)))
+  (append-map (lambda (g) (on-path g p fail))
+              (filter (lambda (g) (not (eq? (car g) 'left-unexpanded))) grounds)))
+
+;; The conditions under which a relation holds on the whole path
+(define (on-path ground p fail)
+  (define sides (map datum->expression (cdr ground)))
+  (define (difference) (e:- (car sides) (cadr sides)))
+  (cond [(not (ormap (moves? p) sides)) (list ground)]
+        [else
+         (case (car ground)
+           [(>) (not-negative (difference) p fail)]
+           [(>=) (not-negative (difference) p fail)]
+           [(< <=) (not-negative (e:negate (difference)) p fail)]
+           [else (fail)])]))
+
+;; Of a line that is told by the ends; where its values there are opposite, it is not.
+(define (not-negative u p fail)
+  (define (simple e) (simplify-expression e (path-A p)))
+  (define ends (list (simple (at-low u p)) (simple (at-high u p))))
+  (cond [(headed? u op:abs) (without-zero (car (node-args u)) p fail)]
+        [(memv (known-sign u (path-inside p)) '(1 0)) '()]
+        [(and (line? u p) (not (eqv? 0 (simple (sum ends)))))
+         (append-map (lambda (v)
+                       (case (known-sign v (path-A p))
+                         [(1 0) '()]
+                         [(-1) (fail)]
+                         [else (list (relation-of '>= v 0))]))
+                     ends)]
+        [else (fail)]))

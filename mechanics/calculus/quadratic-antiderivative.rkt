@@ -66,12 +66,20 @@
 (define (root-of e A)
   (define s (simple (root e) A))
   (define plain (strip-abs s))
-  (cond [(and (not (has-root? plain)) (eqv? 0 (simple (e:- (e:* plain plain) e) A))) plain]
+  (cond [(and (real-constants? plain)
+              (not (has-root? plain))
+              (eqv? 0 (simple (e:- (e:* plain plain) e) A)))
+         plain]
         [(eqv? 1 (known-sign e A)) s]
         [else #f]))
 
 (define (strip-abs e)
   (if (and (node? e) (eq? (node-head e) op:abs)) (car (node-args e)) e))
+
+(define (real-constants? e)
+  (node-fold e
+             (lambda (leaf) (or (symbol? leaf) (real? leaf)))
+             (lambda (n parts) (andmap values parts))))
 
 (define (has-root? e)
   (node-fold e (lambda (leaf) #f)

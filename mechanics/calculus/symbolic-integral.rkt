@@ -8,6 +8,7 @@
 (require racket/list
          "antiderivative.rkt" "expression-function.rkt" "integral.rkt" "integral-conditions.rkt"
          "number-argument.rkt" "perturbed-value.rkt"
+         (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"
@@ -59,7 +60,7 @@
 (define (between-expressions who x y low high note!)
   (define A (assumptions-in-force))
   (check-argument who expression? y "a function that gives an expression or a number")
-  (define e (simplify-expression y A))
+  (define e (simplified-integrand y x A))
   (define F (antiderivative e x A #t))
   (unless F
     (raise-no-answer who
@@ -68,10 +69,21 @@
                                     "(substitute expression 'm 3 ...)")
                      (value->text e)))
   (define conditions (integral-conditions-of e F x low high A))
-  (for ([c (in-list conditions)] #:when (never-holds? c)) (raise-interrupted who e))
+  (unless conditions (raise-interrupted who e))
   (note! conditions)
-  (define (at end) (value-at F x end))
+  (define continuous (continuous-logarithms F e x low high A))
+  (define (at end) (value-at continuous x end))
   (simplify-expression (e:- (at high) (at low)) A))
+
+;; Nothing is taken for granted of x, as √(x²) = x would be: it leaves no trace in the formula.
+(define (simplified-integrand y x A)
+  (define-values (e grounds) (simplify-expression/assumptions y A))
+  (if (ormap (lambda (g) (datum-mentions? x g)) grounds)
+      (simplify-expression y (with-automatic-assumptions A #f))
+      e))
+
+(define (datum-mentions? x d)
+  (if (pair? d) (or (datum-mentions? x (car d)) (datum-mentions? x (cdr d))) (eq? x d)))
 
 (define (raise-interrupted who e)
   (raise-singular who
