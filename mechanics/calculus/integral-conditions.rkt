@@ -26,7 +26,7 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/pi.rkt" "../algebra/expression/read.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
-         "../algebra/solve/factors.rkt"
+         "../algebra/solve/nonzero-conditions.rkt"
          "../algebra/simplify/declare.rkt" "../algebra/simplify/known-sign.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
@@ -128,14 +128,6 @@
                   (not (real? (cadr args)))
                   (cons (car args) (cadr args))))))
 
-;; Bases of the factors of the expressions, but numbers
-(define (factors-of es A [wanted? void])
-  (remove-duplicates
-   (for*/list ([e (in-list es)] [f (in-list (expression-factors e A))]
-               #:unless (real? (car f))
-               #:when (wanted? (car f)))
-     (car f))))
-
 ;; ---------------------------------------------------------------------------
 ;; Values on the path
 
@@ -155,11 +147,6 @@
 
 ;; ---------------------------------------------------------------------------
 ;; No zero on the path
-
-(define (not-zero u A)
-  (if (memv (known-sign u A) '(1 -1)) '() (list (positive (e:apply op:abs u) A))))
-
-(define (positive u A) (list '> (expression->datum (simplify-expression u A)) 0))
 
 ;; -> conditions
 (define (without-zero u p fail)

@@ -78,12 +78,9 @@
 ;; Nothing is taken for granted of x, as √(x²) = x would be: it leaves no trace in the formula.
 (define (simplified-integrand y x A)
   (define-values (e grounds) (simplify-expression/assumptions y A))
-  (if (ormap (lambda (g) (datum-mentions? x g)) grounds)
+  (if (ormap (lambda (g) (memq x (flatten g))) grounds)
       (simplify-expression y (with-automatic-assumptions A #f))
       e))
-
-(define (datum-mentions? x d)
-  (if (pair? d) (or (datum-mentions? x (car d)) (datum-mentions? x (cdr d))) (eq? x d)))
 
 (define (raise-interrupted who e)
   (raise-singular who

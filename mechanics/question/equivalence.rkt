@@ -9,6 +9,9 @@
 ;;   C a constant c    L₂ − c L₁ is one;
 ;;   a matrix          C = M₂ M₁⁻¹, if M₁ and M₂ have inverses, and b₂ = C b₁.
 ;;
+;; In the latter two c, and the determinants of M₁ and M₂, must not be 0: of the parameters in them
+;; that is a condition.
+;;
 ;; Failing these, the rows (M₁ b₁) and (M₂ b₂) must span the same space: as many of them
 ;; are independent, and (M₂ b₂) takes to zero what (M₁ b₁) does.  That speaks of states in
 ;; general.  Where both equations restrict states, as y = 0 and y = 1 do, no motion is at
@@ -17,6 +20,7 @@
 (require (only-in racket/list append-map)
          "gauge.rkt" "argument-order.rkt"
          "../algebra/expression/symbols.rkt"
+         "../algebra/solve/nonzero-conditions.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
          "../error/failure.rkt"
@@ -80,7 +84,8 @@
 (define (proportional L1 L2 E1 E2 local c kind)
   (define v
     (judged (map (lambda (a b) (g:- b (g:* c a))) E1 E2) local
-            (lambda () (list (survey-of-difference (g:- L2 (g:* c L1)) local)))))
+            (lambda () (list (survey-of-difference (g:- L2 (g:* c L1)) local)))
+            (nonzero-conditions c (assumptions-in-force))))
   (and (proved? v)
        (equivalence kind c (gauge-at (g:- L2 (g:* c L1)) ((clip-state 3) local)) v)))
 
@@ -96,9 +101,16 @@
   (define-values (_ survey) (surveyed (lambda (at) (evaluate-at rest state at)) local))
   survey)
 
-(define (judged xs local surveys)
+;; relied-on : conditions under which the Lagrangians have the same motions if xs are zero
+(define (judged xs local surveys [relied-on '()])
   (prove-zero (single-or list->down xs)
-              #:variables (scalars local) #:surveys surveys))
+              #:variables (scalars local) #:surveys surveys #:resting-on relied-on))
+
+;; Of parameters alone: at special states a determinant may vanish.
+(define (regular-conditions M local)
+  (define A (assumptions-in-force))
+  (define (parameter? u) (not (ormap (lambda (name) (occurs? name u)) (scalars local))))
+  (append-map (lambda (u) (not-zero u A)) (factors-of (list (determinant M)) A parameter?)))
 
 ;; The quotient of two components if it is no function of the state; else #f.
 (define (constant-ratio E1 E2 local)
@@ -145,7 +157,9 @@
 
 (define (by-matrix M1 M2 b1 b2 local surveys)
   (define C (simplify (g:* M2 (g:invert M1))))
-  (define v (judged (map g:- b2 (matrix-times-list C b1)) local surveys))
+  (define v
+    (judged (map g:- b2 (matrix-times-list C b1)) local surveys
+            (append-map (lambda (M) (regular-conditions M local)) (list M1 M2))))
   (define factor (if (null? (cdr b1)) (matrix-ref C 0 0) C))
   (equivalence (and (proved? v) 'combination) (and (proved? v) factor) #f v))
 

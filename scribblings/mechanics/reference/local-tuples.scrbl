@@ -200,9 +200,13 @@ A pendulum's period from its law of energy, infinitely slow at the ends of the s
 
 The relations under which the formula that @racket[definite-integral] gives holds, as
 @racket[assume] takes them: @racket[(> (abs u) 0)] says that u is not 0. What is declared, or
-known without, is not among them.
+known without, is not among them. They speak of ends and parameters, never of the variable of
+integration: that no pole lies between the ends is a relation between these and the pole. Where
+no such relations are found, there is no formula.
 
 @examples[#:eval session
+(integral-conditions (lambda (x) (/ 1 (- (square x) (square 'b)))) 0 1)
+(integral-conditions tan 0 'b)
 (integral-conditions (lambda (x) (exp (* 'k x))) 0 'T)
 (integral-conditions (lambda (x) (expt x 'n)) 'a 'b)
 (integral-conditions (lambda (x) (* (sin (* 'a x)) (sin (* 'b x)))) 0 'T)
