@@ -43,10 +43,7 @@
       [(1) (between low high)]
       [(-1) (between high low)]
       [else '()]))
-  (path x low high A (with-facts A facts)))
-
-(define (with-facts A facts)
-  (with-handlers ([exn:algebra:contradiction? (lambda (e) A)]) (declare-relations A facts)))
+  (path x low high A (with-relations A facts)))
 
 (define (relation-of head a b) (list head (expression->datum a) (expression->datum b)))
 

@@ -11,7 +11,7 @@
          "../assumption/narrowing.rkt"
          "../assumption/relation.rkt")
 
-(provide declare-relations declared-relations without-relations
+(provide declare-relations with-relations declared-relations without-relations
          (struct-out exn:algebra:contradiction))
 
 ;; data : relations between two expressions, as datums
@@ -37,6 +37,10 @@
   (relation (relation-datum r)
             (simplify-expression (relation-expression r) (with-automatic-assumptions A #f))
             (relation-signs r)))
+
+;; A with the relations of these datums; A itself where they contradict it.
+(define (with-relations A data)
+  (with-handlers ([exn:algebra:contradiction? (lambda (e) A)]) (declare-relations A data)))
 
 ;; The datums of the relations, each once, in the order of declaration.
 (define (declared-relations A)

@@ -56,7 +56,7 @@
   (define-values (all grounds) (search-under strict))
   (define facts (if (andmap hole? all) '() (domain operations places)))
   (define-values (inside more)
-    (if (null? facts) (values all '()) (search-under (with-facts strict facts))))
+    (if (null? facts) (values all '()) (search-under (with-relations strict facts))))
   (values (append (filter-not hole? inside) (filter hole? all) (nowhere operations))
           (remove-duplicates (remove* facts (append grounds more)))))
 
@@ -81,9 +81,6 @@
     (list relation (expression->datum x) 0)))
 
 (define (broken? n) (and (rational? n) (not (integer? n))))
-
-(define (with-facts A facts)
-  (with-handlers ([exn:algebra:contradiction? (lambda (e) A)]) (declare-relations A facts)))
 
 (define (kinks-of operations s)
   (for*/list ([o (in-list operations)]
