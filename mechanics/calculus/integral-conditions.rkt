@@ -15,7 +15,7 @@
 ;; That radicands are not negative there is left to the integrand, which has no value where they
 ;; are; where that is known there is no formula.
 ;;
-;; What divides F and not e is not 0 either, as k in the integral of e^(kx), n + 1 in that of xⁿ,
+;; A divisor of F and not of e is not 0 either, as k in the integral of e^(kx), n + 1 in that of xⁿ,
 ;; a − b in that of sin ax sin bx.
 ;;
 ;; A condition is a relation as `assume` takes it; that u is not 0 is (> (abs u) 0).
@@ -53,16 +53,16 @@
   (define-values (moving still) (partition (moves? p) (factors-of (denominators F) A)))
   (let/ec return
     (define (fail) (return #f))
+    (check-domain e p fail)
     (define conditions
       (append
        (append-map (lambda (u) (without-zero u p fail)) (append moving (other-cuts F p fail)))
-       (begin (check-domain e p fail) '())
        (append-map (lambda (power) (finite-power power p fail)) (symbolic-powers F x))
        (append-map (lambda (u) (not-zero u A)) (remove* (factors-of (denominators e) A) still))
        (grounds-of F e p fail)))
     (remove-duplicates (possible conditions A fail))))
 
-;; Those that can hold together, or (fail).
+;; The conditions; (fail) where they contradict each other.
 (define (possible conditions A fail)
   (with-handlers ([exn:algebra:contradiction? (lambda (e) (fail))])
     (declare-relations A conditions)
@@ -99,7 +99,7 @@
                     (car args)]
                    [else #f]))))
 
-;; What else must have no zero where x moves; (fail) where F may jump elsewhere.
+;; Expressions besides denominators without a zero on the path; (fail) where F may jump elsewhere.
 (define (other-cuts F p fail)
   (define (cut n)
     (define u (car (node-args n)))

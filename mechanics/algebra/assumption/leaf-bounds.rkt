@@ -25,7 +25,7 @@
          (hash-update table leaf (lambda (r) (intersection r (beyond bound side))) everything)]
         [else table]))
 
-;; What is on this side of the bound.
+;; The values on this side of the bound.
 (define (beyond bound side)
   (cond [(signs-within? side nonnegative) (interval bound +inf.0)]
         [(signs-within? side nonpositive) (interval -inf.0 bound)]

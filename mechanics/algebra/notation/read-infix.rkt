@@ -76,7 +76,7 @@
           [(ahead? in 'minus) (loop (cons (signed in read-term) terms))]
           [else (terms->datum (reverse terms))])))
 
-;; What `read` reads, or the negative of it behind a minus sign.
+;; Reads by `read`; behind a minus sign, the negative.
 (define (signed in read)
   (define negative? (and (ahead? in 'minus) (take! in)))
   (define d (read in))
@@ -135,7 +135,7 @@
   (expect! in 'close)
   ds)
 
-;; What `read` reads once or more, with signs of that kind between.
+;; Reads by `read` once or more, with signs of that kind between.
 (define (separated in kind read)
   (let loop ([ds (list (read in))])
     (cond [(ahead? in kind) (take! in) (loop (cons (read in) ds))]

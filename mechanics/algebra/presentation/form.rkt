@@ -63,7 +63,7 @@
         (if (negative? c) -1 1)
         build))
 
-;; What stands above the line, or below it.  sums, extra : forms; these come last
+;; The numerator's text, or the denominator's.  sums, extra : forms; these come last
 (define (factors-expression c powers sums extra)
   (product-expression c (append (insert-sums (map form-expression sums)
                                              (powers->expressions powers))

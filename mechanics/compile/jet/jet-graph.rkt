@@ -118,7 +118,7 @@
     [else (apply-law! b name fs)]))
 
 ;; ---------------------------------------------------------------------------
-;; What outputs need; other nodes are unused
+;; Nodes that outputs need; others are unused
 
 (define (pruned b outputs inputs)
   (define nodes (make-vector (nodes-count b) '(unused)))
