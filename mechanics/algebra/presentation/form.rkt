@@ -63,7 +63,7 @@
         (if (negative? c) -1 1)
         build))
 
-;; The numerator's text, or the denominator's.  sums, extra : forms; these come last
+;; The numerator, or the denominator.  sums, extra : forms; these come last
 (define (factors-expression c powers sums extra)
   (product-expression c (append (insert-sums (map form-expression sums)
                                              (powers->expressions powers))
