@@ -18,15 +18,18 @@
  ["../algebra/rewriting/expand.rkt" expand-expression]
  ["../algebra/rewriting/factor.rkt" factored-expression]
  ["../algebra/rewriting/together.rkt" together-expression numerator-and-denominator]
- ["../algebra/simplify/declare.rkt" declare-relations declared-relations without-relations
+ ["../algebra/simplify/declare.rkt" declare-relations with-relations declared-relations
+                                    without-relations
                                     exn:algebra:contradiction?
                                     exn:algebra:contradiction-because]
  ["../algebra/simplify/necessary-assumptions.rkt" simplify-expression/needed]
  ["../algebra/simplify/simplify-expression.rkt" simplify-expression]
  ["../algebra/zero/vanishing-factors.rkt" same-equations? symbol-alone?]
+ ["../algebra/zero/common-domain.rkt" domain-expressions in-place-of somewhere-real?
+                                     part-without-value]
  ["../algebra/zero/decimals.rkt" too-many-to-read? reading-decimal reading-expression]
- ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations kink-solved?
-                             kink-family?]
+ ["../algebra/zero/kink.rkt" find-kinks make-kink-question kink-sort kink-expression
+                             kink-equations kink-solved? kink-family?]
  ["../algebra/zero/nondegeneracy.rkt" make-meaning meaning-values meaning-matrix meaning-moving
                                 meaning-variables meaningful? independent-equations
                                 solutions replaced]

@@ -16,7 +16,7 @@
 
 (provide assume assuming assumptions forget-assumptions automatic-assumptions
          ;; for those who call the algebra
-         assumptions-in-force common-assumptions note-used! undeclared call-assuming)
+         assumptions-in-force with-domain common-assumptions note-used! undeclared call-assuming)
 
 ;; ---------------------------------------------------------------------------
 ;; The state

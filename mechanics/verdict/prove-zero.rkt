@@ -9,7 +9,8 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/read.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
-         "../error/complain.rkt" "../error/hint.rkt" "../error/computed-once.rkt"
+         "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt"
+         "../error/hint.rkt"
          "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
@@ -28,18 +29,25 @@
 ;; remarks : -> strings, on what the verdict does not say
 ;; meaning : #f, or a procedure that gives the meaning that the question has to keep under
 ;; the conditions that are told (vanishing-conditions.rkt)
+;; domain : -> expressions that are to have a real value as well, in the symbols of x; if x is a
+;; function of the time, symbol of the time -> expressions
 ;; relied-on : datums of assumptions under which x is what is asked about
 ;; again : #f, or what asks the question again, given what to change in it (verdict.rkt)
 (define (prove-zero x #:variables [names '()] #:surveys [surveys '()]
                     #:remarks [remarks (lambda () '())] #:meaning [meaning #f]
+                    #:domain [domain (lambda () '())]
                     #:resting-on [relied-on '()] #:again [again #f])
   (check-variables names)
   (define tests '())
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
   (define endless? #f)
   (define in-force (assumptions-in-force))
-  (define judged (at-symbolic-arguments x '() variables (lambda () (set! endless? #t))))
-  (define A (common-assumptions in-force judged))
+  (define-values (judged missing)
+    (call-for-value (lambda ()
+                      (at-symbolic-arguments x '() variables (lambda () (set! endless? #t))))
+                    (procedure-arity-includes? domain 0)))
+  (define beside (domain-expressions (domain-at domain (remove* names (hash-keys variables)))))
+  (define A (common-assumptions (with-relations (with-domain in-force beside) relied-on) judged))
   (define kinks (once (lambda () (kinks-of surveys relied-on in-force))))
   (define residual
     (map-leaves (lambda (leaf)
@@ -51,13 +59,45 @@
   (make-verdict residual (reverse (map cdr tests)) (assumptions 'declared) endless? kinks
                 (lambda (status)
                   (append (remarks-on-residual residual status (map cdr tests))
-                          (if (eq? status 'undecided) '() (remarks))))
+                          (if (eq? status 'undecided)
+                              (append missing (remarks-on-domain beside (map cdr tests) A))
+                              (remarks))))
                 (once (lambda () (ways-told (reverse tests) meaning A)))
                 (or again
                     (lambda (change)
                       (prove-zero (change x) #:variables names #:surveys surveys
-                                  #:remarks remarks #:meaning meaning
+                                  #:remarks remarks #:meaning meaning #:domain domain
                                   #:resting-on relied-on)))))
+
+;; -> the value, and no strings.  Where a motion has a derivative nowhere, as √(x² + y²) at rest in
+;; the origin, it is no number, and strings say so.
+(define (call-for-value find-value certain?)
+  (if certain?
+      (values (find-value) '())
+      (with-handlers ([no-value? (lambda (e) (values +nan.0 (list (exn-message e))))])
+        (values (find-value) '()))))
+
+;; names : those of the arguments at which a function was judged; none if its value is a number
+(define (domain-at domain names)
+  (cond [(procedure-arity-includes? domain 0) (domain)]
+        [else
+         (define t (string->uninterned-symbol "t"))
+         (define found (domain t))
+         (define free? (and (pair? names) (not (ormap (lambda (e) (occurs? (car names) e)) found))))
+         (if free?
+             (for/list ([e (in-list found)]) (in-place-of (list (cons t (car names))) e))
+             found)]))
+
+;; Strings: the part of what is asked about that has no value, if that is the reason
+(define (remarks-on-domain domain tests A)
+  (define part
+    (and (ormap (lambda (z) (eq? (zero-test-reason z) 'nowhere)) tests)
+         (part-without-value domain A)))
+  (cond [(not part) '()]
+        [(and (node? part) (eq? (node-head part) op:up))
+         (list (format "at no point do all of these have real values: ~a"
+                       (joined (map value->text (node-args part)) ", ")))]
+        [else (list (format "~a has no real value" (value->text part)))]))
 
 ;; Strings; decimals that stand in the way of a decision are in the tests' own reports.
 (define (remarks-on-residual residual status tests)

@@ -5,7 +5,7 @@
 ;; a list of strings and S-expressions; whoever prints it knows how wide a line
 ;; may be.
 
-(require racket/list
+(require racket/list (only-in racket/math order-of-magnitude)
          "../algebra/expression/exact-numbers.rkt" "../algebra/expression/write.rkt"
          "../error/message-words.rkt"
          "../generic/describe.rkt" "../generic/notation.rkt"
@@ -130,9 +130,17 @@
 (define (readable x [digits 6])
   (cond [(not (real? x))
          (make-rectangular (readable (real-part x) digits) (readable (imag-part x) digits))]
-        [(and (exact? x) (> (rational-bits x) 64)) (readable (exact->inexact x) digits)]
+        [(and (exact? x) (> (rational-bits x) 64)) (readable-decimal x digits)]
         [(exact? x) x]
         [else (to-digits x digits)]))
+
+;; x : exact; one that no flonum is near, such as e⁻¹⁰⁰¹, is written with its power of 10
+(define (readable-decimal x digits)
+  (define y (exact->inexact x))
+  (cond [(memv y '(0.0 +inf.0 -inf.0))
+         (define power (order-of-magnitude (abs x)))
+         (format "~ae~a" (to-digits (exact->inexact (/ x (expt 10 power))) digits) power)]
+        [else (readable y digits)]))
 
 ;; Flonums to fewer digits than they have: 9.81 - 9.8 is 0.009999999999999787, of
 ;; which all but 0.01 is rounding.  Pairs that are shared stay so: written out there may be

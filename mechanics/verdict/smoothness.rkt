@@ -18,14 +18,22 @@
 ;; variables : symbols by which one differentiates
 ;; places : -> ((variable . expression) ...), put in for them in the end
 ;; unknowns : symbols to solve for              values? : must all have a value, as a path must?
-(struct survey (operations variables places unknowns values?) #:authentic)
+;; domain : -> expressions, the places put in, that are to have a value: what is beyond is no kink
+;; functions : -> expressions in the variables, of which the derivatives are; if all of them are
+;; smooth at a kink, it is none
+;; order : how often a function is differentiated
+(struct survey (operations variables places unknowns values? domain functions order) #:authentic)
+
+(define (nothing) '())
 
 ;; -> the value of (thunk), and a survey of it
-(define (survey-derivatives thunk variables #:put [places (lambda () '())]
-                            #:solve-for [unknowns variables] #:have-values? [values? #f])
+(define (survey-derivatives thunk variables #:put [places nothing]
+                            #:solve-for [unknowns variables] #:have-values? [values? #f]
+                            #:domain [domain nothing] #:functions [functions nothing]
+                            #:order [order 2])
   (define-values (x found) (call-noting-kinks thunk))
   (define operations (for/list ([m (in-list found)]) (cons (met-name m) (met-arguments m))))
-  (values x (survey operations variables places unknowns values?)))
+  (values x (survey operations variables places unknowns values? domain functions order)))
 
 ;; A survey of the value x itself: of expressions in it that hold a non-number.
 (define (survey-of-values x)
@@ -33,7 +41,7 @@
     (for/list ([leaf (in-list (leaves x))]
                #:when (and (expression? leaf) (holds-no-number? leaf)))
       (list 'nowhere leaf)))
-  (survey holes '() (lambda () '()) '() #t))
+  (survey holes '() nothing '() #t nothing nothing 2))
 
 (define (holds-no-number? e)
   (some-leaf? (lambda (leaf) (and (number? leaf) (not (rational? (magnitude leaf))))) e))
@@ -50,12 +58,17 @@
     (names-of (survey-unknowns s)
               (append (append-map cdr (survey-operations s)) (map cdr places))))
   (define (rename e) (if (null? names) e (substitute-expression e names)))
-  (find-kinks (for/list ([o (in-list (survey-operations s))]) (cons (car o) (map rename (cdr o))))
-              (map rename (survey-variables s))
-              (for/list ([entry (in-list places)])
-                (cons (car entry) (rename (cdr entry))))
-              (map rename (survey-unknowns s))
-              (survey-values? s) A))
+  (find-kinks
+   (make-kink-question
+    (for/list ([o (in-list (survey-operations s))]) (cons (car o) (map rename (cdr o))))
+    (map rename (survey-variables s))
+    (for/list ([entry (in-list places)]) (cons (car entry) (rename (cdr entry))))
+    (map rename (survey-unknowns s))
+    (survey-values? s)
+    (for/list ([e (in-list (domain-expressions ((survey-domain s))))]) (in-place-of names e))
+    (map rename ((survey-functions s)))
+    (survey-order s))
+   A))
 
 ;; An alist of names for the symbols that are uninterned.
 (define (names-of symbols es)

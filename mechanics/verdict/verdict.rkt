@@ -81,8 +81,14 @@
 
 ;; The assumptions on which the verdict rests, declared or not.
 (define (verdict-assumptions v)
-  (remove-duplicates
-   (append (append-map zero-test-assumptions (verdict-tests v)) (verdict-grounds v))))
+  (define all
+    (remove-duplicates
+     (append (append-map zero-test-assumptions (verdict-tests v)) (verdict-grounds v))))
+  (define (sign-taken? d)               ; of the u in (> (abs u) 0)
+    (and (pair? (cadr d))
+         (eq? (car (cadr d)) 'abs)
+         (for/or ([other (in-list all)]) (equal? (cadr other) (cadr (cadr d))))))
+  (filter-not sign-taken? all))
 
 ;; For each scalar of the residual the lists of equations that make it zero.
 (define (verdict-ways v)

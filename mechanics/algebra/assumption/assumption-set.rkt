@@ -17,7 +17,7 @@
 
 (provide
  ;; sets
- no-assumptions (struct-out assumptions) with-automatic-assumptions with-reference
+ no-assumptions (struct-out assumptions) with-automatic-assumptions with-reference with-domain
  (struct-out relation)
  ;; what is known
  (struct-out known) unknown single?
@@ -35,14 +35,19 @@
 ;; sums : keys of the table that have several terms, from relations
 ;; automatic? : may simplification assume more by itself?
 ;; reference : #f, or -> the point at which it does so (reference.rkt), or #f
-(struct assumptions (relations table sums automatic? reference) #:authentic)
+;; domain : expressions that are to have a real value wherever something is asked
+(struct assumptions (relations table sums automatic? reference domain) #:authentic)
 
-(define no-assumptions (assumptions '() (hash) '() #t #f))
+(define no-assumptions (assumptions '() (hash) '() #t #f '()))
 
 (define (with-automatic-assumptions A automatic?)
   (struct-copy assumptions A [automatic? automatic?]))
 
 (define (with-reference A point) (struct-copy assumptions A [reference point]))
+
+;; es : expressions, none of which holds a number that is not real
+(define (with-domain A es)
+  (if (null? es) A (struct-copy assumptions A [domain (append es (assumptions-domain A))])))
 
 ;; ---------------------------------------------------------------------------
 ;; What is known

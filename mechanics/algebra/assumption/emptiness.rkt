@@ -21,7 +21,7 @@
   (define there (concerning (leaves-of expressions) relations))
   (define concerned (filter (lambda (r) (memq r there)) relations))
   (and (<= 1 (length concerned) most-relations)
-       (not (find-reference expressions (assumptions concerned (hash) '() #t #f)
+       (not (find-reference expressions (assumptions concerned (hash) '() #t #f '())
                             (lambda (lookup) #t)))
        (empty? concerned)
        (fewest (remove-duplicates (map relation-datum concerned)) concerned)))

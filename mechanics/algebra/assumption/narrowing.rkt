@@ -25,7 +25,7 @@
                         #:when (pair? (cdr ts)))
               ts)))
   (define (with-table table)
-    (assumptions relations table sums (assumptions-automatic? A) (assumptions-reference A)))
+    (struct-copy assumptions A [relations relations] [table table] [sums sums]))
   (define (impose table r)
     (narrow (with-table table) s
             (relation-expression r)

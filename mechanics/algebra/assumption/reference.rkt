@@ -24,11 +24,13 @@
 ;; value? : lookup -> does the question have a value there?
 ;; -> lookup: leaf arguments -> number, or #f if no point was found
 (define (find-reference expressions A [value? (lambda (lookup) (all-real? expressions lookup))])
-  (define leaves (leaves-of expressions))
+  (define domain (assumptions-domain A))
+  (define leaves (leaves-of (append expressions domain)))
   (define relations (concerning leaves (assumptions-relations A)))
   (define table (bounds-from relations))
   (define (there? lookup)
     (and (for/and ([r (in-list relations)]) (holds-at? r lookup))
+         (all-real? domain lookup)
          (value? lookup)))
   (for/or ([k (in-range most-points)])
     (define lookup (make-lookup leaves table k))

@@ -6,8 +6,9 @@
 (provide substitute-expression rebuild)
 
 ;; e with each key of the alist, a symbol or any expression, replaced by its
-;; value wherever an equal expression stands.
-(define (substitute-expression e replacements)
+;; value wherever an equal expression stands.  Nodes around it are made anew by `rebuild`; with
+;; `make-node` nothing is evaluated, and log(1 − 2) stays as it is.
+(define (substitute-expression e replacements [rebuild rebuild])
   (define table (make-hash replacements))
   (define memo (make-memo))
   (let walk ([e e])

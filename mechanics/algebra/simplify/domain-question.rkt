@@ -54,11 +54,11 @@
            (not (check-duplicates (node-args e))))))
 
 (define (assumptions-of-monomials relations A)
-  (assumptions relations
-               (for/fold ([table (hash)]) ([r (in-list relations)])
-                 (hash-update table (list (cons 1 (relation-expression r)))
-                              (lambda (k) (meet k (known (relation-signs r) '())))
-                              unknown))
-               '()
-               (assumptions-automatic? A)
-               (assumptions-reference A)))
+  (struct-copy assumptions A
+               [relations relations]
+               [table
+                (for/fold ([table (hash)]) ([r (in-list relations)])
+                  (hash-update table (list (cons 1 (relation-expression r)))
+                               (lambda (k) (meet k (known (relation-signs r) '())))
+                               unknown))]
+               [sums '()]))

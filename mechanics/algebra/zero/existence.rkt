@@ -6,17 +6,18 @@
 ;; given has a value, and where what was declared holds.
 
 (require "assignment.rkt" "../ball/ball-tape.rkt" "point-value.rkt"
-         (only-in "../assumption/assumption-set.rkt" assumptions-relations)
+         (only-in "../assumption/assumption-set.rkt" assumptions-domain assumptions-relations)
          (only-in "../assumption/reference.rkt" find-reference)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt" "../expression/symbols.rkt")
 
-(provide somewhere-defined? decisive-leaves leaves-under-functions)
+(provide somewhere-defined? everywhere-defined? decisive-leaves leaves-under-functions)
 
 ;; t : tape; A : assumptions
 (define (somewhere-defined? t A)
-  (or (everywhere-defined? t)
-      (and (null? (assumptions-relations A)) (defined-among-positive? t))
+  (define all (cons t (map expression->tape (assumptions-domain A))))
+  (or (andmap everywhere-defined? all)
+      (and (null? (assumptions-relations A)) (andmap defined-among-positive? all))
       (let ([value (if (contains-complex? t) complex-value tape-value)])
         (and (find-reference (list (tape->expression t)) A
                              (lambda (lookup) (defined? t lookup value)))

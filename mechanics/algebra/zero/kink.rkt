@@ -8,26 +8,30 @@
 ;; through a pole.  Ends and poles count only of what must have a value, a path; a potential
 ;; may have them; and so do branches on (= u v).
 ;;
-;; A sum of squares vanishes where all of them do: √(x² + y²) is a distance, which is 0 at a
-;; collision, where a potential has no value; so nothing is said of it, and neither in polar
-;; coordinates, where it is √(r²).
+;; Where u is never negative and its zeros are no surface (surface.rkt), √u is a distance:
+;; √(x² + y²) is 0 at a collision, where a potential has no value, or where it has a kink at one
+;; point; so nothing is said of it.  A path that leads there has a kink, unless a potential has no
+;; value there.
+;;
+;; Functions that are the same on both sides of a surface, up to their second derivatives, have no
+;; kink: |x|³.
 ;;
 ;; A factor whose sign is known, or that has no real zeros, is dropped.  Parameters are at a
 ;; generic point, where none is 0; what sign they have is taken for granted nowhere but at
 ;; the cut of an angle.
 
 (require racket/list
-         "kink-place.rkt"
+         "common-domain.rkt" "kink-place.rkt" "surface.rkt"
          "../assumption/assumption-set.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
-         "../expression/substitute.rkt" "../expression/symbols.rkt"
+         "../expression/read.rkt" "../expression/substitute.rkt" "../expression/symbols.rkt"
          (only-in "../field/field.rkt" field-atlas)
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
-         "../solve/factors.rkt"
-         "../simplify/declare.rkt"
+         "../solve/factors.rkt" (only-in "../solve/nonzero-conditions.rkt" not-zero)
+         "../simplify/declare.rkt" "../simplify/known-sign.rkt"
          "../simplify/simplify-expression.rkt")
 
-(provide find-kinks (struct-out kink))
+(provide find-kinks make-kink-question (struct-out kink))
 
 ;; sort : 'kink, 'jump or 'no-value           expression : in which it is, such as |t − 2|
 ;; equations : (= t 2) ... or, where these cannot be solved for, (= u 0), and what else holds
@@ -37,28 +41,57 @@
 ;; zero : a factor that vanishes there         beside : what must be negative, or #f
 (struct candidate (sort expression zero beside) #:authentic)
 
+;; operations : ((name argument ...) ...) that a derivative met; (nowhere e) of an e that has
+;; no value anywhere
 ;; variables : symbols, of which a factor must have one to count
 ;; places : ((variable . expression) ...), put in for them in the end
 ;; unknowns : symbols to solve for         values? : must all have a value?
+;; domain : expressions, places put in, that are to have a value; where one has none is no kink
+;; functions : expressions in the variables, differentiated `order` times; if all of them are
+;; smooth at a kink, it is none
+(struct kink-question (operations variables places unknowns values? domain functions order)
+  #:constructor-name make-kink-question #:authentic)
+
 ;; assumptions : not automatic; automatic? : were they?
 ;; grounds : datums of assumptions by which something was dropped
-(struct search (variables places unknowns values? assumptions automatic? [grounds #:mutable])
-  #:authentic)
+(struct search (question assumptions automatic? [grounds #:mutable]) #:authentic)
 
-;; operations : ((name argument ...) ...) that a derivative met; (nowhere e) of an e that has
-;; no value anywhere
-(define (find-kinks operations variables places unknowns values? A)
+(define (search-variables s) (kink-question-variables (search-question s)))
+(define (search-places s) (kink-question-places (search-question s)))
+(define (search-unknowns s) (kink-question-unknowns (search-question s)))
+(define (search-values? s) (kink-question-values? (search-question s)))
+(define (search-functions s) (kink-question-functions (search-question s)))
+(define (search-order s) (kink-question-order (search-question s)))
+
+;; -> kinks, and datums of assumptions under which there are no more
+(define (find-kinks q A)
+  (define operations (kink-question-operations q))
   (define strict (with-automatic-assumptions A #f))
   (define (search-under assumptions)
-    (define s (search variables places unknowns values? assumptions (assumptions-automatic? A) '()))
+    (define s (search q assumptions (assumptions-automatic? A) '()))
     (define ks (together (kinks-of operations s)))
     (values ks (reverse (search-grounds s))))
   (define-values (all grounds) (search-under strict))
-  (define facts (if (andmap hole? all) '() (domain operations places)))
-  (define-values (inside more)
+  (define needs (append-map requirements (kink-question-domain q)))
+  (define facts
+    (if (andmap hole? all)
+        '()
+        (remove-duplicates
+         (append (facts-of needs) (facts-about operations (kink-question-places q))))))
+  (define-values (kept more)
     (if (null? facts) (values all '()) (search-under (with-relations strict facts))))
-  (values (append (filter-not hole? inside) (filter hole? all) (nowhere operations))
-          (remove-duplicates (remove* facts (append grounds more)))))
+  (define inside
+    (filter values (for/list ([k (in-list kept)] #:unless (hole? k)) (within-domain k needs A))))
+  (values (append inside (filter hole? all) (nowhere operations))
+          (filter (lambda (d) (not (required? d needs A)))
+                  (remove-duplicates (remove* facts (append grounds more))))))
+
+;; Is it (> (abs u) 0) with a u that is not 0 where all has a value?
+(define (required? datum needs A)
+  (define left (cadr datum))
+  (and (pair? left)
+       (eq? (car left) 'abs)
+       (factor-of-nonzero? (datum->expression (cadr left)) needs A)))
 
 (define (hole? k) (eq? (kink-sort k) 'no-value))
 
@@ -66,9 +99,49 @@
   (for/list ([o (in-list operations)] #:when (eq? (car o) 'nowhere))
     (kink 'no-value (cadr o) '() #f #f)))
 
+;; ---------------------------------------------------------------------------
+;; The domain
+
+;; The kink without its places at which something required does not hold; #f if none is left.
+(define (within-domain k needs A)
+  (define equations (kink-equations k))
+  (cond [(null? needs) k]
+        [(kink-solved? k)
+         (define left (filter (lambda (q) (not (excluded? q needs A))) equations))
+         (and (pair? left) (struct-copy kink k [equations left]))]
+        [else (and (not (factor-of-nonzero? (cadr (car equations)) needs A)) k)]))
+
+;; place : (= symbol expression)
+(define (excluded? place needs A)
+  (for/or ([r (in-list needs)])
+    (define u
+      (simplify-expression
+       (substitute-expression (requirement-of r) (list (cons (cadr place) (caddr place)))) A))
+    (define sign (known-sign u A))
+    (case (requirement-sort r)
+      [(not-zero) (eqv? u 0)]
+      [(positive) (or (eqv? u 0) (eqv? sign -1))]
+      [else (eqv? sign -1)])))
+
+;; Does something that may not be 0 vanish with f?
+(define (factor-of-nonzero? f needs A)
+  (for*/or ([r (in-list needs)]
+            #:unless (eq? (requirement-sort r) 'not-negative)
+            [g (in-list (expression-factors (requirement-of r) A))])
+    (equal? f (simplify-expression (car g) A))))
+
+(define (facts-of needs)
+  (for*/list ([r (in-list needs)]
+              [relation (in-value (case (requirement-sort r)
+                                    [(positive) '>]
+                                    [(not-negative) '>=]
+                                    [else #f]))]
+              #:when relation)
+    (list relation (expression->datum (requirement-of r)) 0)))
+
 ;; What holds wherever there are values, as datums: radicands are not negative, and of what
 ;; there is a logarithm is positive.  It costs nothing, and says nothing of ends themselves.
-(define (domain operations places)
+(define (facts-about operations places)
   (for*/list ([o (in-list operations)]
               [relation (in-value (case (car o)
                                     [(log) '>]
@@ -85,6 +158,7 @@
 (define (kinks-of operations s)
   (for*/list ([o (in-list operations)]
               [c (in-list (candidates (car o) (cdr o) s))]
+              #:unless (smooth-across? (candidate-zero c) s)
               [k (in-value (located c s))]
               #:when k)
     k))
@@ -108,11 +182,19 @@
   (define (at sort wanted? u #:beside [beside #f])
     (for/list ([f (in-list (factors-where wanted? u s))]) (candidate sort (node) f beside)))
   (define (end wanted? u) (if (search-values? s) (at 'no-value wanted? u) '()))
+  (define (kinks wanted? fs)
+    (for/list ([f (in-list fs)] #:when (wanted? f)) (candidate 'kink (node) (surface-zero f) #f)))
   (define (like-root u n)
-    (append (at 'kink (touching n) (if (search-values? s) u (without-distances u s)))
+    (define fs (surfaces-of (if (search-values? s) u (without-radii u s)) s))
+    (define-values (even odd) (partition (lambda (f) (even? (surface-power f))) fs))
+    (append (kinks (lambda (f) (and (abrupt? (* n (surface-power f)) s) (not (one-sided? f s))))
+                   even)
+            (kinks (lambda (f) (touched? f n s)) odd)
             (end (if (positive? n) odd? any) u)))
   (case name
-    [(abs) (if (and (null? (search-places s)) (one-sided? x s)) '() (at 'kink odd? x))]
+    [(abs) (kinks (lambda (f) (and (odd? (surface-power f)) (abrupt? (surface-power f) s)
+                                   (not (one-sided? f s))))
+                  (surfaces-of x s))]
     [(sgn) (at 'jump any x)]
     [(sqrt) (like-root x 1/2)]
     [(asin acos) (like-root (e:- 1 (e:expt x 2)) 1/2)]
@@ -139,31 +221,48 @@
     [else (make-node (find-operation name) arguments)]))
 
 (define (any k) #t)
-(define ((touching n) k) (and (even? k) (not (whole-square? (* k n)))))
-(define (whole-square? k) (and (integer? k) (even? k) (positive? k)))
+;; Has |x|^k a kink, when it is differentiated so often?
+(define (abrupt? k s)
+  (not (or (and (integer? k) (even? k) (positive? k))
+           (> k (search-order s)))))
 
-(define (exact-power n) (and (rational? n) (inexact->exact n)))
+;; May a factor of a radicand be 0 without becoming negative beside it?  On a surface; along a path
+;; anywhere.  What is noted are values of parameters at which the zeros are a surface.
+(define (touched? f n s)
+  (define A (search-assumptions s))
+  (cond [(> (* 2 n (surface-power f)) (search-order s)) #f]
+        [(and (pair? (search-places s)) (one-sided? f s)) #t]
+        [(surface-separate? f A)
+         (for ([u (in-list (degenerate-parameters f A))] #:unless (never-zero? u s))
+           (note-grounds! (not-zero u A) s))
+         #f]
+        [else (one-sided? f s)]))
 
-;; u without those of its factors, as they are written, that are sums of squares.
-(define (without-distances u s)
+;; u without those of its factors that are the square of a radius in polar coordinates: r² as the
+;; sum of (r cos θ)² and (r sin θ)² stays a distance.
+(define (without-radii u s)
   (define head (and (node? u) (node-head u)))
-  (define (args) (for/list ([a (in-list (node-args u))]) (without-distances a s)))
-  (cond [(memq head (list op:* op:/)) (rebuild head (args))]
-        [(sum-of-squares? u s) 1]
+  (cond [(memq head (list op:* op:/))
+         (rebuild head (for/list ([a (in-list (node-args u))]) (without-radii a s)))]
+        [(radius? u s) 1]
         [else u]))
 
-(define (sum-of-squares? u s)
-  (define terms (terms-of u))
-  (define varying (filter (lambda (e) (varies? e s)) terms))
-  (and (pair? varying)
-       (pair? (cdr varying))
-       (for/and ([e (in-list terms)])
-         (signs-within? (known-signs (signs-of e s)) nonnegative))))
+(define (radius? u s)
+  (define terms (if (headed? u op:+) (node-args u) '()))
+  (define (circular? e)
+    (node-fold e (lambda (leaf) #f)
+               (lambda (n found?s) (or (ormap values found?s)
+                                       (and (memq (node-head n) circular-functions) #t)))))
+  (and (pair? terms)
+       (andmap circular? terms)
+       (andmap (lambda (e) (signs-within? (known-signs (signs-of e s)) nonnegative)) terms)
+       (let ([r (simplify-expression u (search-assumptions s))])
+         (and (headed? r op:expt) (symbol? (car (node-args r))) (eqv? 2 (cadr (node-args r)))))))
 
-(define (terms-of u)
-  (if (headed? u op:+)
-      (append-map terms-of (node-args u))
-      (list u)))
+(define (surfaces-of u s)
+  (surfaces u (search-variables s) (search-assumptions s)))
+
+(define (exact-power n) (and (rational? n) (inexact->exact n)))
 
 (define (varies? e s) (mentions? e (search-variables s)))
 (define (mentions? e symbols) (ormap (lambda (x) (occurs? x e)) symbols))
@@ -191,6 +290,51 @@
     (car f)))
 
 ;; ---------------------------------------------------------------------------
+;; Functions that are smooth across a surface
+
+;; x : a factor.  If it is a variable, every function is asked for what it is on both sides: with
+;; x > 0 and x < 0 |x|³ is x³ and −x³, and the difference 2x³ has derivatives that are 0 at 0.
+(define (smooth-across? x s)
+  (and (symbol? x)
+       (pair? (search-functions s))
+       (let ([above (with-relations (search-assumptions s) `((> ,x 0)))]
+             [below (with-relations (search-assumptions s) `((< ,x 0)))])
+         (and (both-sides? above below s)
+              (for/and ([e (in-list (search-functions s))])
+                (or (not (occurs? x e)) (joined? x e above below s)))))))
+
+;; Where the variable has a sign by declaration, nothing was added to one of the sets.
+(define (both-sides? above below s)
+  (not (memq (search-assumptions s) (list above below))))
+
+(define (joined? x e above below s)
+  (define-values (upper lower) (values (simplify-expression e above) (simplify-expression e below)))
+  (define difference (simplify-expression (e:- upper lower) (search-assumptions s)))
+  (and (plain-at-0? x upper s)
+       (plain-at-0? x lower s)
+       (or (eqv? difference 0)
+           (let ([power (assoc x (expression-factors difference (search-assumptions s)))])
+             (and power (> (cdr power) (search-order s)))))))
+
+;; Is e, where x is 0, defined and without a kink, as a formula?
+(define (plain-at-0? x e s)
+  (and (node-fold e
+                  (lambda (leaf) #t)
+                  (lambda (n plain?s) (and (andmap values plain?s) (plain-node? x n s))))
+       (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
+         (substitute-expression e (list (cons x 0)))
+         #t)))
+
+(define (plain-node? x n s)
+  (define head (node-head n))
+  (or (literal-head? head)
+      (not (occurs? x n))
+      (memq head plain-operations)
+      (and (eq? head op:expt) (exact-integer? (cadr (node-args n))))))
+
+(define plain-operations (append (list op:+ op:- op:* op:/) (operations-where total meromorphic)))
+
+;; ---------------------------------------------------------------------------
 ;; Signs
 
 (define (signs-of e s)
@@ -202,13 +346,18 @@
 (define (by-signs good? e s)
   (define k (signs-of e s))
   (define yes? (good? (known-signs k)))
-  (when yes? (set-search-grounds! s (append (reverse (known-because k)) (search-grounds s))))
+  (when yes? (note-grounds! (known-because k) s))
   yes?)
+
+(define (note-grounds! data s)
+  (set-search-grounds! s (append (reverse data) (search-grounds s))))
 
 (define (never-zero? e s) (by-signs (lambda (k) (eqv? 0 (bitwise-and zero k))) e s))
 
 ;; Not negative, or not positive, without being 0 always?
-(define (one-sided? e s) (by-signs (lambda (k) (and (signs-decided? k) (not (eqv? k zero)))) e s))
+(define (one-sided? f s)
+  (for/or ([e (in-list (remove-duplicates (list (surface-zero f) (surface-polynomial f))))])
+    (by-signs (lambda (k) (and (signs-decided? k) (not (eqv? k zero)))) e s)))
 
 (define (never-negative? e s) (by-signs (lambda (k) (signs-within? k nonnegative)) e s))
 
@@ -238,8 +387,7 @@
 (define (dropped? c f beside s)
   (or (never-zero? f s)
       (parameter? f s)
-      (and beside (or (never-negative? beside s) (taken-not-negative? beside s)))
-      (and (eq? (candidate-sort c) 'kink) (null? (search-places s)) (one-sided? f s))))
+      (and beside (or (never-negative? beside s) (taken-not-negative? beside s)))))
 
 ;; Is e the same all along the path, and not 0?
 (define (parameter? e s)
@@ -252,5 +400,5 @@
          (not (mentions? e (search-unknowns s)))
          (signs-within? positive (known-signs (signs-of e s)))))
   (when free?
-    (set-search-grounds! s (cons (list '>= (expression->datum e) 0) (search-grounds s))))
+    (note-grounds! (list (list '>= (expression->datum e) 0)) s))
   free?)

@@ -47,7 +47,8 @@
 (define (ball->flonum m e)
   (if (< -2000 e 2000) (exact->inexact (* m (expt 2 e))) (if (> e 0) +inf.0 0.0)))
 
-;; The number to be shown: exact where it is, else a flonum with no more digits than are certain.
+;; The number to be shown: exact where it is, or where it is beyond flonums; else a flonum with no
+;; more digits than are certain.
 (define (value-shown v)
   (cond [(rough? v) (rough-number v)]
         [(ball? v) (certain-digits v)]
@@ -55,9 +56,12 @@
 
 (define (certain-digits b)
   (define x (ball->flonum (ball-middle b) (ball-scale b)))
-  (if (>= (certain-bits b) flonum-bits)
-      x
-      (to-digits x (max 1 (inexact->exact (floor (* (certain-bits b) bit-digits)))))))
+  (cond [(and (memv x '(0.0 +inf.0 -inf.0)) (< (abs (ball-scale b)) most-scale))
+         (* (ball-middle b) (expt 2 (ball-scale b)))]
+        [(>= (certain-bits b) flonum-bits) x]
+        [else (to-digits x (max 1 (inexact->exact (floor (* (certain-bits b) bit-digits)))))]))
+
+(define most-scale 20000)
 
 (define flonum-bits 54)
 (define bit-digits (/ (log 2) (log 10)))

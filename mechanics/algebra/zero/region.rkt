@@ -17,8 +17,10 @@
 ;; conditions : ((tape . signs) ...)
 (struct region (ranges conditions) #:authentic)
 
-;; The relations with a leaf in common with the tape.
-(define (make-region relations t)
+;; Where the relations with a leaf in common with the tape hold, and all of A's domain has a value.
+;; taken : further relations
+(define (make-region A t [taken '()])
+  (define relations (append (assumptions-relations A) taken))
   (define concerned
     (if (null? relations)
         '()
@@ -28,8 +30,11 @@
                               (hash-ref items l #f)))
             r))))
   (region (bounds-from relations)
-          (for/list ([r (in-list concerned)])
-            (cons (expression->tape (relation-expression r)) (relation-signs r)))))
+          (append
+           (for/list ([r (in-list concerned)])
+             (cons (expression->tape (relation-expression r)) (relation-signs r)))
+           (for/list ([e (in-list (assumptions-domain A))])
+             (cons (expression->tape e) any-sign)))))
 
 (define (region-free? g) (null? (region-conditions g)))
 

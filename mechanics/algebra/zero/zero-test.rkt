@@ -81,21 +81,30 @@
   (cond [(fraction-zero? f) (form 0 1 0 '() no-ways grounds unexpanded)]
         [(and (readable? f) (null? unexpanded))
          (define (may-be-0? p) (may-vanish? A F p))
-         (define-values (factor core conditions)
+         (define-values (factor core equations)
            (if (holds-sum? simple)
                (factor-and-core F f variables may-be-0?)
                (values 1 simple '())))
+         (define conditions (if (real-equations? equations) equations '()))
          (form simple factor core conditions
                (once
                 (lambda ()
                   (with-first conditions
-                              (ways-to-vanish F f (lambda (e) (constant-expression? e variables))
-                                              may-be-0?))))
+                              (filter real-equations?
+                                      (ways-to-vanish
+                                       F f
+                                       (lambda (e) (constant-expression? e variables))
+                                       may-be-0?)))))
                grounds
                '())]
         [else (form simple 1 simple '() no-ways grounds unexpanded)]))
 
 (define (no-ways) '())
+
+;; Symbols are real: x = 3/i says nothing.
+(define (real-equations? equations)
+  (define (real-leaf? d) (if (pair? d) (andmap real-leaf? d) (or (symbol? d) (real? d))))
+  (andmap real-leaf? equations))
 
 (define (with-first way ways)
   (if (null? way)
@@ -185,7 +194,7 @@
 ;; -> a refutation, or #f
 (define (refute-at-once e A variables t)
   (define-values (witness value bound points)
-    (find-witness t t (make-region (assumptions-relations A) t) #f))
+    (find-witness t t (make-region A t) #f))
   (and witness
        (make-zero-test 'refuted witness value bound points #f '() (later e A variables))))
 
@@ -224,7 +233,7 @@
   (define-values (witness value bound points)
     (find-witness t
                   (expression->tape (form-residual f))
-                  (make-region (append (assumptions-relations A) (taken-relations A grounds)) t)
+                  (make-region A t (taken-relations A grounds))
                   (pair? grounds)))
   (cond [witness (make-zero-test 'refuted witness value bound points #f '() f)]
         [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t A))]

@@ -1,9 +1,10 @@
 #lang racket/base
 ;; Witnesses: points that certify that an expression is not zero.
 
-(require mechanics/algebra/assumption/relation
+(require (only-in mechanics/algebra/assumption/assumption-set no-assumptions)
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/expression/read
+         mechanics/algebra/simplify/declare
          mechanics/algebra/zero/region
          mechanics/algebra/zero/witness
          "../../support/checks.rkt" "../../support/random.rkt"
@@ -13,7 +14,7 @@
 ;; -> witness value bound points
 (define (witness-of d [relations '()])
   (define t (expression->tape (datum->expression d)))
-  (find-witness t t (make-region (map read-relation relations) t) #f))
+  (find-witness t t (make-region (declare-relations no-assumptions relations) t) #f))
 
 (define (point d) (let-values ([(point value bound points) (witness-of d)]) point))
 (define (value d) (let-values ([(point value bound points) (witness-of d)]) value))

@@ -1,0 +1,81 @@
+#lang racket/base
+;; The domain of a question: where all that it speaks of has a real value.
+;;
+;; L = v²/2 − log(x − 2) has no value where the path x = 1 is, though the residual has one.  So
+;; the domain is a list of expressions beside the residual: the Lagrangian along the path, the
+;; path, a quantity.  They stay as they were given, as log(1 − 2) would become a complex number.
+;; An expression that holds a number that is not real, as e^(it), has complex values, and is left
+;; out.
+
+(require racket/list
+         "existence.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
+         "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         "../expression/operation.rkt" "../expression/substitute.rkt")
+
+(provide domain-expressions in-place-of somewhere-real? part-without-value
+         ;; what a value requires
+         (struct-out requirement) requirements)
+
+;; xs : values -> those of the expressions among them that may lack a real value somewhere
+(define (domain-expressions xs)
+  (filter partial? (remove-duplicates xs eq?)))
+
+(define (partial? x)
+  (and (node? x)
+       (all-numbers-real? x)
+       (not (everywhere-defined? (expression->plain-tape x)))))
+
+(define (all-numbers-real? e)
+  (node-fold e
+             (lambda (leaf) (or (symbol? leaf) (and (real? leaf) (rational? leaf))))
+             (lambda (n parts) (andmap values parts))))
+
+;; e with expressions in place of symbols, nothing being evaluated
+(define (in-place-of replacements e) (substitute-expression e replacements make-node))
+
+;; Have all of es a real value at some point where A holds?
+(define (somewhere-real? es A)
+  (or (null? es) (and (find-reference '() (struct-copy assumptions A [domain es])) #t)))
+
+;; -> the smallest part without a real value, or #f if there is a point where all have one
+(define (part-without-value es A)
+  (define alone (findf (lambda (e) (not (somewhere-real? (list e) A))) es))
+  (cond [(not alone) (and (not (somewhere-real? es A)) (make-node op:up es))]
+        [else
+         (let smallest ([e alone])
+           (define args (if (node? e) (node-args e) '()))
+           (define part (findf (lambda (a) (not (somewhere-real? (list a) A))) args))
+           (if part (smallest part) e))]))
+
+;; ---------------------------------------------------------------------------
+;; What a value requires
+
+;; sort : 'not-zero, 'positive or 'not-negative     of : an expression
+(struct requirement (sort of) #:transparent)
+
+;; -> requirements under which e has a value, if its other parts have
+(define (requirements e)
+  (define found '())
+  (define (require! sort u)
+    (unless (number? u) (set! found (cons (requirement sort u) found))))
+  (node-fold e
+             void
+             (lambda (n _)
+               (define head (node-head n))
+               (define args (node-args n))
+               (define u (and (pair? args) (car args)))
+               (cond [(eq? head op:/) (require! 'not-zero (cadr args))]
+                     [(eq? head op:sqrt) (require! 'not-negative u)]
+                     [(eq? head op:log) (require! 'positive u)]
+                     [(eq? head op:tan) (require! 'not-zero (e:apply op:cos u))]
+                     [(eq? head op:atanh) (require! 'positive (e:- 1 (e:expt u 2)))]
+                     [(memq head (list op:asin op:acos))
+                      (require! 'not-negative (e:- 1 (e:expt u 2)))]
+                     [(eq? head op:acosh) (require! 'not-negative (e:- u 1))]
+                     [(eq? head op:expt)
+                      (define n (cadr args))
+                      (cond [(not (rational? n)) (void)]
+                            [(negative? n) (require! (if (integer? n) 'not-zero 'positive) u)]
+                            [(not (integer? n)) (require! 'not-negative u)])])))
+  (reverse found))

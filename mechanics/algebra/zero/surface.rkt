@@ -1,0 +1,186 @@
+#lang racket/base
+;; Where may an expression vanish, and does it vanish there on a surface?
+;;
+;; The zeros of a squarefree polynomial that is never negative have at least two equations: a
+;; surface is where it would change its sign.  So √u has a kink on a surface where a factor of u
+;; stands to an even power, as in √(x² + x⁴), and none where it stands to the first:
+;; √(x² + y²) is a distance.  Factors are those of polynomials in tangents of half the angles
+;; and in exponentials (half-angles.rkt), so that √(1 − cos x) has its kink.
+;;
+;; That holds of polynomials in independent functions of the variables, each with a variable that
+;; no other depends on; what others there are count as parameters, if some coefficient is never 0.
+;; x² + sin²x is a polynomial in x and tan(x/2), and vanishes at 0 to the second power.
+;;
+;; It holds for parameters as they are in general; at h = 0 √(x² + h²) is |x|.  Such values are
+;; zeros of a discriminant.
+
+(require racket/list
+         "half-angles.rkt"
+         "../assumption/assumption-set.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/substitute.rkt" "../expression/symbols.rkt"
+         "../rewriting/collect.rkt"
+         "../simplify/simplify-expression.rkt"
+         "../solve/factors.rkt" "../solve/nonzero-conditions.rkt" "../solve/solve-equations.rkt")
+
+(provide surfaces surface-zero surface-power surface-polynomial
+         surface-separate? degenerate-parameters)
+
+;; zero : vanishes there; it varies            power : of the factor
+;; polynomial : the factor in symbols          kernels : ((kernel variable ...) ...), what varies in it
+;; tangents : what its symbols are (half-angles.rkt)     variables : symbols
+(struct surface (zero power polynomial kernels tangents variables) #:authentic)
+
+;; The factors of u that vary; a factor that is a product with squares in tangents is taken apart.
+(define (surfaces u variables A)
+  (for*/list ([f (in-list (if (node? u) (expression-factors u A) (list (cons u 1))))]
+              [g (in-list (parts-of (car f) variables A))])
+    (struct-copy surface g [power (* (cdr f) (surface-power g))])))
+
+(define (parts-of f variables A)
+  (define-values (rational tangents) (rationalized f))
+  (define (part zero power polynomial)
+    (define kernels
+      (for*/list ([k (in-list (kernels-of polynomial))]
+                  [vs (in-value (variables-of k variables tangents))]
+                  #:when (pair? vs))
+        (cons k vs)))
+    (surface zero power polynomial kernels tangents variables))
+  (define factors
+    (if (null? tangents) (list (cons f 1)) (expression-factors rational A)))
+  (define parts
+    (for/list ([g (in-list (append factors (at-infinity factors tangents A)))]
+               #:when (positive? (cdr g))
+               #:unless (exponential? (car g) tangents)
+               #:when (pair? (variables-of (car g) variables tangents)))
+      g))
+  (define (all-single?) (andmap (lambda (g) (eqv? 1 (cdr g))) parts))
+  (cond [(null? parts) '()]
+        [(all-single?)
+         (list (part f 1 (for/fold ([product 1]) ([g (in-list parts)]) (e:* product (car g)))))]
+        [else
+         (for/list ([g (in-list parts)])
+           (part (original (car g) tangents A) (cdr g) (car g)))]))
+
+;; Where a cosine of half an angle is 0 its tangent is infinite: 1 + cos x is 2/(1 + T²).
+(define (at-infinity factors tangents A)
+  (for*/list ([t (in-list tangents)]
+              #:unless (exponential? (car t) tangents)
+              [power (in-value (for/sum ([f (in-list factors)])
+                                 (* -1 (cdr f) (degree (car f) (car t) A))))]
+              #:unless (eqv? power 0))
+    (cons (caddr t) power)))
+
+(define (exponential? e tangents)
+  (for/or ([t (in-list tangents)]) (and (eq? e (car t)) (eqv? 1 (caddr t)))))
+
+(define (degree e k A)
+  (for/last ([n (in-range (add1 most-degree))] #:unless (eqv? 0 (coefficient e k n A))) n))
+
+;; The tangents put in, as a numerator.
+(define (original e tangents A)
+  (define used (filter (lambda (t) (occurs? (car t) e)) tangents))
+  (cond [(null? used) e]
+        [(eq? e (car (car used))) (cadr (car used))]
+        [else
+         (define whole
+           (substitute-expression
+            e (for/list ([t (in-list used)]) (cons (car t) (e:/ (cadr t) (caddr t))))))
+         (for/fold ([product 1]) ([f (in-list (expression-factors whole A))]
+                                  #:unless (real? (car f))
+                                  #:when (positive? (cdr f)))
+           (e:* product (e:expt (car f) (cdr f))))]))
+
+;; The variables on which e depends.
+(define (variables-of e variables tangents)
+  (filter (lambda (v)
+            (or (occurs? v e)
+                (for/or ([t (in-list tangents)]) (and (occurs? (car t) e) (occurs? v (cadr t))))))
+          variables))
+
+;; Symbols, and what stands between them that is no arithmetic.
+(define (kernels-of e)
+  (remove-duplicates
+   (let walk ([e e])
+     (cond [(symbol? e) (list e)]
+           [(not (node? e)) '()]
+           [(or (memq (node-head e) (list op:+ op:- op:* op:/))
+                (and (eq? (node-head e) op:expt) (exact-integer? (cadr (node-args e)))))
+            (append-map walk (node-args e))]
+           [else (list e)]))))
+
+;; ---------------------------------------------------------------------------
+;; Independent functions
+
+;; If the factor stands to an odd power and is never negative, has its zero more than one equation?
+(define (surface-separate? f A)
+  (define own (independent (surface-kernels f)))
+  (define all (map car (surface-kernels f)))
+  (cond [(null? own) #f]
+        [(= (length own) (length all)) #t]
+        [else
+         (for/or ([c (in-list (coefficients (surface-polynomial f) own A))])
+           (and (not (mentions? c all)) (null? (not-zero c A))))]))
+
+;; Does one of the kernels stand in e?
+(define (mentions? e kernels)
+  (ormap (lambda (k) (and (member k kernels) #t)) (kernels-of e)))
+
+;; kernels : ((kernel variable ...) ...) -> those that have a variable of their own, and are no
+;; roots, which may have a least value
+(define (independent kernels)
+  (for/list ([k (in-list kernels)]
+             #:when (or (symbol? (car k)) (literal-head? (node-head (car k))))
+             #:when (for/or ([v (in-list (cdr k))])
+                      (for/and ([other (in-list kernels)])
+                        (or (eq? other k) (not (memq v (cdr other)))))))
+    (car k)))
+
+;; Those of all products of powers of the kernels
+(define (coefficients e kernels A)
+  (for/fold ([es (list e)]) ([k (in-list kernels)])
+    (append-map (lambda (e) (powers-of e k A)) es)))
+
+;; The coefficients of the powers of k in e, from the 0th.
+(define (powers-of e k A)
+  (for*/list ([n (in-range (add1 most-degree))]
+              [c (in-value (coefficient e k n A))]
+              #:unless (eqv? c 0))
+    c))
+
+(define most-degree 8)
+
+(define (coefficient e k n A)
+  (define-values (c _) (expression-coefficient e k n A))
+  (or c 0))
+
+;; ---------------------------------------------------------------------------
+;; Parameters
+
+;; -> expressions in parameters: where one is 0 a discriminant vanishes, and the factor is a square
+(define (degenerate-parameters f A)
+  (define kernels (map car (surface-kernels f)))
+  (remove-duplicates
+   (for*/list ([k (in-list kernels)]
+               [d (in-value (discriminant (surface-polynomial f) k A))]
+               #:when d
+               [u (in-list (factors-of (list d) A))]
+               #:unless (mentions? u kernels)
+               #:when (square-where-0? u f A))
+     (original u (surface-tangents f) A))))
+
+;; Of the second degree in k; else #f
+(define (discriminant e k A)
+  (define (of n) (coefficient e k n A))
+  (and (eqv? 0 (of 3)) (eqv? 0 (of 4)) (not (eqv? 0 (of 2)))
+       (simplify-expression (e:- (e:expt (of 1) 2) (e:* 4 (e:* (of 0) (of 2)))) A)))
+
+;; May the factor, where u is 0, be a square of something that varies?
+(define (square-where-0? u f A)
+  (define roots
+    (for/or ([x (in-list (symbols-in u))]) (solve-equations (list u) (list x) A)))
+  (or (not roots)
+      (for/or ([r (in-list roots)])
+        (define there (substitute-expression (surface-zero f) (car r)))
+        (for/or ([g (in-list (surfaces there (surface-variables f) A))])
+          (even? (surface-power g))))))
