@@ -17,7 +17,7 @@
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/shape.rkt"
-         "../verdict/surveyed-zero.rkt")
+         "../verdict/question-domain.rkt" "../verdict/surveyed-zero.rkt")
 
 (provide Hamilton-Jacobi-residual verify-Hamilton-Jacobi)
 
@@ -41,8 +41,15 @@
   (check-both who H S)
   (check-symbols who (up t q) "time and coordinates")
   (prove-residual-zero (lambda () ((residual who H S) t q)) (scalars (up t q))
+                       #:domain (lambda () (domain H S t q))
+                       #:within (lambda () (expressions-of (S t q)))
                        #:again (lambda (change)
                                  (verify-Hamilton-Jacobi (change H) (change S) t q))))
+
+;; H has a value where its momenta are ∂S
+(define (domain H S t q)
+  (define momenta (derivative-at (lambda (q) (S t q)) q))
+  (append (expressions-of (S t q)) (values-along (list H) (up t q momenta))))
 
 (define (check-both who H S)
   (when (and (procedure? H) (procedure? S) (accepts? H 2) (not (accepts? H 1)) (accepts? S 1))

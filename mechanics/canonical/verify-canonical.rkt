@@ -18,7 +18,8 @@
          (only-in "../value/algebra.rkt" make-meaning)
          "../value/shape.rkt" "../value/simplify.rkt"
          "../value/matrix/matrix.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/smoothness.rkt"
+         "../verdict/verdict.rkt")
 
 (provide verify-canonical verify-symplectic)
 
@@ -71,10 +72,12 @@
 ;; about : the transformation, and Hamiltonians; find-residual : -> the residual, called while the
 ;; kinks that derivatives pass over are noted
 (define (judged state about find-residual again [remarks (lambda () '())])
-  (define-values (residual survey) (survey-derivatives find-residual (scalars state)))
+  (define (domain) (values-at about state))
+  (define-values (residual survey)
+    (survey-derivatives find-residual (scalars state) #:domain domain #:functions domain))
   (define (meaning) (meaning-of about state))
   (define v (prove-zero residual #:variables (scalars state) #:surveys (list survey)
-                        #:meaning meaning #:again again))
+                        #:domain domain #:meaning meaning #:again again))
   (if (refuted? v)
       (for/fold ([v v]) ([text (in-list (append (remarks)
                                                 (remark-on-exponents v residual state meaning)))])

@@ -14,7 +14,8 @@
 ;; Without an inverse of M several w may do, with rates that agree along motions only: if
 ;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
 
-(require "argument-order.rkt" "phase-space.rkt" "remarks.rkt" "question-meaning.rkt"
+(require "argument-order.rkt" "phase-space.rkt" "regular-masses.rkt" "remarks.rkt"
+         "question-meaning.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt"
@@ -29,7 +30,9 @@
          "../lagrangian/state-derivative.rkt" "../lagrangian/total-derivative.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/structure.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+         (only-in "../value/matrix/matrix.rkt" matrix-by-rows)
+         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/smoothness.rkt"
+         "../verdict/verdict.rkt")
 
 (provide rate-of-change verify-conserved)
 
@@ -46,10 +49,19 @@
   (check-arguments 'verify-conserved L Q)
   (check-generic-states 'verify-conserved local L Q (external-force 'verify-conserved force #f))
   (define state (state-of local))
+  (define outside (external-force 'verify-conserved force #f))
+  (define (domain) (values-at (list L Q outside) state))
+  (define (within) (values-at (list L outside) state)) ; motions cross poles of Q
+  (define accelerated? #f)
+  (define (note-acceleration!) (set! accelerated? #t))
   (define-values (change survey)
-    (survey-derivatives (lambda () ((rate 'verify-conserved L Q force) state)) (scalars state)))
-  (define v (prove-zero change #:variables (scalars local)
+    (survey-derivatives (lambda ()
+                          ((rate 'verify-conserved L Q force note-acceleration!) state))
+                        (scalars state)
+                        #:domain within #:functions domain))
+  (define v (prove-zero change #:variables (scalars local) #:domain domain
                         #:surveys (list (survey-of-values (Q state)) survey)
+                        #:resting-on (if accelerated? (regular-conditions (masses L state) state) '())
                         #:remarks (lambda () (append (remarks-on-quantity Q state)
                                                      (remarks-on-kind L Q)
                                                      (remarks-on-order L Q state)))
@@ -62,6 +74,10 @@
     (call-with-quantity-last 'verify-conserved L Q state
                              (lambda () ((Lagrangian->acceleration L #:force force) state))))
   v)
+
+;; The second derivatives by the velocities, as a matrix
+(define (masses L state)
+  (apply matrix-by-rows (mass-matrix (scalar-valued 'verify-conserved L) state 1)))
 
 ;; With one coordinate nothing tells a Hamiltonian from a Lagrangian.
 (define (remarks-on-kind L Q)
@@ -98,25 +114,28 @@
 ;; ---------------------------------------------------------------------------
 ;; The rate at a state
 
-(define ((rate who L Q force) state)
-  (call-with-quantity-last who L Q state (lambda () (rate-at who L Q force state))))
+;; note-acceleration! : called where the rate needs accelerations, and so an inverse of the masses
+(define ((rate who L Q force [note-acceleration! void]) state)
+  (call-with-quantity-last who L Q state
+                           (lambda () (rate-at who L Q force state note-acceleration!))))
 
-(define (rate-at who L Q force state)
+(define (rate-at who L Q force state note-acceleration!)
   (define L-scalar (scalar-valued who L))
   (let rate-of ([Q Q] [value (Q state)])
     (cond [(tuple? value)
            (s:generate (s:length value) (structure-orientation value)
                        (lambda (i)
                          (rate-of (lambda (local) (s:ref (Q local) i)) (s:ref value i))))]
-          [else (scalar-rate who L-scalar Q force state)])))
+          [else (scalar-rate who L-scalar Q force state note-acceleration!)])))
 
-(define (scalar-rate who L Q force state)
+(define (scalar-rate who L Q force state note-acceleration!)
   (define v (velocity state))
   (define slope (((partial 2) Q) state))
   (define-values (value drift)
     (value-and-derivative-along Q state (up 1 v (g:* 0 v))))
   (define multipliers (multipliers-of L slope state))
   (define (with-acceleration)
+    (note-acceleration!)
     (g:+ drift (g:* slope ((Lagrangian->acceleration L #:force force) state))))
   (cond [(null? multipliers) (with-acceleration)]
         [else

@@ -17,8 +17,10 @@
          "../lagrangian/total-derivative.rkt"
          "../numeric/constants.rkt"
          "../search/find-root.rkt"
-         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+         "../value/algebra.rkt" "../value/assumptions.rkt" "../value/shape.rkt"
+         "../value/simplify.rkt"
+         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/smoothness.rkt"
+         "../verdict/verdict.rkt")
 
 (provide verify-equilibrium equilibria find-equilibrium
          equilibrium? equilibrium-coordinates equilibrium-conditions)
@@ -31,6 +33,7 @@
   (define t (string->uninterned-symbol "t"))
   (define (judge q)
     (prove-zero (residual-at-rest 'verify-equilibrium L force t q)
+                #:domain (lambda () (values-at-rest L force t q))
                 #:variables (list t)
                 #:surveys (lambda () (surveys-at-rest L force t q))))
   (define v (judge q))
@@ -48,6 +51,7 @@
        (lambda () (residual-at-rest 'verify-equilibrium L force t anywhere))
        (scalars anywhere)
        #:put (lambda () (map cons (scalars anywhere) (scalars q)))
+       #:domain (lambda () (values-at-rest L force t q))
        #:solve-for (remove-duplicates (append-map symbols-in (scalars q))))))
   (if survey (list survey) '()))
 
@@ -79,9 +83,21 @@
   (unless solutions (raise-no-formula residual))
   (note-other-period residual q)
   (note-other-turns L (time local) q residual)
-  (for/list ([s (in-list solutions)])
-    (define (value-of name) (cond [(assq name (car s)) => cdr] [else name]))
-    (equilibrium (s:map/r value-of q) (cdr s))))
+  (for*/list ([s (in-list solutions)]
+              [at (in-value (s:map/r (lambda (name) (value-of name (car s))) q))]
+              #:when (in-domain? L force (time local) at))
+    (equilibrium at (cdr s))))
+
+(define (value-of name solution)
+  (cond [(assq name solution) => cdr]
+        [else name]))
+
+;; Where the Lagrangian has no real value nothing rests.
+(define (in-domain? L force t q)
+  (somewhere-real? (domain-expressions (append (scalars q) (values-at-rest L force t q)))
+                   (assumptions-in-force)))
+
+(define (values-at-rest L force t q) (values-along (list L force) (up t q (g:* 0 q))))
 
 ;; For cos(k x) the equilibria within one turn of k x are found; a turn of x may have others.
 (define (note-other-period residual q)

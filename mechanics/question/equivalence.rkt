@@ -18,7 +18,7 @@
 ;; such a state, rows with 1 in place of 0 span the same, and nothing follows.
 
 (require (only-in racket/list append-map)
-         "gauge.rkt" "argument-order.rkt"
+         "gauge.rkt" "argument-order.rkt" "regular-masses.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/solve/nonzero-conditions.rkt"
          "../algebra/zero/vanishing.rkt"
@@ -34,7 +34,8 @@
          "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../value/matrix/row-products.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/smoothness.rkt"
+         "../verdict/verdict.rkt")
 
 (provide verify-equivalent-Lagrangians compare-Lagrangians
          equivalence?)
@@ -66,25 +67,31 @@
   (check-generic-states who given L1 L2)
   (define local (lengthened ((clip-state 3) given) 4))
   (define-values (S1 S2) (values (scalar-valued who L1) (scalar-valued who L2)))
-  (define-values (E1 survey1) (surveyed S1 local))
-  (define-values (E2 survey2) (surveyed S2 local))
+  (define-values (E1 survey1) (surveyed S1 local (domain-of S1 S2 local)))
+  (define-values (E2 survey2) (surveyed S2 local (domain-of S1 S2 local)))
   (or (proportional S1 S2 E1 E2 local 1 'total-derivative)
       (let ([c (constant-ratio E1 E2 local)])
         (and c (proportional S1 S2 E1 E2 local c 'proportional)))
       (combined who (mass-rows S1 local) (mass-rows S2 local) E1 E2 local
-                (list survey1 survey2))))
+                (list survey1 survey2) (domain-of S1 S2 local))))
+
+;; -> expressions that have a value wherever both Lagrangians have one
+(define ((domain-of L1 L2 local)) (values-at (list L1 L2) ((clip-state 3) local)))
 
 ;; -> a list of scalars, and what the derivatives in them met
-(define (surveyed L local)
-  (survey-derivatives (lambda () (scalars ((Euler-Lagrange-operator L) local))) (scalars local)))
+(define (surveyed L local domain)
+  (survey-derivatives (lambda () (scalars ((Euler-Lagrange-operator L) local))) (scalars local)
+                      #:domain domain #:functions (lambda () (values-at (list L) local))))
 
 ;; ---------------------------------------------------------------------------
 ;; A constant factor
 
 (define (proportional L1 L2 E1 E2 local c kind)
+  (define domain (domain-of L1 L2 local))
   (define v
     (judged (map (lambda (a b) (g:- b (g:* c a))) E1 E2) local
-            (lambda () (list (survey-of-difference (g:- L2 (g:* c L1)) local)))
+            (lambda () (list (survey-of-difference (g:- L2 (g:* c L1)) local domain)))
+            domain
             (nonzero-conditions c (assumptions-in-force))))
   (and (proved? v)
        (equivalence kind c (gauge-at (g:- L2 (g:* c L1)) ((clip-state 3) local)) v)))
@@ -95,22 +102,17 @@
 
 ;; A kink that both have is none of the difference, simplified without taking a sign for
 ;; granted.
-(define (survey-of-difference F local)
+(define (survey-of-difference F local domain)
   (define state ((clip-state 3) local))
   (define rest (simplify-strictly (F state)))
-  (define-values (_ survey) (surveyed (lambda (at) (evaluate-at rest state at)) local))
+  (define-values (_ survey)
+    (surveyed (lambda (at) (evaluate-at rest state at)) local domain))
   survey)
 
 ;; relied-on : conditions under which the Lagrangians have the same motions if xs are zero
-(define (judged xs local surveys [relied-on '()])
+(define (judged xs local surveys domain [relied-on '()])
   (prove-zero (single-or list->down xs)
-              #:variables (scalars local) #:surveys surveys #:resting-on relied-on))
-
-;; Of parameters alone: at special states a determinant may vanish.
-(define (regular-conditions M local)
-  (define A (assumptions-in-force))
-  (define (parameter? u) (not (ormap (lambda (name) (occurs? name u)) (scalars local))))
-  (append-map (lambda (u) (not-zero u A)) (factors-of (list (determinant M)) A parameter?)))
+              #:domain domain #:variables (scalars local) #:surveys surveys #:resting-on relied-on))
 
 ;; The quotient of two components if it is no function of the state; else #f.
 (define (constant-ratio E1 E2 local)
@@ -144,21 +146,21 @@
       (substitute e a 0)))
   (map simplify (scalars rest)))
 
-(define (combined who rows1 rows2 E1 E2 local surveys)
+(define (combined who rows1 rows2 E1 E2 local surveys domain)
   (define-values (b1 b2)
     (values (without-accelerations E1 local) (without-accelerations E2 local)))
   (define-values (M1 M2) (values (apply matrix-by-rows rows1) (apply matrix-by-rows rows2)))
   (define (regular? M) (not (zero-expression? (determinant M))))
   (if (and (regular? M1) (regular? M2))
-      (by-matrix M1 M2 b1 b2 local surveys)
+      (by-matrix M1 M2 b1 b2 local surveys domain)
       (let ([A1 (augmented rows1 b1)] [A2 (augmented rows2 b2)])
         (when (and (restricting? M1 A1) (restricting? M2 A2)) (raise-restricting who E1 E2))
-        (by-row-spaces A1 A2 local surveys))))
+        (by-row-spaces A1 A2 local surveys domain))))
 
-(define (by-matrix M1 M2 b1 b2 local surveys)
+(define (by-matrix M1 M2 b1 b2 local surveys domain)
   (define C (simplify (g:* M2 (g:invert M1))))
   (define v
-    (judged (map g:- b2 (matrix-times-list C b1)) local surveys
+    (judged (map g:- b2 (matrix-times-list C b1)) local surveys domain
             (append-map (lambda (M) (regular-conditions M local)) (list M1 M2))))
   (define factor (if (null? (cdr b1)) (matrix-ref C 0 0) C))
   (equivalence (and (proved? v) 'combination) (and (proved? v) factor) #f v))
@@ -187,12 +189,12 @@
   (for/list ([row (in-list rows)] [x (in-list b)]) (append row (list x))))
 
 ;; What one takes to zero the other must, the one of the lesser rank being asked first.
-(define (by-row-spaces A1 A2 local surveys)
+(define (by-row-spaces A1 A2 local surveys domain)
   (define-values (m1 m2) (values (apply matrix-by-rows A1) (apply matrix-by-rows A2)))
   (define v
     (let-values ([(m other) (if (<= (rank m1) (rank m2)) (values m1 A2) (values m2 A1))])
       (judged (append-map (lambda (y) (rows-times-list other (scalars y))) (null-space m))
-              local surveys)))
+              local surveys domain)))
   (equivalence (and (proved? v) 'combination) #f #f v))
 
 ;; ---------------------------------------------------------------------------

@@ -30,7 +30,8 @@
          "../lagrangian/total-derivative.rkt"
          "../numeric/finite-number.rkt"
          "../value/assumptions.rkt" "../value/shape.rkt" "../value/structure.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt"
+         "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
 
 (provide verify-total-time-derivative gauge-function)
 
@@ -72,7 +73,9 @@
   (define F-scalar (scalar-valued who F))
   (define longer (lengthened local (+ (* 2 n) 2)))
   (prove-residual-zero (lambda () ((Euler-Lagrange-operator F-scalar #:order n) longer))
-                       (scalars longer)))
+                       (scalars longer)
+                       #:domain (lambda () (values-at (list F) local))
+                       #:order (add1 n)))
 
 (define (check-exact F v)
   (unless (proved? v)

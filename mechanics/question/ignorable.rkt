@@ -13,7 +13,8 @@
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt" "../value/simplify.rkt" "../value/structure.rkt"
-         "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
+         "../verdict/question-domain.rkt" "../verdict/surveyed-zero.rkt"
+         "../verdict/verdict.rkt")
 
 (provide verify-ignorable ignorable-coordinates conserved-momenta)
 
@@ -45,6 +46,7 @@
   (define by-coordinate (apply partial 1 chain))
   (define-values (f state) (values (subject-function s) (subject-state s)))
   (prove-residual-zero (lambda () ((by-coordinate (number-of s)) state)) (scalars state)
+                       #:domain (lambda () (values-at (list f) state))
                        #:meaning (lambda () (if (subject-Hamiltonian? s)
                                                 (meaning-of-Hamiltonian f state)
                                                 (meaning-of-Lagrangian f state)))

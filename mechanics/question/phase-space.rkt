@@ -10,7 +10,7 @@
          "../hamiltonian/Poisson-bracket.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/shape.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt"
+         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/smoothness.rkt"
          "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
 
 (provide verify-Hamiltonian-solution
@@ -39,10 +39,12 @@
 (define (judged-along H q p F)
   (define states (states-along 'verify-Hamiltonian-solution q p))
   (define residual ((Hamilton-equations H #:force F) q p))
+  (define domain (domain-of-states H states F))
   (prove-zero residual
+              #:domain domain
               #:remarks (lambda () (remarks-on-states H states))
-              #:surveys (lambda () (surveys-of-states
-                                   (Hamiltonian->state-derivative H #:force F) states residual))
+              #:surveys (lambda () (surveys-of-states (Hamiltonian->state-derivative H #:force F)
+                                                      states residual domain))
               #:meaning (lambda () (meaning-of-states H states))
               #:again (lambda (change)
                         (verify-Hamiltonian-solution (change H) (change q) (change p)
@@ -60,6 +62,9 @@
   (for ([f (in-list (list H Q F))] #:when (procedure? f)) (check-parameters who f state "state"))
   (prove-residual-zero (lambda () ((rate-by-Hamiltonian who H Q F) state)) (scalars state)
                        #:beside (list (survey-of-values (Q state)))
+                       #:domain (lambda () (values-at (list H Q F) state))
+                       #:within (lambda () (values-at (list H F) state))
+                       #:functions (lambda () (values-at (list H Q) state))
                        #:remarks (lambda () (remarks-on-quantity Q state))
                        #:meaning (lambda () (meaning-of-quantity-in-phase-space H Q state))
                        #:again (lambda (change)

@@ -11,7 +11,8 @@
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          "../value/algebra.rkt" "../value/shape.rkt")
 
-(provide meaning-of-solution meaning-of-quantity meaning-of-Lagrangian
+(provide mass-matrix
+         meaning-of-solution meaning-of-quantity meaning-of-Lagrangian
          meaning-of-states meaning-of-quantity-in-phase-space meaning-of-Hamiltonian)
 
 ;; q : a path; n : the order of L; force : #f, or the force outside L

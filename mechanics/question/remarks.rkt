@@ -2,11 +2,12 @@
 ;; Questions whose answer says less than it seems to: a constant is conserved, a Lagrangian
 ;; that forgets its state has every path for a solution, and 't in a path of t is a constant.
 
-(require "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+(require "../algebra/expression/symbols.rkt"
          "../error/refusal.rkt"
          (only-in "../hamiltonian/H-state.rkt" state->qp)
          "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt")
+         "../value/shape.rkt"
+         "../verdict/question-domain.rkt")
 
 (provide remarks-on-solution remarks-on-states remarks-on-quantity)
 
@@ -28,7 +29,7 @@
               (list "the Hamiltonian is a constant: every state rests"))))
 
 (define (remarks-on-path t position)
-  (define es (expressions-in position))
+  (define es (expressions-of position))
   (define (speaks-of? s) (for/or ([e (in-list es)]) (occurs? s e)))
   (cond [(null? es) '()]
         [(speaks-of? t)
@@ -53,9 +54,6 @@
 ;; Does the value of f contain a symbol of the state?  If f fails at symbols, it counts as yes.
 (define (depends? f state)
   (define value (with-handlers ([raised? (lambda (e) #f)]) (f state)))
-  (define es (expressions-in value))
+  (define es (if value (expressions-of value) '()))
   (or (null? es)
       (for*/or ([e (in-list es)] [s (in-list (scalars state))] #:when (symbol? s)) (occurs? s e))))
-
-(define (expressions-in x)
-  (if x (filter expression? (scalars x)) '()))

@@ -18,9 +18,10 @@
          "../generic/up-down.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
+         "../value/algebra.rkt" "../value/assumptions.rkt"
          "../value/shape.rkt" "../value/simplify.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/verdict.rkt")
 
 (provide mass-matrix stiffness-matrix gyroscopic-matrix
          normal-modes small-oscillation-frequencies
@@ -105,6 +106,7 @@
 
 ;; Rounded coordinates, such as pi, leave a force of the size of rounding.
 (define (check-equilibrium who L q)
+  (check-value who L q)
   (define force (simplify (((partial 1) L) (at-rest q))))
   (define v (prove-zero force))
   (unless (or (not (refuted? v)) (<= (magnitude (verdict-value v)) 1e-8))
@@ -114,6 +116,12 @@
                              "\n  coordinates: ~a"
                              "\n  ∂₁L: ~a")
               (value->text q) (value->text force))))
+
+;; Nothing rests where L has no real value.
+(define (check-value who L q)
+  (unless (somewhere-real? (domain-expressions (values-along (list L) (at-rest q)))
+                           (assumptions-in-force))
+    (complain who "the Lagrangian has no real value at these coordinates: ~a" (value->text q))))
 
 ;; L must not change in time; nor ∂₂L, for the growth of ∂₁∂₂L in time is a force.
 (define (check-autonomous who L q)

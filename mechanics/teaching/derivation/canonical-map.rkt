@@ -11,7 +11,7 @@
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Poisson-bracket.rkt"
          "../../lagrangian/generic-state.rkt"
          "../../value/shape.rkt" "../../value/structure.rkt"
-         "../../verdict/prove-zero.rkt")
+         "../../verdict/question-domain.rkt" "../../verdict/surveyed-zero.rkt")
 
 (provide verify-canonical-map)
 
@@ -27,9 +27,9 @@
     (complain who "its values are to be states like (up t q p)\n  value: ~a" (value->text image)))
   (define n (quotient (shape-length state) 2))
   (define (component k) (lambda (s) (list-ref (scalars (C s)) k)))
-  (prove-zero
-   (list->up
-    (for*/list ([i (in-range 1 (+ n n 1))] [j (in-range (+ i 1) (+ n n 1))])
-      (g:- ((Poisson-bracket (component i) (component j)) state)
-           (if (= j (+ i n)) 1 0))))
-   #:variables (scalars state)))
+  (define (brackets)
+    (list->up
+     (for*/list ([i (in-range 1 (+ n n 1))] [j (in-range (+ i 1) (+ n n 1))])
+       (g:- ((Poisson-bracket (component i) (component j)) state)
+            (if (= j (+ i n)) 1 0)))))
+  (prove-residual-zero brackets (scalars state) #:domain (lambda () (expressions-of image))))
