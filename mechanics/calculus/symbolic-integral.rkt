@@ -10,8 +10,10 @@
          "number-argument.rkt" "perturbed-value.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
+         "../algebra/simplify/declare.rkt" "../algebra/simplify/necessary-assumptions.rkt"
          "../algebra/simplify/simplify-expression.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"
+         "../algebra/zero/common-domain.rkt"
+         "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt" "../error/note.rkt"
          "../generic/describe.rkt" "../generic/wrong-argument.rkt"
          "../value/assumptions.rkt")
 
@@ -73,7 +75,16 @@
   (note! conditions)
   (define continuous (continuous-logarithms F e x low high A))
   (define (at end) (value-at continuous x end))
-  (simplify-expression (e:- (at high) (at low)) A))
+  (define formula (difference (at high) (at low) A note!))
+  (unless (somewhere-real? (domain-expressions (list formula)) (with-relations A conditions))
+    (raise-interrupted who e))
+  formula)
+
+;; What is taken for granted of the result is a condition, too: √(a²) = a where a ≥ 0.
+(define (difference high low A note!)
+  (define-values (simple grounds) (simplify-expression/needed (e:- high low) A))
+  (note! (filter (lambda (g) (not (eq? (car g) 'left-unexpanded))) (at-last grounds)))
+  simple)
 
 ;; Nothing is taken for granted of x, as √(x²) = x would be: it leaves no trace in the formula.
 (define (simplified-integrand y x A)
