@@ -19,35 +19,26 @@
 ;; Lines lie in blocks, each twice as long as the one before up to some length, so
 ;; that none is ever moved.  Their slopes are flonums, in an flvector, until one comes
 ;; that is none: an expression, or a number that is itself being differentiated.
-;;
-;; Of a long tape the collector of garbage would move every block two or three times
-;; while it is being written, which takes as long as writing it.  So the blocks of a
-;; tape that is done with wait for the next one, and soon are so old that the
-;; collector leaves them alone.  Nor is anything else here longer than a block of the
-;; collector's memory, for it asks the system for that each time.
 
 (require racket/fixnum
          racket/flonum
-         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/kind.rkt")
 
 ;; Every index on a tape is one that `join!` gave out, or a variable's.
 (#%declare #:unsafe)
 
 (provide make-tape tape? tape-tag tape-inputs
-         join! join-flonums! sweep finish-tape!)
+         join! join-flonums! sweep)
 
 ;; Who calls `make-tape` owns the tape.
 ;; inputs : the number of variables.  Of the block being written, `room` is how many
 ;; lines it has for flonums (none if its slopes are not) and `used` how many are
 ;; written; `before` counts the variables and the lines of older blocks, of which the
-;; last comes first.  spare : blocks to be written on next.  chunks : of adjoints, to
-;; be swept with.  finished? : the blocks have been given away.
+;; last comes first.
 ;; A tape is the kind of the numbers recorded on it, which so need no field for each.
 (struct tape kind (tag inputs
                    [before #:mutable] [room #:mutable] [used #:mutable]
-                   [indices #:mutable] [slopes #:mutable] [older #:mutable]
-                   [spare #:mutable] [chunks #:mutable] [finished? #:mutable])
+                   [indices #:mutable] [slopes #:mutable] [older #:mutable])
   #:authentic
   #:sealed)
 
@@ -71,11 +62,10 @@
         (kind-comparand k) (kind-zero? k) (kind-same? k) (kind-arity k) (kind-closed? k)
         (kind-component k) (kind-parts k) (kind-notation k) (kind-order k)
         tag inputs inputs (if flonums? size 0) 0 (make-fxvector size) (make-slopes size flonums?)
-        '() '() '() #f))
+        '()))
 
 ;; In lines.
 (define longest-block 4096)
-(define (longest? b) (fx= (fxvector-length (block-indices b)) longest-block))
 (define (for-flonums? b) (flvector? (block-slopes b)))
 
 (define (make-slopes size flonums?)
@@ -123,76 +113,16 @@
     (fx+ (tape-before t) k)))
 
 (define (begin-block! t size flonums?)
-  (define reused (and flonums? (fx= size longest-block) (spare-block! t)))
-  (write-on! t
-             (if reused (block-indices reused) (make-fxvector size))
-             (if reused (block-slopes reused) (make-slopes size flonums?))
-             (written-blocks t)))
-
-(define (write-on! t indices slopes older)
-  (set-tape-older! t older)
+  (set-tape-older! t (written-blocks t))
   (set-tape-before! t (tape-count t))
-  (set-tape-room! t (if (flvector? slopes) (fxvector-length indices) 0))
+  (set-tape-room! t (if flonums? size 0))
   (set-tape-used! t 0)
-  (set-tape-indices! t indices)
-  (set-tape-slopes! t slopes))
+  (set-tape-indices! t (make-fxvector size))
+  (set-tape-slopes! t (make-slopes size flonums?)))
 
 ;; All blocks, the last one first.
 (define (written-blocks t)
   (cons (block (tape-before t) (tape-used t) (tape-indices t) (tape-slopes t)) (tape-older t)))
-
-;; ---------------------------------------------------------------------------
-;; Blocks that serve again
-
-;; Blocks, and chunks of adjoints, all -0.0.
-(struct supply (blocks chunks) #:authentic)
-
-;; In a weak box in a box: what nobody writes on belongs to the collector.
-(define nothing (supply '() '()))
-(define waiting (box (make-weak-box nothing)))
-
-(define (change-waiting! change)
-  (define old (unbox waiting))
-  (define found (or (weak-box-value old) nothing))
-  (if (box-cas! waiting old (make-weak-box (change found))) found (change-waiting! change)))
-
-;; A tape takes all there is, and holds it fast.
-(define (take-waiting! t)
-  (define found (change-waiting! (lambda (found) nothing)))
-  (set-tape-spare! t (supply-blocks found))
-  (set-tape-chunks! t (append (supply-chunks found) (tape-chunks t))))
-
-(define (spare-block! t)
-  (when (null? (tape-spare t)) (take-waiting! t))
-  (define spare (tape-spare t))
-  (and (pair? spare)
-       (begin (set-tape-spare! t (cdr spare))
-              (car spare))))
-
-;; No more derivatives will be asked for.  Numbers that escaped stay numbers, and what
-;; is done with them goes to blocks of their own.
-(define (finish-tape! t)
-  (define blocks
-    (for/fold ([blocks (tape-spare t)]) ([b (in-list (written-blocks t))]
-                                         #:when (and (longest? b) (for-flonums? b)))
-      (cons b blocks)))
-  (when (pair? blocks)
-    (set-tape-finished?! t #t)
-    (define chunks (tape-chunks t))
-    (set-tape-spare! t '())
-    (set-tape-chunks! t '())
-    (write-on! t (make-fxvector 0) (make-flvector 0) '())
-    (change-waiting!
-     (lambda (others)
-       (supply (append blocks (supply-blocks others)) (append chunks (supply-chunks others)))))
-    (void)))
-
-(define (check-unfinished t)
-  (when (tape-finished? t)
-    (complain 'gradient
-              (string-append
-               "its function was continued after it had returned, by a continuation captured in it"
-               "\n  of so long a run the record is kept only until the gradient is known"))))
 
 ;; ---------------------------------------------------------------------------
 ;; Sweeping
@@ -200,13 +130,11 @@
 ;; The derivatives by the variables of a value whose differential is factor · dz, in
 ;; a new vector: exactly 0 where it does not depend on one.
 (define (sweep t index factor)
-  (check-unfinished t)
   (define size (fxmax (tape-inputs t) (fx+ index 1)))
   (define blocks (written-blocks t))
-  (cond [(not (and (real? factor) (andmap for-flonums? blocks)))
-         (sweep-generally t blocks index factor size)]
-        [(fx<= size chunk) (sweep-flonums t blocks index (real->double-flonum factor) size)]
-        [else (sweep-in-chunks t blocks index (real->double-flonum factor) size)]))
+  (if (and (real? factor) (andmap for-flonums? blocks))
+      (sweep-flonums t blocks index (real->double-flonum factor) size)
+      (sweep-generally t blocks index factor size)))
 
 ;; -0.0 stands where nothing was added: it is neutral, and no sum below is -0.0.
 ;; What the result does not depend on is passed over, be its slopes infinite.
@@ -214,69 +142,29 @@
 (define-syntax-rule (untouched? a) (and (fl= a 0.0) (fl< (fl/ 1.0 a) 0.0)))
 
 ;; The next line may wait for this sum: it begins with what is known before.
-(define-syntax-rule (add-at! as z amount)
-  (flvector-set! as z (fl+ (fl+ (flvector-ref as z) 0.0) amount)))
+(define-syntax-rule (add-at! as place amount)
+  (let ([z place]) (flvector-set! as z (fl+ (fl+ (flvector-ref as z) 0.0) amount))))
 
-;; take! : z -> its adjoint, which becomes -0.0;  add! : z amount -> void
-(define-syntax-rule (sweep-lines blocks index take! add!)
+(define (sweep-flonums t blocks index factor size)
+  (define as (make-flvector size -0.0))
+  (flvector-set! as index factor)
   (for ([b (in-list blocks)])
     (define indices (block-indices b))
     (define slopes (block-slopes b))
     (define before (block-before b))
     (let loop ([k (last-line b index)])
       (when (fx>= k 0)
-        (let ([a (take! (fx+ before k))])
+        (let ([a (flvector-ref as (fx+ before k))])
           (unless (untouched? a)
             (let ([line (fxvector-ref indices k)] [at (fxlshift k 1)])
-              (add! (first-index line) (fl* a (flvector-ref slopes at)))
-              (add! (second-index line) (fl* a (flvector-ref slopes (fx+ at 1)))))))
-        (loop (fx- k 1))))))
+              (add-at! as (first-index line) (fl* a (flvector-ref slopes at)))
+              (add-at! as (second-index line) (fl* a (flvector-ref slopes (fx+ at 1)))))))
+        (loop (fx- k 1)))))
+  (for/vector #:length (tape-inputs t) ([a (in-flvector as 0 (tape-inputs t))])
+    (if (untouched? a) 0 a)))
 
 ;; The last line of the block up to this index.
 (define (last-line b index) (fxmin (fx- (block-used b) 1) (fx- index (block-before b))))
-
-(define-syntax-rule (flonum-derivatives inputs take!)
-  (let ([derivatives (make-vector inputs 0)])
-    (let loop ([i 0])
-      (when (fx< i inputs)
-        (let ([a (take! i)])
-          (unless (untouched? a) (vector-set! derivatives i a)))
-        (loop (fx+ i 1))))
-    derivatives))
-
-(define (sweep-flonums t blocks index factor size)
-  (define as (make-flvector size -0.0))
-  (define-syntax-rule (ref z) (flvector-ref as z))
-  (define-syntax-rule (add! z amount) (let ([at z]) (add-at! as at amount)))
-  (flvector-set! as index factor)
-  (sweep-lines blocks index ref add!)
-  (flonum-derivatives (tape-inputs t) ref))
-
-;; Chunks are left as they were found, so that they serve again.
-(define chunk-bits 16)
-(define chunk (fxlshift 1 chunk-bits))
-
-(define (sweep-in-chunks t blocks index factor size)
-  (define chunks
-    (for/vector ([start (in-range 0 size chunk)]) (take-chunk! t)))
-  (define-syntax-rule (chunk-of z) (vector-ref chunks (fxrshift z chunk-bits)))
-  (define-syntax-rule (place z) (fxand z (fx- chunk 1)))
-  (define-syntax-rule (take! z)
-    (let* ([at z] [as (chunk-of at)] [a (flvector-ref as (place at))])
-      (flvector-set! as (place at) -0.0)
-      a))
-  (define-syntax-rule (add! z amount)
-    (let* ([at z] [as (chunk-of at)]) (add-at! as (place at) amount)))
-  (flvector-set! (chunk-of index) (place index) factor)
-  (sweep-lines blocks index take! add!)
-  (begin0 (flonum-derivatives (tape-inputs t) take!)
-          (set-tape-chunks! t (append (vector->list chunks) (tape-chunks t)))))
-
-(define (take-chunk! t)
-  (define chunks (tape-chunks t))
-  (cond [(null? chunks) (make-flvector chunk -0.0)]
-        [else (set-tape-chunks! t (cdr chunks))
-              (car chunks)]))
 
 (define (sweep-generally t blocks index factor size)
   (define as (make-vector size 0))

@@ -7,7 +7,7 @@
 ;; The values are those of D.
 
 (require "derivative-errors.rkt" "derivative.rkt" "gradient-errors.rkt"
-         (only-in "gradient-tape.rkt" tape-inputs finish-tape!)
+         (only-in "gradient-tape.rkt" tape-inputs)
          "perturbed-value.rkt" "recorded-number.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
@@ -103,7 +103,6 @@
   (define-values (y t) (record-run 'gradient f x all-flonums?))
   (unless (or (on-tape? y t) (scalar? y)) (raise-not-scalar 'gradient f y))
   (define ds (derivatives t y))
-  (finish-tape! t)
   ;; in the shape of x
   (if all-flonums?
       (structure (flip-orientation (structure-orientation x)) ds)
@@ -115,8 +114,7 @@
 (define (value-and-derivatives-at who f x)
   (define-values (y t) (record-run who f x))
   (unless (scalar? y) (raise-not-scalar who f y))
-  (begin0 (value-and-derivatives t y)
-          (finish-tape! t)))
+  (value-and-derivatives t y))
 
 ;; ---------------------------------------------------------------------------
 ;; jacobian
