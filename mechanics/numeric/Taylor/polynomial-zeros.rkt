@@ -7,10 +7,6 @@
 ;; of p is found in the same way if there is one only, which parts two zeros however close,
 ;; or shows that p touches zero or stays away; otherwise the interval is halved.  A zero that
 ;; is known to be alone is refined by Newton's method within its bounds.
-;;
-;; Mostly less will do.  Between 0 and 1 a polynomial lies between its least and its greatest
-;; coefficient in Bernstein's basis, and so do those of low degree: of the first terms, that is,
-;; and the others are small.
 
 (require racket/flonum
          racket/unsafe/ops
@@ -27,67 +23,10 @@
   (define q (without-zero-at-0 p))
   (cond [(< (flvector-length q) 2) '()]
         [else
-         (define inside
-           (case (shape q)
-             [(clear) '()]
-             [(monotone) (only-zero q 0.0 1.0 0.0 1.0)]
-             [else (search q 0.0 1.0 touch most-halvings)]))
+         (define inside (search q 0.0 1.0 touch most-halvings))
          (if (fl= (polynomial-value q 1.0) 0.0)
              (append inside (list (zero 1.0 (direction (polynomial-value (derivative q) 1.0)))))
              inside)]))
-
-;; 'clear if p is plainly not 0 between 0 and 1, 'monotone if p' is not, or #f.
-(define (shape p)
-  (define n (unsafe-fx- (flvector-length p) 1))
-  (define m (if (unsafe-fx< n low-degree) n low-degree))
-  (define b (Bernstein-coefficients p m))
-  (let loop ([k n] [rest 0.0] [slope-rest 0.0])
-    (if (unsafe-fx= k m)
-        (shape-of b m (unboxed rest) (unsafe-fl/ slope-rest (unsafe-fx->fl m)))
-        (let ([c (unsafe-flabs (at p k))])
-          (loop (unsafe-fx- k 1)
-                (unsafe-fl+ rest c)
-                (unsafe-fl+ slope-rest (unsafe-fl* (unsafe-fx->fl k) c)))))))
-
-;; by, slope-by : how far value and slope, divided by m, may be from what b tells
-(define (shape-of b m by slope-by)
-  (let loop ([k (unsafe-fx- m 1)] [last (at b m)]
-             [least (at b m)] [greatest (at b m)]
-             [falls +inf.0] [rises -inf.0])
-    (if (unsafe-fx< k 0)
-        (let ([doubt (unsafe-fl* 1e-14 (unsafe-flmax (unsafe-flabs least)
-                                                     (unsafe-flabs greatest)))])
-          (cond [(one-sign? least greatest (unsafe-fl+ by doubt)) 'clear]
-                [(one-sign? falls rises (unsafe-fl+ slope-by doubt)) 'monotone]
-                [else #f]))
-        (let* ([x (at b k)] [change (unsafe-fl- last x)])
-          (loop (unsafe-fx- k 1) x
-                (unsafe-flmin x least) (unsafe-flmax x greatest)
-                (unsafe-flmin change falls) (unsafe-flmax change rises))))))
-
-(define-syntax-rule (one-sign? least greatest by)
-  (or (unsafe-fl> least by) (unsafe-fl< greatest (unsafe-fl- 0.0 by))))
-
-(define low-degree 8)
-
-;; Of the first terms, up to degree m: b_i = Σ C(i, k)/C(m, k) p_k, by repeated sums.
-(define (Bernstein-coefficients p m)
-  (define b (make-flvector (+ m 1)))
-  (let loop ([k 0] [binomial 1.0])
-    (when (unsafe-fx<= k m)
-      (put! b k (unsafe-fl/ (at p k) binomial))
-      (loop (unsafe-fx+ k 1)
-            (unsafe-fl/ (unsafe-fl* binomial (unsafe-fx->fl (unsafe-fx- m k)))
-                        (unsafe-fx->fl (unsafe-fx+ k 1))))))
-  (let outer ([j 1])
-    (when (unsafe-fx<= j m)
-      (let inner ([i m])
-        (when (unsafe-fx>= i j)
-          (put! b i (unsafe-fl+ (at b i)
-                                                (at b (unsafe-fx- i 1))))
-          (inner (unsafe-fx- i 1))))
-      (outer (unsafe-fx+ j 1))))
-  b)
 
 (define (without-zero-at-0 p)
   (define n (flvector-length p))
