@@ -14,7 +14,7 @@
 (require "row-operations.rkt" "row-matrix.rkt"
          "../constants.rkt")
 
-(provide floating-determinant floating-solutions floating-kernel
+(provide floating-determinant floating-solutions floating-kernel triangular-inverse product
          ;; for systems that are nearly singular
          eliminate-fully! null-vector)
 
@@ -43,6 +43,10 @@
              (and (suspicious? matrix rows) (singular-within-rounding? matrix)))
          'singular]
         [else (substitute-back! rows)]))
+
+;; Of a matrix that is 0 below its diagonal.
+(define (triangular-inverse rows)
+  (substitute-back! (beside rows (unit-rows (vector-length rows) 1.0 0.0))))
 
 ;; ---------------------------------------------------------------------------
 ;; Singular within rounding

@@ -2,7 +2,8 @@
 ;; Modes of M ẍ + G ẋ + K x = 0 for matrices of numbers.
 ;;
 ;; Without G the pencil is symmetric: with M = L Lᵀ (Cholesky) the squares of the
-;; frequencies are the eigenvalues of L⁻¹ K L⁻ᵀ.  With G the equation is made one of
+;; frequencies are the eigenvalues of L⁻¹ K L⁻ᵀ, and L⁻ᵀ turns its eigenvectors into shapes.
+;; With G the equation is made one of
 ;; first order in (x, ẋ), whose eigenvalues λ = iω come in pairs of opposite ones; of
 ;; each pair the one with ω to the right is taken, and its shape is a null vector.
 
@@ -21,39 +22,22 @@
   (define n (vector-length M))
   (define L (Cholesky M))
   (and L
-       (let*-values ([(C) (congruent L K n)]
+       (let*-values ([(G) (triangular-inverse (rows-transpose L))]
+                     [(C) (symmetric-entries (product (rows-transpose G) (product K G)))]
                      [(squares vectors) (symmetric-eigenvalues C n)])
          (for/list ([square (in-flvector squares)] [v (in-list vectors)])
            (cons (sqrt (clean square C))
-                 (first-one (back-substitute L (flvector->list v) n)))))))
+                 (first-one (for/list ([row (in-vector G)])
+                              (for/fold ([s 0.0]) ([x (in-vector row)] [y (in-flvector v)])
+                                (+ s (* x y))))))))))
 
 ;; Zero frequencies are found but for rounding.
 (define (clean square C)
   (if (<= (abs square) (* 1e-14 (flvector-length C) (greatest C))) 0.0 square))
 
-;; L⁻¹ K L⁻ᵀ: L⁻¹ acts on the columns of K, then on those of the transposed result.
-(define (congruent L K n)
-  (define (solved-transpose rows)
-    (for/vector ([c (in-vector (rows-transpose rows))]) (forward L c n)))
-  (define C (solved-transpose (solved-transpose K)))
+;; Products leave the two triangles apart by rounding.
+(define (symmetric-entries C)
   (rows->flvector (rows-combine (lambda (x y) (/ (+ x y) 2)) C (rows-transpose C))))
-
-(define (forward L b n)
-  (define x (make-vector n 0.0))
-  (for ([i (in-range n)])
-    (vector-set! x i (/ (for/fold ([s (vector-ref b i)]) ([k (in-range i)])
-                          (- s (* (entry L i k) (vector-ref x k))))
-                        (entry L i i))))
-  x)
-
-;; Lᵀ x = y, as a list
-(define (back-substitute L y n)
-  (define x (list->vector y))
-  (for ([i (in-range (- n 1) -1 -1)])
-    (vector-set! x i (/ (for/fold ([s (vector-ref x i)]) ([k (in-range (+ i 1) n)])
-                          (- s (* (entry L k i) (vector-ref x k))))
-                        (entry L i i))))
-  (vector->list x))
 
 ;; The multiple with first component 1; components that are but rounding beside it become 0.
 (define (first-one components)
