@@ -38,7 +38,7 @@
             "the answers of a student, or of a class" check-command)
    (command "export" (string-append "FILE [--to c|python|jax] [-o FOLDER] [--system NAME] ... "
                                     "[--all] [--list] [--derivatives] [--replace]")
-            "the systems that a program follows, as programs in C, in Python or for JAX"
+            "the systems of a program, as programs in C, in Python or for JAX"
             export-command)
    (command "repl" "" "a prompt with history, completion and help"
             (lambda (arguments) (start-prompt arguments)))

@@ -1,11 +1,10 @@
 #lang racket/base
-;; `raco mechanics export FILE`: the systems that a program follows or defines, as programs in
-;; other languages.
+;; `raco mechanics export FILE`: the systems of a program as programs in other languages.
 
 (require (only-in racket/list partition)
          racket/path
          racket/string
-         "program-systems.rkt" "system-of-program.rkt" "written-files.rkt"
+         "program-systems.rkt" "written-files.rkt"
          "../../error/complain.rkt" "../../error/message-words.rkt"
          "../../scale/export/export-system.rkt" "../../scale/export/exported-system.rkt")
 
@@ -20,8 +19,7 @@
                     #:switches '("--all" "--list" "--derivatives" "--replace")
                     #:repeated '("--system")))
   (define target (target-named (or (option "--to") "c")))
-  (define f
-    (program-systems who (simple-form-path file) file #:derivatives? (option "--derivatives")))
+  (define f (program-systems who (simple-form-path file) file))
   (define all (findings-systems f))
   (cond [(findings-error f) (tell-error file (findings-error f))]
         [(null? all) (tell-none file f)]
@@ -85,8 +83,10 @@
     (eprintf "export: ~a cannot be exported: ~a\n  of: ~a\n"
              (candidate-name s) (candidate-system s) (candidate-definition s)))
   (for ([s (in-list good)])
+    (define system
+      (if (option "--derivatives") (with-jacobian (candidate-system s)) (candidate-system s)))
     (define folder
-      (short-path (write-exported who (candidate-system s) target
+      (short-path (write-exported who system target
                                   (or (option "-o") (format "~a-~a" (candidate-name s) target))
                                   (option "--replace") "--replace")))
     (printf "~a\n~a\n" folder (description s))
@@ -97,8 +97,7 @@
 (define (print-first-run s folder)
   (when (candidate-start s)
     (printf "  cd ~a && make && echo \"~a\" | ./~a 10\n" folder
-            (string-join (map number->string (append (candidate-start s) (candidate-values s))) " ")
-            (candidate-name s))))
+            (string-join (map number->string (candidate-start s)) " ") (candidate-name s))))
 
 ;; ---------------------------------------------------------------------------
 ;; Nothing to write
@@ -108,15 +107,8 @@
   1)
 
 (define (tell-none file f)
-  (define shapeless (findings-shapeless f))
-  (eprintf "export: ~a~a follows no motion~a\n" file
+  (eprintf "export: ~a~a follows no motion and hands nothing to export-system\n~a~a\n" file
            (if (findings-exited? f) " ended itself, by (exit); before that it" "")
-           (if (null? shapeless)
-               (string-append
-                " and defines no state derivative\n  one is made by (define motion"
-                " (Lagrangian->state-derivative L));\n  submodules, as main and test, are not run")
-               (string-append
-                "; of what it defines no state is known: " (joined (map symbol->string shapeless))
-                "\n  take its arguments as (up t q v), follow a motion, or"
-                " call export-system with a state")))
+           "  write in it, for instance, (export-system (Lagrangian->state-derivative L) (up 't 'q 'v));\n"
+           "  submodules, as main and test, are not run")
   1)

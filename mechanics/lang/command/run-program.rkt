@@ -25,37 +25,32 @@
 
 ;; stx : of a module; file : where it was read -> outcome
 ;; shown : result -> its form in the outcome
-;; look  : called with the namespace of the program's definitions once it has run, or when it ends
-;; itself
-(define (run-program stx file #:shown [shown value->shown] #:look [look void])
+(define (run-program stx file #:shown [shown value->shown])
   (define custodian (make-custodian))
   (define o #f)
   (dynamic-wind
    void
    (lambda ()
      (parameterize ([current-custodian custodian])
-       (sync (thread (lambda () (set! o (run stx file shown look)))))))
+       (sync (thread (lambda () (set! o (run stx file shown)))))))
    (lambda () (custodian-shutdown-all custodian)))
   o)
 
 ;; ---------------------------------------------------------------------------
 ;; In the thread of the program
 
-;; shown, look : as above; module : its name; number : of the form that runs, or #f
+;; shown : as above; module : its name; number : of the form that runs, or #f
 ;; items : its outputs and results, latest first
-(struct recorder (found printed shown look module [number #:mutable] [items #:mutable]) #:authentic)
+(struct recorder (found printed shown module [number #:mutable] [items #:mutable]) #:authentic)
 
-(define (run stx file shown look)
+(define (run stx file shown)
   (define found (make-vector (length (module-forms stx)) '()))
   (define name (string->uninterned-symbol (path->string (file-name-from-path file))))
   (define r
-    (recorder found (open-output-string) shown look (make-resolved-module-path name) #f '()))
+    (recorder found (open-output-string) shown (make-resolved-module-path name) #f '()))
   (define ended
     (let/ec stop
-      ;; the definitions made by then are looked at, as at the end
-      (define (exit-by-program code)
-        (when (recorder-number r) (look-at-definitions r))
-        (stop (early-end (recorder-number r) #t #f)))
+      (define (exit-by-program code) (stop (early-end (recorder-number r) #t #f)))
       (parameterize ([exit-handler exit-by-program])
         (with-handlers ([raised? (lambda (e)
                                    (define running? (and (recorder-number r) #t))
@@ -86,10 +81,7 @@
     (parameterize ([current-module-declare-name module]
                    [current-module-declare-source file])
       (eval (with-watched-forms stx begins)))
-    (dynamic-require module #f)
-    (look-at-definitions r)))
-
-(define (look-at-definitions r) ((recorder-look r) (module->namespace (recorder-module r))))
+    (dynamic-require module #f)))
 
 ;; The program shares the library with the code that shows its results.
 (define-namespace-anchor here)

@@ -17,7 +17,7 @@
  ;; numbers
  check-real check-positive check-tolerance check-longest check-most real-number
  ;; procedures
- checked-monitor check-maker state-derivative? takes-state-only? raise-arguments
+ checked-monitor check-maker takes-state-only? raise-arguments
  with-tolerance-after
  ;; states and their derivatives
  state-vector check-derivative check-rates check-clock state-derivative-hint)

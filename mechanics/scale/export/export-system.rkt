@@ -4,6 +4,9 @@
 ;;
 ;; A new folder is written whole or not at all; in one that is there only files of an export are
 ;; written over.
+;;
+;; While `raco mechanics export` runs a program nothing is written: the command receives the
+;; systems, and writes those that are asked for.
 
 (require racket/file
          racket/path
@@ -15,9 +18,16 @@
 
 (provide export-system
          ;; for a system that is ready
-         write-exported)
+         write-exported
+         ;; for the command
+         call-receiving-exports)
 
 (define who 'export-system)
+
+;; exported -> void, or #f where export-system writes
+(define receiver (make-parameter #f))
+
+(define (call-receiving-exports receive use) (parameterize ([receiver receive]) (use)))
 
 ;; derivative : state -> state; example : a state of numbers, or of symbols to name variables
 ;; -> the folder's name, complete
@@ -28,16 +38,15 @@
                              #:parameters [parameters #f]
                              #:derivatives? [derivatives? #f]
                              #:replace? [replace? #f])
-  (define files-of (files-for target))
+  (files-for target)                    ; complains of a language that is unknown
   (define text (checked-name name))
   (check-order parameters)
-  (define to (checked-folder who folder replace? "#:replace? #t"))
   (when (and (tuple? derivative) (not (tuple? example)))
     (complain who "the state derivative comes first, then an example of a state\n  given first: ~a"
               (describe-with-value derivative)))
-  (define s (make-exported who derivative example text parameters derivatives?))
-  (write-folder who to (files-of who s))
-  (path->string to))
+  (define (ready) (make-exported who derivative example text parameters derivatives?))
+  (cond [(receiver) => (lambda (receive) (receive (ready)) (format "~a" folder))]
+        [else (path->string (write-exported who (ready) target folder replace? "#:replace? #t"))]))
 
 ;; s : exported; again : what is to be typed to write over an export -> the folder
 (define (write-exported who s target folder replace? again)

@@ -14,7 +14,8 @@
          (only-in "../../motion/system/check.rkt" check-rates)
          "../../value/shape.rkt" (only-in "../../value/structure.rkt" structure->list))
 
-(provide (struct-out exported) make-exported exported-size exported-parameter-count no-function)
+(provide (struct-out exported) make-exported with-jacobian
+         exported-size exported-parameter-count no-function)
 
 ;; name       : string, of the functions and files
 ;; definition : string, what the system is, as the user wrote it
@@ -28,11 +29,10 @@
 (define (exported-size s) (length (exported-variables s)))
 (define (exported-parameter-count s) (length (exported-parameters s)))
 
-;; order : symbols, the parameters as they are wanted; or #f.  names : of the variables, symbols or
-;; #f for each; those of the example go first.  otherwise : called, not to return, with the reason
-;; why the derivative has no code
+;; order : symbols, the parameters as they are wanted; or #f.  otherwise : called, not to return,
+;; with the reason why the derivative has no code
 (define (make-exported who derivative example name order derivatives?
-                       #:names [names #f] #:definition [definition (value->text derivative)]
+                       #:definition [definition (value->text derivative)]
                        #:otherwise [otherwise #f])
   (unless (takes-arguments? derivative 1)
     (complain-of-argument who "a state derivative, a function of one state" derivative))
@@ -51,10 +51,13 @@
   (check-rates who derivative example value)
   (define parameters (parameters-in (scalars value)))
   (define clock? (eqv? 1 (car (scalars value))))
-  (exported name definition
-            (all-named given (or names '()) (suggested-names derivative example clock?) parameters)
-            parameters clock? p
-            (and derivatives? (tangent-program p))))
+  (define s
+    (exported name definition
+              (all-named given (suggested-names derivative example clock?) parameters)
+              parameters clock? p #f))
+  (if derivatives? (with-jacobian s) s))
+
+(define (with-jacobian s) (struct-copy exported s [jacobian (tangent-program (exported-slope s))]))
 
 (define ((unknown-for otherwise) who e)
   (otherwise (format "~a has no numeric value" (value->text e))))
@@ -93,14 +96,13 @@
   names)
 
 ;; What nobody named, named: no two alike, and none like a parameter.
-(define (all-named given wanted suggested parameters)
+(define (all-named given suggested parameters)
   (define (free name taken)
     (if (memq name taken) (free (string->symbol (format "~a_" name)) taken) name))
   (define-values (names taken)
     (for/fold ([names '()] [taken (append parameters (filter values given))])
-              ([x (in-list given)] [other (in-list suggested)] [k (in-naturals)])
-      (define name
-        (or x (free (or (and (< k (length wanted)) (list-ref wanted k)) other) taken)))
+              ([x (in-list given)] [other (in-list suggested)])
+      (define name (or x (free other taken)))
       (values (cons name names) (cons name taken))))
   (reverse names))
 

@@ -68,21 +68,22 @@ make
 
 A line of @tt{starts} has the variables and then the parameters.
 
-A program that follows motions already is exported as it stands:
+From the command line the same is done with a program as it stands:
 
 @commandline{raco mechanics export swing.rkt --to c}
 
-or, in a checkout, @exec{make export FILE=swing.rkt TO=c}. The program is run, and each system it
-follows (by @racket[evolve], @racket[evolve-trajectory], @racket[state-advancer],
-@racket[evolve-ensemble], sections of motions) or defines
-(@racket[Lagrangian->state-derivative] and its kin) becomes a folder. Variables and parameters
-have the names that the program's own definitions give them,
-@racket[(define ((L-swing m l) (up t theta thetadot)) ....)]; numbers given to what makes a state
-derivative, as by @racket[(evolve maker 1.0 9.8)], become parameters, and other numbers stay. What
-is printed last is a line to try it with, the program's own start in it. Where there are several
-systems, @exec{--list} tells them and @exec{--system swing}, once or more often, or @exec{--all}
-says which; @exec{-o} names the folder, @exec{--derivatives} adds the derivatives of the rates,
-@exec{--replace} writes an earlier export anew. Submodules are not run.
+or, in a checkout, @exec{make export FILE=swing.rkt TO=c}. The program is run, and what it hands to
+@racket[export-system] becomes a folder, in the language and at the place that the command names;
+the program itself writes nothing then. If it calls @racket[export-system] for no system, those are
+exported whose motions it follows (by @racket[evolve], @racket[evolve-trajectory],
+@racket[state-advancer], @racket[evolve-ensemble], sections of motions): under the name of the
+program's function or of its file, with variables @tt{t}, @tt{q}, @tt{v}; numbers given to what
+makes a state derivative, as by @racket[(evolve maker 1.0 9.8)], become parameters @tt{p0},
+@tt{p1}, and other numbers stay. What is printed last is a line to try it with, the program's own
+start in it. Where there are several systems, @exec{--list} tells them and @exec{--system swing},
+once or more often, or @exec{--all} says which; @exec{-o} names the folder, @exec{--derivatives}
+adds the derivatives of the rates, @exec{--replace} writes an earlier export anew. Submodules are
+not run.
 
 @section{A cluster, a graphics processor}
 

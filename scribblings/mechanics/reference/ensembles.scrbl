@@ -170,8 +170,10 @@ error names operations that cannot be exported: a decision by the state, or an u
 motion under constraints (@racket[constrained-state-derivative]) is exported by its rates; its
 steps are not brought back to the constraints there.
 
-All systems that a program follows are exported by @exec{raco mechanics export}
-(@secref["guide-scales"]). Many motions here: @racket[evolve-ensemble].
+A program says by @racket[export-system] what @exec{raco mechanics export} exports of it
+(@secref["guide-scales"]): run by that command, it writes nothing itself, and
+@racket[language], @racket[folder] and @racket[replace?] are the command's. Many motions here:
+@racket[evolve-ensemble].
 
 @examples[#:eval session
 (eval:error (export-system (lambda (s) (up 1 (if (> (ref s 1) 0) 1 -1))) (up 't 'x)))]}

@@ -27,7 +27,7 @@
 (define (wrote? . parts) (file-exists? (apply build-path folder parts)))
 (define (text . parts) (file->string (apply build-path folder parts)))
 
-(test-case "one system: its folder, with the names of the program's own Lagrangian"
+(test-case "the one system that is followed: its folder, and a first run"
   (program "swing.rkt"
            "(define ((L-swing m l) (up t θ θdot))"
            "  (+ (* 1/2 m (square l) (square θdot)) (* m 9.8 l (cos θ))))"
@@ -35,18 +35,36 @@
            "((state-advancer maker 1.0 2.0) (up 0 1 0) 3)")
   (check-equal? (answer "swing.rkt")
                 (list 0 (string-append
-                         "maker-C\n  maker: (maker m l), of swing.rkt\n"
-                         "      variables t θ θdot; parameters m l\n"
+                         "maker-C\n  maker: (maker p0 p1), of swing.rkt\n"
+                         "      variables t q v; parameters p0 p1\n"
                          "  cd maker-C && make && echo \"0.0 1.0 0.0 1.0 2.0\" | ./maker 10\n")))
   (check-true (wrote? "maker-C" "maker.c"))
-  (check-regexp-match #rx"const double l = p\\[1\\]" (text "maker-C" "maker.c"))
-  (check-regexp-match #rx"const double thetadot = y\\[2\\]" (text "maker-C" "maker.c"))
+  (check-regexp-match #rx"const double p1 = p\\[1\\]" (text "maker-C" "maker.c"))
+  (check-regexp-match #rx"const double v = y\\[2\\]" (text "maker-C" "maker.c"))
   (check-equal? (answer "swing.rkt")
                 (list 2 (string-append "export: the folder is there already\n  folder: maker-C\n"
                                        "  to write it anew: --replace\n")))
   (check-equal? (car (answer "swing.rkt" "--replace" "--to" "jax" "-o" "maker-C")) 0)
   (check-false (wrote? "maker-C" "maker.c"))
   (check-true (wrote? "maker-C" "maker.py")))
+
+(test-case "what it hands to export-system is exported, and nothing else; running writes nothing"
+  (program "said.rkt"
+           "(define ((L-swing m l) (up t θ θdot))"
+           "  (+ (* 1/2 m (square l) (square θdot)) (* m 9.8 l (cos θ))))"
+           "(define motion (Lagrangian->state-derivative (L-swing 'm 'l)))"
+           "(export-system motion (up 't 'θ 'θdot) #:parameters '(m l) #:name \"swing\""
+           "               #:folder \"elsewhere\" #:language 'JAX)"
+           "(evolve-trajectory (lambda (s) (up 1 1)) (up 0 1.0) 1)")
+  (check-equal? (answer "said.rkt")
+                (list 0 (string-append "swing-C\n  swing: (Lagrangian->state-derivative L-swing)\n"
+                                       "      variables t θ θdot; parameters m l\n")))
+  (check-false (directory-exists? (build-path folder "elsewhere")))
+  (check-regexp-match #rx"const double l = p\\[1\\]" (text "swing-C" "swing.c"))
+  (check-regexp-match #rx"const double thetadot = y\\[2\\]" (text "swing-C" "swing.c"))
+  (check-false (regexp-match? #rx"swing_jacobian" (text "swing-C" "swing.c")))
+  (check-equal? (car (answer "said.rkt" "--replace" "--derivatives")) 0)
+  (check-regexp-match #rx"swing_jacobian" (text "swing-C" "swing.c")))
 
 ;; The name of the file was taken for the language.
 (test-case "an option without its value"
@@ -60,18 +78,19 @@
   (program "two.rkt"
            "(define ((L-fall g) (up t (up x y) (up vx vy)))"
            "  (- (* 1/2 (+ (square vx) (square vy))) (* g y)))"
-           "(define fall (Lagrangian->state-derivative (L-fall 'g)))"
+           "(define fall (Lagrangian->state-derivative (L-fall 9.8)))"
            "(define (turn s) (up 1 (up (ref s 1 1) (- (ref s 1 0)))))"
            "(define tr (evolve-trajectory turn (up 0 (up 1.0 0.0)) 1))"
            "(define again (evolve-trajectory turn (up 0 (up 2.0 0.0)) 1))"
            "(define (jump s) (up 1 (if (> (ref s 1) 0) -1.0 1.0)))"
-           "(define up-and-down (evolve-trajectory jump (up 0 1.0) 0.5))")
+           "(define up-and-down (evolve-trajectory jump (up 0 1.0) 0.5))"
+           "(define falls (evolve-trajectory fall (up 0 (up 0.0 0.0) (up 1.0 1.0)) 0.5))")
   (define told
     (string-append
      "  turn: turn, of two.rkt\n      variables t x1_0 x1_1; parameters none\n"
      "  jump: jump, of two.rkt\n      cannot be exported: it takes a decision by `>`\n"
-     "  fall: (Lagrangian->state-derivative L-fall), of two.rkt\n"
-     "      variables t x y vx vy; parameters g\n"))
+     "  two: (Lagrangian->state-derivative L-fall), of two.rkt\n"
+     "      variables t q0 q1 v0 v1; parameters none\n"))
   (check-equal? (answer "two.rkt" "--list") (list 0 told))
   (check-equal? (answer "two.rkt")
                 (list 2 (string-append
@@ -80,32 +99,26 @@
                          told)))
   (check-equal? (answer "two.rkt" "--system" "tune")
                 (list 2 (string-append "export: two.rkt has no such system\n  given: tune\n"
-                                       "  its systems: turn, jump, fall\n")))
+                                       "  its systems: turn, jump, two\n")))
   (check-equal? (answer "two.rkt" "--all" "-o" "x")
                 (list 2 (string-append "export: -o names one folder, and there are 3 systems\n"
-                                       "  systems: turn, jump, fall\n")))
+                                       "  systems: turn, jump, two\n")))
   (define all (answer "two.rkt" "--all" "--to" "jax"))
   (check-equal? (car all) 1)
   (check-regexp-match #rx"^export: jump cannot be exported: it takes a decision by `>`\n  of: jump"
                       (cadr all))
-  (check-true (and (wrote? "turn-JAX" "turn.py") (wrote? "fall-JAX" "fall.py")))
-  (check-equal? (car (answer "two.rkt" "--system" "fall" "-o" "one")) 0)
-  (check-true (wrote? "one" "fall.c")))
+  (check-true (and (wrote? "turn-JAX" "turn.py") (wrote? "two-JAX" "two.py")))
+  (check-equal? (car (answer "two.rkt" "--system" "two" "-o" "one")) 0)
+  (check-true (wrote? "one" "two.c")))
 
 (test-case "nothing to write is told, and why"
   (program "none.rkt" "(+ 'a 'b)")
   (check-equal? (answer "none.rkt")
                 (list 1 (string-append
-                         "export: none.rkt follows no motion and defines no state derivative\n"
-                         "  one is made by (define motion (Lagrangian->state-derivative L));\n"
+                         "export: none.rkt follows no motion and hands nothing to export-system\n"
+                         "  write in it, for instance, (export-system (Lagrangian->state-derivative L)"
+                         " (up 't 'q 'v));\n"
                          "  submodules, as main and test, are not run\n")))
-  (program "shapeless.rkt"
-           "(define f (Lagrangian->state-derivative (lambda (s) (square (ref s 2)))))")
-  (check-equal? (answer "shapeless.rkt")
-                (list 1 (string-append
-                         "export: shapeless.rkt follows no motion; of what it defines no state is"
-                         " known: f\n  take its arguments as (up t q v), follow a motion, or call"
-                         " export-system with a state\n")))
   (program "broken.rkt" "(define x (car '()))")
   (define broken (answer "broken.rkt"))
   (check-equal? (car broken) 1)
@@ -138,8 +151,9 @@
   (check-equal? (answer "early.rkt")
                 (list 1 (string-append
                          "export: early.rkt ended itself, by (exit); before that it follows no"
-                         " motion and defines no state derivative\n"
-                         "  one is made by (define motion (Lagrangian->state-derivative L));\n"
+                         " motion and hands nothing to export-system\n"
+                         "  write in it, for instance, (export-system (Lagrangian->state-derivative L)"
+                         " (up 't 'q 'v));\n"
                          "  submodules, as main and test, are not run\n"))))
 
 (delete-directory/files folder)

@@ -7,11 +7,12 @@
 (require ffi/unsafe
          racket/file
          racket/flonum
+         (only-in racket/list split-at)
          racket/path
          racket/runtime-path
          mechanics/compile/Racket-code mechanics/compile/program
          mechanics/scale/export/export-system mechanics/scale/export/exported-system
-         mechanics/lang/command/program-systems mechanics/lang/command/system-of-program
+         mechanics/lang/command/program-systems
          tests/mechanics/support/exported tests/mechanics/support/random
          tests/mechanics/support/skip
          "../../support/checks.rkt" "../../support/folder.rkt")
@@ -74,11 +75,12 @@
   (define s (candidate-system f))
   (define n (exported-size s))
   (define ours! ((program->maker (exported-slope s))))
-  (define start (or (candidate-start f) (for/list ([_ n]) 1.0)))
-  (define ps
-    (if (= (length (candidate-values f)) (exported-parameter-count s))
-        (candidate-values f)
-        (for/list ([_ (exported-parameter-count s)]) 1.5)))
+  (define m (exported-parameter-count s))
+  (define numbers (candidate-start f))
+  (define-values (start ps)
+    (if (and numbers (= (length numbers) (+ n m)))
+        (split-at numbers n)
+        (values (for/list ([_ n]) 1.0) (for/list ([_ m]) 1.5))))
   (define p (apply flvector ps))
   (with-libraries
    s
