@@ -6,12 +6,12 @@
 ;; gcd, is got rid of by taking coefficients, since what divides p and is free
 ;; of x divides every coefficient of p in x.  Mostly nothing is left, and
 ;; coprimality is proved.  Otherwise a common divisor g is found by trial
-;; division or by the sparse modular method, and checked by division; if its
-;; degrees attain the bounds of the images it is the greatest, else gcd(p, q) =
-;; g · gcd(p/g, q/g).  Remainder sequences, which need no luck,
+;; division, heuristically or by the sparse modular method, and checked by
+;; division; if its degrees attain the bounds of the images it is the greatest,
+;; else gcd(p, q) = g · gcd(p/g, q/g).  Remainder sequences, which need no luck,
 ;; come last, so the answer is always right and always comes.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "univariate-images.rkt"
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "heuristic-gcd.rkt" "univariate-images.rkt"
          "inspect.rkt" "modular.rkt" "remainder-gcd.rkt" "ring-change.rkt" "ring.rkt"
          "sparse-gcd.rkt"
          "term-list.rkt")
@@ -80,7 +80,7 @@
 ;; By a divisor found somehow; p and q have the same variables, all of which
 ;; their gcd may have.
 (define (gcd-by-divisor R p q variables bounds seed)
-  (define g (sparse-divisor-within R p q variables bounds seed))
+  (define g (find-divisor R p q variables bounds seed))
   (cond [(and g (equal? bounds (degrees R g variables))) g]
         [(and g (not (poly-constant? g)))
          (poly* R g (poly-gcd R (poly-divide R p g) (poly-divide R q g)))]
@@ -92,6 +92,15 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Finding a divisor
+
+;; Larger integers than this many bits are left to the sparse method.
+(define heuristic-limit 2500)
+
+(define (find-divisor R p q variables bounds seed)
+  (or (and (eqv? seed 0)
+           (< (heuristic-size R p q variables) heuristic-limit)
+           (heuristic-divisor R p q variables))
+      (sparse-divisor-within R p q variables bounds seed)))
 
 ;; Scaling by leading coefficients can double the degrees.
 (define (sparse-divisor-within R p q variables bounds seed)

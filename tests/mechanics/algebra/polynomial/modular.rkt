@@ -7,6 +7,7 @@
          mechanics/algebra/polynomial/modular
          mechanics/algebra/polynomial/univariate-images
          mechanics/algebra/polynomial/interpolation
+         mechanics/algebra/polynomial/heuristic-gcd
          mechanics/algebra/polynomial/sparse-gcd
          "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/random/polynomial.rkt")
@@ -127,13 +128,18 @@
       (check-true (andmap >= (gcd-degree-bounds R p q indices 0 prime)
                           (degrees (poly-gcd R p q)))))))
 
-(test-case "the sparse method finds the gcd"
+(test-case "the heuristic and the sparse method each find the gcd"
+  (define found 0)
   (with-seeds 20
     (define-values (g p q) (random-problem))
     (define expected (poly-gcd R p q))
+    (define d (heuristic-divisor R p q indices))
+    (when d (check-equal? d expected))
+    (when d (set! found (+ found 1)))
     (check-equal? (sparse-divisor R p q indices (degrees expected)
                                   (lambda (ps) (poly-gcd* R ps)) 0)
-                  expected)))
+                  expected))
+  (check-true (> found 15) "the heuristic method should mostly succeed"))
 
 (test-case "with wrong degrees the sparse method fails rather than err"
   (with-seeds 10
