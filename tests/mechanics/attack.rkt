@@ -8,8 +8,8 @@
          "attack/shrink.rkt" "attack/statement.rkt" "attack/table.rkt" "attack/worker.rkt"
          "attack/judge/boxes.rkt" "attack/judge/evaluate.rkt" "attack/judge/fault.rkt"
          "attack/judge/fixed.rkt" "attack/judge/flonum.rkt" "attack/judge/interval.rkt"
-         "attack/judge/judge.rkt" "attack/judge/motion.rkt" "attack/judge/point.rkt"
-         "attack/judge/refutation.rkt"
+         "attack/judge/judge.rkt" "attack/judge/matter.rkt" "attack/judge/motion.rkt"
+         "attack/judge/point.rkt" "attack/judge/quadrature.rkt" "attack/judge/refutation.rkt"
          "support/random.rkt")
 
 ;; ---------------------------------------------------------------------------
@@ -150,6 +150,61 @@
   (check-false (kink-near '(* (sgn t) (abs t)) '(0 1)))
   (check-true (< (residual-size '(cos t) 'oscillator 1/7) 1e-15))
   (check-true (> (residual-size '(cos t) 'none 1/7) 0.9)))
+
+(test-case "integrals are right to 28 digits, and poles on the path are noticed"
+  (define (integral e low high [numbers (hasheq)]) (integral-value e low high numbers))
+  (define (digits x) (round (* x (expt 10 28))))
+  (check-equal? (digits (integral '(exp x) 0 1)) 17182818284590452353602874714)
+  (check-equal? (digits (integral '(/ 1 (sqrt x)) 0 1)) (* 2 (expt 10 28)))
+  (check-equal? (digits (integral '(abs (- x a)) 1 0 (hasheq 'a 1/3)))
+                (round (* -5/18 (expt 10 28))))
+  (check-equal? (digits (integral '(asin (sin x)) 0 5)) 8232822662807848530425481670)
+  (for ([e (in-list '((/ 1 x) (/ 1 (square x)) (/ 1 (- 1 (cos x))) (tan (- x 2))))])
+    (check-equal? (integral e -1 1) 'infinite (format "~s" e)))
+  (check-equal? (integral '(sqrt (- a (square x))) -1 1 (hasheq 'a 1/2)) 'none))
+
+(define (matter kind . parts) (cons kind parts))
+(define (judged m status [assumed '()] [witness #f] [found #f])
+  (with-seed 1 (kind-of (judge-matter m status assumed witness found))))
+
+(test-case "false formulas of integrals are noticed, and true ones are not"
+  (define pole (matter 'integral '(/ 1 (- x a)) 0 'b #f '(log (abs (/ (- b a) a)))))
+  (check-equal? (judged pole 'proved) 'no-integral)
+  (check-false (judged pole 'proved '((> (* a (- a b)) 0))))
+  (define sign (matter 'integral '(sqrt (square x)) 0 'b #f '(* 1/2 (square b))))
+  (check-equal? (judged sign 'proved) 'values-differ)
+  (check-false (judged sign 'proved '((> b 0))))
+  (check-false (judged sign 'refuted '() '((b . -1))))
+  (check-equal? (judged sign 'refuted '() '((b . 1))) 'no-difference-at-witness)
+  (define slope (matter 'integral '(abs (- x a)) 0 'b 'b #f))
+  (check-equal? (judged slope 'found '() #f '(- b a)) 'values-differ)
+  (check-false (judged slope 'found '() #f '(abs (- b a)))))
+
+(test-case "factors that vanish are noticed where they count"
+  (define (same one two) (matter 'equivalent one two '(x) '(v)))
+  (define oscillator '(- (square v) (square x)))
+  (check-equal? (judged (same oscillator `(* (- a b) ,oscillator)) 'proved) 'motions-differ)
+  (check-false (judged (same oscillator `(* (- a b) ,oscillator)) 'proved '((> (abs (- a b)) 0))))
+  (check-equal? (judged (same '(square v) '(+ (* 3 (square v)) (* x v))) 'refuted)
+                'no-difference-at-witness)
+  (define (kept L Q) (matter 'conserved L Q '(x) '(v)))
+  (check-equal? (judged (kept '(* c (square v)) 'v) 'proved) 'motions-differ)
+  (check-false (judged (kept '(* c (square v)) '(* c v)) 'proved))
+  (check-false (judged (kept '(* c (square v)) 'v) 'refuted '() '((c . 0)))))
+
+(test-case "jumps and kinks on surfaces are noticed where there is a value"
+  (define (there e) (matter 'smooth (list e '((x . 0) (v . 2)) '(x v))))
+  (for ([e (in-list '((sgn x) (sqrt (+ (square x) (square (* x v)))) (sgn (abs x))
+                      (sqrt (- 1 (cos x)))))])
+    (check-equal? (judged (there e) 'proved) 'not-smooth (format "~s" e)))
+  (for ([e (in-list '((/ (abs x) x) (sqrt (+ (square x) (square v))) (cube (abs x)) (sqrt x)))])
+    (check-false (judged (there e) 'proved) (format "~s" e))))
+
+(test-case "answers without a real value are noticed"
+  (check-equal? (judged '(domain (log (- -1 (square x)))) 'proved) 'nowhere-defined)
+  (check-false (judged '(domain (log (- 1 (square x)))) 'proved))
+  (check-equal? (judged '(domain (sqrt x)) 'refuted '() '((x . -1))) 'no-value-at-witness)
+  (check-equal? (judged '(found (atanh x)) 'found '() #f '((1/2 ()) (2 ()))) 'nowhere-defined))
 
 (test-case "sound rewrites keep values"
   (with-seeds 300

@@ -1,14 +1,15 @@
 #lang racket/base
 ;; What the library is asked of a statement, and how its answer is judged.
 
-(require "judge/fault.rkt" "judge/judge.rkt" "judge/motion.rkt" "judge/refutation.rkt"
+(require "judge/fault.rkt" "judge/judge.rkt" "judge/matter.rkt" "judge/motion.rkt"
+         "judge/refutation.rkt"
          "classes/motions.rkt" "library.rkt" "statement.rkt"
          "../support/patience.rkt")
 
 (provide (struct-out outcome) outcomes-of wrong? fault-kind-of claim-again statement-of)
 
-;; claim : 'equal, 'opposite, 'form or 'motion; subject : statement or proposal
-;; answer : 'proved, 'refuted, 'undecided, 'form, 'raised, 'slow or 'rejected
+;; claim : 'equal, 'opposite, 'form, 'motion or 'question; subject : statement, proposal, inquiry
+;; answer : 'proved, 'refuted, 'undecided, 'form, 'found, 'raised, 'slow or 'rejected
 ;; judgement : #f where it is right, 'unjudged, or a fault
 ;; detail : text or datum to be shown: what was answered
 (struct outcome (claim subject answer judgement detail) #:prefab)
@@ -19,11 +20,12 @@
 
 ;; subject -> (listof outcome)
 (define (outcomes-of subject)
-  (if (proposal? subject)
-      (list (claim-again 'motion subject))
-      (let* ([first (claim-again 'equal subject)]
-             [second (claim-again 'opposite subject)])
-        (list first (with-both-proved first second subject) (claim-again 'form subject)))))
+  (cond [(proposal? subject) (list (claim-again 'motion subject))]
+        [(inquiry? subject) (list (claim-again 'question subject))]
+        [else
+         (define first (claim-again 'equal subject))
+         (define second (claim-again 'opposite subject))
+         (list first (with-both-proved first second subject) (claim-again 'form subject))]))
 
 ;; The statement as the library gets it.  One with a number that is not real, perhaps since
 ;; something has cancelled, is another matter: its values may be complex.
@@ -46,7 +48,8 @@
                [(equal) (judged-zero 'equal (settled subject))]
                [(opposite) (judged-zero 'opposite (opposite (settled subject)))]
                [(form) (judged-form (settled subject))]
-               [(motion) (judged-motion subject)]))))
+               [(motion) (judged-motion subject)]
+               [(question) (judged-question subject)]))))
 
 ;; ---------------------------------------------------------------------------
 ;; Statements
@@ -129,23 +132,39 @@
          (fault 'residual (hasheq 't t) size 0))))
 
 ;; ---------------------------------------------------------------------------
+;; Questions of any kind
+
+(define (judged-question q)
+  (define a (asked (inquiry-program q)))
+  (define-values (status assumed witness value)
+    (values (answer-status a) (answer-assumptions a) (answer-witness a) (answer-value a)))
+  (outcome 'question q status
+           (judge-matter (inquiry-matter q) status assumed witness value)
+           (case status [(refuted) witness] [(found) (cons value assumed)] [else assumed])))
+
+;; ---------------------------------------------------------------------------
 ;; Guards
 
 ;; For one claim.
 (define-values (most-seconds most-megabytes) (values 20 1500))
 
 ;; In a thread of its own, so that declarations are forgotten and time is limited.  What
-;; the constructors refuse, as division by zero, is no claim.
+;; the constructors refuse, as division by zero, is no claim; questions about systems have none.
 (define (guarded claim subject thunk)
   (value-within most-seconds most-megabytes (lambda () (answered claim subject thunk))
                 (outcome claim subject 'slow 'open #f)))
 
 (define (answered claim subject thunk)
-  (with-handlers ([no-claim? (lambda (e) (outcome claim subject 'rejected #f #f))]
+  (with-handlers ([(no-claim? subject) (lambda (e) (outcome claim subject 'rejected #f #f))]
                   [exn:fail? (lambda (e) (raised claim subject (exn-message e)))])
     (thunk)))
 
-(define (no-claim? e) (or (eq? e 'rejected) (exn:fail:contract:divide-by-zero? e)))
+(define ((no-claim? subject) e)
+  (or (eq? e 'rejected)
+      (and (exn:fail:contract:divide-by-zero? e) (not (about-system? subject)))))
+
+(define (about-system? subject)
+  (and (inquiry? subject) (not (eq? 'integral (car (inquiry-matter subject))))))
 
 ;; Contradictory declarations, and tan of an angle without one, are the user's mistakes.
 (define (raised claim subject message)

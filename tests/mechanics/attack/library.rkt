@@ -1,15 +1,18 @@
 #lang racket/base
 ;; What is asked of the library, through its public names, and its answers as plain data.
 
-(require (prefix-in m: mechanics)
+(require racket/port racket/promise
+         (prefix-in m: mechanics)
+         (only-in mechanics/error/failure exn:fail:mechanics?)
          (only-in mechanics/value/simplify simplify/assumptions)
+         (only-in mechanics/teaching/derivation/canonical-map verify-canonical-map)
          "statement.rkt")
 
-(provide folded as-handed-over asked-zero asked-form asked-solution (struct-out answer))
+(provide folded as-handed-over asked-zero asked-form asked-solution asked (struct-out answer))
 
-;; status : 'proved, 'refuted or 'undecided; assumptions : datums
-;; witness : ((S-expression . number) ...) or #f
-(struct answer (status assumptions witness))
+;; status : 'proved, 'refuted, 'undecided, or 'found of a value; assumptions : datums
+;; witness : ((S-expression . number) ...) or #f; value : a datum, or #f
+(struct answer (status assumptions witness value))
 
 ;; ---------------------------------------------------------------------------
 ;; From an S-expression to a value, as a program would compute it
@@ -65,7 +68,8 @@
           (m:verdict-assumptions v)
           (and (m:refuted? v)
                (for/list ([entry (in-list (m:verdict-witness v))])
-                 (cons (m:expression (car entry)) (cdr entry))))))
+                 (cons (m:expression (car entry)) (cdr entry))))
+          #f))
 
 ;; -> an S-expression, and what it assumes
 (define (asked-form e given)
@@ -86,3 +90,27 @@
     [(none) 0]
     [(constant) q]
     [else (m:* 1/2 (m:square q))]))
+
+;; ---------------------------------------------------------------------------
+;; Programs
+
+(define-namespace-anchor here)
+
+(define programs
+  (delay
+    (let ([n (namespace-anchor->empty-namespace here)])
+      (parameterize ([current-namespace n]) (namespace-require 'mechanics))
+      (namespace-set-variable-value! 'verify-canonical-map verify-canonical-map #t n)
+      n)))
+
+;; What a program finds, without its notes; undecided where it is refused.
+(define (asked program)
+  (define found
+    (parameterize ([current-namespace (force programs)]
+                   [current-error-port (open-output-nowhere)])
+      (with-handlers ([exn:fail:mechanics? (lambda (e) 'refused)]) (eval program))))
+  (cond [(eq? found 'refused) (answer 'undecided '() #f #f)]
+        [(m:verdict? found) (verdict->answer found)]
+        [else (answer 'found (m:assumptions 'used) #f (datum found))]))
+
+(define (datum found) (if (list? found) (map datum found) (m:expression found)))

@@ -32,14 +32,16 @@
     [(no-difference-at-witness) "both sides are equal at the witness"]
     [(function-of-two-values) "a function has two values at one argument"]
     [(opposites-proved) "so is the opposite, and the right side is not zero"]
-    [(not-smooth) "the path is not smooth"]
+    [(not-smooth) "the path, or what it is about, is not smooth"]
     [(residual) "the residual says otherwise"]
+    [(no-integral) "there is no integral"]
+    [(motions-differ) "the motions are others, or not all of them conserve it"]
     [else (~a kind)]))
 
 (define (detail-text o)
   (define d (outcome-detail o))
   (cond [(not d) ""]
-        [(eq? 'form (outcome-answer o))
+        [(memq (outcome-answer o) '(form found))
          (format "\n;   ~s~a" (car d) (if (null? (cdr d)) "" (format ", assuming ~s" (cdr d))))]
         [(null? d) ""]
         [else (format "\n;   ~s" d)]))
@@ -60,20 +62,22 @@
 (define (program-of o)
   (define s (outcome-subject o))
   (define forms
-    (if (proposal? s)
-        (motion-program s)
-        (append
-         (if (null? (statement-given s))
-             '()
-             (list (cons 'assume (map quoted (statement-given s)))))
-         (list (if (eq? 'form (outcome-claim o))
-                   `(simplify ,(written (statement-left s)))
-                   `(prove-zero (- ,(written (statement-left s))
-                                   ,(written (statement-right s)))))))))
+    (cond [(proposal? s) (motion-program s)]
+          [(inquiry? s) (list (inquiry-program s))]
+          [else (statement-program s (outcome-claim o))]))
   (apply string-append
          (for/list ([f (in-list forms)])
            (parameterize ([pretty-print-columns 98])
              (string-append (pretty-format f #:mode 'write) "\n")))))
+
+(define (statement-program s claim)
+  (append
+   (if (null? (statement-given s))
+       '()
+       (list (cons 'assume (map quoted (statement-given s)))))
+   (list (if (eq? 'form claim)
+             `(simplify ,(written (statement-left s)))
+             `(prove-zero (- ,(written (statement-left s)) ,(written (statement-right s))))))))
 
 (define (motion-program p)
   (define V

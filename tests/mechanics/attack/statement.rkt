@@ -1,11 +1,23 @@
 #lang racket/base
-;; Statements: S-expressions that are said to be equal where relations hold.
+;; Statements: S-expressions that are said to be equal where relations hold; and questions of
+;; any other kind.
 
-(provide (struct-out statement) substituted expression-size
+(provide (struct-out statement) (struct-out inquiry) substituted expression-size quoted-symbols
          pick chance random-between)
 
 ;; hints : hashes symbol -> rational, points where the relations hold
 (struct statement (left right given hints) #:prefab)
+
+;; program : a form of which the value is a verdict, an expression, or a list of data
+;; matter : what it is about, for the judge (judge/matter.rkt)
+(struct inquiry (program matter) #:prefab)
+
+;; The form that makes an expression, in which the variables that are bound stay as they are.
+(define (quoted-symbols e bound)
+  (let walk ([e e])
+    (cond [(symbol? e) (if (memq e bound) e (list 'quote e))]
+          [(pair? e) (cons (car e) (map walk (cdr e)))]
+          [else e])))
 
 (define (substituted e old new)
   (let walk ([e e])

@@ -38,7 +38,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-(define columns '(claims proved refuted undecided form slow rejected unjudged wrong))
+(define columns '(claims proved refuted undecided form found slow rejected unjudged wrong))
 
 (define (print-table t classes)
   (print-row "class" (map ~a columns))

@@ -1,9 +1,10 @@
 #lang racket/base
 ;; The classes by name.
 
-(require "decimals.rkt" "declared-relations.rkt" "disguised.rkt" "kinks.rkt"
-         "literal-functions.rkt" "logarithms.rkt" "motions.rkt" "rational-function-angles.rkt"
-         "roots-and-signs.rkt")
+(require "decimals.rkt" "declared-relations.rkt" "degenerate-factors.rkt" "disguised.rkt"
+         "domains.rkt" "kinks.rkt" "literal-functions.rkt" "logarithms.rkt" "motions.rkt"
+         "rational-function-angles.rkt" "roots-and-signs.rkt" "surface-kinks.rkt"
+         "symbolic-integrals.rkt")
 
 (provide class-names single-classes claims-of-a-subject random-subject)
 
@@ -17,13 +18,19 @@
         (cons 'kinks kinks)
         (cons 'motions motions)
         (cons 'decimals decimals)
+        (cons 'symbolic-integrals symbolic-integrals)
+        (cons 'degenerate-factors degenerate-factors)
+        (cons 'surface-kinks surface-kinks)
+        (cons 'domains domains)
         (cons 'disguised disguised-identity)
         (cons 'false-by-little false-by-little)))
 
 (define class-names (map car classes))
 
 ;; Of their subjects one thing is asked, of others three.
-(define single-classes '(motions disguised false-by-little))
+(define single-classes
+  '(motions symbolic-integrals degenerate-factors surface-kinks domains
+    disguised false-by-little))
 (define (claims-of-a-subject name) (if (memq name single-classes) 1 3))
 
 ;; The k-th subject of a class, with a seed: always the same.
