@@ -2,20 +2,45 @@
 ;; Questions about systems that have no real value where their solution, equilibrium or conserved
 ;; quantity is said to be, though derivatives have; and about the same where there are values.
 
-(require "../statement.rkt")
+(require "../statement.rkt" "../template.rkt")
 
 (provide domains)
 
+;; V is a potential with C at rest; at the speed S the Lagrangian A may have no value; E is a
+;; constant, of which there may be no value anywhere, as there may be none of N.
 (define (domains)
-  ((pick (list at-rest at-rest at-rest moving with-constant with-constant with-constant nowhere))))
+  (define entry (pick questions))
+  (define-values (V C) (random-rest))
+  (define u (pick '(x v (+ x v) t (* x v))))
+  (define (constant u) (filled (pick constants) `((U . ,u))))
+  (define S (pick '(2 -1 1/2 -3 3/2 c)))
+  (define A (pick fast))
+  (question-of (car entry) (cadr entry)
+               `((V . ,V) (C . ,C) (VC . ,(substituted V 'x C)) (S . ,S) (A . ,A)
+                 (AS . ,(substituted A 'v S)) (E . ,(constant u)) (ET . ,(constant 't))
+                 (EX . ,(constant 'x)) (N . ,(pick nowhere)))))
 
-(define (of-local e) `(lambda ((up t x v)) ,(quoted-symbols e '(t x v))))
-(define (of-state e) `(lambda ((up t x p)) ,(quoted-symbols e '(t x p))))
-(define local '(up 't 'x 'v))
-(define free '(* 1/2 (square v)))
-
-;; ---------------------------------------------------------------------------
-;; Rest
+(define questions
+  '(((verify-solution (line (- free V)) (path C)) (domain VC))
+    ((verify-equilibrium (line (- free V)) C) (domain VC))
+    ((verify-Hamiltonian-solution (state (+ (* 1/2 (square p)) V)) (path C) (path 0)) (domain VC))
+    ((map (lambda (e) (list (equilibrium-coordinates e) (equilibrium-conditions e)))
+          (equilibria (line (- free V)) local))
+     (found V))
+    ((verify-solution (line A) (path (+ 1 (* S t)))) (domain AS))
+    ((verify-solution (line free) (path (+ t ET))) (domain ET))
+    ((verify-Hamiltonian-solution (state (* 1/2 (square p))) (path (+ t ET)) (path 1)) (domain ET))
+    ((verify-conserved (line free) (line (+ v E)) local) (domain E))
+    ((verify-equivalent-Lagrangians (line free) (line (+ free E)) local) (domain E))
+    ((verify-total-time-derivative (line (+ v E)) local) (domain E))
+    ((verify-Hamilton-Jacobi (state (* 1/2 (square p)))
+                             (action (- (+ (* k x) EX) (* 1/2 (square k) t))) 't 'x)
+     (domain EX))
+    ((verify-canonical-map (state (up t x (+ p EX))) local-state) (domain EX))
+    ((let ([L (line (- free N))]) (verify-conserved L (Lagrangian->energy L) local)) (domain N))
+    ((verify-ignorable (line (- free N)) 'x local) (domain N))
+    ((verify-equivalent-Lagrangians (line (- free N)) (line (* 2 (- free N))) local)
+     (domain N))))
 
 ;; (potential (place . slope there) ...): of each some places are outside.
 (define potentials
@@ -24,94 +49,34 @@
     ((log (- 1 (square x))) (2 . 4/3) (-3 . -3/4) (1/2 . -4/3))
     ((log (- (square x) 4)) (1 . -2/3) (-1 . 2/3) (3 . 6/5))
     ((log (/ (- x 1) (- 3 x))) (0 . -2/3) (4 . -2/3) (2 . 2))
-    ((log (sqrt (- x 2))) (1 . -1/2) (3 . 1/2))
-    ((log (- -1 (square x))) (0 . 0) (1 . 1) (-2 . -4/5)) ((log (+ 1 (square x))) (0 . 0) (1 . 1))
-    ((sqrt (- (square x) 2)) (0 . 0)) ((expt (- (square x) 2) 3/2) (0 . 0)) ((log (cos x)) (0 . 0))
-    ((log (- (cos x) 2)) (0 . 0)) ((log (- a (square x))) (0 . 0))
-    ((log (- (square x) (square b))) (0 . 0))))
+    ((log (sqrt (- x 2))) (1 . -1/2) (3 . 1/2)) ((log (- -1 (square x))) (0 . 0) (1 . 1))
+    ((log (+ 1 (square x))) (0 . 0) (1 . 1)) ((sqrt (- (square x) 2)) (0 . 0))
+    ((log (- (cos x) 2)) (0 . 0)) ((log (- a (square x))) (0 . 0)) ((log (cos x)) (0 . 0))
+    ((log (- (square x) (square b))) (0 . 0)) ((expt (- (square x) 2) 3/2) (0 . 0))))
 
-;; V less a force and a half spring, so that the place is at rest.
-(define (at-rest)
+;; -> one of them, less a force and half a spring, and the place that is so at rest
+(define (random-rest)
   (define entry (pick potentials))
-  (define-values (c slope) (let ([p (pick (cdr entry))]) (values (car p) (cdr p))))
-  (define k (pick (list 0 (if (zero? c) 0 (/ slope c)))))
-  (define V `(- ,(car entry) (* 1/2 ,k (square x)) (* ,(- slope (* k c)) x)))
-  (define L `(- ,free ,V))
-  (define there (substituted V 'x c))
-  (case (random 4)
-    [(0) (inquiry `(verify-solution ,(of-local L) (lambda (t) ,c)) `(domain ,there))]
-    [(1) (inquiry `(verify-equilibrium ,(of-local L) ,c) `(domain ,there))]
-    [(2) (inquiry `(verify-Hamiltonian-solution ,(of-state `(+ (* 1/2 (square p)) ,V))
-                                                (lambda (t) ,c) (lambda (t) 0))
-                  `(domain ,there))]
-    [else
-     (inquiry `(map (lambda (e) (list (equilibrium-coordinates e) (equilibrium-conditions e)))
-                    (equilibria ,(of-local L) ,local))
-              `(found ,V))]))
+  (define place (pick (cdr entry)))
+  (define-values (c slope) (values (car place) (cdr place)))
+  (define k (if (or (zero? c) (chance 2)) 0 (/ slope c)))
+  (values `(- ,(car entry) ,(if (zero? k) `(* ,slope x) `(* 1/2 ,k (square x)))) c))
 
-;; ---------------------------------------------------------------------------
-;; Motions of one speed, where L may have no value at that speed
+(define fast
+  '((- (sqrt (- 1 (square v)))) (* v (log v)) (sqrt v) (log (- 1 v)) (acosh v) (* v (atanh v))
+    (expt (- v 1) 3/2) (log (- (square v) b)) (asin v)))
 
-(define (moving)
-  (define L (pick '((- (sqrt (- 1 (square v)))) (* v (log v)) (sqrt v) (log (- 1 v)) (acosh v)
-                    (* v (atanh v)) (expt (- v 1) 3/2) (log (- (square v) b)) (asin v))))
-  (define speed (pick '(2 -1 1/2 -3 3/2 c)))
-  (inquiry `(verify-solution ,(of-local L) (lambda (t) (+ 1 (* ,(if (eq? speed 'c) ''c speed) t))))
-           `(domain ,(substituted L 'v speed))))
+;; The last four have values.
+(define constants
+  '((- (log (- U)) (log U)) (- (log (- -1 (square U))) (log (+ 1 (square U))))
+    (+ (asin (+ 2 (square U))) (acos (+ 2 (square U)))) (- (log (- U 2)) (log (- 2 U)))
+    (/ (sqrt U) (sqrt (- U))) (/ (sqrt (- -1 (square U))) (sqrt (+ 1 (square U))))
+    (- (log (- (cos U) 2)) (log (- 2 (cos U)))) (- (log (- (exp U))) U)
+    (- (log (- (square (sin U)) 1)) (log (square (cos U))))
+    (- (log (- U)) (log (* -2 U))) (- (log (- U 2)) (log (- (* 2 U) 4))) (+ (asin U) (acos U))
+    (/ (sqrt (- 1 U)) (sqrt (- 2 (* 2 U))))))
 
-;; ---------------------------------------------------------------------------
-;; Constants, of which some have no value anywhere
-
-(define (constant u)
-  (pick `((- (log (- ,u)) (log ,u)) (- (log (- -1 (square ,u))) (log (+ 1 (square ,u))))
-          (+ (asin (+ 2 (square ,u))) (acos (+ 2 (square ,u))))
-          (- (log (- ,u 2)) (log (- 2 ,u))) (/ (sqrt ,u) (sqrt (- ,u)))
-          (/ (sqrt (- -1 (square ,u))) (sqrt (+ 1 (square ,u))))
-          (- (log (- (cos ,u) 2)) (log (- 2 (cos ,u))))
-          (- (log (- (exp ,u))) ,u) (- (log (- (square (sin ,u)) 1)) (log (square (cos ,u))))
-          ;; with values
-          (- (log (- ,u)) (log (* -2 ,u))) (- (log (- ,u 2)) (log (- (* 2 ,u) 4)))
-          (+ (asin ,u) (acos ,u)) (/ (sqrt (- 1 ,u)) (sqrt (- 2 (* 2 ,u)))))))
-
-(define (with-constant)
-  (define (one u) (constant u))
-  (case (random 7)
-    [(0) (let ([e (one 't)])
-           (inquiry `(verify-solution ,(of-local free) (lambda (t) (+ t ,e))) `(domain ,e)))]
-    [(1) (let ([e (one (pick '(x v (+ x v))))])
-           (inquiry `(verify-conserved ,(of-local free) ,(of-local `(+ v ,e)) ,local)
-                    `(domain ,e)))]
-    [(2) (let ([e (one (pick '(x v (* x v))))])
-           (inquiry `(verify-equivalent-Lagrangians ,(of-local free) ,(of-local `(+ ,free ,e))
-                                                    ,local)
-                    `(domain ,e)))]
-    [(3) (let ([e (one (pick '(x v t)))])
-           (inquiry `(verify-total-time-derivative ,(of-local `(+ v ,e)) ,local) `(domain ,e)))]
-    [(4) (let ([e (one 'x)])
-           (inquiry `(verify-Hamilton-Jacobi ,(of-state '(* 1/2 (square p)))
-                                             (lambda (t x) (- (+ (* 'k x) ,e)
-                                                              (* 1/2 (square 'k) t)))
-                                             't 'x)
-                    `(domain ,e)))]
-    [(5) (let ([e (one (pick '(x p)))])
-           (inquiry `(verify-canonical-map ,(of-state `(up t (* 1 x) (+ p ,e))) (up 't 'x 'p))
-                    `(domain ,e)))]
-    [else (let ([e (one 't)])
-            (inquiry `(verify-Hamiltonian-solution ,(of-state '(* 1/2 (square p)))
-                                                   (lambda (t) (+ t ,e)) (lambda (t) 1))
-                     `(domain ,e)))]))
-
-;; ---------------------------------------------------------------------------
-;; Lagrangians with a value nowhere, or not everywhere
-
-(define (nowhere)
-  (define e (pick '((log (- -1 (square v))) (sqrt (- -1 (square v))) (log (- -1 (square x)))
-                    (acosh (cos v)) (asin (+ 2 (square x))) (sqrt (- (cos x) 2)) (log (- (exp v)))
-                    (atanh (+ 1 (square x))) (sqrt (- 1 (square v))) (log (- x 1)) (log v))))
-  (define L `(- ,free ,e))
-  (case (random 3)
-    [(0) (inquiry `(let ([L ,(of-local L)]) (verify-conserved L (Lagrangian->energy L) ,local))
-                  `(domain ,e))]
-    [(1) (inquiry `(verify-ignorable ,(of-local L) 'x ,local) `(domain ,e))]
-    [else (inquiry `(verify-equivalent-Lagrangians ,(of-local L) ,(of-local `(* 2 ,L)) ,local)
-                   `(domain ,e))]))
+(define nowhere
+  '((log (- -1 (square v))) (sqrt (- -1 (square v))) (log (- -1 (square x))) (acosh (cos v))
+    (asin (+ 2 (square x))) (sqrt (- (cos x) 2)) (log (- (exp v))) (atanh (+ 1 (square x)))
+    (sqrt (- 1 (square v))) (log (- x 1)) (log v)))

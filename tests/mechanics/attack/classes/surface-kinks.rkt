@@ -2,128 +2,74 @@
 ;; Questions about what jumps or turns on a surface, made of roots of sums of squares that
 ;; vanish together there, or of a factor that touches zero; and about smooth neighbours.
 
-(require "../statement.rkt")
+(require "../statement.rkt" "../template.rkt")
 
 (provide surface-kinks)
 
+;; All that follows each question must be smooth at the place, along t and x.
 (define (surface-kinks)
-  (define-values (e variable) (values (pick questions) (pick '(x x x (+ x v) (- x t) (sin x)))))
-  (e variable))
+  (define-values (u w) (values (pick '(x x x (sin x) (- x t))) (pick '(h 1 v))))
+  (define (one-of table u)
+    (define choices `((U . ,u) (W . ,w)))
+    (filled (filled (pick table) (list (cons 'R (filled (pick radicands) choices)))) choices))
+  (define entry (pick questions))
+  (question-of (car entry)
+               `(smooth ,@(for/list ([e (in-list (cdr entry))]) (list e place '(t x))))
+               `((K . ,(one-of roots u)) (J . ,(one-of jumps u)) (JT . ,(one-of jumps 't))
+                 (M . ,(one-of moduli 'x)) (MT . ,(one-of moduli 't)) (B . ,(pick between)))))
 
-;; ---------------------------------------------------------------------------
-;; Steps.  u is an expression that is 0 where x = v = t = 0, w another variable.
-
-(define (root u w)
-  (define r
-    (pick `((+ (square ,u) (expt ,u 4)) (+ (square ,u) (square (* ,u ,w))) (- 1 (cos ,u))
-            (- (cosh ,u) 1) (square ,u) (* (square ,u) (+ 1 (square ,w))) (square (sin ,u))
-            (* (exp ,w) (square ,u)) (+ (square (sin ,u)) (square (- 1 (cos ,u))))
-            (+ (square (- (cos ,u) (cos 0))) (square (- (sin ,u) (* ,w (sin ,u)))))
-            (+ (square (* h ,u)) (* k (expt ,u 4))) (square (- (exp ,u) 1))
-            ;; smooth, or with zeros in fewer dimensions
-            (+ (square ,u) (square ,w)) (+ (square ,u) (square h)) (expt ,u 4)
-            (+ 1 (square ,u)) (+ (square ,u) (* ,u ,w) (square ,w)))))
-  (pick `((sqrt ,r) (sqrt ,r) (expt ,r 1/2) (expt ,r 3/2) (abs ,u) (* k (sqrt ,r)))))
-
-(define (jump u w)
-  (define r (root u w))
-  (pick `((sgn ,r) (sgn (+ ,u ,r)) (sgn (* ,u ,r)) (sgn ,u) (abs (sgn ,r)) (sgn (+ h ,r))
-          (* ,r (sgn ,r)) ,r)))
-
-;; (|u| made of roots . smooth factor of the sort)
-(define (modulus u)
-  (pick `((/ (sqrt (+ (square ,u) (expt ,u 4))) (sqrt (+ 1 (square ,u)))) (sqrt (square ,u))
-          (/ (sqrt (+ (square ,u) (square (* h ,u)))) (sqrt (+ 1 (square h)))) (abs ,u)
-          (/ (sqrt (+ (expt ,u 6) (square ,u))) (sqrt (+ 1 (expt ,u 4))))
-          (/ (sqrt (* (exp ,u) (square ,u))) (exp (/ ,u 2)))
-          (sqrt (+ (* 1/2 (square ,u)) (* 1/2 (square ,u)))) (expt (expt ,u 4) 1/4)
-          (/ (expt (+ (square ,u) (expt ,u 4)) 3/2) (* (square ,u) (expt (+ 1 (square ,u)) 3/2))))))
-
-;; ---------------------------------------------------------------------------
-;; Questions.  The second part of each names what must be smooth, and where.
-
-(define (of-local e) `(lambda ((up t x v)) ,(quoted-symbols e '(t x v))))
-(define local '(up 't 'x 'v))
-(define free '(* 1/2 (square v)))
-(define parameters '((h . 3/2) (k . 2)))
-
-;; On the surface, but for v; there is no place where u is not 0 if x = t = 0.
-(define (at e [v 7/4] [variables '(x v)])
-  (list e (append `((t . 0) (x . 0) (v . ,v) (p . 7/4)) parameters) variables))
-(define (of-places . entries) (cons 'smooth entries))
-(define (place-of u) (if (equal? u '(+ x v)) 0 7/4))
+(define place '((t . 0) (x . 0) (y . 0) (v . 7/4) (u . 1) (p . 7/4) (h . 3/2) (k . 2)))
 
 (define questions
-  (list
-   (lambda (u)                          ; energy with a kink in the potential
-     (define L `(- ,free ,(root (still u) (pick '(h 1)))))
-     (inquiry `(let ([L ,(of-local L)]) (verify-conserved L (Lagrangian->energy L) ,local))
-              (of-places (at L))))
-   (lambda (u)                          ; a step in L
-     (define L `(- ,free ,(jump (still u) (pick '(h v)))))
-     (inquiry `(verify-conserved ,(of-local L) ,(of-local (pick '(v (* 1/2 (square v))))) ,local)
-              (of-places (at L))))
-   (lambda (u)                          ; a step in what is conserved
-     (define s (jump u (pick '(h t v))))
-     (define Q (pick `((* v ,s) (+ v ,s) ,s)))
-     (inquiry `(verify-conserved ,(of-local free) ,(of-local Q) ,local)
-              (of-places (at Q (place-of u)))))
-   (lambda (u)
-     (define L `(- ,free ,(jump (still u) (pick '(h v)))))
-     (inquiry `(verify-solution ,(of-local L) (lambda (t) (* 7/4 t))) (of-places (at L))))
-   (lambda (u)                          ; paths that turn
-     (define m (modulus 't))
-     (define q (pick `((+ t ,m) ,m (- (* h t) (* k ,m)) (+ t ,(jump 't 'h)))))
-     (inquiry `(verify-solution ,(of-local free) (lambda (t) ,(quoted-symbols q '(t))))
-              (of-places (at q 0 '(t)))))
-   (lambda (u)                          ; 2|sin t/2|, 2|sinh t/2|
-     (define-values (q V)
-       (if (chance 2)
-           (values '(sqrt (- 2 (* 2 (cos t)))) '(* 1/8 (square x)))
-           (values '(sqrt (* 2 (- (cosh t) 1))) '(* -1/8 (square x)))))
-     (inquiry `(verify-solution ,(of-local `(- ,free ,V)) (lambda (t) ,q))
-              (of-places (at q 0 '(t)))))
-   (lambda (u)
-     (define L `(+ ,free ,(jump u (pick '(h v t)))))
-     (inquiry `(verify-ignorable ,(of-local L) 'x ,local) (of-places (at L (place-of u)))))
-   (lambda (u)                          ; of two coordinates, of which only the difference counts
-     (define s (pick '((sqrt (+ (square (- (cos x) (cos y))) (square (- (sin x) (sin y)))))
-                       (sqrt (- 2 (* 2 (cos (- x y))))) (sqrt (+ (square (- x y)) (square h)))
-                       (abs (- x y)) (sqrt (+ (square (- x y)) (expt (- x y) 4))))))
-     (define L `(+ (* 1/2 (+ (square v) (square w))) ,(pick `(,s (sgn ,s) (sgn (- x y ,s))))))
-     (inquiry `(verify-conserved (lambda ((up t (up x y) (up v w)))
-                                   ,(quoted-symbols L '(t x y v w)))
-                                 (lambda ((up t q (up v w))) (+ v w))
-                                 (up 't (up 'x 'y) (up 'v 'w)))
-              `(smooth (,L ((x . 0) (y . 0) (v . 1) (w . 2) (h . 3/2)) (x y)))))
-   (lambda (u)
-     (define s (jump (still u) (pick '(h t))))
-     (define F (pick `(,s (* v ,s) (+ v ,s))))
-     (inquiry `(verify-total-time-derivative ,(of-local F) ,local) (of-places (at F))))
-   (lambda (u)
-     (define s (jump (still u) (pick '(h t))))
-     (define-values (x p) (if (chance 2) (values 'x `(+ p ,s)) (values `(* x ,s) `(/ p ,s))))
-     (inquiry `(verify-canonical-map
-                (lambda ((up t x p)) ,(quoted-symbols `(up t ,x ,p) '(t x p)))
-                (up 't 'x 'p))
-              (of-places (at x) (at p 7/4 '(x)))))
-   (lambda (u)
-     (define H `(+ (* 1/2 (square p)) ,(jump (still u) 'h)))
-     (inquiry `(verify-Hamiltonian-solution
-                (lambda ((up t x p)) ,(quoted-symbols H '(t x p)))
-                (lambda (t) (* 7/4 t)) (lambda (t) 7/4))
-              (of-places (at H 0 '(x)))))
-   (lambda (u)
-     (define S `(- (* k ,(pick (list (modulus 'x) `(+ x ,(jump 'x 'h))))) (* 1/2 (square k) t)))
-     (inquiry `(verify-Hamilton-Jacobi (lambda ((up t x p)) (* 1/2 (square p)))
-                                       (lambda (t x) ,(quoted-symbols S '(t x)))
-                                       't 'x)
-              (of-places (at S 0 '(x)))))
-   (lambda (u)                          ; the double of a Lagrangian, and a step
-     (define-values (s L) (values (jump (still u) (pick '(h 1)))
-                                  (pick `(,free (- ,free ,(root 'x 'h))))))
-     (inquiry `(verify-equivalent-Lagrangians ,(of-local L) ,(of-local `(+ ,s (* 2 ,L))) ,local)
-              (of-places (at s))))))
+  '(((let ([L (line (- free K))]) (verify-conserved L (Lagrangian->energy L) local)) (- free K))
+    ((verify-conserved (line (- free J)) (line v) local) (- free J))
+    ((verify-conserved (line free) (line (* v J)) local) (* v J))
+    ((verify-conserved (line free) (line (+ v J)) local) (+ v J))
+    ((verify-conserved (plane (+ (square u) (square v) B)) (plane (+ u v)) local-plane) B)
+    ((verify-conserved (plane (+ (square u) (square v) (sgn B))) (plane (+ u v)) local-plane)
+     (sgn B))
+    ((verify-solution (line (- free J)) (path (* 7/4 t))) (- free J))
+    ((verify-solution (line free) (path (+ t JT))) JT)
+    ((verify-solution (line free) (path (- (* h t) (* k MT)))) MT)
+    ((verify-solution (line (- free (* 1/8 (square x)))) (path (sqrt (- 2 (* 2 (cos t))))))
+     (sqrt (- 2 (* 2 (cos t)))))
+    ((verify-solution (line (+ free (* 1/8 (square x)))) (path (sqrt (* 2 (- (cosh t) 1)))))
+     (sqrt (* 2 (- (cosh t) 1))))
+    ((verify-ignorable (line (+ free J)) 'x local) (+ free J))
+    ((verify-total-time-derivative (line (* v J)) local) (* v J))
+    ((verify-total-time-derivative (line (+ v J)) local) (+ v J))
+    ((verify-canonical-map (state (up t x (+ p J))) local-state) J)
+    ((verify-canonical-map (state (up t (* x J) (/ p J))) local-state) (* x J) (/ p J))
+    ((verify-Hamiltonian-solution (state (+ (* 1/2 (square p)) J)) (path (* 7/4 t)) (path 7/4)) J)
+    ((verify-Hamilton-Jacobi (state (* 1/2 (square p))) (action (- (* k M) (* 1/2 (square k) t)))
+                             't 'x)
+     M)
+    ((verify-Hamilton-Jacobi (state (* 1/2 (square p)))
+                             (action (- (* k (+ x J)) (* 1/2 (square k) t))) 't 'x)
+     J)
+    ((verify-equivalent-Lagrangians (line (- free K)) (line (+ J (- (square v) (* 2 K)))) local)
+     J)))
 
-;; Of a position alone
-(define (still u) (if (memq 'v (if (pair? u) u '())) 'x (substituted u 't 0)))
+;; Not of U alone, or smooth, or with zeros in fewer dimensions: the last five.
+(define radicands
+  '((+ (square U) (expt U 4)) (+ (square U) (square (* U W))) (- 1 (cos U)) (- (cosh U) 1)
+    (square U) (* (square U) (+ 1 (square W))) (square (sin U)) (* (exp W) (square U))
+    (+ (square (sin U)) (square (- 1 (cos U)))) (+ (square (* h U)) (* k (expt U 4)))
+    (square (- (exp U) 1))
+    (+ (square U) (square W)) (+ (square U) (square h)) (expt U 4) (+ 1 (square U))
+    (+ (square U) (* U W) (square W))))
+
+(define roots '((sqrt R) (expt R 1/2) (expt R 3/2) (* k (sqrt R)) (abs U)))
+(define jumps
+  '((sgn (sqrt R)) (sgn (+ U (sqrt R))) (sgn (* U (sqrt R))) (sgn U) (abs (sgn R)) (sgn (+ h R))
+    (* (sqrt R) (sgn R)) (sqrt R)))
+(define moduli
+  '((/ (sqrt (+ (square U) (expt U 4))) (sqrt (+ 1 (square U)))) (sqrt (square U)) (abs U)
+    (/ (sqrt (+ (square U) (square (* h U)))) (sqrt (+ 1 (square h))))
+    (/ (sqrt (+ (expt U 6) (square U))) (sqrt (+ 1 (expt U 4))))
+    (/ (sqrt (* (exp U) (square U))) (exp (/ U 2))) (expt (expt U 4) 1/4)
+    (sqrt (+ (* 1/2 (square U)) (* 1/2 (square U)))) (+ U (sgn (+ U (abs U))))))
+(define between
+  '((sqrt (+ (square (- (cos x) (cos y))) (square (- (sin x) (sin y))))) (abs (- x y))
+    (sqrt (- 2 (* 2 (cos (- x y))))) (sqrt (+ (square (- x y)) (square h)))
+    (sqrt (+ (square (- x y)) (expt (- x y) 4))) (- x y (abs (- x y)))))

@@ -9,23 +9,16 @@
 ;; span the same space; a quantity is conserved if its rate, a row too, lies in that of L.
 
 (require racket/list
-         "evaluate.rkt" "fixed.rkt" "point.rkt")
+         "fault.rkt" "number.rkt" "point.rkt" "trials.rkt")
 
-(provide motion-rows rate-row same-motions? follows? consistent?)
+(provide judge-motions)
 
-(define A (fixed-intervals 400))
 (define h (expt 2 -60))
 
-;; State variables: t, coordinates and velocities, as symbols.
-
-;; -> value of e at numbers with some symbols moved; raises #f where there is none
+;; The value of e with some symbols moved; raises 'no-value where there is none.
 (define (moved e numbers . steps)
-  (define v
-    (value-at e (make-point (for/fold ([n numbers]) ([s (in-list steps)])
-                              (hash-update n (car s) (lambda (x) (+ x (cdr s)))))
-                            0)
-              A))
-  (if (value? v) (value->exact v A) (raise 'no-value)))
+  (define v (number-at e (shifted numbers steps)))
+  (if (rational? v) v (raise 'no-value)))
 
 (define (slope e u numbers)
   (/ (- (moved e numbers (cons u h)) (moved e numbers (cons u (- h)))) (* 2 h)))
@@ -79,3 +72,37 @@
                           (define factor (/ (car r) (car pivot)))
                           (for/list ([x (in-list (cdr r))] [y (in-list (cdr pivot))])
                             (- x (* factor y)))))))]))
+
+;; ---------------------------------------------------------------------------
+;; Verdicts
+
+;; Parameters are small numbers, states are generic ones.
+(define ((draw-state state) symbols)
+  (for/fold ([n (small-numbers symbols)]) ([s (in-list state)])
+    (hash-set n s (/ (+ 1 (random 40)) (+ 7 (random 20))))))
+
+(define (judge-motions question parts status assumed witness)
+  (define-values (L other qs vs) (apply values parts))
+  (define state (cons 't (append qs vs)))
+  (define symbols (symbols-of L other (cons '+ state)))
+  ;; -> are the same, or is conserved; 'open
+  (define (holds? numbers)
+    (define rows (motion-rows L qs vs numbers))
+    (define others
+      (if (eq? question 'equivalent)
+          (motion-rows other qs vs numbers)
+          (rate-row other qs vs numbers)))
+    (cond [(not (and rows others)) 'open]
+          [(eq? question 'equivalent)
+           (if (ormap consistent? (list rows others)) (same-motions? rows others) 'open)]
+          [(consistent? rows) (follows? others rows)]
+          [else 'open]))
+  (define ((judge wanted kind) numbers)
+    (define v (holds? numbers))
+    (cond [(eq? v 'open) #f]
+          [(eq? v wanted) #t]
+          [else (fault kind numbers #f #f)]))
+  (define draw (draw-state state))
+  (if (eq? status 'proved)
+      (judged-at-points symbols assumed draw 30 (judge #t 'motions-differ))
+      (judged-at-witness symbols witness draw (judge #f 'no-difference-at-witness))))

@@ -10,16 +10,9 @@
 ;; do little harm.
 
 (require racket/list
-         "evaluate.rkt" "fixed.rkt" "interval.rkt" "point.rkt")
+         "number.rkt")
 
-(provide integral-value number-at)
-
-(define A (fixed-intervals 300))
-
-;; -> an exact number; 'none where there is no value, #f where that is not known
-(define (number-at e numbers)
-  (define v (value-at e (make-point numbers 0) A))
-  (cond [(value? v) (value->exact v A)] [(no-value? v) 'none] [else #f]))
+(provide integral-value)
 
 ;; -> an exact number; 'none where the integrand has no value on a part of the path, or there is
 ;; no path, 'infinite where it has no integral, #f where that is not known
