@@ -11,7 +11,8 @@
   (define ((judge formula must?) numbers) (compared e low high by formula must? numbers))
   (if (eq? status 'refuted)
       (judged-at-witness symbols witness small-numbers (opposite (judge claim #f)))
-      (judged-at-points symbols assumed small-numbers 8 (judge (or found claim) (and found (not by))))))
+      (judged-at-points symbols assumed small-numbers 8
+                        (judge (or found claim) (and found (not by))))))
 
 ;; A refutation is right where the values differ.
 (define ((opposite judge) numbers)
