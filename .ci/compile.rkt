@@ -63,15 +63,43 @@
       (with-handlers ([exn:fail? (lambda (e) (stop-if-unwritable (exn-message e)))])
         (compile-file file)))))
 
-;; Places would wait for each other at every collection of garbage: a third longer.
+;; Places would wait for each other at every collection of garbage: a third longer.  A process that
+;; is through with its batches takes single files, from the far end.
 (define (compile-in-processes files jobs)
+  (define folder (make-temporary-file "compile~a" 'directory))
+  (define (compile-all)
+    (parallel-compile-files (append (write-batches files jobs folder) (reverse files))
+                            #:worker-count jobs #:use-places? #f
+                            #:handler (lambda (worker type work text out err)
+                                        (stop-if-unwritable text))))
+  (dynamic-wind
+   void
+   (lambda () (call-silently compile-all))
+   (lambda () (delete-directory/files folder))))
+
+(define (call-silently thunk)
   (call-with-output-file* (if (eq? (system-type) 'windows) "NUL" "/dev/null") #:exists 'append
     (lambda (null-device)
       (parameterize ([current-output-port null-device] [current-error-port null-device])
-        (parallel-compile-files files
-                                #:worker-count jobs #:use-places? #f
-                                #:handler (lambda (worker type work text out err)
-                                            (stop-if-unwritable text)))))))
+        (thunk)))))
+
+;; Each file of parallel-compile-files has a namespace of its own, where all that it requires is
+;; loaded again.  A batch is a module that names many files: they share the batch's namespace, and
+;; tests then cost a fifth to a third less of the processor.
+(define largest-batch 40)
+
+(define (write-batches files jobs folder)
+  (define size (max 1 (min largest-batch (quotient (length files) jobs))))
+  (for/list ([start (in-range 0 (length files) size)])
+    (define path (build-path folder (format "batch-~a.rkt" start)))
+    (define rest (list-tail files start))
+    (write-to-file (batch-of (take rest (min size (length rest)))) path)
+    path))
+
+(define (batch-of files)
+  `(module batch '#%kernel
+     (#%require ,@(for/list ([file (in-list files)])
+                    `(for-meta #f (only (file ,(path->string file))))))))
 
 (define compile-file
   (let ([compile (make-caching-managed-compile-zo)])
