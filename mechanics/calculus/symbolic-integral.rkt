@@ -13,7 +13,8 @@
          "../algebra/simplify/declare.rkt" "../algebra/simplify/necessary-assumptions.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../algebra/zero/common-domain.rkt"
-         "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt" "../error/note.rkt"
+         "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt"
+         "../error/note.rkt"
          "../generic/describe.rkt" "../generic/wrong-argument.rkt"
          "../value/assumptions.rkt")
 

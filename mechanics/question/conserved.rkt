@@ -61,7 +61,9 @@
                         #:domain within #:functions domain))
   (define v (prove-zero change #:variables (scalars local) #:domain domain
                         #:surveys (list (survey-of-values (Q state)) survey)
-                        #:resting-on (if accelerated? (regular-conditions (masses L state) state) '())
+                        #:resting-on (if accelerated?
+                                         (regular-conditions (masses L state) state)
+                                         '())
                         #:remarks (lambda () (append (remarks-on-quantity Q state)
                                                      (remarks-on-kind L Q)
                                                      (remarks-on-order L Q state)))

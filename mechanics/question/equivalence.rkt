@@ -23,7 +23,7 @@
          "../algebra/solve/nonzero-conditions.rkt"
          "../algebra/zero/vanishing.rkt"
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
-         "../error/failure.rkt"
+         "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
          "../generic/truth.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
@@ -97,7 +97,7 @@
        (equivalence kind c (gauge-at (g:- L2 (g:* c L1)) ((clip-state 3) local)) v)))
 
 (define (gauge-at F local)
-  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+  (with-handlers ([refusal? (lambda (e) #f)])
     (simplify ((gauge-function F local) local))))
 
 ;; A kink that both have is none of the difference, simplified without taking a sign for

@@ -84,11 +84,19 @@
   (define all
     (remove-duplicates
      (append (append-map zero-test-assumptions (verdict-tests v)) (verdict-grounds v))))
-  (define (sign-taken? d)               ; of the u in (> (abs u) 0)
-    (and (pair? (cadr d))
-         (eq? (car (cadr d)) 'abs)
-         (for/or ([other (in-list all)]) (equal? (cadr other) (cadr (cadr d))))))
-  (filter-not sign-taken? all))
+  (remove-duplicates (map (lambda (d) (strict d all)) (filter-not (implied-by all) all))))
+
+;; (> u 0) in place of (>= u 0) and (> (abs u) 0)
+(define (strict d all)
+  (define name (cdr (or (assq (car d) '((>= . >) (<= . <))) '(#f . #f))))
+  (if (and name (member `(> (abs ,(cadr d)) 0) all)) (cons name (cdr d)) d))
+
+;; Is d (> (abs u) 0), and one of the others a sign of u?
+(define ((implied-by all) d)
+  (define left (cadr d))
+  (and (pair? left)
+       (eq? (car left) 'abs)
+       (for/or ([other (in-list all)]) (equal? (cadr other) (cadr left)))))
 
 ;; For each scalar of the residual the lists of equations that make it zero.
 (define (verdict-ways v)

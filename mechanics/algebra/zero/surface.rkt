@@ -27,7 +27,7 @@
          surface-separate? degenerate-parameters)
 
 ;; zero : vanishes there; it varies            power : of the factor
-;; polynomial : the factor in symbols          kernels : ((kernel variable ...) ...), what varies in it
+;; polynomial : the factor in symbols     kernels : ((kernel variable ...) ...), its varying parts
 ;; tangents : what its symbols are (half-angles.rkt)     variables : symbols
 (struct surface (zero power polynomial kernels tangents variables) #:authentic)
 

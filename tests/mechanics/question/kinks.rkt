@@ -98,7 +98,7 @@
               (* 1/2 'm (+ (square (ref v 0)) (square (* r (ref v 1)))))))
   (define (straight t) (up (sqrt (+ (square 'd) (square (* 'v t)))) (atan (* 'v t) 'd)))
   (check-equal? (format "~a" (verify-solution T straight))
-                "proved: the residual is zero\n  assuming: (>= d 0)")
+                "proved: the residual is zero\n  assuming: (> d 0)")
   (assuming ('(< d 0))
     (check-equal? (format "~s" (verdict-kinks (verify-solution T straight)))
                   "((jump (atan (* t v) d) (= t 0) (< d 0)))")))
