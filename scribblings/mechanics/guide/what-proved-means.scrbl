@@ -72,6 +72,21 @@ found out in some milliseconds is accepted.
 (eval:error (assuming ('(> x 3) '(> y 4) '(< (* x y) 12)) 'x))
 (eval:error (assuming ('(< 0 theta 1) '(< (sin theta) 0)) 'theta))]
 
+@section{Where the question has a value}
+
+A question about a motion is asked where all that it speaks of has a real value: the Lagrangian or
+the Hamiltonian, the path, the quantity. A residual may have one all the same. This path rests at a
+zero of the force, and the logarithm in the potential has no value there:
+
+@examples[#:eval session #:label #f
+(define (L-wall s)
+  (- (* 1/2 (square (velocity s))) (* 1/2 (square (coordinate s)))
+     (log (- (coordinate s) 2))))
+(verify-solution L-wall (lambda (t) 1))
+(equilibria L-wall (up 't 'x 'v))]
+
+A potential that has no value at a place has no kink there, and a motion cannot pass through it.
+
 @section{Kinks}
 
 Wherever it has a second derivative, that of @formula{|t − 2|} is zero; a free motion it is not. A
@@ -121,7 +136,8 @@ declaration is not told.
 @section{Undecided, with a reason}
 
 @racket[verdict-reason] names the reason: @racket['decimals] that stand in the way;
-@racket['nowhere-defined], if no point was found where the question has a value;
+@racket['nowhere-defined], if no point was found where the question has a value, with the part
+that has none;
 @racket['kinks]; @racket['too-large] to be multiplied out; the endless terms of a
 @racket['series]; or @racket['beyond-the-algebra], an identity that the library does not
 know.

@@ -56,7 +56,8 @@ sine of the decimal @racket[pi], is undecided. π itself is @racket[':pi].
 
 Whether the path q satisfies Lagrange's equations of L at all times. The other arguments
 are those of @racket[Lagrange-equations]. A path that has a kink, a jump or no value at
-some time is not proved to do so: see @racket[verdict-kinks].
+some time is not proved to do so: see @racket[verdict-kinks]. Where the Lagrangian has no real value
+along the path, nothing is proved or refuted.
 
 With constraints, the path has to keep them and to satisfy
 @racket[constrained-Lagrange-equations] with the multipliers given. Without multipliers the question
@@ -208,16 +209,29 @@ as @racket[(+ 1 (square t))], or by a declaration.
 Kinks are looked for by the procedures that judge derivatives: @racket[verify-solution],
 @racket[verify-conserved], @racket[verify-ignorable], @racket[verify-equilibrium],
 @racket[verify-total-time-derivative], @racket[verify-equivalent-Lagrangians],
+@racket[verify-canonical], @racket[verify-Hamilton-Jacobi],
 @racket[Frobenius-test] and their relatives; @racket[prove-zero] and
 @racket[verify-equal] judge values. Of a Lagrangian or a quantity only kinks and jumps
-count: a potential may have poles. A distance such as the root of @math{x² + y²} is assumed not to
-vanish, and so are parameters.
+count: a potential may have poles, and where it has no value it has no kink.
+
+A distance such as the root of @math{x² + y²} is 0 at a point, and is no kink unless a path leads
+there; the root of @math{x² + x⁴} is 0 on a line, and is one. The library tells them apart by the
+factors of the radicand, as a polynomial in coordinates, in tangents of half the angles and in
+exponentials: a square has a kink, a factor that stands once and is never negative is a distance.
+Parameters at which such a factor becomes a square are excluded by a condition. A function that is
+differentiated twice has no kink where its second derivative is continuous, as @math{|x|³}.
 
 @examples[#:eval session
 (define corner (verify-solution (L-free 'm) (lambda (t) (abs (- t 2)))))
 corner
 (verdict-kinks corner)
 (verify-solution (L-free 'm) (lambda (t) (/ (square t) t)))
+(define ((energy-in V) s) (+ (* 1/2 'm (square (velocity s))) (V (coordinate s))))
+(define ((L-in V) s) (- (* 1/2 'm (square (velocity s))) (V (coordinate s))))
+(define (verify-energy V) (verify-conserved (L-in V) (energy-in V) (up 't 'x 'v)))
+(verify-energy (lambda (x) (sqrt (+ (square x) (expt x 4)))))
+(verify-energy (lambda (x) (sqrt (+ (square x) (square 'h)))))
+(verify-energy (lambda (x) (/ 'k (sqrt (square x)))))
 (assuming ('(> t 2)) (verify-solution (L-free 'm) (lambda (t) (abs (- t 2)))))]}
 
 @defproc[(verdict-reason [v verdict?])
@@ -246,8 +260,8 @@ if the proof holds for any numbers in their place.
 @defproc[(verdict-remarks [v verdict?]) (listof string?)]{
 
 Reasons why the answer says less than it seems to: a path does not depend on the time, a symbol
-@racket['t] is taken for the time, a Lagrangian depends on nothing, a quantity is a constant. They
-are printed as notes.
+@racket['t] is taken for the time, a Lagrangian depends on nothing, a quantity is a constant; or,
+where a question has a value nowhere, the part that has none. They are printed as notes.
 
 @examples[#:eval session
 (verdict-remarks (verify-solution (L-free 'm) (lambda (t) 'c)))]}
