@@ -218,4 +218,32 @@
    "(and (eq? (node-head n) op:/) (eqv? i 1))"]
   ["the scale of a decimal is taken out of a root" "simplify/radicand.rkt"
    "(> (denominator x) most-scale)"
-   "#f"])
+   "#f"]
+  ;; kinks and domains
+  ["1 - cos x stands once" "zero/surface.rkt"
+   "(andmap (lambda (g) (eqv? 1 (cdr g))) parts)"
+   "#t"]
+  ["1 + cos x is never 0" "zero/surface.rkt"
+   "(* -1 (cdr f) (degree (car f) (car t) A))"
+   "0"]
+  ["x and sin x are independent" "zero/surface.rkt"
+   "[(= (length own) (length all)) #t]"
+   "[#t #t]"]
+  ["at every value of a parameter a distance is one" "zero/surface.rkt"
+   "#:when (square-where-0? u f A)"
+   "#:when #f"]
+  ["functions that agree on both sides are smooth" "zero/kink.rkt"
+   "(> (cdr power) (search-order s))"
+   "#t"]
+  ["outside the domain is inside" "zero/kink.rkt"
+   "[(positive) (or (eqv? u 0) (eqv? sign -1))]"
+   "[(positive) #f]"]
+  ["inside the domain is outside" "zero/kink.rkt"
+   "[(not-zero) (eqv? u 0)]"
+   "[(not-zero) #t]"]
+  ["a reference point need not be in the domain" "assumption/reference.rkt"
+   "(all-real? domain lookup)"
+   "#t"]
+  ["a witness need not be in the domain" "zero/region.rkt"
+   "(for/list ([e (in-list (assumptions-domain A))])"
+   "(for/list ([e (in-list '())])"])

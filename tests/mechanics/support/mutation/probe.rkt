@@ -2,12 +2,13 @@
 ;; The part of the suite that a mutant is tried with: random expressions of every
 ;; class, nothing shrunk, until something fails; and a few sums by name.
 
-(require (only-in mechanics/algebra/assumption/assumption-set no-assumptions)
+(require (only-in mechanics/algebra/assumption/assumption-set no-assumptions with-domain)
          (only-in mechanics/algebra/simplify/declare
                   declare-relations exn:algebra:contradiction?)
          mechanics/algebra/simplify/simplify-expression
          (only-in mechanics/algebra/ball/ball
                   ball/ ball-lower ball-upper ball-scale ball-positive? exact->ball make-ball)
+         mechanics/algebra/zero/kink
          (only-in mechanics/algebra/zero/nondegeneracy make-meaning meaningful?)
          mechanics/algebra/zero/zero-test
          mechanics/algebra/zero/fingerprint
@@ -76,6 +77,45 @@
 (define ways
   '(((- (* Omega (expt x 2)) (* g x)) (((= Omega 0) (= g 0))))))
 
+;; Operations with the kinks they have in x and y: sorts and places, and what is told of parameters;
+;; the second and third list are a domain and functions.
+(define kinked
+  '(((sqrt (+ (expt x 2) (expt x 4))) () () ((kink (= x 0))) ())
+    ((sqrt (+ (expt x 2) (expt y 2))) () () () ())
+    ((sqrt (+ (expt x 2) (expt h 2))) () () () ((> (abs h) 0)))
+    ((sqrt (- 1 (cos x))) () () ((kink (= x (* 2 :pi n)))) ())
+    ((sqrt (+ 1 (cos x))) () () ((kink (= x (+ (* 2 :pi n) :pi)))) ())
+    ((sqrt (+ (expt x 2) (expt (sin x) 2))) () ()
+     ((kink (= (+ (expt x 2) (expt (sin x) 2)) 0))) ())
+    ((abs x) () ((expt (abs x) 3)) () ())
+    ((abs x) () ((* x (abs x))) ((kink (= x 0))) ())
+    ((abs x) ((log (abs x))) () () ())
+    ((abs x) ((/ 1 (- x 1))) () ((kink (= x 0))) ())))
+
+(define (kinks-wrong? entry)
+  (define-values (operation domain functions kinks conditions) (apply values entry))
+  (define-values (found grounds)
+    (find-kinks (make-kink-question
+                 (list (cons (car operation) (map datum->expression (cdr operation))))
+                 '(x y) '() '(x y) #f
+                 (map datum->expression domain) (map datum->expression functions) 2)
+                no-assumptions))
+  (unlike operation (list kinks conditions)
+          (read-back (list (for/list ([k (in-list found)]) (cons (kink-sort k) (kink-equations k)))
+                           grounds))))
+
+(define (read-back x) (read (open-input-string (format "~s" x))))
+
+;; Where log(−1 − x²) has no value nothing is proved nor refuted; where log(x) has one, x is a
+;; positive witness.
+(define (domain-forgotten?)
+  (define (judged e domain)
+    (zero-test e (with-domain no-assumptions (list (datum->expression domain)))))
+  (not (and (eq? 'undecided (zero-test-status (judged 0 '(log (- -1 (expt x 2))))))
+            (eq? 'undecided (zero-test-status (judged 'x '(log (- -1 (expt x 2))))))
+            (eq? 'proved (zero-test-status (judged 0 '(log (- x 5)))))
+            (> (cdr (car (zero-test-witness (judged 'x '(log (- x 5)))))) 5))))
+
 ;; A third as the ball of a quotient, and balls that hold 0.
 (define (balls-wrong?)
   (define third (ball/ (exact->ball 1 20) (exact->ball 3 20) 20))
@@ -102,6 +142,8 @@
       (for/or ([entry (in-list ways)])
         (unlike (car entry) (cadr entry)
                 (zero-test-ways (zero-test (datum->expression (car entry)) no-assumptions '(x)))))
+      (for/or ([entry (in-list kinked)]) (kinks-wrong? entry))
+      (and (domain-forgotten?) "a question without its domain")
       (and (balls-wrong?) "balls")
       (and (singular-allowed?) "a mass of 0")
       (and (refused? '((> x 0) (> (- (log x) x) 0))) "refused without a proof")
