@@ -106,7 +106,8 @@
   (fxremainder (mix-values s (operation-number op) operands) (site-prime s)))
 
 (define (operation-number op) (index-of numbered-operations op eq?))
-(define numbered-operations (list* op:up op:down operations))
+(define numbered-operations
+  (append (list op:up op:down) operations (list op:solution op:component op:wrapped)))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers
