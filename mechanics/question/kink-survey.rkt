@@ -74,7 +74,8 @@
 (define (surveys-along t value f shape local derivatives along domain functions order)
   (define (survey-at thunk values?)
     (define-values (_ survey)
-      (survey-derivatives thunk (list t) #:have-values? values? #:domain domain))
+      (survey-derivatives thunk (list t) #:have-values? values? #:domain domain
+                          #:order (* 2 (sub1 order))))
     survey)
   (list (survey-of-values value)
         (survey-at (lambda () (derivative-at f t)) #t)

@@ -84,19 +84,22 @@
   (define all
     (remove-duplicates
      (append (append-map zero-test-assumptions (verdict-tests v)) (verdict-grounds v))))
-  (remove-duplicates (map (lambda (d) (strict d all)) (filter-not (implied-by all) all))))
+  (define (taken? d) (and (sign? d) (not (member d (verdict-given v)))))
+  (define (nonzero? u) (member `(> (abs ,u) 0) all))
+  (define (implied? d)                  ; (> (abs u) 0), where a sign of u is told
+    (define left (cadr d))
+    (and (pair? left)
+         (eq? (car left) 'abs)
+         (for/or ([other (in-list all)])
+           (and (equal? (cadr other) (cadr left))
+                (or (strict? other) (taken? other))))))
+  (for/list ([d (in-list all)] #:unless (implied? d))
+    (if (and (taken? d) (nonzero? (cadr d))) (cons (strict-name (car d)) (cdr d)) d)))
 
-;; (> u 0) in place of (>= u 0) and (> (abs u) 0)
-(define (strict d all)
-  (define name (cdr (or (assq (car d) '((>= . >) (<= . <))) '(#f . #f))))
-  (if (and name (member `(> (abs ,(cadr d)) 0) all)) (cons name (cdr d)) d))
-
-;; Is d (> (abs u) 0), and one of the others a sign of u?
-(define ((implied-by all) d)
-  (define left (cadr d))
-  (and (pair? left)
-       (eq? (car left) 'abs)
-       (for/or ([other (in-list all)]) (equal? (cadr other) (cadr left)))))
+;; Is it a sign of something, as (>= u 0)?
+(define (sign? d) (and (memq (car d) '(> >= < <=)) (eqv? 0 (caddr d))))
+(define (strict? d) (and (sign? d) (memq (car d) '(> <))))
+(define (strict-name name) (if (memq name '(> >=)) '> '<))
 
 ;; For each scalar of the residual the lists of equations that make it zero.
 (define (verdict-ways v)

@@ -55,17 +55,17 @@
 ;; ---------------------------------------------------------------------------
 ;; Steps
 
-;; atom : an expression, not a sum; denominator : of its multiples
-(struct step (atom denominator symbol) #:authentic)
+;; atom : an expression, not a sum; measure : a rational of which its multiples are multiples
+(struct step (atom measure symbol) #:authentic)
 
-(define (step-size s) (e:* (/ 1 (step-denominator s)) (step-atom s)))
+(define (step-size s) (e:* (step-measure s) (step-atom s)))
 
 (define (steps-of e heads)
-  (define found (make-hash))            ; atom -> denominator
+  (define found (make-hash))            ; atom -> measure
   (define order '())
   (define (note! term)
     (unless (hash-has-key? found (cdr term)) (set! order (cons (cdr term) order)))
-    (hash-update! found (cdr term) (lambda (d) (lcm d (denominator (car term)))) 1))
+    (hash-update! found (cdr term) (lambda (m) (gcd m (car term))) 0))
   (node-fold e void
              (lambda (n _)
                (when (memq (node-head n) heads) (for-each note! (multiples (car (node-args n)))))))
@@ -92,7 +92,7 @@
   (define all
     (for/fold ([table (hash)]) ([m (in-list (multiples e))])
       (define s (findf (lambda (s) (equal? (step-atom s) (cdr m))) steps))
-      (hash-update table s (lambda (k) (+ k (* (car m) (step-denominator s)))) 0)))
+      (hash-update table s (lambda (k) (+ k (/ (car m) (step-measure s)))) 0)))
   (and (<= (for/sum ([k (in-hash-values all)]) (abs k)) most-steps) all))
 
 (define most-steps 8)

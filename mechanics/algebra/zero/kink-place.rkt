@@ -16,7 +16,9 @@
   (define x (and (= 1 (length xs)) (car xs)))
   (cond [(not (and x (< (expression-size f) longest) (not (within-unknown? x f)))) '()]
         [else
-         (define solutions (solve-equations (list (turns f)) (list x) A))
+         (define solutions
+           (with-handlers ([exn:fail:contract? (lambda (e) #f)]) ; an angle of no direction
+             (solve-equations (list (turns f)) (list x) A)))
          (cond [(not solutions) '()]
                [(null? solutions) #f]
                [(and (trigonometric? x f) (not (wave? f))) '()]

@@ -105,7 +105,7 @@
 ;; The kink without its places at which something required does not hold; #f if none is left.
 (define (within-domain k needs A)
   (define equations (kink-equations k))
-  (cond [(null? needs) k]
+  (cond [(or (null? needs) (null? equations)) k]
         [(kink-solved? k)
          (define left (filter (lambda (q) (not (excluded? q needs A))) equations))
          (and (pair? left) (struct-copy kink k [equations left]))]
@@ -127,8 +127,12 @@
 (define (factor-of-nonzero? f needs A)
   (for*/or ([r (in-list needs)]
             #:unless (eq? (requirement-sort r) 'not-negative)
-            [g (in-list (expression-factors (requirement-of r) A))])
-    (equal? f (simplify-expression (car g) A))))
+            [g (in-list (expression-factors (requirement-of r) A))]
+            [sign (in-list '(1 -1))])
+    (equal? f (simplify-expression (e:* sign (without-absolute-value (car g))) A))))
+
+(define (without-absolute-value e)
+  (if (or (headed? e op:abs) (headed? e op:sqrt)) (car (node-args e)) e))
 
 (define (facts-of needs)
   (for*/list ([r (in-list needs)]
@@ -185,12 +189,14 @@
   (define (kinks wanted? fs)
     (for/list ([f (in-list fs)] #:when (wanted? f)) (candidate 'kink (node) (surface-zero f) #f)))
   (define (like-root u n)
+    (append (kinks-of-root u n) (end (if (positive? n) odd? any) u)))
+  (define (kinks-of-root u n)
     (define fs (surfaces-of (if (search-values? s) u (without-radii u s)) s))
     (define-values (even odd) (partition (lambda (f) (even? (surface-power f))) fs))
+    (define may-be-0 (filter (lambda (f) (not (never-zero? (surface-zero f) s))) odd))
     (append (kinks (lambda (f) (and (abrupt? (* n (surface-power f)) s) (not (one-sided? f s))))
                    even)
-            (kinks (lambda (f) (touched? f n s)) odd)
-            (end (if (positive? n) odd? any) u)))
+            (kinks (lambda (f) (touched? f n (surfaces-apart? may-be-0) s)) may-be-0)))
   (case name
     [(abs) (kinks (lambda (f) (and (odd? (surface-power f)) (abrupt? (surface-power f) s)
                                    (not (one-sided? f s))))
@@ -205,7 +211,7 @@
     [(tan) (end any (e:apply op:cos x))]
     [(=) (if (search-values? s) (at 'jump any (e:- x (cadr arguments))) '())]
     [(expt) (let ([n (exact-power (cadr arguments))])
-              (cond [(not n) (end any x)]
+              (cond [(not n) (append (kinks-of-root x 1/2) (end any x))]
                     [(not (integer? n)) (like-root x n)]
                     [(negative? n) (end any x)]
                     [else '()]))]
@@ -226,17 +232,17 @@
   (not (or (and (integer? k) (even? k) (positive? k))
            (> k (search-order s)))))
 
-;; May a factor of a radicand be 0 without becoming negative beside it?  On a surface; along a path
-;; anywhere.  What is noted are values of parameters at which the zeros are a surface.
-(define (touched? f n s)
+;; Is an odd factor of a radicand ≥ 0 with zeros on a surface, or along a path with any zero; or may
+;; it be so?  Notes the conditions on parameters.  apart? : has it no zeros in common with others?
+(define (touched? f n apart? s)
   (define A (search-assumptions s))
   (cond [(> (* 2 n (surface-power f)) (search-order s)) #f]
         [(and (pair? (search-places s)) (one-sided? f s)) #t]
-        [(surface-separate? f A)
+        [(and apart? (surface-separate? f A))
          (for ([u (in-list (degenerate-parameters f A))] #:unless (never-zero? u s))
            (note-grounds! (not-zero u A) s))
          #f]
-        [else (one-sided? f s)]))
+        [else (not (search-values? s))]))
 
 ;; u without those of its factors that are the square of a radius in polar coordinates: r² as the
 ;; sum of (r cos θ)² and (r sin θ)² stays a distance.
@@ -251,8 +257,9 @@
   (define terms (if (headed? u op:+) (node-args u) '()))
   (define (circular? e)
     (node-fold e (lambda (leaf) #f)
-               (lambda (n found?s) (or (ormap values found?s)
-                                       (and (memq (node-head n) circular-functions) #t)))))
+               (lambda (n found?s)
+                 (or (ormap values found?s)
+                     (and (memq (node-head n) circular-functions) (varies? n s))))))
   (and (pair? terms)
        (andmap circular? terms)
        (andmap (lambda (e) (signs-within? (known-signs (signs-of e s)) nonnegative)) terms)
@@ -376,6 +383,7 @@
               (let ([solved? (and (pair? places) (not beside))])
                 (kink (candidate-sort c) (readable (candidate-expression c) simple)
                       (cond [solved? places]
+                            [(eqv? f 0) '()]        ; everywhere
                             [beside `((= ,f 0) (< ,beside 0))]
                             [else `((= ,f 0))])
                       solved?

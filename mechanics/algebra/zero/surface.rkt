@@ -24,7 +24,7 @@
          "../solve/factors.rkt" "../solve/nonzero-conditions.rkt" "../solve/solve-equations.rkt")
 
 (provide surfaces surface-zero surface-power surface-polynomial
-         surface-separate? degenerate-parameters)
+         surface-separate? surfaces-apart? degenerate-parameters)
 
 ;; zero : vanishes there; it varies            power : of the factor
 ;; polynomial : the factor in symbols     kernels : ((kernel variable ...) ...), its varying parts
@@ -114,7 +114,7 @@
 
 ;; If the factor stands to an odd power and is never negative, has its zero more than one equation?
 (define (surface-separate? f A)
-  (define own (independent (surface-kernels f)))
+  (define own (independent (surface-kernels f) (surface-tangents f) (surface-variables f)))
   (define all (map car (surface-kernels f)))
   (cond [(null? own) #f]
         [(= (length own) (length all)) #t]
@@ -128,15 +128,41 @@
 
 ;; kernels : ((kernel variable ...) ...) -> those that have a variable of their own, and are no
 ;; roots, which may have a least value
-(define (independent kernels)
+(define (independent kernels tangents variables)
   (for/list ([k (in-list kernels)]
-             #:when (or (symbol? (car k)) (literal-head? (node-head (car k))))
+             #:when (monotonic? (car k) tangents variables)
              #:when (for/or ([v (in-list (cdr k))])
                       (for/and ([other (in-list kernels)])
                         (or (eq? other k) (not (memq v (cdr other)))))))
     (car k)))
 
-;; Those of all products of powers of the kernels
+;; Do factors that stand to odd powers have no surface in common?  x and sin x have one.
+(define (surfaces-apart? fs)
+  (define kernels (remove-duplicates (append-map surface-kernels fs)))
+  (define (alone? k)
+    (for/and ([other (in-list kernels)])
+      (or (equal? k other) (null? (filter (lambda (v) (memq v (cdr other))) (cdr k))))))
+  (or (null? fs) (null? (cdr fs)) (andmap alone? kernels)))
+
+;; Has the kernel no least value that it may touch: is it a symbol, an unknown function, or a
+;; tangent or exponential of a multiple of a variable?
+(define (monotonic? k tangents variables)
+  (define entry (assq k tangents))
+  (cond [entry (multiple-of-variable? (car (node-args (cadr entry))) variables)]
+        [else (or (symbol? k) (literal-head? (node-head k)))]))
+
+(define (multiple-of-variable? e variables)
+  (define (varies? e) (ormap (lambda (v) (occurs? v e)) variables))
+  (cond [(symbol? e) #t]
+        [(headed? e op:*)
+         (define moving (filter varies? (node-args e)))
+         (and (= 1 (length moving)) (multiple-of-variable? (car moving) variables))]
+        [(headed? e op:/)
+         (and (not (varies? (cadr (node-args e))))
+              (multiple-of-variable? (car (node-args e)) variables))]
+        [else (literal-head? (node-head e))]))
+
+;; The coefficients of all products of powers of the kernels
 (define (coefficients e kernels A)
   (for/fold ([es (list e)]) ([k (in-list kernels)])
     (append-map (lambda (e) (powers-of e k A)) es)))
@@ -161,13 +187,20 @@
 (define (degenerate-parameters f A)
   (define kernels (map car (surface-kernels f)))
   (remove-duplicates
-   (for*/list ([k (in-list kernels)]
-               [d (in-value (discriminant (surface-polynomial f) k A))]
-               #:when d
-               [u (in-list (factors-of (list d) A))]
-               #:unless (mentions? u kernels)
-               #:when (square-where-0? u f A))
+   (for/list ([u (in-list (append (discriminant-factors f kernels A) (parameters-of f)))]
+              #:when (square-where-0? u f A))
      (original u (surface-tangents f) A))))
+
+(define (discriminant-factors f kernels A)
+  (for*/list ([k (in-list kernels)]
+              [d (in-value (discriminant (surface-polynomial f) k A))]
+              #:when d
+              [u (in-list (factors-of (list d) A))]
+              #:unless (mentions? u kernels))
+    u))
+
+(define (parameters-of f)
+  (filter (lambda (x) (not (memq x (surface-variables f)))) (symbols-in (surface-zero f))))
 
 ;; Of the second degree in k; else #f
 (define (discriminant e k A)

@@ -71,6 +71,24 @@
   (check-pred undecided? v)
   (check-equal? (verdict-remarks v) '("sqrt: has no derivative at 0")))
 
+(test-case "an equilibrium on a kink"
+  (define v (verify-equilibrium (on-line (lambda (x) (abs (- x 'a)))) 'a))
+  (check-equal? (format "~a" v)
+                (string-append "undecided: the residual is neither proved nor refuted to be zero\n"
+                               "  residual: +nan.0\n"
+                               "  evidence: it is not a number\n"
+                               "  kink: (abs 0) everywhere\n"
+                               "  note: abs: has no derivative at 0")))
+
+(test-case "a declared sign of another kind does not hide that a factor is not 0"
+  (define (L s) (* 1/2 (square (velocity s))))
+  (define (L-hidden s)
+    (+ (* 'h (L s)) (* (exp (coordinate s)) (+ (abs (- 'h 5)) 'h -5))))
+  (assuming ('(< h 5))
+    (check-equal? (format "~s" (verdict-assumptions
+                                (verify-equivalent-Lagrangians L L-hidden line)))
+                  "((< h 5) (> (abs h) 0))")))
+
 (test-case "reasons and conditions are true and real"
   (define v (prove-zero (exp (- -1000 (square 'x)))))
   (check-pred refuted? v)

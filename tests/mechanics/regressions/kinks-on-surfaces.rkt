@@ -45,6 +45,27 @@
               (expt (- 1 (sin (* 2 x))) 1/2)
               (* y (sqrt (- (exp (* 2 x)) (* 2 (exp x)) -1))))))
 
+(test-case "factors that share a zero, or have a least value"
+  (for-each check-kinks
+            (potentials (x y)
+              (sqrt (* x (sin x)))
+              (sqrt (* (- x y) (- (exp x) (exp y))))
+              (sqrt (- (exp x) 1 x))
+              (sqrt (- (exp (square x)) 1))
+              (sqrt (log (+ 1 (square x))))
+              (sqrt (- (sqrt (+ 1 (square x))) 1))
+              (acos (exp (- (square x))))
+              (sqrt (- 1 (cos (* 9 x))))
+              (sqrt (- (cosh (* 12 x)) 1))
+              (expt (square x) 'n)
+              (sqrt (+ (square (* x (cos 'a))) (square (* x (sin 'a)))))
+              (sqrt (atan (sin x) (cos x))))))
+
+(test-case "a path is differentiated as often as the order asks"
+  (define (L s) (* 1/2 (square (ref s 3))))
+  (check-pred undecided? (verify-solution L (lambda (t) (expt (square t) 3/2)) #:order 2))
+  (check-pred proved? (verify-solution L cube #:order 2)))
+
 (test-case "distances, and what has two derivatives, are none"
   (for-each check-smooth
             (potentials (x y)
@@ -81,6 +102,8 @@
             (potentials (x y)
               (/ 'k (sqrt (square x)))
               (* 'k (log (abs x)))
+              (/ 'k (abs (- x y)))
+              (* 'k (log (abs (- x y))))
               (expt (square x) -1/2)))
   (check-pred proved?
               (verify-solution (lambda (s) (+ (* 1/2 (square (velocity s)))
