@@ -52,18 +52,15 @@
   (define outside (external-force 'verify-conserved force #f))
   (define (domain) (values-at (list L Q outside) state))
   (define (within) (values-at (list L outside) state)) ; motions cross poles of Q
-  (define accelerated? #f)
-  (define (note-acceleration!) (set! accelerated? #t))
+  (define conditions '())
+  (define (note-acceleration!) (set! conditions (regular-conditions (masses L state) state)))
+  (define find-rate (rate 'verify-conserved L Q force note-acceleration!))
   (define-values (change survey)
-    (survey-derivatives (lambda ()
-                          ((rate 'verify-conserved L Q force note-acceleration!) state))
-                        (scalars state)
+    (survey-derivatives (lambda () (find-rate state)) (scalars state)
                         #:domain within #:functions domain))
   (define v (prove-zero change #:variables (scalars local) #:domain domain
                         #:surveys (list (survey-of-values (Q state)) survey)
-                        #:resting-on (if accelerated?
-                                         (regular-conditions (masses L state) state)
-                                         '())
+                        #:resting-on conditions
                         #:remarks (lambda () (append (remarks-on-quantity Q state)
                                                      (remarks-on-kind L Q)
                                                      (remarks-on-order L Q state)))

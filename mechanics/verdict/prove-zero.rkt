@@ -38,7 +38,6 @@
                     #:domain [domain (lambda () '())]
                     #:resting-on [relied-on '()] #:again [again #f])
   (check-variables names)
-  (define tests '())
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
   (define endless? #f)
   (define in-force (assumptions-in-force))
@@ -49,25 +48,32 @@
   (define beside (domain-expressions (domain-at domain (remove* names (hash-keys variables)))))
   (define A (common-assumptions (with-relations (with-domain in-force beside) relied-on) judged))
   (define kinks (once (lambda () (kinks-of surveys relied-on in-force))))
-  (define residual
-    (map-leaves (lambda (leaf)
-                  (define z (judge leaf A (hash-keys variables) kinks))
-                  (set! tests (cons (cons leaf z) tests))
-                  (zero-test-residual z))
-                judged))
-  (for ([t (in-list tests)]) (note-used! (zero-test-grounds (cdr t))))
-  (make-verdict residual (reverse (map cdr tests)) (assumptions 'declared) endless? kinks
+  (define-values (residual tests) (judge-all judged A (hash-keys variables) kinks))
+  (define zero-tests (map cdr tests))
+  (make-verdict residual zero-tests (assumptions 'declared) endless? kinks
                 (lambda (status)
-                  (append (remarks-on-residual residual status (map cdr tests))
+                  (append (remarks-on-residual residual status zero-tests)
                           (if (eq? status 'undecided)
-                              (append missing (remarks-on-domain beside (map cdr tests) A))
+                              (append missing (remarks-on-domain beside zero-tests A))
                               (remarks))))
-                (once (lambda () (ways-told (reverse tests) meaning A)))
+                (once (lambda () (ways-told tests meaning A)))
                 (or again
                     (lambda (change)
                       (prove-zero (change x) #:variables names #:surveys surveys
                                   #:remarks remarks #:meaning meaning #:domain domain
                                   #:resting-on relied-on)))))
+
+;; -> the residual, and ((scalar . test) ...) for the scalars of x
+(define (judge-all x A variables kinks)
+  (define tests '())
+  (define residual
+    (map-leaves (lambda (leaf)
+                  (define z (judge leaf A variables kinks))
+                  (set! tests (cons (cons leaf z) tests))
+                  (note-used! (zero-test-grounds z))
+                  (zero-test-residual z))
+                x))
+  (values residual (reverse tests)))
 
 ;; -> the value, and no strings.  Where a motion has a derivative nowhere, as √(x² + y²) at rest in
 ;; the origin, it is no number, and strings say so.

@@ -5,7 +5,7 @@
 ;; a list of strings and S-expressions; whoever prints it knows how wide a line
 ;; may be.
 
-(require racket/list (only-in racket/math order-of-magnitude)
+(require racket/list
          "../algebra/expression/exact-numbers.rkt" "../algebra/expression/write.rkt"
          "../error/message-words.rkt"
          "../generic/describe.rkt" "../generic/notation.rkt"
@@ -138,9 +138,15 @@
 (define (readable-decimal x digits)
   (define y (exact->inexact x))
   (cond [(memv y '(0.0 +inf.0 -inf.0))
-         (define power (order-of-magnitude (abs x)))
+         (define power (power-of-10 (abs x)))
          (format "~ae~a" (to-digits (exact->inexact (/ x (expt 10 power))) digits) power)]
         [else (readable y digits)]))
+
+;; The greatest n with 10ⁿ ≤ x
+(define (power-of-10 x)
+  (define digits (string-length (number->string (floor (if (< x 1) (/ x) x)))))
+  (define n (if (< x 1) (- digits) (- digits 1)))
+  (if (<= (expt 10 (+ n 1)) x) (+ n 1) n))
 
 ;; Flonums to fewer digits than they have: 9.81 - 9.8 is 0.009999999999999787, of
 ;; which all but 0.01 is rounding.  Pairs that are shared stay so: written out there may be

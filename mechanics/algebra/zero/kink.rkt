@@ -186,21 +186,11 @@
   (define (at sort wanted? u #:beside [beside #f])
     (for/list ([f (in-list (factors-where wanted? u s))]) (candidate sort (node) f beside)))
   (define (end wanted? u) (if (search-values? s) (at 'no-value wanted? u) '()))
-  (define (kinks wanted? fs)
-    (for/list ([f (in-list fs)] #:when (wanted? f)) (candidate 'kink (node) (surface-zero f) #f)))
+  (define (kinks fs) (for/list ([f (in-list fs)]) (candidate 'kink (node) (surface-zero f) #f)))
   (define (like-root u n)
-    (append (kinks-of-root u n) (end (if (positive? n) odd? any) u)))
-  (define (kinks-of-root u n)
-    (define fs (surfaces-of (if (search-values? s) u (without-radii u s)) s))
-    (define-values (even odd) (partition (lambda (f) (even? (surface-power f))) fs))
-    (define may-be-0 (filter (lambda (f) (not (never-zero? (surface-zero f) s))) odd))
-    (append (kinks (lambda (f) (and (abrupt? (* n (surface-power f)) s) (not (one-sided? f s))))
-                   even)
-            (kinks (lambda (f) (touched? f n (surfaces-apart? may-be-0) s)) may-be-0)))
+    (append (kinks (kinks-of-root u n s)) (end (if (positive? n) odd? any) u)))
   (case name
-    [(abs) (kinks (lambda (f) (and (odd? (surface-power f)) (abrupt? (surface-power f) s)
-                                   (not (one-sided? f s))))
-                  (surfaces-of x s))]
+    [(abs) (kinks (kinks-of-absolute-value x s))]
     [(sgn) (at 'jump any x)]
     [(sqrt) (like-root x 1/2)]
     [(asin acos) (like-root (e:- 1 (e:expt x 2)) 1/2)]
@@ -211,7 +201,7 @@
     [(tan) (end any (e:apply op:cos x))]
     [(=) (if (search-values? s) (at 'jump any (e:- x (cadr arguments))) '())]
     [(expt) (let ([n (exact-power (cadr arguments))])
-              (cond [(not n) (append (kinks-of-root x 1/2) (end any x))]
+              (cond [(not n) (append (kinks (kinks-of-root x 1/2 s)) (end any x))]
                     [(not (integer? n)) (like-root x n)]
                     [(negative? n) (end any x)]
                     [else '()]))]
@@ -227,6 +217,23 @@
     [else (make-node (find-operation name) arguments)]))
 
 (define (any k) #t)
+;; -> the factors of u at whose zeros |u| has a kink
+(define (kinks-of-absolute-value u s)
+  (for/list ([f (in-list (surfaces-of u s))]
+             #:when (odd? (surface-power f))
+             #:when (abrupt? (surface-power f) s)
+             #:unless (one-sided? f s))
+    f))
+
+;; -> the same of uⁿ, n being half an odd number or the like
+(define (kinks-of-root u n s)
+  (define fs (surfaces-of (if (search-values? s) u (without-radii u s)) s))
+  (define-values (even odd) (partition (lambda (f) (even? (surface-power f))) fs))
+  (define may-be-0 (filter (lambda (f) (not (never-zero? (surface-zero f) s))) odd))
+  (append (filter (lambda (f) (and (abrupt? (* n (surface-power f)) s) (not (one-sided? f s))))
+                  even)
+          (filter (lambda (f) (touched? f n (surfaces-apart? may-be-0) s)) may-be-0)))
+
 ;; Has |x|^k a kink, when it is differentiated so often?
 (define (abrupt? k s)
   (not (or (and (integer? k) (even? k) (positive? k))

@@ -16,7 +16,6 @@
 
 (require racket/list
          "half-angles.rkt"
-         "../assumption/assumption-set.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../rewriting/collect.rkt"
