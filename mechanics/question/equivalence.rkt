@@ -17,7 +17,7 @@
 ;; general.  Where both equations restrict states, as y = 0 and y = 1 do, no motion is at
 ;; such a state, rows with 1 in place of 0 span the same, and nothing follows.
 
-(require (only-in racket/list append-map)
+(require (only-in racket/list append-map in-combinations range)
          "gauge.rkt" "argument-order.rkt" "regular-masses.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/solve/nonzero-conditions.rkt"
@@ -188,13 +188,26 @@
 (define (augmented rows b)
   (for/list ([row (in-list rows)] [x (in-list b)]) (append row (list x))))
 
+;; Conditions under which a matrix of these rows has rank r: a minor keeps its value.
+(define (rank-conditions rows r local)
+  (define minor
+    (for*/first ([chosen (in-combinations rows r)]
+                 [columns (in-combinations (range (length (car rows))) r)]
+                 [m (in-value (for/list ([row (in-list chosen)])
+                                (for/list ([k (in-list columns)]) (list-ref row k))))]
+                 #:unless (or (null? m) (zero-expression? (determinant (apply matrix-by-rows m)))))
+      m))
+  (if minor (regular-conditions (apply matrix-by-rows minor) local) '()))
+
 ;; What one takes to zero the other must, the one of the lesser rank being asked first.
 (define (by-row-spaces A1 A2 local surveys domain)
   (define-values (m1 m2) (values (apply matrix-by-rows A1) (apply matrix-by-rows A2)))
   (define v
     (let-values ([(m other) (if (<= (rank m1) (rank m2)) (values m1 A2) (values m2 A1))])
       (judged (append-map (lambda (y) (rows-times-list other (scalars y))) (null-space m))
-              local surveys domain)))
+              local surveys domain
+              (append-map (lambda (m A) (rank-conditions A (rank m) local))
+                          (list m1 m2) (list A1 A2)))))
   (equivalence (and (proved? v) 'combination) #f #f v))
 
 ;; ---------------------------------------------------------------------------

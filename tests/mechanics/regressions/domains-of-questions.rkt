@@ -89,6 +89,16 @@
                                 (verify-equivalent-Lagrangians L L-hidden line)))
                   "((< h 5) (> (abs h) 0))")))
 
+(test-case "nor what keeps the rank of singular masses"
+  (define (sum s) (+ (ref s 2 0) (ref s 2 1)))
+  (define (L s) (* 1/2 (square (sum s))))
+  (define (L-fourth s) (* 1/12 'c (expt (sum s) 4)))
+  (define plane (up 't (up 'x 'y) (up 'u 'v)))
+  (for ([v (in-list (list (verify-equivalent-Lagrangians L L-fourth plane)
+                          (verify-equivalent-Lagrangians L-fourth L plane)))])
+    (check-pred proved? v)
+    (check-equal? (format "~s" (verdict-assumptions v)) "((> (abs c) 0))")))
+
 (test-case "reasons and conditions are true and real"
   (define v (prove-zero (exp (- -1000 (square 'x)))))
   (check-pred refuted? v)
