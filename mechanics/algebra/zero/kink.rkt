@@ -115,10 +115,12 @@
 (define (excluded? place needs A)
   (for/or ([r (in-list needs)])
     (define u
-      (simplify-expression
-       (substitute-expression (requirement-of r) (list (cons (cadr place) (caddr place)))) A))
-    (define sign (known-sign u A))
-    (case (requirement-sort r)
+      (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
+        (simplify-expression
+         (substitute-expression (requirement-of r) (list (cons (cadr place) (caddr place)))) A)))
+    (define sign (and u (known-sign u A)))
+    (case (and u (requirement-sort r))
+      [(#f) #t]                         ; it has no value there itself
       [(not-zero) (eqv? u 0)]
       [(positive) (or (eqv? u 0) (eqv? sign -1))]
       [else (eqv? sign -1)])))

@@ -213,6 +213,9 @@
     (for/or ([x (in-list (symbols-in u))]) (solve-equations (list u) (list x) A)))
   (or (not roots)
       (for/or ([r (in-list roots)])
-        (define there (substitute-expression (surface-zero f) (car r)))
-        (for/or ([g (in-list (surfaces there (surface-variables f) A))])
-          (even? (surface-power g))))))
+        (define there
+          (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)]) ; it has no value
+            (substitute-expression (surface-zero f) (car r))))
+        (and there
+             (for/or ([g (in-list (surfaces there (surface-variables f) A))])
+               (even? (surface-power g)))))))

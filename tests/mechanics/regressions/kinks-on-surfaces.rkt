@@ -110,6 +110,12 @@
                                               (/ (* 'G 'M) (coordinate s))))
                                (lambda (t) (expt (* 9/2 'G 'M (square t)) 1/3)))))
 
+(test-case "a place, or a parameter, at which something is divided by 0"
+  (check-pred proved? (energy-verdict (lambda (x y)
+                                        (+ (/ 'k (sqrt (+ (square (+ x (/ 'c 'a))) (square y))))
+                                           (/ 'k (sqrt (+ (square (- x (/ 'a 'c))) (square y))))))))
+  (check-pred proved? (energy-verdict (lambda (x y) (log (abs (/ (abs x) (+ x (/ 1 x)))))))))
+
 (test-case "other questions that differentiate"
   (define line (up 't 'x 'v))
   (define H (lambda (s) (* 1/2 (square (ref s 2)))))
