@@ -328,9 +328,16 @@
   (define difference (simplify-expression (e:- upper lower) (search-assumptions s)))
   (and (plain-at-0? x upper s)
        (plain-at-0? x lower s)
+       (same-at-0? x e upper s)
        (or (eqv? difference 0)
            (let ([power (assoc x (expression-factors difference (search-assumptions s)))])
              (and power (> (cdr power) (search-order s)))))))
+
+;; Has e, where x is 0, the value to which it leads?  sgn(x²) has not.
+(define (same-at-0? x e upper s)
+  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
+    (define (at-0 e) (substitute-expression e (list (cons x 0))))
+    (eqv? 0 (simplify-expression (e:- (at-0 e) (at-0 upper)) (search-assumptions s)))))
 
 ;; Is e, where x is 0, defined and without a kink, as a formula?
 (define (plain-at-0? x e s)

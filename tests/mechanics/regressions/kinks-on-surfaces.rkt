@@ -85,6 +85,12 @@
 (test-case "but the first derivative may be missing"
   (for-each check-kinks (potentials (x y) (* x (abs x)) (square (- (abs x) 'l)) (abs (sin x)))))
 
+(test-case "or the value at one point may be another"
+  (define (jumps V) (verdict-reason (energy-verdict V)))
+  (check-equal? (jumps (lambda (x y) (sgn (square x)))) 'kinks)
+  (check-equal? (jumps (lambda (x y) (abs (sgn (+ (square x) (expt x 4)))))) 'kinks)
+  (check-equal? (jumps (lambda (x y) (sgn (sqrt (expt x 4))))) 'kinks))
+
 (test-case "parameters at which a distance is a kink are told"
   (define-syntax-rule (told (x y) [e condition ...] ...)
     (begin (check-smooth (car (potentials (x y) e)) 'condition ...) ...))
