@@ -81,7 +81,7 @@
     (raise-interrupted who e))
   formula)
 
-;; What is taken for granted of the result is a condition, too: √(a²) = a where a ≥ 0.
+;; A sign that the result takes for granted is a condition, too: √(a²) = a where a ≥ 0.
 (define (difference high low A note!)
   (define-values (simple grounds) (simplify-expression/needed (e:- high low) A))
   (note! (filter (lambda (g) (not (eq? (car g) 'left-unexpanded))) (at-last grounds)))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The domain of a question, as prove-zero takes it: all that it speaks of, as expressions.
 ;;
-;; What is asked of a Lagrangian at a path is asked of it at a state of symbols, and the path is put
+;; A Lagrangian along a path is evaluated at a state of symbols, and the path is put
 ;; in then: log(x − 2) stays log(1 − 2), where evaluating gives a complex number.
 
 (require (only-in racket/list append-map)

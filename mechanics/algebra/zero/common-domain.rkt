@@ -49,7 +49,7 @@
            (if part (smallest part) e))]))
 
 ;; ---------------------------------------------------------------------------
-;; What a value requires
+;; Requirements of a value
 
 ;; sort : 'not-zero, 'positive or 'not-negative     of : an expression
 (struct requirement (sort of) #:transparent)
