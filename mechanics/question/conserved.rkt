@@ -47,9 +47,9 @@
 
 (define (conserved-by-Lagrangian L Q local force)
   (check-arguments 'verify-conserved L Q)
-  (check-generic-states 'verify-conserved local L Q (external-force 'verify-conserved force #f))
-  (define state (state-of local))
   (define outside (external-force 'verify-conserved force #f))
+  (check-generic-states 'verify-conserved local L Q outside)
+  (define state (state-of local))
   (define (domain) (values-at (list L Q outside) state))
   (define (within) (values-at (list L outside) state)) ; motions cross poles of Q
   (define conditions '())

@@ -29,7 +29,8 @@
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
          "../solve/factors.rkt" (only-in "../solve/nonzero-conditions.rkt" not-zero)
          "../simplify/declare.rkt" "../simplify/known-sign.rkt"
-         "../simplify/simplify-expression.rkt")
+         "../simplify/simplify-expression.rkt"
+         "../../error/computed-once.rkt")
 
 (provide find-kinks make-kink-question (struct-out kink))
 
@@ -73,6 +74,7 @@
     (values ks (reverse (search-grounds s))))
   (define-values (all grounds) (search-under strict))
   (define needs (append-map requirements (kink-question-domain q)))
+  (define find-nonzero (once (lambda () (nonzero-factors needs A))))
   (define facts
     (if (andmap hole? all)
         '()
@@ -81,17 +83,22 @@
   (define-values (kept more)
     (if (null? facts) (values all '()) (search-under (with-relations strict facts))))
   (define inside
-    (filter values (for/list ([k (in-list kept)] #:unless (hole? k)) (within-domain k needs A))))
+    (for*/list ([k (in-list kept)]
+                #:unless (hole? k)
+                [left (in-value (within-domain k needs find-nonzero A))]
+                #:when left)
+      left))
   (values (append inside (filter hole? all) (nowhere operations))
-          (filter (lambda (d) (not (required? d needs A)))
+          (filter (lambda (d) (not (required? d find-nonzero)))
                   (remove-duplicates (remove* facts (append grounds more))))))
 
 ;; Is it (> (abs u) 0) with a u that is not 0 where all has a value?
-(define (required? datum needs A)
+(define (required? datum find-nonzero)
   (define left (cadr datum))
   (and (pair? left)
        (eq? (car left) 'abs)
-       (factor-of-nonzero? (datum->expression (cadr left)) needs A)))
+       (member (datum->expression (cadr left)) (find-nonzero))
+       #t))
 
 (define (hole? k) (eq? (kink-sort k) 'no-value))
 
@@ -103,13 +110,13 @@
 ;; The domain
 
 ;; The kink without its places at which something required does not hold; #f if none is left.
-(define (within-domain k needs A)
+(define (within-domain k needs find-nonzero A)
   (define equations (kink-equations k))
   (cond [(or (null? needs) (null? equations)) k]
         [(kink-solved? k)
          (define left (filter (lambda (q) (not (excluded? q needs A))) equations))
          (and (pair? left) (struct-copy kink k [equations left]))]
-        [else (and (not (factor-of-nonzero? (cadr (car equations)) needs A)) k)]))
+        [else (and (not (member (cadr (car equations)) (find-nonzero))) k)]))
 
 ;; place : (= symbol expression)
 (define (excluded? place needs A)
@@ -125,13 +132,13 @@
       [(positive) (or (eqv? u 0) (eqv? sign -1))]
       [else (eqv? sign -1)])))
 
-;; Does something that may not be 0 vanish with f?
-(define (factor-of-nonzero? f needs A)
-  (for*/or ([r (in-list needs)]
-            #:unless (eq? (requirement-sort r) 'not-negative)
-            [g (in-list (expression-factors (requirement-of r) A))]
-            [sign (in-list '(1 -1))])
-    (equal? f (simplify-expression (e:* sign (without-absolute-value (car g))) A))))
+;; -> the factors of all that may not be 0, simplified, with either sign
+(define (nonzero-factors needs A)
+  (for*/list ([r (in-list needs)]
+              #:unless (eq? (requirement-sort r) 'not-negative)
+              [g (in-list (expression-factors (requirement-of r) A))]
+              [sign (in-list '(1 -1))])
+    (simplify-expression (e:* sign (without-absolute-value (car g))) A)))
 
 (define (without-absolute-value e)
   (if (or (headed? e op:abs) (headed? e op:sqrt)) (car (node-args e)) e))
