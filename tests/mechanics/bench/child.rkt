@@ -8,13 +8,13 @@
 
 ;; What is loaded when it is first asked for is loaded before the clock starts.
 (define (load-rooms)
-  (for ([file (in-list '(algebra/linear/characteristic algebra/linear/elimination
+  (for ([file (in-list '(algebra/elimination/characteristic algebra/elimination/elimination
                          algebra/rewriting/apart algebra/rewriting/collect
                          algebra/rewriting/expand algebra/rewriting/factor
                          algebra/zero/zero-test
                          calculus/integral
                          compile/compile-function
-                         map/iterated-map
+                         dynamics/map/iterated-map
                          motion/evolution motion/evolve-trajectory motion/find-path))])
     (dynamic-require (string->symbol (format "mechanics/~a" file)) #f)))
 
