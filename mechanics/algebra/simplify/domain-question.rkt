@@ -8,7 +8,7 @@
          "../assumption/ledger.rkt" "../assumption/narrowing.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/symbols.rkt")
 
-(provide question-about neutral-workspace)
+(provide question-about domain-assumptions neutral-workspace)
 
 ;; For what is asked of no one question; it takes no sign for granted.
 (define (neutral-workspace)

@@ -57,7 +57,6 @@
   (define next (+ (if (exact-integer? n) (floor low) low) size))
   (cond [(infinite? low) (if (infinite? high) n (- (ceiling high) size))]
         [(< next high) next]
-        [(< (+ (floor low) 1) high) (+ (floor low) 1)]
         [else (+ low (* (- high low) (/ size (+ size 1))))]))
 
 ;; Do the relations certainly hold where the leaves have these values?  p : the precision, in bits

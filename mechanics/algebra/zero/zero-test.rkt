@@ -17,7 +17,7 @@
 (require racket/list
          "vanishing-factors.rkt" "condition.rkt" "decimals.rkt" "equation.rkt"
          "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt"
-         "region.rkt" "witness.rkt"
+         "real-proof.rkt" "region.rkt" "witness.rkt"
          "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
          "../assumption/relation.rkt"
          (only-in "../assumption/signs.rkt" signs-within? zero)
@@ -237,6 +237,7 @@
                   (pair? grounds)))
   (cond [witness (make-zero-test 'refuted witness value bound points #f '() f)]
         [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t A))]
+        [(prove-among-reals (tape->expression t) A) (vanishing-test t (form 0 1 0 '() no-ways '() '()) A)]
         [else
          (define reason (and (zero? points) 'nowhere))
          (make-zero-test 'undecided #f value bound points reason '() f)]))
