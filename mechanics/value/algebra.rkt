@@ -28,8 +28,8 @@
  ["../algebra/zero/common-domain.rkt" domain-expressions in-place-of somewhere-real?
                                      part-without-value]
  ["../algebra/zero/decimals.rkt" too-many-to-read? reading-decimal reading-expression]
- ["../algebra/zero/kink.rkt" find-kinks make-kink-question kink-sort kink-expression
-                             kink-equations kink-solved? kink-family?]
+ ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations
+                             kink-solved? kink-family?]
  ["../algebra/zero/nondegeneracy.rkt" make-meaning meaning-values meaning-matrix meaning-moving
                                 meaning-variables meaningful? independent-equations
                                 solutions replaced]

@@ -130,7 +130,7 @@
 (define (kinks-of surveys relied-on A)
   (define found
     (for/list ([s (in-list (if (procedure? surveys) (surveys) surveys))])
-      (call-with-values (lambda () (survey-kinks s A)) list)))
+      (call-with-values (lambda () (s A)) list)))
   (values (remove-duplicates (append-map first found))
           (append relied-on (append-map second found))))
 

@@ -12,9 +12,10 @@
          "../generic/describe.rkt" "../generic/kinks-met.rkt"
          "../value/algebra.rkt")
 
-(provide survey-derivatives survey-of-values survey-kinks unused-name)
+(provide survey-derivatives survey-of-values unused-name)
 
-;; operations : ((name expression ...) ...) that were met
+;; A survey: assumptions -> kinks, and the assumptions under which there are no more
+
 ;; variables : symbols by which one differentiates
 ;; places : -> ((variable . expression) ...), put in for them in the end
 ;; unknowns : symbols to solve for              values? : must all have a value, as a path must?
@@ -22,18 +23,31 @@
 ;; functions : -> expressions in the variables, of which the derivatives are; if all of them are
 ;; smooth at a kink, it is none
 ;; order : how often a function is differentiated
-(struct survey (operations variables places unknowns values? domain functions order) #:authentic)
-
-(define (nothing) '())
-
 ;; -> the value of (thunk), and a survey of it
-(define (survey-derivatives thunk variables #:put [places nothing]
+(define (survey-derivatives thunk variables #:put [find-places nothing]
                             #:solve-for [unknowns variables] #:have-values? [values? #f]
                             #:domain [domain nothing] #:functions [functions nothing]
                             #:order [order 2])
   (define-values (x found) (call-noting-kinks thunk))
-  (define operations (for/list ([m (in-list found)]) (cons (met-name m) (met-arguments m))))
-  (values x (survey operations variables places unknowns values? domain functions order)))
+  (define (survey A)
+    (define places (find-places))
+    (define names
+      (names-of unknowns (append (append-map met-arguments found) (map cdr places))))
+    (define (rename e) (substitute-expression e names))
+    (find-kinks
+     (for/list ([m (in-list found)]) (cons (met-name m) (map rename (met-arguments m))))
+     (map rename variables)
+     A
+     #:places (for/list ([entry (in-list places)]) (cons (car entry) (rename (cdr entry))))
+     #:unknowns (map rename unknowns)
+     #:values? values?
+     #:domain (for/list ([e (in-list (domain-expressions (domain)))]) (in-place-of names e))
+     #:functions (map rename (functions))
+     #:order order))
+  (values x (if (null? found) without-kinks survey)))
+
+(define (nothing) '())
+(define (without-kinks A) (values '() '()))
 
 ;; A survey of the value x itself: of expressions in it that hold a non-number.
 (define (survey-of-values x)
@@ -41,34 +55,12 @@
     (for/list ([leaf (in-list (leaves x))]
                #:when (and (expression? leaf) (holds-no-number? leaf)))
       (list 'nowhere leaf)))
-  (survey holes '() nothing '() #t nothing nothing 2))
+  (if (null? holes) without-kinks (lambda (A) (find-kinks holes '() A))))
 
 (define (holds-no-number? e)
   (some-leaf? (lambda (leaf) (and (number? leaf) (not (rational? (magnitude leaf))))) e))
 
 ;; ---------------------------------------------------------------------------
-
-;; -> kinks under assumptions A, and the assumptions under which there are no more
-(define (survey-kinks s A)
-  (if (null? (survey-operations s)) (values '() '()) (kinks-among s A)))
-
-(define (kinks-among s A)
-  (define places ((survey-places s)))
-  (define names
-    (names-of (survey-unknowns s)
-              (append (append-map cdr (survey-operations s)) (map cdr places))))
-  (define (rename e) (if (null? names) e (substitute-expression e names)))
-  (find-kinks
-   (make-kink-question
-    (for/list ([o (in-list (survey-operations s))]) (cons (car o) (map rename (cdr o))))
-    (map rename (survey-variables s))
-    (for/list ([entry (in-list places)]) (cons (car entry) (rename (cdr entry))))
-    (map rename (survey-unknowns s))
-    (survey-values? s)
-    (for/list ([e (in-list (domain-expressions ((survey-domain s))))]) (in-place-of names e))
-    (map rename ((survey-functions s)))
-    (survey-order s))
-   A))
 
 ;; An alist of names for the symbols that are uninterned.
 (define (names-of symbols es)

@@ -15,7 +15,7 @@
 
 (provide domain-expressions in-place-of somewhere-real? part-without-value
          ;; what a value requires
-         (struct-out requirement) requirements)
+         (struct-out requirement) requirements requirement-of-node)
 
 ;; xs : values -> those of the expressions among them that may lack a real value somewhere
 (define (domain-expressions xs)
@@ -27,9 +27,7 @@
        (not (everywhere-defined? (expression->plain-tape x)))))
 
 (define (all-numbers-real? e)
-  (node-fold e
-             (lambda (leaf) (or (symbol? leaf) (and (real? leaf) (rational? leaf))))
-             (lambda (n parts) (andmap values parts))))
+  (all-leaves? (lambda (leaf) (or (symbol? leaf) (rational? leaf))) e))
 
 ;; e with expressions in place of symbols, nothing being evaluated
 (define (in-place-of replacements e) (substitute-expression e replacements make-node))
@@ -56,26 +54,28 @@
 
 ;; -> requirements under which e has a value, if its other parts have
 (define (requirements e)
-  (define found '())
-  (define (require! sort u)
-    (unless (number? u) (set! found (cons (requirement sort u) found))))
-  (node-fold e
-             void
-             (lambda (n _)
-               (define head (node-head n))
-               (define args (node-args n))
-               (define u (and (pair? args) (car args)))
-               (cond [(eq? head op:/) (require! 'not-zero (cadr args))]
-                     [(eq? head op:sqrt) (require! 'not-negative u)]
-                     [(eq? head op:log) (require! 'positive u)]
-                     [(eq? head op:tan) (require! 'not-zero (e:apply op:cos u))]
-                     [(eq? head op:atanh) (require! 'positive (e:- 1 (e:expt u 2)))]
-                     [(memq head (list op:asin op:acos))
-                      (require! 'not-negative (e:- 1 (e:expt u 2)))]
-                     [(eq? head op:acosh) (require! 'not-negative (e:- u 1))]
-                     [(eq? head op:expt)
-                      (define n (cadr args))
-                      (cond [(not (rational? n)) (void)]
-                            [(negative? n) (require! (if (integer? n) 'not-zero 'positive) u)]
-                            [(not (integer? n)) (require! 'not-negative u)])])))
-  (reverse found))
+  (for*/list ([n (in-list (nodes-in e))]
+              [r (in-value (requirement-of-node n))]
+              #:when (and r (symbolic? (requirement-of r))))
+    r))
+
+;; Of the node alone, or #f
+(define (requirement-of-node n)
+  (define head (node-head n))
+  (define args (node-args n))
+  (define u (and (pair? args) (car args)))
+  (cond [(eq? head op:/) (requirement 'not-zero (cadr args))]
+        [(eq? head op:sqrt) (requirement 'not-negative u)]
+        [(eq? head op:log) (requirement 'positive u)]
+        [(eq? head op:tan) (requirement 'not-zero (e:apply op:cos u))]
+        [(eq? head op:atanh) (requirement 'positive (e:- 1 (e:expt u 2)))]
+        [(memq head (list op:asin op:acos)) (requirement 'not-negative (e:- 1 (e:expt u 2)))]
+        [(eq? head op:acosh) (requirement 'not-negative (e:- u 1))]
+        [(eq? head op:expt) (requirement-of-power u (cadr args))]
+        [else #f]))
+
+(define (requirement-of-power u n)
+  (cond [(not (rational? n)) #f]
+        [(negative? n) (requirement (if (integer? n) 'not-zero 'positive) u)]
+        [(integer? n) #f]
+        [else (requirement 'not-negative u)]))

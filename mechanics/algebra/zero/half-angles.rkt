@@ -9,38 +9,46 @@
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt")
 
-(provide rationalized)
+(provide rationalized (struct-out stand-in) exponential-stand-in?)
 
-;; -> e with a symbol of its own for the tangent of half of each step, and for each exponential;
-;; and ((symbol sine cosine) ...) or ((symbol exponential 1) ...): what they are quotients of
+;; A symbol for a quotient: for the tangent of half a step, of sine and cosine, or for an exponential,
+;; over 1
+(struct stand-in (symbol over under) #:authentic)
+
+(define (exponential-stand-in? t) (eqv? 1 (stand-in-under t)))
+
+;; -> e in terms of symbols, and what they stand for
 (define (rationalized e)
-  (define circular (steps-of e circular-functions))
-  (define exponential (steps-of e exponential-functions))
-  (define (rational n)
-    (define head (node-head n))
-    (define (turn) (turned (car (node-args n)) circular))
-    (define (growth) (grown (car (node-args n)) exponential))
-    (cond [(memq head circular-functions)
-           (define z (turn))
-           (and z
-                (cond [(eq? head op:cos) (car z)]
-                      [(eq? head op:sin) (cdr z)]
-                      [else (e:/ (cdr z) (car z))]))]
-          [(memq head exponential-functions)
-           (define g (growth))
-           (and g (by-exponential head g))]
-          [else #f]))
+  (define angles (steps-of e circular-functions))
+  (define growths (steps-of e exponential-functions))
   (define memo (make-memo))
-  (values (let walk ([e e])
-            (if (node? e)
-                (memo e (lambda ()
-                          (or (rational e) (rebuild (node-head e) (map walk (node-args e))))))
-                e))
-          (append (for/list ([s (in-list circular)])
-                    (define h (e:* 1/2 (step-size s)))
-                    (list (step-symbol s) (e:apply op:sin h) (e:apply op:cos h)))
-                  (for/list ([s (in-list exponential)])
-                    (list (step-symbol s) (e:apply op:exp (step-size s)) 1)))))
+  (define (walk e) (if (node? e) (memo e (lambda () (walk-node e))) e))
+  (define (walk-node n)
+    (or (rational-form n angles growths) (rebuild (node-head n) (map walk (node-args n)))))
+  (values (walk e) (append (map half-tangent angles) (map exponential growths))))
+
+(define (half-tangent s)
+  (define half (e:* 1/2 (step-size s)))
+  (stand-in (step-symbol s) (e:apply op:sin half) (e:apply op:cos half)))
+
+(define (exponential s) (stand-in (step-symbol s) (e:apply op:exp (step-size s)) 1))
+
+;; -> an expression in symbols, or #f
+(define (rational-form n angles growths)
+  (define head (node-head n))
+  (cond [(memq head circular-functions)
+         (define z (turned (car (node-args n)) angles))
+         (and z (by-turn head z))]
+        [(memq head exponential-functions)
+         (define g (grown (car (node-args n)) growths))
+         (and g (by-exponential head g))]
+        [else #f]))
+
+;; z : a pair of cosine and sine
+(define (by-turn head z)
+  (cond [(eq? head op:cos) (car z)]
+        [(eq? head op:sin) (cdr z)]
+        [else (e:/ (cdr z) (car z))]))
 
 (define exponential-functions (list op:exp op:sinh op:cosh op:tanh))
 
@@ -61,16 +69,13 @@
 (define (step-size s) (e:* (step-measure s) (step-atom s)))
 
 (define (steps-of e heads)
-  (define found (make-hash))            ; atom -> measure
-  (define order '())
-  (define (note! term)
-    (unless (hash-has-key? found (cdr term)) (set! order (cons (cdr term) order)))
-    (hash-update! found (cdr term) (lambda (m) (gcd m (car term))) 0))
-  (node-fold e void
-             (lambda (n _)
-               (when (memq (node-head n) heads) (for-each note! (multiples (car (node-args n)))))))
-  (for/list ([atom (in-list (reverse order))])
-    (step atom (hash-ref found atom) (string->uninterned-symbol "T"))))
+  (define terms
+    (for*/list ([n (in-list (nodes-in e))]
+                #:when (memq (node-head n) heads)
+                [m (in-list (multiples (car (node-args n))))])
+      m))
+  (for/list ([group (in-list (group-by cdr terms))])
+    (step (cdr (car group)) (apply gcd (map car group)) (string->uninterned-symbol "T"))))
 
 ;; -> ((rational . atom) ...), the sum of which is e
 (define (multiples e)

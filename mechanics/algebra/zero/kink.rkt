@@ -32,7 +32,7 @@
          "../simplify/simplify-expression.rkt"
          "../../error/computed-once.rkt")
 
-(provide find-kinks make-kink-question (struct-out kink))
+(provide find-kinks (struct-out kink))
 
 ;; sort : 'kink, 'jump or 'no-value           expression : in which it is, such as |t − 2|
 ;; equations : (= t 2) ... or, where these cannot be solved for, (= u 0), and what else holds
@@ -42,6 +42,13 @@
 ;; zero : a factor that vanishes there         beside : what must be negative, or #f
 (struct candidate (sort expression zero beside) #:authentic)
 
+;; variables ... order : as find-kinks has them
+;; assumptions : not automatic; automatic? : were they?
+;; grounds : datums of assumptions by which something was dropped
+(struct search
+  (variables places unknowns values? functions order assumptions automatic? [grounds #:mutable])
+  #:authentic)
+
 ;; operations : ((name argument ...) ...) that a derivative met; (nowhere e) of an e that has
 ;; no value anywhere
 ;; variables : symbols, of which a factor must have one to count
@@ -50,36 +57,27 @@
 ;; domain : expressions, places put in, that are to have a value; where one has none is no kink
 ;; functions : expressions in the variables, differentiated `order` times; if all of them are
 ;; smooth at a kink, it is none
-(struct kink-question (operations variables places unknowns values? domain functions order)
-  #:constructor-name make-kink-question #:authentic)
-
-;; assumptions : not automatic; automatic? : were they?
-;; grounds : datums of assumptions by which something was dropped
-(struct search (question assumptions automatic? [grounds #:mutable]) #:authentic)
-
-(define (search-variables s) (kink-question-variables (search-question s)))
-(define (search-places s) (kink-question-places (search-question s)))
-(define (search-unknowns s) (kink-question-unknowns (search-question s)))
-(define (search-values? s) (kink-question-values? (search-question s)))
-(define (search-functions s) (kink-question-functions (search-question s)))
-(define (search-order s) (kink-question-order (search-question s)))
-
 ;; -> kinks, and datums of assumptions under which there are no more
-(define (find-kinks q A)
-  (define operations (kink-question-operations q))
+;; It is a variable, since a macro would have to be loaded to be known for one.
+(define-values (find-kinks)
+  (lambda (operations variables A #:places [places '()] #:unknowns [unknowns variables]
+           #:values? [values? #f] #:domain [domain '()] #:functions [functions '()]
+           #:order [order 2])
+    (define (search-under assumptions)
+      (define s (search variables places unknowns values? functions order
+                        assumptions (assumptions-automatic? A) '()))
+      (define ks (together (kinks-of operations s)))
+      (values ks (reverse (search-grounds s))))
+    (search-in-domain search-under (append-map requirements domain) operations places A)))
+
+;; The search is repeated with the facts that hold wherever there are values, if it found kinks.
+;; search-under : assumptions -> kinks and grounds
+(define (search-in-domain search-under needs operations places A)
   (define strict (with-automatic-assumptions A #f))
-  (define (search-under assumptions)
-    (define s (search q assumptions (assumptions-automatic? A) '()))
-    (define ks (together (kinks-of operations s)))
-    (values ks (reverse (search-grounds s))))
-  (define-values (all grounds) (search-under strict))
-  (define needs (append-map requirements (kink-question-domain q)))
   (define find-nonzero (once (lambda () (nonzero-factors needs A))))
+  (define-values (all grounds) (search-under strict))
   (define facts
-    (if (andmap hole? all)
-        '()
-        (remove-duplicates
-         (append (facts-of needs) (facts-about operations (kink-question-places q))))))
+    (if (andmap hole? all) '() (facts-of (append needs (needs-of operations)) places)))
   (define-values (kept more)
     (if (null? facts) (values all '()) (search-under (with-relations strict facts))))
   (define inside
@@ -143,30 +141,23 @@
 (define (without-absolute-value e)
   (if (or (headed? e op:abs) (headed? e op:sqrt)) (car (node-args e)) e))
 
-(define (facts-of needs)
-  (for*/list ([r (in-list needs)]
-              [relation (in-value (case (requirement-sort r)
-                                    [(positive) '>]
-                                    [(not-negative) '>=]
-                                    [else #f]))]
-              #:when relation)
-    (list relation (expression->datum (requirement-of r)) 0)))
-
-;; What holds wherever there are values, as datums: radicands are not negative, and of what
-;; there is a logarithm is positive.  It costs nothing, and says nothing of ends themselves.
-(define (facts-about operations places)
+;; The requirements of these operations themselves
+(define (needs-of operations)
   (for*/list ([o (in-list operations)]
-              [relation (in-value (case (car o)
-                                    [(log) '>]
-                                    [(sqrt) '>=]
-                                    [(expt) (and (broken? (caddr o)) '>=)]
-                                    [else #f]))]
-              #:when relation
-              [x (in-value (substitute-expression (cadr o) places))]
-              #:when (symbolic? x))
-    (list relation (expression->datum x) 0)))
+              #:unless (eq? (car o) 'nowhere)
+              [r (in-value (requirement-of-node (shown (car o) (cdr o))))]
+              #:when r)
+    r))
 
-(define (broken? n) (and (rational? n) (not (integer? n))))
+;; What they say of signs, as datums, with places put in.  It costs nothing, and says nothing of
+;; ends themselves.
+(define (facts-of needs places)
+  (remove-duplicates
+   (for*/list ([r (in-list needs)]
+               #:unless (eq? (requirement-sort r) 'not-zero)
+               [u (in-value (substitute-expression (requirement-of r) places))]
+               #:when (symbolic? u))
+     (list (if (eq? (requirement-sort r) 'positive) '> '>=) (expression->datum u) 0))))
 
 (define (kinks-of operations s)
   (for*/list ([o (in-list operations)]
@@ -226,6 +217,7 @@
     [else (make-node (find-operation name) arguments)]))
 
 (define (any k) #t)
+
 ;; -> the factors of u at whose zeros |u| has a kink
 (define (kinks-of-absolute-value u s)
   (for/list ([f (in-list (surfaces-of u s))]
@@ -248,8 +240,9 @@
   (not (or (and (integer? k) (even? k) (positive? k))
            (> k (search-order s)))))
 
-;; Is an odd factor of a radicand ≥ 0 with zeros on a surface, or along a path with any zero; or may
-;; it be so?  Notes the conditions on parameters.  apart? : has it no zeros in common with others?
+;; f : a factor of odd power of the radicand u ≥ 0.  Has uⁿ a kink where f is 0?  It has along a
+;; path, and on a surface of zeros; zeros that are no surface are a distance's.  What parameters must
+;; not be for that is noted.  apart? : has f no zeros in common with other factors?
 (define (touched? f n apart? s)
   (define A (search-assumptions s))
   (cond [(> (* 2 n (surface-power f)) (search-order s)) #f]
@@ -271,13 +264,9 @@
 
 (define (radius? u s)
   (define terms (if (headed? u op:+) (node-args u) '()))
-  (define (circular? e)
-    (node-fold e (lambda (leaf) #f)
-               (lambda (n found?s)
-                 (or (ormap values found?s)
-                     (and (memq (node-head n) circular-functions) (varies? n s))))))
+  (define (turns? n) (and (memq (node-head n) circular-functions) (varies? n s)))
   (and (pair? terms)
-       (andmap circular? terms)
+       (andmap (lambda (e) (some-node? turns? e)) terms)
        (andmap (lambda (e) (signs-within? (known-signs (signs-of e s)) nonnegative)) terms)
        (let ([r (simplify-expression u (search-assumptions s))])
          (and (headed? r op:expt) (symbol? (car (node-args r))) (eqv? 2 (cadr (node-args r)))))))
@@ -287,22 +276,20 @@
 
 (define (exact-power n) (and (rational? n) (inexact->exact n)))
 
-(define (varies? e s) (mentions? e (search-variables s)))
-(define (mentions? e symbols) (ormap (lambda (x) (occurs? x e)) symbols))
+(define (varies? e s) (any-occurs? (search-variables s) e))
+(define (any-occurs? symbols e) (ormap (lambda (x) (occurs? x e)) symbols))
 
 ;; Expressions that vanish where e has a pole.
 (define (poles-within e)
-  (define found '())
-  (define (add! u) (set! found (cons u found)))
-  (node-fold e void
-             (lambda (n _)
-               (define args (node-args n))
-               (define head (node-head n))
-               (cond [(eq? head op:/) (add! (cadr args))]
-                     [(eq? head op:tan) (add! (e:apply op:cos (car args)))]
-                     [(and (eq? head op:expt) (real? (cadr args)) (negative? (cadr args)))
-                      (add! (car args))])))
-  (reverse found))
+  (filter-map pole-of (nodes-in e)))
+
+(define (pole-of n)
+  (define head (node-head n))
+  (define args (node-args n))
+  (cond [(eq? head op:/) (cadr args)]
+        [(eq? head op:tan) (e:apply op:cos (car args))]
+        [(and (eq? head op:expt) (real? (cadr args)) (negative? (cadr args))) (car args)]
+        [else #f]))
 
 ;; The factors of u that vary, of the powers that are wanted.
 (define (factors-where wanted? u s)
@@ -422,13 +409,13 @@
 
 ;; Is e the same all along the path, and not 0?
 (define (parameter? e s)
-  (and (pair? (search-places s)) (not (eqv? e 0)) (not (mentions? e (search-unknowns s)))))
+  (and (pair? (search-places s)) (not (eqv? e 0)) (not (any-occurs? (search-unknowns s) e))))
 
 ;; The sign of what does not vary may be assumed, where assumptions are automatic.
 (define (taken-not-negative? e s)
   (define free?
     (and (search-automatic? s)
-         (not (mentions? e (search-unknowns s)))
+         (not (any-occurs? (search-unknowns s) e))
          (signs-within? positive (known-signs (signs-of e s)))))
   (when free?
     (note-grounds! (list (list '>= (expression->datum e) 0)) s))

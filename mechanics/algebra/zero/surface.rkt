@@ -27,8 +27,8 @@
 
 ;; zero : vanishes there; it varies            power : of the factor
 ;; polynomial : the factor in symbols     kernels : ((kernel variable ...) ...), its varying parts
-;; tangents : what its symbols are (half-angles.rkt)     variables : symbols
-(struct surface (zero power polynomial kernels tangents variables) #:authentic)
+;; stand-ins : what its symbols stand for (half-angles.rkt)     variables : symbols
+(struct surface (zero power polynomial kernels stand-ins variables) #:authentic)
 
 ;; The factors of u that vary; a factor that is a product with squares in tangents is taken apart.
 (define (surfaces u variables A)
@@ -37,21 +37,21 @@
     (struct-copy surface g [power (* (cdr f) (surface-power g))])))
 
 (define (parts-of f variables A)
-  (define-values (rational tangents) (rationalized f))
+  (define-values (rational stand-ins) (rationalized f))
   (define (part zero power polynomial)
     (define kernels
       (for*/list ([k (in-list (kernels-of polynomial))]
-                  [vs (in-value (variables-of k variables tangents))]
+                  [vs (in-value (variables-of k variables stand-ins))]
                   #:when (pair? vs))
         (cons k vs)))
-    (surface zero power polynomial kernels tangents variables))
+    (surface zero power polynomial kernels stand-ins variables))
   (define factors
-    (if (null? tangents) (list (cons f 1)) (expression-factors rational A)))
+    (if (null? stand-ins) (list (cons f 1)) (expression-factors rational A)))
   (define parts
-    (for/list ([g (in-list (append factors (at-infinity factors tangents A)))]
+    (for/list ([g (in-list (append factors (at-infinity factors stand-ins A)))]
                #:when (positive? (cdr g))
-               #:unless (exponential? (car g) tangents)
-               #:when (pair? (variables-of (car g) variables tangents)))
+               #:unless (exponential? (car g) stand-ins)
+               #:when (pair? (variables-of (car g) variables stand-ins)))
       g))
   (define (all-single?) (andmap (lambda (g) (eqv? 1 (cdr g))) parts))
   (cond [(null? parts) '()]
@@ -59,42 +59,45 @@
          (list (part f 1 (for/fold ([product 1]) ([g (in-list parts)]) (e:* product (car g)))))]
         [else
          (for/list ([g (in-list parts)])
-           (part (original (car g) tangents A) (cdr g) (car g)))]))
+           (part (original (car g) stand-ins A) (cdr g) (car g)))]))
 
 ;; Where a cosine of half an angle is 0 its tangent is infinite: 1 + cos x is 2/(1 + T²).
-(define (at-infinity factors tangents A)
-  (for*/list ([t (in-list tangents)]
-              #:unless (exponential? (car t) tangents)
+(define (at-infinity factors stand-ins A)
+  (for*/list ([t (in-list stand-ins)]
+              #:unless (exponential-stand-in? t)
               [power (in-value (for/sum ([f (in-list factors)])
-                                 (* -1 (cdr f) (degree (car f) (car t) A))))]
+                                 (* -1 (cdr f) (degree (car f) (stand-in-symbol t) A))))]
               #:unless (eqv? power 0))
-    (cons (caddr t) power)))
+    (cons (stand-in-under t) power)))
 
-(define (exponential? e tangents)
-  (for/or ([t (in-list tangents)]) (and (eq? e (car t)) (eqv? 1 (caddr t)))))
+(define (exponential? e stand-ins)
+  (for/or ([t (in-list stand-ins)])
+    (and (eq? e (stand-in-symbol t)) (exponential-stand-in? t))))
 
 (define (degree e k A)
   (for/last ([n (in-range (add1 most-degree))] #:unless (eqv? 0 (coefficient e k n A))) n))
 
-;; The tangents put in, as a numerator.
-(define (original e tangents A)
-  (define used (filter (lambda (t) (occurs? (car t) e)) tangents))
+;; The quotients put in, as a numerator.
+(define (original e stand-ins A)
+  (define used (filter (lambda (t) (occurs? (stand-in-symbol t) e)) stand-ins))
   (cond [(null? used) e]
-        [(eq? e (car (car used))) (cadr (car used))]
+        [(eq? e (stand-in-symbol (car used))) (stand-in-over (car used))]
         [else
          (define whole
            (substitute-expression
-            e (for/list ([t (in-list used)]) (cons (car t) (e:/ (cadr t) (caddr t))))))
+            e (for/list ([t (in-list used)])
+                (cons (stand-in-symbol t) (e:/ (stand-in-over t) (stand-in-under t))))))
          (for/fold ([product 1]) ([f (in-list (expression-factors whole A))]
                                   #:unless (real? (car f))
                                   #:when (positive? (cdr f)))
            (e:* product (e:expt (car f) (cdr f))))]))
 
 ;; The variables on which e depends.
-(define (variables-of e variables tangents)
+(define (variables-of e variables stand-ins)
   (filter (lambda (v)
             (or (occurs? v e)
-                (for/or ([t (in-list tangents)]) (and (occurs? (car t) e) (occurs? v (cadr t))))))
+                (for/or ([t (in-list stand-ins)])
+                  (and (occurs? (stand-in-symbol t) e) (occurs? v (stand-in-over t))))))
           variables))
 
 ;; Symbols, and what stands between them that is no arithmetic.
@@ -103,9 +106,7 @@
    (let walk ([e e])
      (cond [(symbol? e) (list e)]
            [(not (node? e)) '()]
-           [(or (memq (node-head e) (list op:+ op:- op:* op:/))
-                (and (eq? (node-head e) op:expt) (exact-integer? (cadr (node-args e)))))
-            (append-map walk (node-args e))]
+           [(arithmetic-node? e) (append-map walk (node-args e))]
            [else (list e)]))))
 
 ;; ---------------------------------------------------------------------------
@@ -113,23 +114,23 @@
 
 ;; If the factor stands to an odd power and is never negative, has its zero more than one equation?
 (define (surface-separate? f A)
-  (define own (independent (surface-kernels f) (surface-tangents f) (surface-variables f)))
+  (define own (independent (surface-kernels f) (surface-stand-ins f) (surface-variables f)))
   (define all (map car (surface-kernels f)))
   (cond [(null? own) #f]
         [(= (length own) (length all)) #t]
         [else
          (for/or ([c (in-list (coefficients (surface-polynomial f) own A))])
-           (and (not (mentions? c all)) (null? (not-zero c A))))]))
+           (and (not (has-kernel? c all)) (null? (not-zero c A))))]))
 
 ;; Does one of the kernels stand in e?
-(define (mentions? e kernels)
+(define (has-kernel? e kernels)
   (ormap (lambda (k) (and (member k kernels) #t)) (kernels-of e)))
 
 ;; kernels : ((kernel variable ...) ...) -> those that have a variable of their own, and are no
 ;; roots, which may have a least value
-(define (independent kernels tangents variables)
+(define (independent kernels stand-ins variables)
   (for/list ([k (in-list kernels)]
-             #:when (monotonic? (car k) tangents variables)
+             #:when (monotonic? (car k) stand-ins variables)
              #:when (for/or ([v (in-list (cdr k))])
                       (for/and ([other (in-list kernels)])
                         (or (eq? other k) (not (memq v (cdr other)))))))
@@ -145,9 +146,9 @@
 
 ;; Has the kernel no least value that it may touch: is it a symbol, an unknown function, or a
 ;; tangent or exponential of a multiple of a variable?
-(define (monotonic? k tangents variables)
-  (define entry (assq k tangents))
-  (cond [entry (multiple-of-variable? (car (node-args (cadr entry))) variables)]
+(define (monotonic? k stand-ins variables)
+  (define t (findf (lambda (t) (eq? k (stand-in-symbol t))) stand-ins))
+  (cond [t (multiple-of-variable? (car (node-args (stand-in-over t))) variables)]
         [else (or (symbol? k) (literal-head? (node-head k)))]))
 
 (define (multiple-of-variable? e variables)
@@ -188,14 +189,14 @@
   (remove-duplicates
    (for/list ([u (in-list (append (discriminant-factors f kernels A) (parameters-of f)))]
               #:when (square-where-0? u f A))
-     (original u (surface-tangents f) A))))
+     (original u (surface-stand-ins f) A))))
 
 (define (discriminant-factors f kernels A)
   (for*/list ([k (in-list kernels)]
               [d (in-value (discriminant (surface-polynomial f) k A))]
               #:when d
               [u (in-list (factors-of (list d) A))]
-              #:unless (mentions? u kernels))
+              #:unless (has-kernel? u kernels))
     u))
 
 (define (parameters-of f)

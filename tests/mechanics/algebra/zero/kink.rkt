@@ -15,12 +15,12 @@
                #:unknowns [unknowns '(x y)])
   (define A (if (null? relations) no-assumptions (declare-relations no-assumptions relations)))
   (define-values (kinks grounds)
-    (find-kinks (make-kink-question
-                 (list (cons (car operation) (map expression (cdr operation))))
-                 '(x y)
-                 (for/list ([p (in-list places)]) (cons (car p) (expression (cdr p))))
-                 unknowns values? '() '() 2)
-                A))
+    (find-kinks (list (cons (car operation) (map expression (cdr operation))))
+                '(x y)
+                A
+                #:places (for/list ([p (in-list places)]) (cons (car p) (expression (cdr p))))
+                #:unknowns unknowns
+                #:values? values?))
   (for/list ([k (in-list kinks)]) (plain (cons (kink-sort k) (kink-equations k)))))
 
 (define-syntax-rule (finds [operation kink ...] ...)

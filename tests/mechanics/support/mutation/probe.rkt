@@ -95,11 +95,11 @@
 (define (kinks-wrong? entry)
   (define-values (operation domain functions kinks conditions) (apply values entry))
   (define-values (found grounds)
-    (find-kinks (make-kink-question
-                 (list (cons (car operation) (map datum->expression (cdr operation))))
-                 '(x y) '() '(x y) #f
-                 (map datum->expression domain) (map datum->expression functions) 2)
-                no-assumptions))
+    (find-kinks (list (cons (car operation) (map datum->expression (cdr operation))))
+                '(x y)
+                no-assumptions
+                #:domain (map datum->expression domain)
+                #:functions (map datum->expression functions)))
   (unlike operation (list kinks conditions)
           (read-back (list (for/list ([k (in-list found)]) (cons (kink-sort k) (kink-equations k)))
                            grounds))))
