@@ -15,9 +15,11 @@
 ;; is integrated in u: x/√(x² + y²) with u = x² + y².  That is tried first, as
 ;; sin³x cos x looks better with u = sin x than as a sum of waves.
 
-(require "expression-function.rkt" "quadratic-antiderivative.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
+(require (only-in racket/list append-map remove-duplicates)
+         "expression-function.rkt" "quadratic-antiderivative.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt"
+                 "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
 (provide antiderivative potential)
@@ -40,8 +42,7 @@
     (and rest (simplify-expression (e:+ F rest) A))))
 
 (define (integral-term-by-term e x A branches?)
-  (and (node? e)
-       (eq? (node-head e) op:+)
+  (and (headed? e op:+)
        (for/fold ([sum 0]) ([term (in-list (node-args e))])
          (define integral (and sum (antiderivative term x A branches?)))
          (and integral (e:+ sum integral)))))
@@ -84,7 +85,7 @@
 ;; Products of more terms than these are not made.
 (define most-terms 2000)
 
-(define (product us vs A fail)
+(define (product us vs A)
   (when (> (* (length us) (length vs)) most-terms) (fail))
   (for*/list ([u (in-list us)] [v (in-list vs)] [w (in-list (product-of-two u v A))]) w))
 
@@ -108,10 +109,10 @@
 
 ;; The power r of a single term without a wave; of others only r = 1, 2, 3 ...  A power of x may
 ;; have any exponent without x, as n in xⁿ.
-(define (power us r A fail)
+(define (power us r A)
   (define u (and (pair? us) (null? (cdr us)) (car us)))
   (cond [(exact-positive-integer? r)
-         (for/fold ([result us]) ([_ (in-range (sub1 r))]) (product result us A fail))]
+         (for/fold ([result us]) ([_ (in-range (sub1 r))]) (product result us A))]
         [(and u (eq? (term-w u) 'one) (rational? r) (exact? r)
               (or (integer? r) (and (plain? u) (eqv? (term-c u) 1))))
          (list (term (e:expt (term-c u) r) (e:* r (term-n u)) (e:* r (term-p u)) 'one 0 0))]
@@ -123,13 +124,16 @@
 ;; From expressions
 
 (define (integral-of-waves e x A)
-  (let/ec return
-    (define (fail) (return #f))
-    (for/fold ([sum 0] #:result (simplify-expression sum A))
-              ([u (in-list (terms-of e x A fail))])
-      (e:+ sum (term-integral u x A fail)))))
+  (with-handlers ([no-sum-of-waves? (lambda (_) #f)])
+    (simplify-expression
+     (rebuild op:+ (for/list ([u (in-list (terms-of e x A))]) (term-integral u x)))
+     A)))
 
-(define (terms-of e x A fail)
+;; Raised by what is no sum of waves, or has no integral that is one.
+(struct no-sum-of-waves ())
+(define (fail) (raise (no-sum-of-waves)))
+
+(define (terms-of e x A)
   (define (combine n arguments)
     (define head (node-head n))
     (define args (map (lambda (us k) (or us (list (constant k)))) arguments (node-args n)))
@@ -139,12 +143,12 @@
           [(eq? head op:-)
            (append (argument 0) (for/list ([u (in-list (argument 1))]) (scaled -1 u)))]
           [(eq? head op:*)
-           (for/fold ([result (car args)]) ([us (in-list (cdr args))]) (product result us A fail))]
-          [(eq? head op:/) (product (argument 0) (power (argument 1) -1 A fail) A fail)]
+           (for/fold ([result (car args)]) ([us (in-list (cdr args))]) (product result us A))]
+          [(eq? head op:/) (product (argument 0) (power (argument 1) -1 A) A)]
           [(and (eq? head op:expt) (not (cadr arguments)))
-           (power (argument 0) (cadr (node-args n)) A fail)]
-          [(eq? head op:sqrt) (power (argument 0) 1/2 A fail)]
-          [(memq head (list op:exp op:sin op:cos)) (function-of-line head (argument 0) A fail)]
+           (power (argument 0) (cadr (node-args n)) A)]
+          [(eq? head op:sqrt) (power (argument 0) 1/2 A)]
+          [(memq head (list op:exp op:sin op:cos)) (function-of-line head (argument 0) A)]
           [else (fail)]))
   (or (node-fold e
                  (lambda (leaf) (and (eq? leaf x) (list (term 1 1 0 'one 0 0))))
@@ -152,7 +156,7 @@
       (list (constant e))))
 
 ;; Of an argument a x + b.
-(define (function-of-line head us A fail)
+(define (function-of-line head us A)
   (define (coefficient n)
     (for/fold ([sum 0] #:result (simplify-expression sum A)) ([u (in-list us)])
       (if (eqv? (term-n u) n) (e:+ sum (term-c u)) sum)))
@@ -165,12 +169,12 @@
 ;; Integrals
 
 ;; -> an expression
-(define (term-integral u x A fail)
+(define (term-integral u x)
   (define-values (c n) (values (term-c u) (term-n u)))
   (cond [(not (plain? u))
          (unless (exact-nonnegative-integer? n) (fail))
-         (for/fold ([sum 0]) ([v (in-list (integral-in-parts u n))])
-           (e:+ sum (term->expression v x)))]
+         (rebuild op:+ (for/list ([v (in-list (integral-in-parts u n))])
+                         (term->expression v x)))]
         [(eqv? n -1) (e:* c (e:apply op:log x))]
         [else (e:* (e:/ c (e:+ n 1)) (e:expt x (e:+ n 1)))]))
 
@@ -214,26 +218,18 @@
 ;; powers in e that depend on x, these functions themselves, functions of which literal functions
 ;; are derivatives, and denominators.
 (define (arguments-within e x)
-  (define found '())
-  (define (note! u)
-    (unless (or (eq? u x) (tuple-of-arguments? u) (member u found)) (set! found (cons u found))))
-  (node-fold e
-             (lambda (leaf) (eq? leaf x))
-             (lambda (n depends)
-               (define depends? (ormap values depends))
-               (define head (node-head n))
-               (cond [(not depends?) (void)]
-                     [(eq? head op:/) (when (cadr depends) (note! (cadr (node-args n))))]
-                     [(not (memq head (list op:+ op:- op:*)))
-                      (for ([u (in-list (node-args n))] [moves? (in-list depends)] #:when moves?)
-                        (note! u))
-                      (for-each note! (lowered n))
-                      (note! n)])
-               depends?))
-  (reverse found))
+  (define (moving es) (filter (lambda (u) (occurs? x u)) es))
+  (define (candidates n)
+    (define args (node-args n))
+    (cond [(null? (moving args)) '()]
+          [(headed? n op:/) (moving (cdr args))]
+          [(memq (node-head n) (list op:+ op:- op:*)) '()]
+          [else (append (moving args) (lowered n) (list n))]))
+  (define (good? u) (not (or (eq? u x) (tuple-of-arguments? u))))
+  (remove-duplicates (filter good? (append-map candidates (nodes-in e)))))
 
 (define (tuple-of-arguments? u)
-  (and (node? u) (memq (node-head u) (list op:up op:down)) #t))
+  (or (headed? u op:up) (headed? u op:down)))
 
 ;; The applied literal functions of which n may be a derivative.
 (define (lowered n)

@@ -2,14 +2,13 @@
 ;; An expression as a function of some of its symbols, over the generic arithmetic:
 ;; of numbers, expressions, and what derivatives are taken with.
 
-(require racket/list
-         "derivative.rkt" "literal-function.rkt"
+(require "derivative.rkt" "literal-function.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
          "../generic/up-down.rkt"
          "../value/shape.rkt")
 
-(provide evaluate-generically evaluate-at expression-derivative parts-of-expression)
+(provide evaluate-generically evaluate-at expression-derivative)
 
 ;; The value of e with values in place of symbols, ((symbol . value) ...).
 (define (evaluate-generically e point)
@@ -41,14 +40,3 @@
 ;; ∂e/∂x, an expression
 (define (expression-derivative e x)
   (derivative-at (lambda (value) (evaluate-generically e (list (cons x value)))) x))
-
-;; part-of : node -> what it contributes, or #f
-;; -> what all nodes of e contribute, each once
-(define (parts-of-expression e part-of)
-  (define found '())
-  (let walk ([e e])
-    (when (node? e)
-      (define part (part-of e))
-      (when part (set! found (cons part found)))
-      (for-each walk (node-args e))))
-  (remove-duplicates found))

@@ -23,8 +23,8 @@
 (require racket/list
          "expression-function.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/pi.rkt" "../algebra/expression/read.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt" "../algebra/expression/read.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/solve/nonzero-conditions.rkt"
          "../algebra/simplify/declare.rkt" "../algebra/simplify/known-sign.rkt"
@@ -51,22 +51,22 @@
 (define (integral-conditions-of e F x low high A)
   (define p (make-path x low high A))
   (define-values (moving still) (partition (moves? p) (factors-of (denominators F) A)))
-  (let/ec return
-    (define (fail) (return #f))
-    (check-domain e p fail)
+  (with-handlers ([nothing-told? (lambda (_) #f)]
+                  [exn:algebra:contradiction? (lambda (_) #f)])
+    (check-domain e p)
     (define conditions
-      (append
-       (append-map (lambda (u) (without-zero u p fail)) (append moving (other-cuts F p fail)))
-       (append-map (lambda (power) (finite-power power p fail)) (symbolic-powers F x))
-       (append-map (lambda (u) (not-zero u A)) (remove* (factors-of (denominators e) A) still))
-       (grounds-of F e p fail)))
-    (remove-duplicates (possible conditions A fail))))
-
-;; The conditions; (fail) where they contradict each other.
-(define (possible conditions A fail)
-  (with-handlers ([exn:algebra:contradiction? (lambda (e) (fail))])
+      (remove-duplicates
+       (append
+        (append-map (lambda (u) (without-zero u p)) (append moving (other-cuts F p)))
+        (append-map (lambda (power) (finite-power power p)) (symbolic-powers F x))
+        (append-map (lambda (u) (not-zero u A)) (remove* (factors-of (denominators e) A) still))
+        (grounds-of F e p))))
     (declare-relations A conditions)
     conditions))
+
+;; Raised where no conditions are known.
+(struct nothing-told ())
+(define (fail) (raise (nothing-told)))
 
 (define ((moves? p) u) (occurs? (path-x p) u))
 (define (at u p end) (substitute-expression u (list (cons (path-x p) end))))
@@ -83,7 +83,7 @@
   (define real
     (node-fold F values
                (lambda (n args)
-                 (if (eq? (node-head n) op:log)
+                 (if (headed? n op:log)
                      (real-logarithm (car args))
                      (rebuild (node-head n) args)))))
   (if (eqv? 0 (simplify-expression (e:- (derivative real p) e) A)) real F))
@@ -91,16 +91,10 @@
 ;; ---------------------------------------------------------------------------
 ;; Parts of an expression
 
-(define (denominators e)
-  (parts-of-expression e (lambda (n)
-             (define args (node-args n))
-             (cond [(eq? (node-head n) op:/) (cadr args)]
-                   [(and (eq? (node-head n) op:expt) (real? (cadr args)) (negative? (cadr args)))
-                    (car args)]
-                   [else #f]))))
+(define (denominators e) (parts-in e divisor-of))
 
-;; Expressions besides denominators without a zero on the path; (fail) where F may jump elsewhere.
-(define (other-cuts F p fail)
+;; Expressions besides denominators without a zero on the path; fails where F may jump elsewhere.
+(define (other-cuts F p)
   (define (cut n)
     (define u (car (node-args n)))
     (define (either-sign) (if (pair? (cdr (node-args n))) (fail) #f))
@@ -112,32 +106,32 @@
              [(atan) (either-sign)]
              [(floor ceiling round truncate) (fail)]
              [else #f])]))
-  (factors-of (parts-of-expression F (lambda (n) (and (operation? (node-head n)) (cut n))))
+  (factors-of (parts-in F (lambda (n) (and (operation? (node-head n)) (cut n))))
               (path-A p)
               (moves? p)))
 
 ;; (base . exponent) of powers with an exponent that is no number
 (define (symbolic-powers F x)
-  (parts-of-expression F (lambda (n)
-             (define args (node-args n))
-             (and (eq? (node-head n) op:expt)
-                  (occurs? x (car args))
-                  (not (real? (cadr args)))
-                  (cons (car args) (cadr args))))))
+  (parts-in F (lambda (n)
+                (define args (node-args n))
+                (and (headed? n op:expt)
+                     (occurs? x (car args))
+                     (not (real? (cadr args)))
+                     (cons (car args) (cadr args))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Values on the path
 
-;; (fail) where a radicand, or what e has a logarithm of, is negative at an end or in the middle.
-(define (check-domain e p fail)
+;; Fails where a radicand, or what e has a logarithm of, is negative at an end or in the middle.
+(define (check-domain e p)
   (define places (list (path-low p) (path-high p) (e:/ (e:+ (path-low p) (path-high p)) 2)))
-  (for* ([u (in-list (parts-of-expression e radicand))] [x (in-list places)])
+  (for* ([u (in-list (parts-in e radicand))] [x (in-list places)])
     (when (eqv? -1 (known-sign (at u p x) (path-A p))) (fail))))
 
 (define (radicand n)
   (define args (node-args n))
   (and (or (memq (node-head n) (list op:sqrt op:log))
-           (and (eq? (node-head n) op:expt)
+           (and (headed? n op:expt)
                 (rational? (cadr args))
                 (not (integer? (cadr args)))))
        (car args)))
@@ -146,39 +140,39 @@
 ;; No zero on the path
 
 ;; -> conditions
-(define (without-zero u p fail)
+(define (without-zero u p)
   (cond [(memv (known-sign u (path-inside p)) '(1 -1)) '()]
-        [(radicand-of-root u) => (lambda (v) (factors-without-zero v p fail))]
-        [(or (line? u p) (monotone? u p)) (same-sign-at-ends u p fail)]
+        [(radicand-of-root u) => (lambda (v) (factors-without-zero v p))]
+        [(or (line? u p) (monotone? u p)) (same-sign-at-ends u p)]
         [(wave-of-line? u p)
-         (append (within-half-turn (car (node-args u)) p fail) (same-sign-at-ends u p fail))]
-        [(norm u p) => (lambda (n) (factors-without-zero n p fail))]
-        [(discriminant-of u p) => (lambda (d) (quadratic-without-zero u d p fail))]
+         (append (within-half-turn (car (node-args u)) p) (same-sign-at-ends u p))]
+        [(norm u p) => (lambda (n) (factors-without-zero n p))]
+        [(discriminant-of u p) => (lambda (d) (quadratic-without-zero u d p))]
         [else (fail)]))
 
 ;; v of √v and other roots
 (define (radicand-of-root u) (and (node? u) (not (headed? u op:log)) (radicand u)))
 
-(define (factors-without-zero n p fail)
-  (append-map (lambda (u) (if ((moves? p) u) (without-zero u p fail) (not-zero u (path-A p))))
+(define (factors-without-zero n p)
+  (append-map (lambda (u) (if ((moves? p) u) (without-zero u p) (not-zero u (path-A p))))
               (factors-of (list n) (path-A p))))
 
-(define (same-sign-at-ends u p fail)
+(define (same-sign-at-ends u p)
   (define (simple e) (simplify-expression e (path-A p)))
   (define-values (a b) (values (simple (at-low u p)) (simple (at-high u p))))
-  (more-than-0 (e:* (sign-if-known a p) (sign-if-known b p)) p fail))
+  (more-than-0 (e:* (sign-if-known a p) (sign-if-known b p)) p))
 
 (define (sign-if-known e p) (or (known-sign e (path-A p)) e))
 
-(define (more-than-0 e p fail)
+(define (more-than-0 e p)
   (case (known-sign e (path-A p))
     [(1) '()]
     [(0 -1) (fail)]
     [else (list (positive e (path-A p)))]))
 
-(define (within-half-turn angle p fail)
+(define (within-half-turn angle p)
   (define turn (simplify-expression (e:- (at-high angle p) (at-low angle p)) (path-A p)))
-  (more-than-0 (e:- exact-pi (e:apply op:abs turn)) p fail))
+  (more-than-0 (e:- exact-pi (e:apply op:abs turn)) p))
 
 (define (derivative u p) (expression-derivative u (path-x p)))
 
@@ -208,11 +202,10 @@
        (let ([n (simplify-expression (e:- (e:expt (sum a) 2) (e:expt (sum b) 2)) (path-A p))])
          (and (not ((rooted? p) n)) (not (eqv? n 0)) n))))
 
-(define (sum es) (for/fold ([s 0]) ([e (in-list es)]) (e:+ s e)))
+(define (sum es) (rebuild op:+ es))
 
 (define ((rooted? p) e)
-  (pair? (parts-of-expression
-          e (lambda (n) (and (eq? (node-head n) op:sqrt) ((moves? p) (car (node-args n))))))))
+  (some-node? (lambda (n) (and (headed? n op:sqrt) ((moves? p) n))) e))
 
 ;; c₁² − 4c₀c₂ of a quadratic polynomial c₀ + c₁x + c₂x²; else #f
 (define (discriminant-of u p)
@@ -223,53 +216,53 @@
          (simplify-expression
           (e:- (e:expt c1 2) (e:* 2 (e:* (derivative slope p) (at u p 0)))) A))))
 
-(define (quadratic-without-zero u discriminant p fail)
+(define (quadratic-without-zero u discriminant p)
   (define slope (derivative u p))
   (define (root sign)
     (e:/ (e:- (e:* sign (e:apply op:sqrt discriminant)) (at slope p 0)) (derivative slope p)))
   (case (known-sign discriminant (path-A p))
     [(-1) '()]
-    [(1) (append-map (lambda (sign) (same-sign-at-ends (e:- (path-x p) (root sign)) p fail))
+    [(1) (append-map (lambda (sign) (same-sign-at-ends (e:- (path-x p) (root sign)) p))
                      '(1 -1))]
     [else (if (never-positive? discriminant (path-A p))
-              (factors-without-zero discriminant p fail)
+              (factors-without-zero discriminant p)
               (fail))]))
 
 ;; uⁿ on the path: u is positive, or 0 at an end, and n positive.
-(define (finite-power power p fail)
+(define (finite-power power p)
   (define-values (u n) (values (car power) (cdr power)))
   (unless (or (eqv? 1 (known-sign u (path-inside p))) (line? u p) (monotone? u p)) (fail))
   (append-map (lambda (end)
                 (define v (simplify-expression (at u p end) (path-A p)))
-                (more-than-0 (if (eqv? v 0) n v) p fail))
+                (more-than-0 (if (eqv? v 0) n v) p))
               (list (path-low p) (path-high p))))
 
 ;; ---------------------------------------------------------------------------
 ;; What F' = e rests on
 
-(define (grounds-of F e p fail)
+(define (grounds-of F e p)
   (define-values (_ grounds)
     (simplify-expression/assumptions (e:- (derivative F p) e) (path-A p)))
-  (append-map (lambda (g) (on-path g p fail))
+  (append-map (lambda (g) (on-path g p))
               (filter (lambda (g) (not (eq? (car g) 'left-unexpanded))) grounds)))
 
 ;; The conditions under which a relation holds on the whole path
-(define (on-path ground p fail)
+(define (on-path ground p)
   (define sides (map datum->expression (cdr ground)))
   (define (difference) (e:- (car sides) (cadr sides)))
   (cond [(not (ormap (moves? p) sides)) (list ground)]
         [else
          (case (car ground)
-           [(>) (not-negative (difference) p fail)]
-           [(>=) (not-negative (difference) p fail)]
-           [(< <=) (not-negative (e:negate (difference)) p fail)]
+           [(>) (not-negative (difference) p)]
+           [(>=) (not-negative (difference) p)]
+           [(< <=) (not-negative (e:negate (difference)) p)]
            [else (fail)])]))
 
 ;; Of a line that is told by the ends; where its values there are opposite, it is not.
-(define (not-negative u p fail)
+(define (not-negative u p)
   (define (simple e) (simplify-expression e (path-A p)))
   (define ends (list (simple (at-low u p)) (simple (at-high u p))))
-  (cond [(headed? u op:abs) (without-zero (car (node-args u)) p fail)]
+  (cond [(headed? u op:abs) (without-zero (car (node-args u)) p)]
         [(memv (known-sign u (path-inside p)) '(1 0)) '()]
         [(and (line? u p) (not (eqv? 0 (simple (sum ends)))))
          (append-map (lambda (v)

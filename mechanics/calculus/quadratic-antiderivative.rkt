@@ -10,8 +10,9 @@
 ;; (Gradshteyn and Ryzhik, 2.172, 2.261, 2.262.)
 
 (require "expression-function.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt"
+                 "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/simplify/known-sign.rkt" "../algebra/simplify/simplify-expression.rkt")
 
 (provide integral-of-quadratic)
@@ -28,12 +29,10 @@
 (define (radicands-and-denominators e x)
   (define (part n)
     (define args (node-args n))
-    (cond [(eq? (node-head n) op:/) (cadr args)]
+    (cond [(headed? n op:/) (cadr args)]
           [(memq (node-head n) (list op:sqrt op:expt)) (car args)]
           [else #f]))
-  (parts-of-expression e (lambda (n)
-                           (define u (part n))
-                           (and u (occurs? x u) u))))
+  (filter (lambda (u) (occurs? x u)) (parts-in e part)))
 
 ;; ---------------------------------------------------------------------------
 ;; Polynomials
@@ -73,20 +72,14 @@
         [(eqv? 1 (known-sign e A)) s]
         [else #f]))
 
-(define (strip-abs e)
-  (if (and (node? e) (eq? (node-head e) op:abs)) (car (node-args e)) e))
+(define (strip-abs e) (if (headed? e op:abs) (car (node-args e)) e))
 
-(define (real-constants? e)
-  (node-fold e
-             (lambda (leaf) (or (symbol? leaf) (real? leaf)))
-             (lambda (n parts) (andmap values parts))))
+(define (real-constants? e) (all-leaves? (lambda (leaf) (or (symbol? leaf) (real? leaf))) e))
 
 (define (has-root? e)
-  (node-fold e (lambda (leaf) #f)
-             (lambda (n found)
-               (or (eq? (node-head n) op:sqrt)
-                   (and (eq? (node-head n) op:expt) (not (exact-integer? (cadr (node-args n)))))
-                   (ormap values found)))))
+  (some-node? (lambda (n)
+                (or (headed? n op:sqrt) (and (headed? n op:expt) (not (integer-power? n)))))
+              e))
 
 ;; ---------------------------------------------------------------------------
 ;; The three kinds

@@ -18,8 +18,9 @@
 ;; All that is done without taking a sign for granted: a formula holds whatever those of the
 ;; parameters are.
 
-(require "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/substitute.rkt"
+(require "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt" "../algebra/expression/substitute.rkt"
+         "../algebra/expression/symbols.rkt"
          "../algebra/solve/solve-equations.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/sums-and-products.rkt" "../generic/up-down.rkt"
@@ -137,15 +138,7 @@
          (simplify (put (g:* (with R) (with (g:negate R))) (list (cons R root))))]))
 
 (define (roots-with x e)
-  (define found '())
-  (node-fold e
-             (lambda (leaf) (eq? leaf x))
-             (lambda (n moves)
-               (define here? (ormap values moves))
-               (when (and here? (eq? (node-head n) op:sqrt) (not (member n found)))
-                 (set! found (cons n found)))
-               here?))
-  found)
+  (parts-in e (lambda (n) (and (headed? n op:sqrt) (occurs? x n) n))))
 
 ;; ---------------------------------------------------------------------------
 

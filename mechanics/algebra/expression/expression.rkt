@@ -29,7 +29,7 @@
  e:+ e:- e:* e:/ e:expt e:negate e:apply
  sum? arithmetic-node? integer-power? commutative?
  ;; walks
- expression->datum make-memo node-fold nodes-in some-node? some-leaf? all-leaves?)
+ expression->datum make-memo node-fold some-leaf? all-leaves?)
 
 ;; ---------------------------------------------------------------------------
 ;; The node
@@ -302,16 +302,6 @@
     (if (node? e)
         (memo e (lambda () (combine e (map walk (node-args e)))))
         (leaf e))))
-
-;; The nodes of e, each once, after those in it.
-(define (nodes-in e)
-  (define found '())
-  (node-fold e void (lambda (n _) (set! found (cons n found))))
-  (reverse found))
-
-;; Does the predicate hold of some node of e?
-(define (some-node? good? e)
-  (node-fold e (lambda (leaf) #f) (lambda (n found) (or (ormap values found) (good? n)))))
 
 ;; Does the predicate hold of some number or symbol in e?  Of all of them?
 (define (some-leaf? good? e) (node-fold e good? (lambda (n parts) (ormap values parts))))

@@ -2,8 +2,8 @@
 ;; A root of one equation in x, and how the coefficients of x are found: from values at 0, 1 and −1,
 ;; whatever the form of the equation, with a proof that nothing else is in it.
 
-(require "../expression/expression.rkt" "../expression/operation.rkt"
-         "../expression/substitute.rkt"
+(require "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
+         "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt")
 
 (provide (struct-out root) put zero-everywhere? known-branch value-at line quotient-of
@@ -43,14 +43,6 @@
 
 ;; Of operations of these heads, the arguments in which x occurs, each once
 (define (arguments-of f x heads)
-  (define found '())
-  (node-fold f
-             (lambda (leaf) (eq? leaf x))
-             (lambda (n moves)
-               (define u (car (node-args n)))
-               (when (and (memq (node-head n) heads)
-                          (car moves)
-                          (not (member u found)))
-                 (set! found (cons u found)))
-               (ormap values moves)))
-  found)
+  (parts-in f (lambda (n)
+                (define u (car (node-args n)))
+                (and (memq (node-head n) heads) (occurs? x u) u))))

@@ -11,7 +11,7 @@
          "existence.rkt"
          "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/operation.rkt" "../expression/substitute.rkt")
+         "../expression/nodes.rkt" "../expression/operation.rkt" "../expression/substitute.rkt")
 
 (provide domain-expressions in-place-of somewhere-real? part-without-value
          ;; what a value requires
@@ -54,10 +54,7 @@
 
 ;; -> requirements under which e has a value, if its other parts have
 (define (requirements e)
-  (for*/list ([n (in-list (nodes-in e))]
-              [r (in-value (requirement-of-node n))]
-              #:when (and r (symbolic? (requirement-of r))))
-    r))
+  (filter (lambda (r) (symbolic? (requirement-of r))) (parts-in e requirement-of-node)))
 
 ;; Of the node alone, or #f
 (define (requirement-of-node n)

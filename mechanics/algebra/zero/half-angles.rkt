@@ -6,7 +6,7 @@
 ;; *steps*: of a − b and a the steps are a/2 and b/2.
 
 (require racket/list
-         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt")
 
 (provide rationalized (struct-out stand-in) exponential-stand-in?)

@@ -23,7 +23,7 @@
 (require racket/list
          "common-domain.rkt" "kink-place.rkt" "surface.rkt"
          "../assumption/assumption-set.rkt" "../assumption/signs.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/read.rkt" "../expression/substitute.rkt" "../expression/symbols.rkt"
          (only-in "../field/field.rkt" field-atlas)
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
@@ -281,15 +281,10 @@
 
 ;; Expressions that vanish where e has a pole.
 (define (poles-within e)
-  (filter-map pole-of (nodes-in e)))
-
-(define (pole-of n)
-  (define head (node-head n))
-  (define args (node-args n))
-  (cond [(eq? head op:/) (cadr args)]
-        [(eq? head op:tan) (e:apply op:cos (car args))]
-        [(and (eq? head op:expt) (real? (cadr args)) (negative? (cadr args))) (car args)]
-        [else #f]))
+  (parts-in e (lambda (n)
+                (if (headed? n op:tan)
+                    (e:apply op:cos (car (node-args n)))
+                    (divisor-of n)))))
 
 ;; The factors of u that vary, of the powers that are wanted.
 (define (factors-where wanted? u s)

@@ -56,7 +56,7 @@
   (define (all-single?) (andmap (lambda (g) (eqv? 1 (cdr g))) parts))
   (cond [(null? parts) '()]
         [(all-single?)
-         (list (part f 1 (for/fold ([product 1]) ([g (in-list parts)]) (e:* product (car g)))))]
+         (list (part f 1 (rebuild op:* (map car parts))))]
         [else
          (for/list ([g (in-list parts)])
            (part (original (car g) stand-ins A) (cdr g) (car g)))]))
@@ -87,10 +87,10 @@
            (substitute-expression
             e (for/list ([t (in-list used)])
                 (cons (stand-in-symbol t) (e:/ (stand-in-over t) (stand-in-under t))))))
-         (for/fold ([product 1]) ([f (in-list (expression-factors whole A))]
+         (rebuild op:* (for/list ([f (in-list (expression-factors whole A))]
                                   #:unless (real? (car f))
                                   #:when (positive? (cdr f)))
-           (e:* product (e:expt (car f) (cdr f))))]))
+                         (e:expt (car f) (cdr f))))]))
 
 ;; The variables on which e depends.
 (define (variables-of e variables stand-ins)
