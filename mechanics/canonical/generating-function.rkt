@@ -102,7 +102,7 @@
 (define (solved who known sought)
   (define which (variable-which known))
   (define s
-    (make-solver who (format "~a ~a" (variable-age sought) (named (variable-which sought)))
+    (mixed-variable-solver who (format "~a ~a" (variable-age sought) (named (variable-which sought)))
                  (format "the ~a state" (variable-age known))
                  (lambda (place x)
                    (define-values (t y) (time-and-variable place))

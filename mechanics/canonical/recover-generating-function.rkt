@@ -96,7 +96,7 @@
   (define t (time state))
   (define (old z) (transformed who C (state-of t (type-new k) y z)))
   (define s
-    (make-solver who
+    (mixed-variable-solver who
                  (string-append "new " (named (other (type-new k))))
                  (format "old ~a and new ~a" (named (type-old k)) (named (type-new k)))
                  (lambda (place z)
