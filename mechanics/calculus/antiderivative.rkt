@@ -16,23 +16,30 @@
 ;; sin³x cos x looks better with u = sin x than as a sum of waves.
 
 (require (only-in racket/list append-map remove-duplicates)
-         "expression-function.rkt" "quadratic-antiderivative.rkt"
+         "expression-function.rkt" "known-antiderivatives.rkt" "piecewise-antiderivative.rkt"
+         "quadratic-antiderivative.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt"
-                 "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
-         "../algebra/simplify/simplify-expression.rkt")
+         "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/rewriting/apart.rkt" "../algebra/simplify/simplify-expression.rkt"
+         "../algebra/zero/in-exponentials.rkt")
 
 (provide antiderivative potential)
 
 ;; An expression whose derivative by the symbol x is e, or #f if none was found.
 ;; A : assumptions; branches? : may it have arcs, atan and asin, which jump where their
-;; arguments are infinite, or have ends?
+;; arguments are infinite, or have ends, and absolute values?
 (define (antiderivative e x A [branches? #f])
   (define simple (simplify-expression e A))
+  (define (further e) (antiderivative e x A branches?))
   (or (integral-by-substitution simple x A)
       (integral-of-waves simple x A)
-      (and branches? (integral-of-quadratic simple x A))
-      (integral-term-by-term simple x A branches?)))
+      (and branches?
+           (or (integral-of-quadratic simple x A)
+               (integral-of-known simple x A)
+               (integral-by-sides simple x A further)))
+      (integral-term-by-term simple further)
+      (and branches? (integral-of-other-form simple x A further))))
 
 ;; An expression whose derivatives by the symbols are the slopes, if they are those of any; #f where
 ;; an antiderivative was not found.
@@ -41,11 +48,17 @@
     (define rest (and F (antiderivative (e:- slope (expression-derivative F x)) x A)))
     (and rest (simplify-expression (e:+ F rest) A))))
 
-(define (integral-term-by-term e x A branches?)
-  (and (headed? e op:+)
-       (for/fold ([sum 0]) ([term (in-list (node-args e))])
-         (define integral (and sum (antiderivative term x A branches?)))
-         (and integral (e:+ sum integral)))))
+(define (integral-term-by-term e antiderivative)
+  (and (sum? e)
+       (let ([integrals (map antiderivative (node-args e))])
+         (and (andmap values integrals) (rebuild (node-head e) integrals)))))
+
+;; By partial fractions, or by exponentials in place of hyperbolic functions
+(define (integral-of-other-form e x A antiderivative)
+  (define-values (fractions _) (partial-fractions e x A))
+  (or (and (not (equal? fractions e)) (integral-term-by-term fractions antiderivative))
+      (let ([f (hyperbolic-in-exponentials e)])
+        (and (not (eq? f e)) (integral-of-waves f x A)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Terms
@@ -204,14 +217,21 @@
 (define (integral-by-substitution e x A)
   (for/or ([u (in-list (arguments-within e x))])
     (define slope (simplify-expression (expression-derivative u x) A))
-    (and (not (eqv? slope 0))
-         (integral-in u (simplify-expression (e:/ e slope) A) x A))))
+    (and (not (eqv? slope 0)) (integral-in u slope e x A))))
 
-;; ∫ e du, if e depends on x through u alone
-(define (integral-in u e x A)
+;; ∫ e/u' du, if e/u' depends on x through u alone.  Of a line u, x itself is one in u.
+(define (integral-in u slope e x A)
   (define y (string->uninterned-symbol "u"))
-  (define in-y (substitute-expression e (list (cons u y))))
-  (define integral (and (not (occurs? x in-y)) (integral-of-waves in-y y A)))
+  (define x-by-y
+    (and (not (occurs? x slope)) (e:/ (e:- y (substitute-expression u (list (cons x 0)))) slope)))
+  (define in-y
+    (if x-by-y
+        (substitute-expression e (list (cons u y) (cons x x-by-y)))
+        (substitute-expression (simplify-expression (e:/ e slope) A) (list (cons u y)))))
+  (define (of-whole e) (or (integral-of-waves e y A) (integral-of-known e y A)))
+  (define integral
+    (and (not (occurs? x in-y))
+         (of-whole (if x-by-y (simplify-expression (e:/ in-y slope) A) in-y))))
   (and integral (simplify-expression (substitute-expression integral (list (cons y u))) A)))
 
 ;; Candidates for a substitution, the innermost first: arguments, other than x, of functions and

@@ -8,6 +8,7 @@
 ;;   u a line in x, or monotone        u(low) u(high) > 0
 ;;   u = sin v or cos v, v a line      the same, and |v(high) − v(low)| < π
 ;;   u = a + b with a root in b        a² − b² has no zero
+;;   u = a + b sin v or a + b cos v    a² − b² > 0
 ;;   u quadratic, with roots r         as for the lines x − r
 ;;
 ;; Of anything else nothing can be told, and there is no formula.  A condition never speaks of x,
@@ -21,7 +22,7 @@
 ;; A condition is a relation as `assume` takes it; that u is not 0 is (> (abs u) 0).
 
 (require racket/list
-         "expression-function.rkt"
+         "expression-function.rkt" (only-in "known-antiderivatives.rkt" linear-in)
          (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt" "../algebra/expression/read.rkt"
@@ -30,20 +31,23 @@
          "../algebra/simplify/declare.rkt" "../algebra/simplify/known-sign.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
-(provide integral-conditions-of continuous-logarithms)
+(provide between-ends integral-conditions-of continuous-logarithms)
 
 ;; x : the variable, which goes from low to high
 ;; A : assumptions; inside : the same, with x between the ends, if their order is known
 (struct path (x low high A inside) #:authentic)
 
-(define (make-path x low high A)
+(define (make-path x low high A) (path x low high A (between-ends x low high A)))
+
+;; The assumptions with x between the ends, if their order is known
+(define (between-ends x low high A)
   (define (between from to) (list (relation-of '<= from x) (relation-of '<= x to)))
   (define facts
     (case (known-sign (e:- high low) A)
       [(1) (between low high)]
       [(-1) (between high low)]
       [else '()]))
-  (path x low high A (with-relations A facts)))
+  (with-relations A facts))
 
 (define (relation-of head a b) (list head (expression->datum a) (expression->datum b)))
 
@@ -103,6 +107,7 @@
            (case (operation-name (node-head n))
              [(log sgn) u]
              [(tan) (e:apply op:cos u)]
+             [(atanh) (e:- 1 (e:expt u 2))]
              [(atan) (either-sign)]
              [(floor ceiling round truncate) (fail)]
              [else #f])]))
@@ -148,7 +153,17 @@
          (append (within-half-turn (car (node-args u)) p) (same-sign-at-ends u p))]
         [(norm u p) => (lambda (n) (factors-without-zero n p))]
         [(discriminant-of u p) => (lambda (d) (quadratic-without-zero u d p))]
+        [(excess-over-wave u p) => (lambda (excess) (more-than-0 excess p))]
         [else (fail)]))
+
+;; a² − b² of u = a + b w, where w is a sine or a cosine; else #f
+(define (excess-over-wave u p)
+  (define (wave n)
+    (and (memq (node-head n) (list op:sin op:cos)) ((moves? p) n) n))
+  (define waves (parts-in u wave))
+  (define-values (a b)
+    (if (= (length waves) 1) (linear-in (car waves) u (path-x p) (path-A p)) (values #f #f)))
+  (and a (simplify-expression (e:- (e:expt a 2) (e:expt b 2)) (path-A p))))
 
 ;; v of √v and other roots
 (define (radicand-of-root u) (and (node? u) (not (headed? u op:log)) (radicand u)))

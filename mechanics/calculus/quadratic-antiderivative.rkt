@@ -1,13 +1,15 @@
 #lang racket/base
 ;; Antiderivatives of what is made of one quadratic polynomial Q = c₀ + c₁x + c₂x², its root, and
-;; a line: (αx + β)/Q, (αx + β)/√Q and β√Q.  With Δ = 4c₀c₂ − c₁² and Q' = 2c₂x + c₁
+;; a line: (αx + β)/Q, (αx + β)/√Q, β√Q, β/(x√Q) and β√Q/x.  With Δ = 4c₀c₂ − c₁² and Q' = 2c₂x + c₁
 ;;
 ;;     ∫ dx/Q  = 2/√Δ atan(Q'/√Δ),   or   1/√−Δ log((Q' − √−Δ)/(Q' + √−Δ)),
 ;;     ∫ dx/√Q = 1/√−c₂ asin(−Q'/√−Δ),   or   1/√c₂ log(2√c₂√Q + Q'),
 ;;     ∫ √Q dx = Q'√Q/4c₂ + Δ/8c₂ ∫ dx/√Q,
+;;     ∫ √Q dx/x = √Q + c₀ ∫ dx/(x√Q) + c₁/2 ∫ dx/√Q,
+;;     ∫ dx/(x√Q) = 1/√−c₀ asin((2c₀ + c₁x)/(x√−Δ)),   or   −2√Q/(c₁x) where c₀ = 0,
 ;;
 ;; by the signs of Δ and c₂; where Δ is a square s², s serves for its root, whatever its sign.
-;; (Gradshteyn and Ryzhik, 2.172, 2.261, 2.262.)
+;; (Gradshteyn and Ryzhik, 2.172, 2.261, 2.262, 2.266, 2.267.)
 
 (require "expression-function.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
@@ -19,9 +21,11 @@
 
 ;; An expression, or #f
 (define (integral-of-quadratic e x A)
-  (for/or ([Q (in-list (radicands-and-denominators e x))])
-    (define q (read-quadratic Q x A))
-    (and q (or (over-quadratic e q x A) (over-root e q x A) (times-root e q x A)))))
+  (define found (radicands-and-denominators e x))
+  (for*/or ([Q (in-list found)] [power (in-list '(0 2))])
+    (define q (read-quadratic (simple (e:* Q (e:expt x power)) A) x A))
+    (and q (or (over-quadratic e q x A) (over-root e q x A) (times-root e q x A)
+               (over-variable-and-root e q x A) (root-over-variable e q x A)))))
 
 (define (simple e A) (simplify-expression e A))
 (define (root e) (e:apply op:sqrt e))
@@ -139,6 +143,35 @@
                      (e:+ (e:/ (e:* (quadratic-slope q) (root Q)) (e:* 4 c2))
                           (e:* (e:/ (quadratic-delta q) (e:* 8 c2)) J)))
                 e x A)))
+
+;; β/(x√Q)
+(define (over-variable-and-root e q x A)
+  (define factor (simple (e:* e (e:* x (root (quadratic-all q)))) A))
+  (define J (and (not (occurs? x factor)) (reciprocal-root-over-variable q x A)))
+  (and J (checked (e:* factor J) e x A)))
+
+;; β√Q/x
+(define (root-over-variable e q x A)
+  (define r (root (quadratic-all q)))
+  (define factor (simple (e:/ (e:* e x) r) A))
+  (define (both)
+    (values (if (eqv? (quadratic-c0 q) 0) 0 (reciprocal-root-over-variable q x A))
+            (reciprocal-root-integral q A)))
+  (define-values (J0 J1) (if (occurs? x factor) (values #f #f) (both)))
+  (and J0
+       J1
+       (checked (e:* factor (e:+ r (e:+ (e:* (quadratic-c0 q) J0)
+                                        (e:* (e:/ (quadratic-c1 q) 2) J1))))
+                e x A)))
+
+;; ∫ dx/(x√Q), or #f
+(define (reciprocal-root-over-variable q x A)
+  (define-values (c0 c1) (values (quadratic-c0 q) (quadratic-c1 q)))
+  (define s (simple (root (e:negate (quadratic-delta q))) A))
+  (cond [(eqv? c0 0) (e:/ (e:* -2 (root (quadratic-all q))) (e:* c1 x))]
+        [(eqv? -1 (known-sign c0 A))
+         (e:/ (e:apply op:asin (e:/ (e:+ (e:* 2 c0) (e:* c1 x)) (e:* s x))) (root (e:negate c0)))]
+        [else #f]))
 
 ;; Its derivative tells whether it is right.
 (define (checked F e x A)

@@ -1,6 +1,7 @@
 #lang racket/base
 ;; Definite integrals with symbols in their ends or their integrands, as formulas:
-;; F(high) − F(low), where F is an antiderivative (antiderivative.rkt).
+;; F(high) − F(low), where F is an antiderivative (antiderivative.rkt).  Where none is found, a claim
+;; is one itself if an end is a symbol, and its derivative there is the integrand.
 ;;
 ;; The conditions under which that is the integral (integral-conditions.rkt) are among the
 ;; assumptions used, as those of simplification are, unless they are declared or known.
@@ -10,9 +11,10 @@
          "number-argument.rkt" "perturbed-value.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
+         "../algebra/expression/symbols.rkt"
          "../algebra/simplify/declare.rkt" "../algebra/simplify/necessary-assumptions.rkt"
          "../algebra/simplify/simplify-expression.rkt"
-         "../algebra/zero/common-domain.rkt"
+         "../algebra/zero/common-domain.rkt" "../algebra/zero/zero-test.rkt"
          "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt"
          "../error/note.rkt"
          "../generic/describe.rkt" "../generic/wrong-argument.rkt"
@@ -23,7 +25,7 @@
 ;; Within a derivative an end may be perturbed: the formula is one of symbols first.  Where the
 ;; integrand is, each of its components has a formula.
 ;; receive : formula and conditions -> any
-(define (symbolic-integral who f low high [receive formula-with-notes])
+(define (symbolic-integral who f low high [receive formula-with-notes] #:claim [claim #f])
   (check-function-of-one-variable who f)
   (define (name end) (if (perturbed? end) (string->uninterned-symbol "end") end))
   (define-values (from to) (values (name low) (name high)))
@@ -38,8 +40,8 @@
       (define y (f x))
       (cond [(perturbed? y) (integral-by-components integral f y)]
             [(or (perturbed? low) (perturbed? high))
-             (evaluate-generically (between-expressions who x y from to note!) names)]
-            [else (between-expressions who x y from to note!)])))
+             (evaluate-generically (between-expressions who x y from to claim note!) names)]
+            [else (between-expressions who x y from to claim note!)])))
   (define open (undeclared conditions))
   (note-used! open)
   (receive formula open))
@@ -60,11 +62,12 @@
           [else d])))
 
 ;; y : the integrand at x; note! : is told the conditions
-(define (between-expressions who x y low high note!)
+(define (between-expressions who x y low high claim note!)
   (define A (assumptions-in-force))
+  (define inside (between-ends x low high A))
   (check-argument who expression? y "a function that gives an expression or a number")
-  (define e (simplified-integrand y x A))
-  (define F (antiderivative e x A #t))
+  (define e (simplified-integrand y x inside))
+  (define F (or (antiderivative e x inside #t) (antiderivative-in-claim claim e x low high inside)))
   (unless F
     (raise-no-answer who
                      (string-append "no formula was found for the integral of ~a"
@@ -75,11 +78,24 @@
   (unless conditions (raise-interrupted who e))
   (note! conditions)
   (define continuous (continuous-logarithms F e x low high A))
-  (define (at end) (value-at continuous x end))
+  (define (at end) (value-at continuous x end (and claim #t)))
   (define formula (difference (at high) (at low) A note!))
   (unless (somewhere-real? (domain-expressions (list formula)) (with-relations A conditions))
     (raise-interrupted who e))
   formula)
+
+;; The claim with x in place of an end, if its derivative is proved to be e between the ends
+(define (antiderivative-in-claim claim e x low high A)
+  (define (candidate end other sign)
+    (and (symbol? end)
+         (not (or (occurs? end e) (occurs? end other)))
+         (e:* sign (substitute-expression claim (list (cons end x))))))
+  (define (right? F)
+    (eq? 'proved
+         (zero-test-status (zero-test (e:- (expression-derivative F x) e)
+                                      (with-automatic-assumptions A #f)))))
+  (and (expression? claim)
+       (findf (lambda (F) (and F (right? F))) (list (candidate high low 1) (candidate low high -1)))))
 
 ;; A sign that the result takes for granted is a condition, too: √(a²) = a where a ≥ 0.
 (define (difference high low A note!)
@@ -108,9 +124,14 @@
                                "\n  given: ~a\n  to infinity, give its symbols values first")
                 (describe-with-value end)))))
 
-(define (value-at F x end)
+;; exactly? : a function of an exact number stays as it is, log 2 not being a decimal.
+(define (value-at F x end exactly?)
+  (define (exact-node head args)
+    (if (and (null? (cdr args)) (number? (car args)) (exact? (car args)))
+        (make-node head args)
+        (rebuild head args)))
   (with-handlers ([no-value? (lambda (e)
                                (raise-singular 'definite-integral
                                                "the integrand has no integral up to this end"
                                                end "end" end))])
-    (substitute-expression F (list (cons x end)))))
+    (substitute-expression F (list (cons x end)) (if exactly? exact-node rebuild))))

@@ -47,7 +47,8 @@
     (complain-of-argument 'verify-integral "an expression or a number as the claim" claim))
   (symbolic-integral 'verify-integral f low high
                      (lambda (formula conditions)
-                       (prove-zero (g:- formula claim) #:resting-on conditions))))
+                       (prove-zero (g:- formula claim) #:resting-on conditions))
+                     #:claim claim))
 
 (define (symbolic-end? end)
   (define x (comparand end))

@@ -8,20 +8,17 @@
 ;; of which P does not depend on the sign of the root, and Q changes with it.
 
 (require racket/list
-         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt")
 
-(provide nodes-in roots-in conjugate parts-by-root)
+(provide roots-in conjugate parts-by-root applications-of)
 
-;; The square roots in e, outer ones first, each once
-(define (roots-in e) (remove-duplicates (reverse (nodes-in e op:sqrt))))
+;; The square roots in e, outer ones first
+(define (roots-in e) (reverse (applications-of op:sqrt e)))
 
-;; The nodes with this head, inner ones first
-(define (nodes-in e head)
-  (define found '())
-  (node-fold e void
-             (lambda (n parts) (when (eq? (node-head n) head) (set! found (cons n found)))))
-  (reverse found))
+;; The nodes of e with this head, inner ones first, each once
+(define (applications-of head e)
+  (parts-in e (lambda (n) (and (eq? (node-head n) head) n))))
 
 ;; e with the root's opposite in its place
 (define (conjugate e root)

@@ -10,10 +10,13 @@
 (require "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt")
 
-(provide in-exponentials single-valued?)
+(provide in-exponentials hyperbolic-in-exponentials single-valued?)
 
 ;; -> expression; e itself if it has no such functions.
-(define (in-exponentials e)
+(define (in-exponentials e) (rewritten e rewritings))
+(define (hyperbolic-in-exponentials e) (rewritten e hyperbolic-rewritings))
+
+(define (rewritten e rewritings)
   (define exponential (make-exponential))
   (node-fold e
              values
@@ -40,9 +43,11 @@
 (define ((ratio unit) E u)
   (e:/ ((odd unit) E u) ((even unit) E u)))
 
+(define hyperbolic-rewritings
+  (hasheq op:cosh (even 1) op:sinh (odd 1) op:tanh (ratio 1)))
+
 (define rewritings
-  (hasheq op:cos (even +i) op:sin (odd +i) op:tan (ratio +i)
-          op:cosh (even 1) op:sinh (odd 1) op:tanh (ratio 1)))
+  (hash-set* hyperbolic-rewritings op:cos (even +i) op:sin (odd +i) op:tan (ratio +i)))
 
 ;; ---------------------------------------------------------------------------
 

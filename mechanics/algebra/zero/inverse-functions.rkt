@@ -34,7 +34,7 @@
                (define u (and (pair? args) (car args)))
                (define write (hash-ref as-logarithms (node-head n) #f))
                (cond [write (write u)]
-                     [(and (hyperbolic? n) (pair? (nodes-in u op:log))) (in-exponentials (rebuild (node-head n) args))]
+                     [(and (hyperbolic? n) (pair? (applications-of op:log u))) (in-exponentials (rebuild (node-head n) args))]
                      [(and (eq? (node-head n) op:tan) (half-arc u)) => tangent-of-half]
                      [(andmap eq? args (node-args n)) n]
                      [else (rebuild (node-head n) args)]))))
@@ -96,7 +96,7 @@
 (define (exact-rational? q) (and (rational? q) (exact? q)))
 
 (define (functions-in e heads)
-  (remove-duplicates (append-map (lambda (head) (nodes-in e head)) heads)))
+  (remove-duplicates (append-map (lambda (head) (applications-of head e)) heads)))
 
 ;; The product of factor(f)^n over the functions; a power with a negative exponent is `inverse`.
 (define (product-over s factor one times inverse)
@@ -109,7 +109,7 @@
 
 ;; -> an expression that is zero where e is; #f if e is no sum of logarithms
 (define (product-of-logarithms e A)
-  (define logs (nodes-in e op:log))
+  (define logs (applications-of op:log e))
   (define s (and (pair? logs) (andmap (lambda (f) (not (holds-any? (car (node-args f)) logs))) logs)
                  (sum-of e logs A)))
   (and s

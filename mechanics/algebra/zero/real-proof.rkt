@@ -31,7 +31,7 @@
        (zero-among-reals? (in-logarithms e) (with-domain-of e (with-automatic-assumptions A #f)) most-depth steps)))
 
 (define (worthwhile? e)
-  (and (pair? (append-map (lambda (head) (nodes-in e head)) real-heads))
+  (and (pair? (append-map (lambda (head) (applications-of head e)) real-heads))
        (all-leaves? (lambda (x) (or (symbol? x) (and (real? x) (exact? x)))) e)))
 
 (define real-heads

@@ -18,7 +18,7 @@
 ;; -> ((expression . assumptions) ...), the cases whose expressions have all to be zero; #f if e holds
 ;; no sign that can be decided so
 (define (sign-cases e A)
-  (define signed (append (nodes-in e op:abs) (nodes-in e op:sgn)))
+  (define signed (append (applications-of op:abs e) (applications-of op:sgn e)))
   (define (jumps? u) (and (memf (lambda (n) (and (eq? (node-head n) op:sgn) (equal? (of n) u))) signed) #t))
   (define u (findf (lambda (u) (and (single-valued? u) (or (symbol? u) (not (jumps? u)))))
                    (map of signed)))

@@ -1,0 +1,40 @@
+#lang racket/base
+;; Antiderivatives of what holds |u| or sgn u of a line u, which is zero at x₀.  With sgn u = ±1 on
+;; either side the integrand is smooth; where its antiderivative there is F₊ and F₋,
+;;
+;;     F = ½ (F₊ + F₋) + ½ |u| (F₊ − F₋)/u
+;;
+;; is one, and continuous, if both vanish at x₀.
+
+(require "expression-function.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt"
+         "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/simplify/simplify-expression.rkt")
+
+(provide integral-by-sides)
+
+;; antiderivative : expression -> expression or #f
+(define (integral-by-sides e x A antiderivative)
+  (define (simple e) (simplify-expression e A))
+  (define (signed n)
+    (and (memq (node-head n) (list op:abs op:sgn)) (occurs? x n) (car (node-args n))))
+  (for/or ([u (in-list (parts-in e signed))])
+    (define slope (simple (expression-derivative u x)))
+    (and (not (occurs? x slope))
+         (not (eqv? slope 0))
+         (let* ([x0 (simple (e:- x (e:/ u slope)))]
+                [right (side-integral e u 1 x x0 simple antiderivative)]
+                [left (side-integral e u -1 x x0 simple antiderivative)])
+           (and left
+                right
+                (e:+ (e:/ (e:+ right left) 2)
+                     (e:* (e:apply op:abs u) (simple (e:/ (e:- right left) (e:* 2 u))))))))))
+
+;; The antiderivative where sgn u = sign, which is 0 at x0; or #f
+(define (side-integral e u sign x x0 simple antiderivative)
+  (define there
+    (substitute-expression e (list (cons (make-node op:abs (list u)) (e:* sign u))
+                                   (cons (make-node op:sgn (list u)) sign))))
+  (define F (antiderivative (simple there)))
+  (and F (e:- F (substitute-expression F (list (cons x x0))))))
