@@ -32,7 +32,7 @@
   (define-values (L force) (as-Lagrangian 'verify-equilibrium given q given-force))
   (define (judge q)
     (prove-zero (lambda (t) (residual-at-rest 'verify-equilibrium L force t q))
-                #:domain (lambda (t) (values-at-rest L force t q))
+                #:motion-domain (lambda (t) (values-at-rest L force t q))
                 #:surveys (lambda ()
                             (surveys-at-rest L force (string->uninterned-symbol "t") q))))
   (define v (judge q))

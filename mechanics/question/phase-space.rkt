@@ -41,7 +41,7 @@
   (define residual ((Hamilton-equations H #:force F) q p))
   (define domain (domain-of-states H states F))
   (prove-zero residual
-              #:domain domain
+              #:motion-domain domain
               #:remarks (lambda () (remarks-on-states H states))
               #:surveys (lambda () (surveys-of-states (Hamiltonian->state-derivative H #:force F)
                                                       states residual domain))

@@ -32,7 +32,7 @@
             [constraints ((eliminate-multipliers L constraints #:force outside) q)]
             [else ((Lagrange-equations L #:force outside #:order n) q)]))
     (prove-zero residual
-                #:domain (domain-of-solution L q n outside)
+                #:motion-domain (domain-of-solution L q n outside)
                 #:remarks (lambda () (remarks-on-solution L q n))
                 #:surveys (lambda () (surveys-of-solution L q n outside constraints residual))
                 #:meaning (lambda () (meaning-of-solution L q n outside))

@@ -29,13 +29,13 @@
 ;; remarks : -> strings, on what the verdict does not say
 ;; meaning : #f, or a procedure that gives the meaning that the question has to keep under
 ;; the conditions that are told (vanishing-conditions.rkt)
-;; domain : -> expressions that are to have a real value as well, in the symbols of x; if x is a
-;; function of the time, symbol of the time -> expressions
+;; domain : -> expressions that are to have a real value as well, in the symbols of x
+;; motion-domain : of a motion, a function of the time: symbol of the time -> expressions; or #f
 ;; relied-on : datums of assumptions under which x is what is asked about
 ;; again : #f, or what asks the question again, given what to change in it (verdict.rkt)
 (define (prove-zero x #:variables [names '()] #:surveys [surveys '()]
                     #:remarks [remarks (lambda () '())] #:meaning [meaning #f]
-                    #:domain [domain (lambda () '())]
+                    #:domain [domain (lambda () '())] #:motion-domain [motion-domain #f]
                     #:resting-on [relied-on '()] #:again [again #f])
   (check-variables names)
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
@@ -44,8 +44,12 @@
   (define-values (judged missing)
     (call-for-value (lambda ()
                       (at-symbolic-arguments x '() variables (lambda () (set! endless? #t))))
-                    (procedure-arity-includes? domain 0)))
-  (define beside (domain-expressions (domain-at domain (remove* names (hash-keys variables)))))
+                    (not motion-domain)))
+  (define beside
+    (domain-expressions
+     (if motion-domain
+         (domain-along motion-domain (remove* names (hash-keys variables)))
+         (domain))))
   (define A (common-assumptions (with-relations (with-domain in-force beside) relied-on) judged))
   (define kinks (once (lambda () (kinks-of surveys relied-on in-force))))
   (define-values (residual tests) (judge-all judged A (hash-keys variables) kinks))
@@ -61,7 +65,7 @@
                     (lambda (change)
                       (prove-zero (change x) #:variables names #:surveys surveys
                                   #:remarks remarks #:meaning meaning #:domain domain
-                                  #:resting-on relied-on)))))
+                                  #:motion-domain motion-domain #:resting-on relied-on)))))
 
 ;; -> the residual, and ((scalar . test) ...) for the scalars of x
 (define (judge-all x A variables kinks)
@@ -83,16 +87,13 @@
       (with-handlers ([no-value? (lambda (e) (values +nan.0 (list (exn-message e))))])
         (values (find-value) '()))))
 
-;; names : those of the arguments at which a function was judged; none if its value is a number
-(define (domain-at domain names)
-  (cond [(procedure-arity-includes? domain 0) (domain)]
-        [else
-         (define t (string->uninterned-symbol "t"))
-         (define found (domain t))
-         (define free? (and (pair? names) (not (ormap (lambda (e) (occurs? (car names) e)) found))))
-         (if free?
-             (for/list ([e (in-list found)]) (in-place-of (list (cons t (car names))) e))
-             found)]))
+;; names : those of the arguments at which a motion was judged; none if its value is a number
+(define (domain-along motion-domain names)
+  (define t (string->uninterned-symbol "t"))
+  (define found (motion-domain t))
+  (define time
+    (if (or (null? names) (ormap (lambda (e) (occurs? (car names) e)) found)) t (car names)))
+  (for/list ([e (in-list found)]) (in-place-of (list (cons t time)) e)))
 
 ;; Strings: the part of what is asked about that has no value, if that is the reason
 (define (remarks-on-domain domain tests A)

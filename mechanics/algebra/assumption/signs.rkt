@@ -6,7 +6,7 @@
 ;; signs, a sum the sums of its terms' signs, where - and + may sum to any.
 ;; Nothing known is the whole set; the empty set is a contradiction.
 
-(provide any-sign negative nonpositive zero positive nonnegative
+(provide any-sign negative nonpositive zero positive nonnegative nonzero
          number-signs signs-within? signs-decided?
          signs-product signs-sum signs-negate signs-power
          factor-signs term-signs)
@@ -17,6 +17,7 @@
 (define zero #b010)
 (define positive #b100)
 (define nonnegative #b110)
+(define nonzero #b101)
 
 (define (sign-set x) (cond [(< x 0) negative] [(> x 0) positive] [else zero]))
 

@@ -11,11 +11,9 @@
          "existence.rkt"
          "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/nodes.rkt" "../expression/operation.rkt" "../expression/substitute.rkt")
+         "../expression/operation.rkt" "../expression/substitute.rkt")
 
-(provide domain-expressions in-place-of somewhere-real? part-without-value
-         ;; what a value requires
-         (struct-out requirement) requirements requirement-of-node)
+(provide domain-expressions in-place-of somewhere-real? part-without-value)
 
 ;; xs : values -> those of the expressions among them that may lack a real value somewhere
 (define (domain-expressions xs)
@@ -45,34 +43,3 @@
            (define args (if (node? e) (node-args e) '()))
            (define part (findf (lambda (a) (not (somewhere-real? (list a) A))) args))
            (if part (smallest part) e))]))
-
-;; ---------------------------------------------------------------------------
-;; Requirements of a value
-
-;; sort : 'not-zero, 'positive or 'not-negative     of : an expression
-(struct requirement (sort of) #:transparent)
-
-;; -> requirements under which e has a value, if its other parts have
-(define (requirements e)
-  (filter (lambda (r) (symbolic? (requirement-of r))) (parts-in e requirement-of-node)))
-
-;; Of the node alone, or #f
-(define (requirement-of-node n)
-  (define head (node-head n))
-  (define args (node-args n))
-  (define u (and (pair? args) (car args)))
-  (cond [(eq? head op:/) (requirement 'not-zero (cadr args))]
-        [(eq? head op:sqrt) (requirement 'not-negative u)]
-        [(eq? head op:log) (requirement 'positive u)]
-        [(eq? head op:tan) (requirement 'not-zero (e:apply op:cos u))]
-        [(eq? head op:atanh) (requirement 'positive (e:- 1 (e:expt u 2)))]
-        [(memq head (list op:asin op:acos)) (requirement 'not-negative (e:- 1 (e:expt u 2)))]
-        [(eq? head op:acosh) (requirement 'not-negative (e:- u 1))]
-        [(eq? head op:expt) (requirement-of-power u (cadr args))]
-        [else #f]))
-
-(define (requirement-of-power u n)
-  (cond [(not (rational? n)) #f]
-        [(negative? n) (requirement (if (integer? n) 'not-zero 'positive) u)]
-        [(integer? n) #f]
-        [else (requirement 'not-negative u)]))

@@ -21,8 +21,8 @@
 ;; the cut of an angle.
 
 (require racket/list
-         "common-domain.rkt" "kink-place.rkt" "surface.rkt"
-         "../assumption/assumption-set.rkt" "../assumption/signs.rkt"
+         "kink-place.rkt" "surface.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/domain.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/read.rkt" "../expression/substitute.rkt" "../expression/symbols.rkt"
          (only-in "../field/field.rkt" field-atlas)
@@ -68,7 +68,7 @@
                         assumptions (assumptions-automatic? A) '()))
       (define ks (together (kinks-of operations s)))
       (values ks (reverse (search-grounds s))))
-    (search-in-domain search-under (append-map requirements domain) operations places A)))
+    (search-in-domain search-under (append-map needs-of domain) operations places A)))
 
 ;; The search is repeated with the facts that hold wherever there are values, if it found kinks.
 ;; search-under : assumptions -> kinks and grounds
@@ -77,7 +77,7 @@
   (define find-nonzero (once (lambda () (nonzero-factors needs A))))
   (define-values (all grounds) (search-under strict))
   (define facts
-    (if (andmap hole? all) '() (facts-of (append needs (needs-of operations)) places)))
+    (if (andmap hole? all) '() (facts-of (append needs (needs-met operations)) places)))
   (define-values (kept more)
     (if (null? facts) (values all '()) (search-under (with-relations strict facts))))
   (define inside
@@ -122,42 +122,39 @@
     (define u
       (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
         (simplify-expression
-         (substitute-expression (requirement-of r) (list (cons (cadr place) (caddr place)))) A)))
+         (substitute-expression (relation-expression r) (list (cons (cadr place) (caddr place))))
+         A)))
     (define sign (and u (known-sign u A)))
-    (case (and u (requirement-sort r))
-      [(#f) #t]                         ; it has no value there itself
-      [(not-zero) (eqv? u 0)]
-      [(positive) (or (eqv? u 0) (eqv? sign -1))]
-      [else (eqv? sign -1)])))
+    (or (not u)                         ; it has no value there itself
+        (and sign (not (signs-within? (number-signs sign) (relation-signs r)))))))
 
 ;; -> the factors of all that may not be 0, simplified, with either sign
 (define (nonzero-factors needs A)
   (for*/list ([r (in-list needs)]
-              #:unless (eq? (requirement-sort r) 'not-negative)
-              [g (in-list (expression-factors (requirement-of r) A))]
+              #:unless (signs-within? zero (relation-signs r))
+              [g (in-list (expression-factors (relation-expression r) A))]
               [sign (in-list '(1 -1))])
     (simplify-expression (e:* sign (without-absolute-value (car g))) A)))
 
 (define (without-absolute-value e)
   (if (or (headed? e op:abs) (headed? e op:sqrt)) (car (node-args e)) e))
 
-;; The requirements of these operations themselves
-(define (needs-of operations)
-  (for*/list ([o (in-list operations)]
-              #:unless (eq? (car o) 'nowhere)
-              [r (in-value (requirement-of-node (shown (car o) (cdr o))))]
-              #:when r)
-    r))
+;; Relations that hold where e has a value, and those of the operations themselves
+(define (needs-of e) (append-map node-relations (nodes-in e)))
+
+(define (needs-met operations)
+  (append* (for/list ([o (in-list operations)] #:unless (eq? (car o) 'nowhere))
+             (node-relations (shown (car o) (cdr o))))))
 
 ;; What they say of signs, as datums, with places put in.  It costs nothing, and says nothing of
 ;; ends themselves.
 (define (facts-of needs places)
   (remove-duplicates
    (for*/list ([r (in-list needs)]
-               #:unless (eq? (requirement-sort r) 'not-zero)
-               [u (in-value (substitute-expression (requirement-of r) places))]
+               #:unless (eqv? nonzero (relation-signs r))
+               [u (in-value (substitute-expression (relation-expression r) places))]
                #:when (symbolic? u))
-     (list (if (eq? (requirement-sort r) 'positive) '> '>=) (expression->datum u) 0))))
+     (list (if (eqv? positive (relation-signs r)) '> '>=) (expression->datum u) 0))))
 
 (define (kinks-of operations s)
   (for*/list ([o (in-list operations)]

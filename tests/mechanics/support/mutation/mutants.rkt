@@ -89,8 +89,8 @@
    "(if sign (values sign group others) (values 1 '() factors))"
    "(if sign (values 1 group others) (values 1 '() factors))"]
   ["the domain of a root is where it is not real" "assumption/domain.rkt"
-   "[(eq? head op:sqrt) (need-signs! nonnegative)]"
-   "[(eq? head op:sqrt) (need-signs! nonpositive)]"]
+   "[(eq? head op:sqrt) (need nonnegative u)]"
+   "[(eq? head op:sqrt) (need nonpositive u)]"]
   ["the sign of what may be 0 is strict" "assumption/ledger.rkt"
    "(cond [(signs-within? signs positive) 1]"
    "(cond [(signs-within? signs nonnegative) 1]"]
