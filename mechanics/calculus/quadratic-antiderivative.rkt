@@ -69,7 +69,7 @@
 (define (root-of e A)
   (define s (simple (root e) A))
   (define plain (strip-abs s))
-  (cond [(and (real-constants? plain)
+  (cond [(and (real-leaves? plain)
               (not (has-root? plain))
               (eqv? 0 (simple (e:- (e:* plain plain) e) A)))
          plain]
@@ -77,8 +77,6 @@
         [else #f]))
 
 (define (strip-abs e) (if (headed? e op:abs) (car (node-args e)) e))
-
-(define (real-constants? e) (all-leaves? (lambda (leaf) (or (symbol? leaf) (real? leaf))) e))
 
 (define (has-root? e)
   (some-node? (lambda (n)

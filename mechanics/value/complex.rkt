@@ -10,8 +10,8 @@
 ;; and so on.  The conjugate of such an operation is the operation on the conjugates.
 
 (require (prefix-in racket: (only-in racket/base real-part imag-part))
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/substitute.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt" "../algebra/expression/substitute.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/elementary.rkt" "../generic/function.rkt" "../generic/kind.rkt"
@@ -52,7 +52,7 @@
 (define (of-leaves op x choose [of-expression (of-parts (generic-op-name op) choose)])
   (define (of-leaf leaf)
     (cond [(symbolic? leaf)
-           (if (real-valued? leaf) (choose leaf 0) (of-expression leaf))]
+           (if (real-leaves? leaf) (choose leaf 0) (of-expression leaf))]
           [(number? leaf) (choose (racket:real-part leaf) (racket:imag-part leaf))]
           [(pointwise? leaf) (compose-unary op leaf)]
           [(scalar? leaf) (choose leaf 0)]
@@ -86,12 +86,10 @@
 
 (define (conjugated-inside? e)
   (or (memq (node-head e) conjugated-inside)
-      (and (eq? (node-head e) op:expt) (exact-integer? (cadr (node-args e))))))
+      (integer-power? e)))
 
 ;; ---------------------------------------------------------------------------
 ;; Parts of expressions
-
-(define (real-valued? e) (all-leaves? (lambda (leaf) (or (symbol? leaf) (real? leaf))) e))
 
 ;; Real and imaginary part
 (struct rectangular (re im) #:authentic)

@@ -47,18 +47,15 @@
                     (not motion-domain)))
   (define beside
     (domain-expressions
-     (if motion-domain
-         (domain-along motion-domain (remove* names (hash-keys variables)))
-         (domain))))
+     (if motion-domain (domain-along motion-domain (remove* names (hash-keys variables))) (domain))))
   (define A (common-assumptions (with-relations (with-domain in-force beside) relied-on) judged))
   (define kinks (once (lambda () (kinks-of surveys relied-on in-force))))
   (define-values (residual tests) (judge-all judged A (hash-keys variables) kinks))
-  (define zero-tests (map cdr tests))
-  (make-verdict residual zero-tests (assumptions 'declared) endless? kinks
+  (make-verdict residual (map cdr tests) (assumptions 'declared) endless? kinks
                 (lambda (status)
-                  (append (remarks-on-residual residual status zero-tests)
+                  (append (remarks-on-residual residual status (map cdr tests))
                           (if (eq? status 'undecided)
-                              (append missing (remarks-on-domain beside zero-tests A))
+                              (append missing (remarks-on-domain beside (map cdr tests) A))
                               (remarks))))
                 (once (lambda () (ways-told tests meaning A)))
                 (or again

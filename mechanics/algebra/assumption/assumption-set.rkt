@@ -114,10 +114,7 @@
 ;; Are all numbers in e real, and are there no roots and logarithms?
 (define (plainly-real? e)
   (define (single-valued? n)
-    (define head (node-head n))
-    (if (eq? head op:expt)
-        (exact-integer? (cadr (node-args n)))
-        (not (memq head (list op:sqrt op:log)))))
+    (or (integer-power? n) (not (memq (node-head n) (list op:expt op:sqrt op:log)))))
   (node-fold e
              (lambda (leaf) (or (symbol? leaf) (real? leaf)))
              (lambda (n parts) (and (andmap values parts) (single-valued? n)))))

@@ -4,7 +4,7 @@
 (require (only-in racket/list filter-map remove-duplicates)
          "expression.rkt" "operation.rkt")
 
-(provide nodes-in parts-in some-node? divisor-of)
+(provide nodes-in parts-in some-node? real-leaves? divisor-of)
 
 ;; The nodes of e, each once, after those in it.
 (define (nodes-in e)
@@ -19,6 +19,9 @@
 ;; Does the predicate hold of some node of e?
 (define (some-node? good? e)
   (node-fold e (lambda (leaf) #f) (lambda (n found) (or (ormap values found) (good? n)))))
+
+;; Are all numbers in e real?
+(define (real-leaves? e) (all-leaves? (lambda (leaf) (or (symbol? leaf) (real? leaf))) e))
 
 ;; Where the divisor is 0 the node has a pole; #f if there is none.
 (define (divisor-of n)

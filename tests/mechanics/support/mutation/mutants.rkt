@@ -224,7 +224,7 @@
    "(andmap (lambda (g) (eqv? 1 (cdr g))) parts)"
    "#t"]
   ["1 + cos x is never 0" "zero/surface.rkt"
-   "(* -1 (cdr f) (degree (car f) (car t) A))"
+   "(* -1 (cdr f) (degree (car f) (stand-in-symbol t) A))"
    "0"]
   ["x and sin x are independent" "zero/surface.rkt"
    "[(= (length own) (length all)) #t]"
@@ -236,11 +236,11 @@
    "(> (cdr power) (search-order s))"
    "#t"]
   ["outside the domain is inside" "zero/kink.rkt"
-   "[(positive) (or (eqv? u 0) (eqv? sign -1))]"
-   "[(positive) #f]"]
+   "(and sign (not (signs-within? (number-signs sign) (relation-signs r))))"
+   "#f"]
   ["inside the domain is outside" "zero/kink.rkt"
-   "[(not-zero) (eqv? u 0)]"
-   "[(not-zero) #t]"]
+   "(and sign (not (signs-within? (number-signs sign) (relation-signs r))))"
+   "(and sign #t)"]
   ["a reference point need not be in the domain" "assumption/reference.rkt"
    "(all-real? domain lookup)"
    "#t"]
