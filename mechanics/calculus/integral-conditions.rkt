@@ -105,7 +105,8 @@
     (cond [(not (ormap (moves? p) (node-args n))) #f]
           [else
            (case (operation-name (node-head n))
-             [(log sgn) u]
+             [(log) u]
+             [(sgn) (if (continuous-over? n F p) #f u)]
              [(tan) (e:apply op:cos u)]
              [(atanh) (e:- 1 (e:expt u 2))]
              [(atan) (either-sign)]
@@ -114,6 +115,15 @@
   (factors-of (parts-in F (lambda (n) (and (operation? (node-head n)) (cut n))))
               (path-A p)
               (moves? p)))
+
+;; Has F the same value for both signs where the line u of n = sgn u is zero?
+(define (continuous-over? n F p)
+  (define u (car (node-args n)))
+  (define (with sign) (substitute-expression F (list (cons n sign))))
+  (and (line? u p)
+       (let ([zero (e:- (path-x p) (e:/ u (derivative u p)))])
+         (eqv? 0 (simplify-expression (at (e:- (with 1) (with -1)) p (simplify-expression zero))
+                                      (path-A p))))))
 
 ;; (base . exponent) of powers with an exponent that is no number
 (define (symbolic-powers F x)

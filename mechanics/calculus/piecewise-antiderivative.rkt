@@ -2,7 +2,7 @@
 ;; Antiderivatives of what holds |u| or sgn u of a line u, which is zero at x₀.  With sgn u = ±1 on
 ;; either side the integrand is smooth; where its antiderivative there is F₊ and F₋,
 ;;
-;;     F = ½ (F₊ + F₋) + ½ |u| (F₊ − F₋)/u
+;;     F = ½ (F₊ + F₋) + ½ sgn u (F₊ − F₋)
 ;;
 ;; is one, and continuous, if both vanish at x₀.
 
@@ -29,7 +29,7 @@
            (and left
                 right
                 (e:+ (e:/ (e:+ right left) 2)
-                     (e:* (e:apply op:abs u) (simple (e:/ (e:- right left) (e:* 2 u))))))))))
+                     (e:* (e:apply op:sgn u) (e:/ (e:- right left) 2))))))))
 
 ;; The antiderivative where sgn u = sign, which is 0 at x0; or #f
 (define (side-integral e u sign x x0 simple antiderivative)

@@ -6,7 +6,8 @@
 ;; may be.
 
 (require racket/list
-         "../algebra/expression/exact-numbers.rkt" "../algebra/expression/write.rkt"
+         "../algebra/expression/exact-numbers.rkt"
+         "../algebra/expression/write.rkt"
          "../error/message-words.rkt"
          "../generic/describe.rkt" "../generic/notation.rkt"
          "../value/algebra.rkt")
@@ -75,7 +76,7 @@
     [(proved) "proved: the residual is zero"]
     [(refuted) "refuted: the residual is not zero"]
     [else (if only-kinks?
-              "undecided: the residual is zero, but it does not see what happens at some points"
+              "undecided: the residual is zero wherever it is smooth, but not decided at some points"
               "undecided: the residual is neither proved nor refuted to be zero")]))
 
 ;; Lines as `kink: (abs (- t 2)) at t = 2`
@@ -84,11 +85,12 @@
 (define (kink-line k)
   (define where (equations (kink-equations k)))
   (list 1
-        (case (kink-sort k) [(kink) "kink:"] [(jump) "jump:"] [else "no value:"])
+        (case (kink-sort k) [(kink) "kink:"] [(jump) "jump:"] [(branch) "branch:"] [else "no value:"])
         (cond [(null? where) (list (short-datum (kink-expression k)) "everywhere")]
               [else
                `(,(short-datum (kink-expression k)) ,(if (kink-solved? k) "at" "where") ,@where
-                 ,@(if (kink-family? k) '("for integers" n) '()))])))
+                 ,@(if (kink-family? k) '("for integers" n) '())
+                 ,@(if (eq? (kink-sort k) 'branch) '("(of the formula alone: the angle goes on)") '()))])))
 
 (define (evidence z depth ways)
   (define (line label . content) (list (list depth label content)))

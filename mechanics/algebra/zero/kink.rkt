@@ -34,7 +34,8 @@
 
 (provide find-kinks (struct-out kink))
 
-;; sort : 'kink, 'jump or 'no-value           expression : in which it is, such as |t − 2|
+;; sort : 'kink, 'jump, 'branch (a jump of an angle by a whole turn, which its derivatives do not have) or
+;; 'no-value           expression : in which it is, such as |t − 2|
 ;; equations : (= t 2) ... or, where these cannot be solved for, (= u 0), and what else holds
 ;; there; solved? tells which.  family? : do they hold for each integer n?
 (struct kink (sort expression equations solved? family?) #:transparent)
@@ -202,10 +203,23 @@
                     [(not (integer? n)) (like-root x n)]
                     [(negative? n) (end any x)]
                     [else '()]))]
-    [(atan) (cond [(pair? (cdr arguments)) (at 'jump any x #:beside (cadr arguments))]
+    [(atan) (cond [(pair? (cdr arguments)) (at (if (branch-alone? (node) s) 'branch 'jump)
+                                                any x #:beside (cadr arguments))]
                   [(search-values? s) '()]        ; its poles are noted themselves
                   [else (append-map (lambda (u) (at 'jump odd? u)) (poles-within x))])]
     [else '()]))
+
+;; Is all that is differentiated linear in the angle, so that a turn adds a constant?  Then nothing
+;; but the formula jumps.  A path that jumps is none.
+(define (branch-alone? angle s)
+  (define (turn-of f)
+    (define (with e) (substitute-expression f (list (cons angle e))))
+    (define (slope e) (simplify-expression (e:- (with (e:+ e 1)) (with e)) (search-assumptions s)))
+    (and (eqv? 0 (simplify-expression (e:- (slope 0) (slope angle)) (search-assumptions s)))
+         (slope 0)))
+  (define turns (if (search-values? s) '() (map turn-of (search-functions s))))
+  (and (pair? turns)
+       (andmap (lambda (c) (and c (not (varies? c s)))) turns)))
 
 (define (shown name arguments)
   (case name

@@ -201,7 +201,8 @@ For each scalar that is not zero, a pair of its factor and its core.
 
 Places that keep a zero residual from being proved: a function that was differentiated has a kink or
 a jump there, which its derivative does not see, or a path has no value. Each place is a list of
-@racket['kink], @racket['jump] or @racket['no-value], an expression, and equations that hold there;
+@racket['kink], @racket['jump], @racket['branch] or @racket['no-value], an expression, and equations
+that hold there; a branch is a jump of the formula alone, where an angle goes on by a whole turn;
 an @racketidfont{n} in a series of places stands for any integer, and @racketidfont{:pi} is π. A
 refutation has none. There is none either where the expression is known not to vanish: by its form,
 as @racket[(+ 1 (square t))], or by a declaration.

@@ -13,7 +13,7 @@
 (define (step local) (sgn (coordinate local)))
 
 (define headline
-  "undecided: the residual is zero, but it does not see what happens at some points")
+  "undecided: the residual is zero wherever it is smooth, but not decided at some points")
 
 ;; The verdict is undecided, for these reasons alone.
 (define-check (check-open verdict reasons)
