@@ -32,9 +32,11 @@
   (define D (simplify-expression (e:- (e:expt (e:* 1/2 b) 2) (e:* a c)) A))
   (define (solution sign)
     (quotient-of (e:- (e:* sign (e:apply op:sqrt D)) (e:* 1/2 b)) a A))
-  (define branch (known-branch D A))
-  (define conditions (if branch '() (list (list '>= D 0))))
-  (if (eqv? branch -1)
+  (define-values (branch rest) (sign-and-rest D A))
+  (define known? (number? rest))
+  (define conditions
+    (if known? '() (list (list '>= (simplify-expression (e:* branch rest) A) 0))))
+  (if (and known? (eqv? branch -1))
       '()
       (for/list ([sign '(1 -1)]) (root x (solution sign) conditions '()))))
 

@@ -2,11 +2,12 @@
 ;; A root of one equation in x, and how the coefficients of x are found: from values at 0, 1 and −1,
 ;; whatever the form of the equation, with a proof that nothing else is in it.
 
-(require "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
+(require "factors.rkt"
+         "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt")
 
-(provide (struct-out root) put zero-everywhere? known-branch value-at line quotient-of
+(provide (struct-out root) put zero-everywhere? known-branch sign-and-rest value-at line quotient-of
          arguments-of)
 
 ;; x = value, under conditions.  waves : what sine and cosine are there, an alist
@@ -24,6 +25,12 @@
         [(zero-everywhere? (e:- e size) A) 1]
         [(zero-everywhere? (e:+ e size) A) -1]
         [else #f]))
+
+;; e has the sign of `sign` · rest, where squares and factors of known sign are left out of the rest.
+(define (sign-and-rest e A)
+  (for/fold ([sign 1] [rest 1]) ([f (in-list (expression-factors e A))])
+    (define known (if (even? (cdr f)) 1 (known-branch (car f) A)))
+    (if known (values (* sign known) rest) (values sign (e:* rest (car f))))))
 
 ;; (a b) if e = a x + b with a ≠ 0, both without x; else #f.
 (define (line e x A)

@@ -6,7 +6,7 @@
 ;; A factor is solved if it is linear in an unknown, with a coefficient in which no
 ;; unknown occurs; and, if there is one unknown only, when it is a quadratic polynomial, in
 ;; the unknown, in a power of it or in an exponential of a x + b, or one of degree 1 in the
-;; sine and the cosine of one angle a x + b.  Of angles all solutions within a turn of x are
+;; sine and the cosine of one angle a x + b, or such a one when a square root is squared away.  Of angles all solutions within a turn of x are
 ;; given if a is a whole number, else those within a turn of the angle; exactly: multiples of
 ;; :pi are.
 ;;
@@ -14,7 +14,8 @@
 ;; solutions to be real are kept with them.
 
 (require racket/list
-         "angle-roots.rkt" "exponential-roots.rkt" "factors.rkt" "power-roots.rkt" "root.rkt"
+         "angle-roots.rkt" "exponential-roots.rkt" "factors.rkt" "power-roots.rkt"
+         "radical-roots.rkt" "root.rkt"
          "../expression/constant-value.rkt" "../expression/expression.rkt"
          (only-in "../expression/operation.rkt" op:exp) "../expression/pi.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
@@ -38,6 +39,7 @@
              [else
               (define e (simplest open involved))
               (for*/list ([root (in-list (or (roots-of e involved A) (return #f)))]
+                          #:when (value-at e (root-x root) (root-value root) A)
                           [solution (in-list (solve (replaced (remq e open) root)
                                                     (extended found root A)
                                                     (append conditions (root-conditions root))))])
@@ -65,7 +67,8 @@
         [else (or (quadratic-roots f (car xs) A)
                   (power-roots f (car xs) A)
                   (angle-roots f (car xs) A)
-                  (exponential-roots f (car xs) A))]))
+                  (exponential-roots f (car xs) A)
+                  (radical-roots f (car xs) A (lambda (g) (solve-factor g xs A))))]))
 
 (define (open-equations equations A)
   (remv* '(0) (for/list ([e (in-list equations)]) (simplify-expression e A))))

@@ -13,10 +13,10 @@
 ;; Im Z = 0 and Re Z ≥ 0, and if the range of the sum leaves no other whole turn.
 
 (require racket/list
-         "conjugate.rkt" "in-exponentials.rkt" "real-signs.rkt"
+         "in-exponentials.rkt" "real-signs.rkt"
          "../assumption/assumption-set.rkt" "../assumption/interval.rkt"
          "../assumption/leaf-bounds.rkt" "../assumption/range.rkt" "../assumption/signs.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt"
          "../simplify/simplify-expression.rkt")
 

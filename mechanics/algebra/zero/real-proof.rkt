@@ -6,15 +6,15 @@
 ;;
 ;; - |u| and sgn u are decided case by case (sign-cases.rkt);
 ;; - a sum of logarithms, or of arcs, vanishes if a product does not differ from 1 (inverse-functions.rkt);
-;; - P + √A vanishes if P² = A, and P is not positive (conjugate.rkt, real-signs.rkt).
+;; - P + √A vanishes if P² = A, and P is not positive (real-signs.rkt).
 ;;
 ;; A proof holds wherever all parts of the expression are real and the assumptions hold; nothing is
 ;; taken for granted.
 
 (require racket/list
-         "conjugate.rkt" "inverse-functions.rkt" "real-signs.rkt" "sign-cases.rkt"
+         "inverse-functions.rkt" "real-signs.rkt" "sign-cases.rkt"
          "../assumption/assumption-set.rkt" "../assumption/signs.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/size.rkt"
+         "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/operation.rkt" "../expression/size.rkt"
          "../simplify/domain-question.rkt" "../simplify/simplify-expression.rkt")
 
 (provide prove-among-reals)

@@ -6,10 +6,9 @@
 ;; decides whose square is the greater.
 
 (require racket/list
-         "conjugate.rkt"
          "../assumption/assumption-set.rkt" "../assumption/leaf-bounds.rkt"
          "../assumption/range.rkt" "../assumption/signs.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
          "../simplify/domain-question.rkt" "../simplify/simplify-expression.rkt")
 
 (provide real-signs opposite-signs?)

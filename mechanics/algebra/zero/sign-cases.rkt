@@ -6,10 +6,10 @@
 ;; not: with it u = 0 is a case of its own, and u has to be a symbol.
 
 (require racket/list
-         "conjugate.rkt" "in-exponentials.rkt" "real-signs.rkt"
+         "in-exponentials.rkt" "real-signs.rkt"
          "../assumption/assumption-set.rkt" "../assumption/narrowing.rkt"
          "../assumption/signs.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt"
          "../simplify/domain-question.rkt")
 

@@ -8,8 +8,8 @@
 ;; of which P does not depend on the sign of the root, and Q changes with it.
 
 (require racket/list
-         "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
-         "../expression/substitute.rkt")
+         "expression.rkt" "nodes.rkt" "operation.rkt"
+         "substitute.rkt")
 
 (provide roots-in conjugate parts-by-root applications-of)
 
