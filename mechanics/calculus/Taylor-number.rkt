@@ -13,7 +13,7 @@
          "../algebra/expression/expression.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
          "../generic/recurrence.rkt" "../generic/sums-and-products.rkt"
-         "../numeric/vector-map.rkt"
+         (only-in "../numeric/finite-number.rkt" lesser) "../numeric/vector-map.rkt"
          "../value/series/coefficients.rkt" "../value/series/series-operation.rkt"
          "../value/series/series.rkt")
 
@@ -140,7 +140,7 @@
   (define r
     (if solved
         (steps-2 op (solution-step solved) a la b lb
-                 (at-most (add1 n) ((recurrence-length rules) la lb)))
+                 (lesser (add1 n) ((recurrence-length rules) la lb)))
         (binary-by-rule op a b n)))
   (if (and (eqv? (used-length r) 1)
            (independent? op (> la 1) (> lb 1) (vector-ref a 0) (vector-ref b 0) (vector-ref r 0)))
@@ -154,8 +154,6 @@
        (constant? (and first-varies? ((car partials) x y value))
                   (and second-varies? ((cadr partials) x y value))
                   x y)))
-
-(define (at-most limit length) (if (< length limit) length limit))
 
 (define (steps-2 op step a la b lb length)
   (define r (make-vector length 0))

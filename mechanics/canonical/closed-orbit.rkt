@@ -44,14 +44,14 @@
         (evolve-trajectory (with-area flow) s longest #:events events #:tolerance tolerance)))
     (define end (trajectory-final-state motion))
     (when (null? (trajectory-events motion))
-      (raise-not-closed who H state (unscaled end) turn longest (* (scale-action c) (part end 2))))
+      (raise-not-closed who H state (unscaled end) turn longest (* (scale-action c) (structure-ref end 2))))
     (check-time-free who H (unscaled end))
     end)
   (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
     (define fallen (until 'falling s))
     (define end (if (turned? fallen) fallen (until 'rising fallen)))
     (cond [(near? (inner-state end) start turn-here)
-           (orbit (time end) (* (scale-action c) (/ (part end 2) (* 2 pi))))]
+           (orbit (time end) (* (scale-action c) (/ (structure-ref end 2) (* 2 pi))))]
           [(turned? end) (raise-no-turn who H turn)]
           [else (follow end)])))
 
@@ -97,8 +97,7 @@
       (up (coordinate rate) (momentum rate))
       (g:* (momentum inner) (coordinate rate))))
 
-(define (inner-state s) (up (time s) (part (part s 1) 0) (part (part s 1) 1)))
-(define (part s i) (vector-ref (tuple-elements s) i))
+(define (inner-state s) (up (time s) (structure-ref (structure-ref s 1) 0) (structure-ref (structure-ref s 1) 1)))
 
 (define closeness 1e-5)
 (define longest-orbit 1e4)       ; the time after which it is given up, where nobody says

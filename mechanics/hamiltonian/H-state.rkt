@@ -21,14 +21,13 @@
 (define (->H-state t q p) (up t q p))
 
 ;; Is x a triple whose momenta are dual to its coordinates?
-(define (H-state? x) (and (triple? x) (scalar? (time x)) (dual? (coordinate x) (part x 2))))
+(define (H-state? x) (and (triple? x) (scalar? (time x)) (dual? (coordinate x) (structure-ref x 2))))
 (define compatible-H-state? H-state?)
 
 ;; Does x say that it has momenta?  With one coordinate that is not a tuple nothing says so.
 (define (state-of-momenta? x) (and (H-state? x) (tuple? (coordinate x))))
 
 (define (triple? x) (and (up? x) (= (s:length x) 3)))
-(define (part x i) (vector-ref (tuple-elements x) i))
 
 (define (dual? q p)
   (if (tuple? q)
@@ -47,7 +46,7 @@
                                (value-first-hint 'momentum)
                                "\n  the momenta of a Lagrangian L are ((partial 2) L)")
                               (list-hint state "(up t q p)"))))
-  (define-values (q p) (values (part state 1) (part state 2)))
+  (define-values (q p) (values (structure-ref state 1) (structure-ref state 2)))
   (when (and (tuple? q) (tuple? p) (same-shape? q p)) (raise-not-dual 'momentum q p))
   p)
 
@@ -69,7 +68,7 @@
 ;; (up q p)
 (define (state->qp state)
   (check-H-state 'state->qp state)
-  (up (coordinate state) (part state 2)))
+  (up (coordinate state) (structure-ref state 2)))
 
 (define (degrees-of-freedom state)
   (check-H-state 'degrees-of-freedom state)
@@ -88,7 +87,7 @@
   (unless (triple? state)
     (complain-of-argument who "a Hamiltonian state (up t q p)" state
                           (list-hint state "(up t q p)")))
-  (define-values (q p) (values (part state 1) (part state 2)))
+  (define-values (q p) (values (structure-ref state 1) (structure-ref state 2)))
   (unless (dual? q p) (raise-not-dual who q p)))
 
 ;; The state must have the shape of model.

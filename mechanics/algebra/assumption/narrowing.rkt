@@ -71,7 +71,7 @@
       (known-power (infer-signs A s (car p)) (cdr p))))
   (for/fold ([table table]) ([p (in-list parts)] [i (in-naturals)])
     (define others (scaled number (known-product (without signs i))))
-    (narrow (replace-table A table) s (car p)
+    (narrow (struct-copy assumptions A [table table]) s (car p)
             (derive (lambda (s o) (factor-signs s (cdr p) o)) k others))))
 
 (define (narrow-terms A s table ts k)
@@ -80,9 +80,7 @@
   (for/fold ([table table]) ([t (in-list ts)] [i (in-naturals)]
                              #:unless (or (null? (cdr ts)) (number? (cdr t))))
     (define own (derive term-signs k (known-sum (without signs i))))
-    (narrow (replace-table A table) s (cdr t) (scaled (car t) own))))
+    (narrow (struct-copy assumptions A [table table]) s (cdr t) (scaled (car t) own))))
 
 (define (without xs i)
   (for/list ([x (in-list xs)] [j (in-naturals)] #:unless (eqv? i j)) x))
-
-(define (replace-table A table) (struct-copy assumptions A [table table]))

@@ -7,7 +7,8 @@
 
 (require racket/list
          "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
-         "../expression/substitute.rkt")
+         "../expression/substitute.rkt"
+         (only-in "../../numeric/finite-number.rkt" exact-rational?))
 
 (provide rationalized (struct-out stand-in) exponential-stand-in?)
 
@@ -84,13 +85,11 @@
   (define (scaled c e) (for/list ([m (in-list (multiples e))]) (cons (* c (car m)) (cdr m))))
   (cond [(eq? head op:+) (append-map multiples args)]
         [(eq? head op:-) (append (multiples (car args)) (scaled -1 (cadr args)))]
-        [(and (eq? head op:/) (exact-number? (cadr args))) (scaled (/ 1 (cadr args)) (car args))]
-        [(and (eq? head op:*) (exact-number? (car args)))
+        [(and (eq? head op:/) (exact-rational? (cadr args))) (scaled (/ 1 (cadr args)) (car args))]
+        [(and (eq? head op:*) (exact-rational? (car args)))
          (scaled (car args) (rebuild op:* (cdr args)))]
-        [(exact-number? e) (if (eqv? e 0) '() (list (cons e 1)))]
+        [(exact-rational? e) (if (eqv? e 0) '() (list (cons e 1)))]
         [else (list (cons 1 e))]))
-
-(define (exact-number? x) (and (rational? x) (exact? x)))
 
 ;; How often each step stands in e; #f if too often
 (define (counts e steps)

@@ -8,6 +8,7 @@
 
 (require "jet-graph.rkt" "jet-nodes.rkt"
          "../../generic/operation-equations.rkt"
+         (only-in "../../numeric/finite-number.rkt" lesser)
          "../../numeric/Taylor/expansion.rkt")
 
 (provide node-degrees graph-work)
@@ -20,13 +21,10 @@
     (define degrees (degrees-from g inputs))
     (define better
       (for/vector ([d (in-vector inputs)] [k (in-naturals)])
-        (if slopes (lower d (+ 1 (vector-ref degrees (vector-ref slopes k)))) d)))
+        (if slopes (lesser d (+ 1 (vector-ref degrees (vector-ref slopes k)))) d)))
     (if (equal? better inputs)
         degrees
         (loop (for/vector ([d (in-vector better)]) (bounded d))))))
-
-;; Degrees are exact, as indices are; `min` of one and infinity would not be.
-(define (lower d e) (if (< e d) e d))
 
 (define (degrees-from g inputs)
   (define nodes (graph-nodes g))

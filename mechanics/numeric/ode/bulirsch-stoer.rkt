@@ -15,7 +15,8 @@
 
 (require racket/flonum
          "shorter-step.rkt" "stepper.rkt" "vector-formulas.rkt"
-         "../flvector.rkt")
+         "../flvector.rkt"
+         (only-in "../linear-algebra/row-matrix.rkt" [entry T]))
 
 (provide bulirsch-stoer)
 
@@ -57,8 +58,6 @@
 (define (make-scheme n)
   (for/vector #:length rows ([j (in-range rows)])
     (build-vector (+ j 1) (lambda (k) (make-flvector n)))))
-
-(define (T scheme j k) (vector-ref (vector-ref scheme j) k))
 
 ;; Row j, of which the first entry is known.
 (define (extrapolate-row! n scheme j)

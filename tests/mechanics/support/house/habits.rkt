@@ -8,7 +8,7 @@
          "library.rkt")
 
 (provide wholesale-provides bare-errors dynamic-requires assigned-exports facade-code
-         handmade-raises source-rules
+         handmade-raises outward-requires source-rules
          twin-definitions twin-names long-functions)
 
 ;; ---------------------------------------------------------------------------
@@ -109,15 +109,27 @@
         [(and (eq? (car form) 'struct) (pair? (cdr form))) (list (cadr form))]
         [else (append (defined-structs (car form)) (defined-structs (cdr form)))]))
 
+;; What the library needs beside itself are collections, which are there wherever it is installed.
+(define (outward-requires name form)
+  (define folders (- (length (string-split name "/")) 1))
+  (define (leaves? path)
+    (> (length (takef (string-split path "/") (lambda (part) (equal? part "..")))) folders))
+  (findings name form
+            (lambda (s)
+              (define datum (syntax-e s))
+              (and (or (and (string? datum) (regexp-match? #rx"[.]rkt$" datum) (leaves? datum))
+                       (and (head? s 'file) (string? (part s 1))))
+                   "a path that leads out of the library; require a collection"))))
+
 (define source-rules
   (list wholesale-provides bare-errors dynamic-requires assigned-exports facade-code
-        handmade-raises))
+        handmade-raises outward-requires))
 
 ;; ---------------------------------------------------------------------------
 ;; Rules on all files together
 
 ;; Smaller functions than this, counted in symbols and numbers, may be written twice.
-(define smallest 7)
+(define smallest 4)
 
 ;; Functions that are the same but for their names and those that they bind: a helper has one
 ;; home.  forms : ((name . module as syntax) ...)
@@ -138,7 +150,8 @@
 (define (sort-places places) (sort places string<?))
 
 ;; (define (f x ...) body ...) with all names that are bound in it replaced by their places,
-;; in the order in which they come; or #f if it is no such definition or a small one.
+;; in the order in which they come; or #f if it is no such definition or a small one.  Quoted names
+;; are data.
 (define (nameless form smallest)
   (and (list? form) (> (length form) 2) (eq? (car form) 'define) (pair? (cadr form))
        (>= (atoms (cddr form)) smallest)
@@ -152,7 +165,8 @@
     (values name (list 'place i))))
 
 (define (replace x places)
-  (cond [(pair? x) (cons (replace (car x) places) (replace (cdr x) places))]
+  (cond [(and (pair? x) (eq? (car x) 'quote)) x]
+        [(pair? x) (cons (replace (car x) places) (replace (cdr x) places))]
         [(symbol? x) (hash-ref places x x)]
         [else x]))
 
