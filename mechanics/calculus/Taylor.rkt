@@ -8,6 +8,7 @@
 
 (require "derivative-errors.rkt" "derivative.rkt" "infinitesimal-part.rkt" "Taylor-number.rkt"
          "perturbed-value.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../value/series/coefficients.rkt" "../value/series/series.rkt")
@@ -57,5 +58,5 @@
          (structure-map2 (lambda (a b) (displace tag n a b)) (adopt x) (adopt dx))]
         [(and (scalar? x) (scalar? dx)) (make-jet tag n (vector x dx))]
         [else
-         (raise-arguments-error 'Taylor-series "the increment must have the shape of the argument"
-                                "argument" x "increment" dx)]))
+         (complain-showing 'Taylor-series "the increment must have the shape of the argument"
+                           "argument" x "increment" dx)]))

@@ -44,7 +44,8 @@
         (evolve-trajectory (with-area flow) s longest #:events events #:tolerance tolerance)))
     (define end (trajectory-final-state motion))
     (when (null? (trajectory-events motion))
-      (raise-not-closed who H state (unscaled end) turn longest (* (scale-action c) (structure-ref end 2))))
+      (raise-not-closed who H state (unscaled end) turn longest
+                        (* (scale-action c) (structure-ref end 2))))
     (check-time-free who H (unscaled end))
     end)
   (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
@@ -97,7 +98,9 @@
       (up (coordinate rate) (momentum rate))
       (g:* (momentum inner) (coordinate rate))))
 
-(define (inner-state s) (up (time s) (structure-ref (structure-ref s 1) 0) (structure-ref (structure-ref s 1) 1)))
+(define (inner-state s)
+  (define inner (structure-ref s 1))
+  (up (time s) (structure-ref inner 0) (structure-ref inner 1)))
 
 (define closeness 1e-5)
 (define longest-orbit 1e4)       ; the time after which it is given up, where nobody says

@@ -36,8 +36,8 @@
 
 (define (check-shape who before now)
   (unless (same-shape? before now)
-    (raise-arguments-error who "the function's value has changed its shape"
-                           "before" before "now" now))
+    (complain-showing who "the function's value has changed its shape"
+                      "before" before "now" now))
   now)
 
 (define (raise-not-a-number who x)

@@ -158,9 +158,9 @@
               (if (= 1 (compiled-function-inputs c)) "1.0" "1.0 2.0 ...")
               (describe-with-value input)))
   (unless (= (flvector-length input) (compiled-function-inputs c))
-    (raise-arguments-error (object-name c) "the flvector is of another length than the example"
-                           "expected" (compiled-function-inputs c)
-                           "given" (flvector-length input)))
+    (complain-showing (object-name c) "the flvector is of another length than the example"
+                      "expected" (compiled-function-inputs c)
+                      "given" (flvector-length input)))
   (define output (make-flvector (compiled-function-outputs c)))
   ((compiled-function-runner c) input output)
   output)
@@ -177,8 +177,8 @@
     (define value (value-or-nan f (flvector->structure example input) shape))
     (define v (structure->flvector value (lambda (x) (if (number? x) +nan.0 (fail x)))))
     (unless (= (flvector-length v) outputs)
-      (raise-arguments-error who "the function's value has changed its shape"
-                             "at the example" shape "now" value))
+      (complain-showing who "the function's value has changed its shape"
+                        "at the example" shape "now" value))
     (flvector-copy! output v))
   (compiled-function (lambda () run)
                      (flvector-length point) outputs shape #f #f reason (value->datum f)))

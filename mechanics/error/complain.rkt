@@ -8,11 +8,16 @@
 
 (require "message-words.rkt")
 
-(provide complain complain-of-datum complain-of-arity raise-division-by-zero with-more-said)
+(provide complain complain-showing complain-of-datum complain-of-arity raise-division-by-zero
+         with-more-said)
 
 ;; who : what the reader called, a symbol or a text
 (define (complain who text . parts)
   (raise (exn:fail:contract (message who text parts) (current-continuation-marks))))
+
+;; fields : label value label value ..., of which each pair is a line of the message
+(define (complain-showing who text . fields)
+  (raise (exn:fail:contract (message-with-fields who text fields) (current-continuation-marks))))
 
 ;; expected : what is wanted, such as "a positive tolerance"; x : as Racket prints it
 (define (complain-of-datum who expected x)

@@ -3,6 +3,8 @@
 ;; answer.  They carry the data that shows why, so that a program may go on
 ;; from there.  A mistake of the user's is an `exn:fail:contract` instead.
 
+(require "message-words.rkt")
+
 (provide
  ;; the exceptions
  (struct-out exn:fail:mechanics)
@@ -37,19 +39,19 @@
 
 ;; The message is made as `format` makes it.
 (define (raise-no-answer who text . parts)
-  (raise (exn:fail:mechanics (failure-message who (apply format text parts) '())
+  (raise (exn:fail:mechanics (message-with-fields who (apply format text parts) '())
                              (current-continuation-marks))))
 
 ;; who : symbol; fields : label value label value ...
 (define (raise-singular who what where . fields)
-  (raise (exn:fail:mechanics:singular (failure-message who what fields)
+  (raise (exn:fail:mechanics:singular (message-with-fields who what fields)
                                       (current-continuation-marks)
                                       where)))
 
 ;; cause : the failure that this one explains in other words, or #f
 (define (raise-without-inverse who what where null-vectors [cause #f])
   (raise (exn:fail:mechanics:singular:matrix
-          (failure-message who what '())
+          (message-with-fields who what '())
           (if cause (exn-continuation-marks cause) (current-continuation-marks))
           where
           null-vectors)))
@@ -59,7 +61,7 @@
                               #:shown [shown value] #:show? [show? #t] . fields)
   (define all (if show? (append fields (approximation shown error-estimate)) fields))
   (raise (exn:fail:mechanics:not-convergent
-          (failure-message who what all)
+          (message-with-fields who what all)
           (current-continuation-marks)
           value
           error-estimate)))
@@ -82,7 +84,7 @@
 
 (define (raise-no-integral who what value bound where)
   (raise (exn:fail:mechanics:not-convergent:integral
-          (failure-message who what (list* "trouble near" where (approximation value bound)))
+          (message-with-fields who what (list* "trouble near" where (approximation value bound)))
           (current-continuation-marks)
           value
           bound
@@ -90,11 +92,3 @@
 
 (define (approximation value error-estimate)
   (list "best value" value "error estimate" error-estimate))
-
-(define (failure-message who what fields)
-  (apply string-append (symbol->string who) ": " what
-         (let loop ([fields fields])
-           (if (null? fields)
-               '()
-               (cons (format "\n  ~a: ~e" (car fields) (cadr fields))
-                     (loop (cddr fields)))))))

@@ -3,11 +3,20 @@
 
 (require racket/list racket/string)
 
-(provide message joined counted first-line)
+(provide message message-with-fields joined counted first-line)
 
 ;; "who: " and the text, which with its parts is as `format` takes them.
 (define (message who text parts)
   (format "~a: ~a" who (apply format text (map in-brief parts))))
+
+;; "who: " and the text, then a line for each of the fields: label value label value ...
+(define (message-with-fields who text fields)
+  (apply string-append (format "~a: ~a" who text)
+         (let loop ([fields fields])
+           (if (null? fields)
+               '()
+               (cons (format "\n  ~a: ~e" (car fields) (cadr fields))
+                     (loop (cddr fields)))))))
 
 ;; The most characters of a line of a part that are shown: a value is shown to be recognised, not
 ;; to be read whole.

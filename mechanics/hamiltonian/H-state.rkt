@@ -21,7 +21,8 @@
 (define (->H-state t q p) (up t q p))
 
 ;; Is x a triple whose momenta are dual to its coordinates?
-(define (H-state? x) (and (triple? x) (scalar? (time x)) (dual? (coordinate x) (structure-ref x 2))))
+(define (H-state? x)
+  (and (triple? x) (scalar? (time x)) (dual? (coordinate x) (structure-ref x 2))))
 (define compatible-H-state? H-state?)
 
 ;; Does x say that it has momenta?  With one coordinate that is not a tuple nothing says so.

@@ -4,6 +4,7 @@
 
 (require racket/list
          "action.rkt"
+         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt"
          "../generic/sums-and-products.rkt"
@@ -48,16 +49,16 @@
 ;; are those of what comes before i and of what comes after it.
 (define (Lagrange-interpolation-function ys xs)
   (unless (and (list? ys) (list? xs) (= (length ys) (length xs)) (pair? xs))
-    (raise-arguments-error 'Lagrange-interpolation-function
-                           "expected as many values as points, and at least one"
-                           "values" ys "points" xs))
+    (complain-showing 'Lagrange-interpolation-function
+                      "expected as many values as points, and at least one"
+                      "values" ys "points" xs))
   (define who 'Lagrange-interpolation-function)
   (interpolation who who ys xs))
 
 ;; name : it prints as (name from first-point to last-point)
 (define (interpolation who name ys xs)
   (define twice (check-duplicates xs))
-  (when twice (raise-arguments-error who "two points are the same" "point" twice))
+  (when twice (complain-showing who "two points are the same" "point" twice))
   (define coefficients
     (for/list ([y (in-list ys)] [xi (in-list xs)] [i (in-naturals)])
       (g:/ y (product-of-distances xi i xs))))

@@ -50,8 +50,8 @@
 ;; The first n elements.
 (define (list-head xs n)
   (unless (and (list? xs) (exact-nonnegative-integer? n) (<= n (length xs)))
-    (raise-arguments-error 'list-head "expected a list, and a number of its first elements"
-                           "list" xs "number" n))
+    (complain-showing 'list-head "expected a list, and a number of its first elements"
+                      "list" xs "number" n))
   (for/list ([x (in-list xs)] [_ (in-range n)]) x))
 
 ;; (f (f start x) y): f takes the accumulator first, in Racket's foldl last.
@@ -68,7 +68,7 @@
   (check-argument who procedure? f "a procedure")
   (unless (and (list? xs) (andmap list? more)
                (andmap (lambda (ys) (= (length ys) (length xs))) more))
-    (raise-arguments-error who "expected lists of one length" "lists" (cons xs more))))
+    (complain-showing who "expected lists of one length" "lists" (cons xs more))))
 
 ;; ---------------------------------------------------------------------------
 ;; Output

@@ -13,7 +13,7 @@
 (require racket/flonum
          "path-action.rkt"
          "system/check.rkt"
-         "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
@@ -47,13 +47,13 @@
   (check-real who "initial time" t0)
   (check-real who "final time" t1)
   (when (= t0 t1)
-    (raise-arguments-error who "the initial and the final time are the same" "time" t0))
+    (complain-showing who "the initial and the final time are the same" "time" t0))
   (check-argument who exact-nonnegative-integer? n "a number of intermediate points")
   (for ([q (list q0 q1)]
         [name '("coordinate at the initial time" "coordinate at the final time")])
     (for ([x (in-list (scalars q))]) (check-real who name x)))
   (unless (same-shape? q0 q1)
-    (raise-arguments-error
+    (complain-showing
      who "the coordinates at the two ends are of different shapes"
      "at the initial time" q0
      "at the final time" q1)))

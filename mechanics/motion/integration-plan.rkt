@@ -3,7 +3,7 @@
 
 (require "method-names.rkt" "method.rkt"
          "system/check.rkt"
-         "../error/progress.rkt")
+         "../error/complain.rkt" "../error/progress.rkt")
 
 (provide (struct-out plan) make-plan default-tolerance)
 
@@ -22,7 +22,7 @@
   (check-longest who longest)
   (check-most who most)
   (when (and bits method)
-    (raise-arguments-error
+    (complain-showing
      who "methods are for flonums; with a precision, extrapolation integrates"
      "method" method
      "precision" bits))

@@ -10,6 +10,7 @@
          "choose-method.rkt"
          "system/check.rkt" "system/separable.rkt" "system/system.rkt"
          "../compile/compile-function.rkt"
+         "../error/complain.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../numeric/ode/integrate.rkt")
 
@@ -32,9 +33,9 @@
   (define (advance method state step [continue values])
     (define s (system-for state))
     (unless (or (not dimension) (eqv? dimension (system-size s)))
-      (raise-arguments-error 'ode-advancer "the state is not of the dimension declared"
-                             "state" state
-                             "dimension" dimension))
+      (complain-showing 'ode-advancer "the state is not of the dimension declared"
+                        "state" state
+                        "dimension" dimension))
     (one-step (make-plan 'ode-advancer tolerance method) s state step continue))
   (stepping 'ode-advancer (call-datum 'ode-advancer derivative tolerance)
             "a state and a step" 2 3 advance))

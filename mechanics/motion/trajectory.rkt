@@ -97,10 +97,10 @@
   (define r (trajectory-reading tr))
   (define x (time-within-it tr ((reading-exactly r) (real-number t))))
   (unless x
-    (raise-arguments-error 'trajectory "the time is outside the trajectory"
-                           "time" t
-                           "from" (trajectory-start tr)
-                           "to" (trajectory-end tr)))
+    (complain-showing 'trajectory "the time is outside the trajectory"
+                      "time" t
+                      "from" (trajectory-start tr)
+                      "to" (trajectory-end tr)))
   ((reading-state r) (find-step (trajectory-steps tr) x) x))
 
 ;; x as a time of the trajectory, or #f.  An end is rounded, to what the integration computes with

@@ -13,7 +13,7 @@
 (define (sample who f x)
   (define y (f x))
   (unless (real? y)
-    (raise-arguments-error
+    (complain-showing
      who "the function must give real numbers; does it still contain symbols?"
      "at" x
      "given" y))

@@ -2,6 +2,7 @@
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
 (require "remarks.rkt" "kink-survey.rkt" "question-meaning.rkt"
+         "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/on-demand.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
@@ -45,8 +46,8 @@
 
 (define (check-constrained n constraints)
   (unless constraints
-    (raise-arguments-error 'verify-solution
-                           "multipliers belong to constraints, and there are none"))
+    (complain-showing 'verify-solution
+                      "multipliers belong to constraints, and there are none"))
   (unless (eqv? n 1)
-    (raise-arguments-error 'verify-solution "with constraints, the order of a Lagrangian is 1"
-                           "order" n)))
+    (complain-showing 'verify-solution "with constraints, the order of a Lagrangian is 1"
+                      "order" n)))

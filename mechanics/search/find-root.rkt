@@ -11,7 +11,7 @@
          racket/list
          "implicit-root.rkt"
          "../calculus/derivative.rkt" "../calculus/number-argument.rkt"
-         "../error/refusal.rkt"
+         "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/function.rkt"
          "../numeric/finite-number.rkt" "../numeric/flvector.rkt"
          "../numeric/linear-algebra/row-matrix.rkt" "../numeric/linear-algebra/singular-values.rkt"
@@ -100,11 +100,8 @@
 (define (check-count who start y)
   (define n (shape-length start))
   (unless (= (flvector-length y) n)
-    (raise-arguments-error
-     who "the function must give as many numbers as it takes"
-     "given" (flvector-length y)
-     "expected" n
-     "start" start)))
+    (complain-showing who "the function must give as many numbers as it takes"
+                      "given" (flvector-length y) "expected" n "start" start)))
 
 ;; ---------------------------------------------------------------------------
 ;; Matrices of derivatives

@@ -6,7 +6,7 @@
 
 (require "least-between.rkt" "minimum.rkt" "minimum-near.rkt" "objective.rkt" "varying-minimum.rkt"
          "../calculus/number-argument.rkt"
-         "../error/failure.rkt" "../error/note.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/wrong-argument.rkt"
          "../numeric/finite-number.rkt" "../error/progress.rkt" "../numeric/checked-arguments.rkt"
@@ -73,7 +73,7 @@
 
 (define (check-predicate who done?)
   (unless (accepts? done? 7)
-    (raise-arguments-error
+    (complain-showing
      who "a predicate that ends the search takes three arguments, the values there and a count"
      "given" done?)))
 

@@ -72,7 +72,7 @@
 
 (define (parse-signature d)
   (unless (and (list? d) (pair? d) (eq? (car d) '->) (= (length d) 3))
-    (raise-arguments-error
+    (complain-showing
      'literal-function
      "a signature has the form (-> domain range), as in (-> (X Real Real) Real)"
      "given" (value->datum d)))
@@ -124,7 +124,7 @@
         [else (raise-bad-shape d)]))
 
 (define (raise-bad-shape d)
-  (raise-arguments-error
+  (complain-showing
    'literal-function
    (string-append "expected Real, (UP shape ...), (DOWN shape ...), (UP* shape n), (DOWN* shape n) "
                   "or, as a domain, (X shape ...)")

@@ -47,7 +47,7 @@
 (define (tuple-ref s i [given s])
   (define n (if (structure? s) (structure-length s) (vector-length s)))
   (unless (exact-integer? i)
-    (raise-arguments-error 'ref "an index is an integer" "index" i))
+    (complain-showing 'ref "an index is an integer" "index" i))
   (define k (if (negative? i) (+ n i) i))
   (unless (< -1 k n)
     (complain 'ref "index ~a is outside ~a~a\n  in: ~a" i (describe given) (index-range n)
@@ -112,8 +112,8 @@
   (define others (for/list ([t (in-list more)]) (structure-of 's:map t)))
   (for ([t (in-list others)])
     (unless (= (structure-length first) (structure-length t))
-      (raise-arguments-error 's:map "the structures differ in length"
-                             "first" first "another" t)))
+      (complain-showing 's:map "the structures differ in length"
+                        "first" first "another" t)))
   (if (null? others)
       (structure-map f first)
       (same-orientation
@@ -168,16 +168,16 @@
          (define s (adopt a))
          (define t (adopt b))
          (unless (= (structure-length s) (structure-length t))
-           (raise-arguments-error 'dot-product "the tuples differ in length"
-                                  "first" s "second" t))
+           (complain-showing 'dot-product "the tuples differ in length"
+                             "first" s "second" t))
          (g:for/sum ([x (in-vector (structure-elements s))]
                      [y (in-vector (structure-elements t))])
            (dot-product x y))]
         [(and (procedure? a) (procedure? b) (not (tuple? a)) (not (tuple? b)))
          (product-of-functions 'dot-product dot-product a b)]
         [(or (tuple? a) (tuple? b))
-         (raise-arguments-error 'dot-product "expected two tuples, or two numbers"
-                                "first" a "second" b)]
+         (complain-showing 'dot-product "expected two tuples, or two numbers"
+                           "first" a "second" b)]
         [else (g:* a b)]))
 
 ;; The product of the values of two functions; a may be no function.
@@ -206,8 +206,8 @@
   (define s (structure-of 'cross-product a))
   (define t (structure-of 'cross-product b))
   (unless (= 3 (structure-length s) (structure-length t))
-    (raise-arguments-error 'cross-product "expected two tuples of 3"
-                           "first" s "second" t))
+    (complain-showing 'cross-product "expected two tuples of 3"
+                      "first" s "second" t))
   (define (minor i j)
     (g:- (g:* (s:ref s i) (s:ref t j)) (g:* (s:ref s j) (s:ref t i))))
   (same-orientation s (vector (minor 1 2) (minor 2 0) (minor 0 1))))

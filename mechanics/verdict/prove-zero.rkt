@@ -201,7 +201,7 @@
   (check-keywords f)
   (define n (for/first ([n (in-sequences (in-range 1 21) '(0))] #:when (accepts? f n)) n))
   (unless n
-    (raise-arguments-error 'prove-zero "cannot choose arguments for the function" "function" f))
+    (complain-showing 'prove-zero "cannot choose arguments for the function" "function" f))
   (for/list ([i (in-range n)])
     (string->uninterned-symbol (if (= n 1) "t" (format "t~a" i)))))
 

@@ -5,6 +5,7 @@
 ;; sign their difference has.
 
 (require "assumption-set.rkt" "signs.rkt"
+         "../../error/complain.rkt"
          "../expression/expression.rkt" "../expression/read.rkt")
 
 (provide split-relation read-relation raise-no-relation)
@@ -49,5 +50,5 @@
   (relation d (e:- (side (cadr d)) (side (caddr d))) (hash-ref relations (car d))))
 
 (define (raise-no-relation reason part)
-  (raise-arguments-error 'read-relation "not a relation between expressions"
-                         "reason" reason "part" part))
+  (complain-showing 'read-relation "not a relation between expressions"
+                    "reason" reason "part" part))

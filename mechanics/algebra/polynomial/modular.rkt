@@ -6,7 +6,8 @@
 ;; 2^60 and never leaves the fixnums.  A univariate polynomial is a fxvector of
 ;; coefficients by ascending degree together with its degree, -1 for zero.
 
-(require racket/fixnum)
+(require racket/fixnum
+         "../../error/complain.rkt")
 
 (provide
  ;; fields
@@ -72,8 +73,7 @@
   (let loop ([r P] [s a] [u 0] [v 1])
     (cond [(eq? s 1) (if (fx< v 0) (fx+ v P) v)]
           [(eq? s 0)
-           (raise-arguments-error 'mod-inverse "the residue has no inverse"
-                                  "residue" a "modulus" P)]
+           (complain-showing 'mod-inverse "the residue has no inverse" "residue" a "modulus" P)]
           [else
            (define q (fxquotient r s))
            (loop s (fx- r (fx* q s)) v (fx- u (fx* q v)))])))

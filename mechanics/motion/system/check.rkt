@@ -166,7 +166,7 @@
   (define (fail x) (raise-no-state who state x))
   (define y (structure->flvector state fail))
   (when (eqv? (flvector-length y) 0)
-    (raise-arguments-error who "a state without components has no motion" "state" state))
+    (complain-showing who "a state without components has no motion" "state" state))
   (for ([x (in-flvector y)])
     (unless (finite? x) (fail x)))
   y)

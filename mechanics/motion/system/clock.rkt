@@ -3,6 +3,7 @@
 
 (require racket/flonum
          "../../compile/compile-function.rkt"
+         "../../error/complain.rkt"
          "../../value/shape.rkt")
 
 (provide clock-first? constant-rate? on-time raise-rate-varies)
@@ -25,8 +26,9 @@
   (unless (or (fl= rate 1.0) (not (fl= rate rate))) (raise-rate-varies who rate)))
 
 (define (raise-rate-varies who rate)
-  (raise-arguments-error
-   who "the first component of the state was taken for the time, but its derivative varies"
-   "at the start" 1
-   "now" rate
-   "if it is not the time" (unquoted-printing-string "let its derivative be 1.0 at the start")))
+  (complain who
+            (string-append
+             "the first component of the state was taken for the time, but its derivative varies"
+             "\n  at the start: 1\n  now: ~a"
+             "\n  if it is not the time: let its derivative be 1.0 at the start")
+            rate))

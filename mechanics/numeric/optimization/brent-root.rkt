@@ -18,7 +18,7 @@
 
 (require "point.rkt"
          "../checked-arguments.rkt"
-         "../../error/failure.rkt")
+         "../../error/complain.rkt" "../../error/failure.rkt")
 
 ;; (method f low high) -> root, bound of its error, evaluations
 (provide bracketed-root bisected-root)
@@ -126,7 +126,7 @@
 ;; ---------------------------------------------------------------------------
 
 (define (raise-no-change who a b)
-  (raise-arguments-error
+  (complain-showing
    who "the function has the same sign at both ends of the interval"
    "from" (point-x a) "to" (point-x b)
    "value at the first" (point-y a) "value at the second" (point-y b)))

@@ -2,6 +2,7 @@
 ;; A film: the motion that an animation shows, its drawing, and when its pictures are taken.
 
 (require "../../generic/compare.rkt" "../../generic/wrong-argument.rkt"
+         "../../error/complain.rkt"
          "../plot/coordinate.rkt")
 
 (provide (struct-out film) film-state
@@ -26,7 +27,7 @@
   (define start (check-number who "the first time" from))
   (define end (check-number who "the last time" to))
   (when (= start end)
-    (raise-arguments-error who "the animation would take no time" "from" from "to" to))
+    (complain-showing who "the animation would take no time" "from" from "to" to))
   (unless (> (check-number who "the speed" speed) 0.0)
     (complain-of-argument who "a positive speed, in units of time per second" speed))
   (unless (and (real? rate) (<= 1 rate 100))
@@ -56,8 +57,8 @@
   (define-values (low high)
     (values (min (schedule-start s) (schedule-end s)) (max (schedule-start s) (schedule-end s))))
   (unless (<= low x high)
-    (raise-arguments-error who "the time is outside the animation"
-                           "time" t
-                           "from" (schedule-from s)
-                           "to" (schedule-to s)))
+    (complain-showing who "the time is outside the animation"
+                      "time" t
+                      "from" (schedule-from s)
+                      "to" (schedule-to s)))
   t)

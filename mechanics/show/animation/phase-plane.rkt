@@ -2,6 +2,7 @@
 ;; The phase portrait beside a mechanism shows one function of the state against another.
 
 (require "system-state.rkt"
+         "../../error/complain.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
          "../../lagrangian/local-tuple.rkt"
@@ -30,9 +31,9 @@
   (check-planar who first)
   (define count (vector-length (slot-components who first 1)))
   (unless (and (exact-nonnegative-integer? i) (< i count))
-    (raise-arguments-error who "there is no coordinate of that number"
-                           "number" i
-                           "coordinates" count))
+    (complain-showing who "there is no coordinate of that number"
+                      "number" i
+                      "coordinates" count))
   (define name (if (< i (length names)) (list-ref names i) (format "q_~a" i)))
   (define ((component slot) state) (vector-ref (slot-components who state slot) i))
   (new-phase-plane (component 1) (component 2) name
@@ -40,7 +41,7 @@
 
 (define (check-planar who state)
   (unless (and (local-tuple? state) (>= (structure-length (adopt state)) 3))
-    (raise-arguments-error
+    (complain-showing
      who "a phase portrait of states without velocities or momenta needs a (phase-plane x y)"
      "state" state)))
 

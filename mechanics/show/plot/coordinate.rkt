@@ -74,12 +74,12 @@
   (define span (- to from))
   (define steps (ceiling (- (/ (abs span) step) 1e-6)))
   (unless (<= steps most-parameters)
-    (raise-arguments-error who "the step is too short for so long a curve"
-                           "step" step
-                           "from" from
-                           "to" to
-                           "steps" steps
-                           "at most" most-parameters))
+    (complain-showing who "the step is too short for so long a curve"
+                      "step" step
+                      "from" from
+                      "to" to
+                      "steps" steps
+                      "at most" most-parameters))
   (define count (max 1 (inexact->exact steps)))
   (define signed (if (< span 0.0) (- step) step))
   (for/list ([k (in-range (+ count 1))])

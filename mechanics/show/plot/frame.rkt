@@ -12,6 +12,7 @@
 (require file/convertible
          racket/serialize
          "picture-layer.rkt" "on-demand.rkt" "points.rkt" "view.rkt"
+         "../../error/complain.rkt"
          "../display/picture-advice.rkt"
          "../../generic/define-plain.rkt" "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt")
@@ -60,7 +61,7 @@
   (when (frame-closed? f) (raise-closed who f)))
 
 (define (raise-closed who f)
-  (raise-arguments-error who "the frame is closed; make a new one to draw in" "frame" f))
+  (complain-showing who "the frame is closed; make a new one to draw in" "frame" f))
 
 (define (frame-bounds f) (view-bounds (frame-view f)))
 

@@ -4,7 +4,7 @@
 
 (require racket/file
          racket/path
-         "../../error/machine-limits.rkt"
+         "../../error/complain.rkt" "../../error/machine-limits.rkt"
          "../../generic/wrong-argument.rkt")
 
 (provide format-of-file check-file write-file)
@@ -18,7 +18,7 @@
                                formats))
          => cdr]
         [else
-         (raise-arguments-error
+         (complain-showing
           who (format "the name of the file says no format; it ends in ~a" listed)
           "file" file)]))
 

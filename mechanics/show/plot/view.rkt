@@ -2,7 +2,8 @@
 ;; The window of the plane that a picture shows, its size on paper and what is written
 ;; beside it.
 
-(require "../../generic/wrong-argument.rkt")
+(require "../../generic/wrong-argument.rkt"
+         "../../error/complain.rkt")
 
 (provide (struct-out view) make-view check-bounds)
 
@@ -34,9 +35,9 @@
 
 (define (check-ascending who axis low high)
   (unless (< (real->double-flonum low) (real->double-flonum high))
-    (raise-arguments-error who (format "the least ~a is not below the greatest" axis)
-                           "least" low
-                           "greatest" high)))
+    (complain-showing who (format "the least ~a is not below the greatest" axis)
+                      "least" low
+                      "greatest" high)))
 
 ;; 'equal: one unit is as long on both axes.
 (define (ratio aspect-ratio bounds)

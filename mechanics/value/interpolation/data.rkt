@@ -32,9 +32,9 @@
 (define (values-at who what ys xs)
   (define v (->vector who what ys))
   (unless (= (vector-length v) (vector-length xs))
-    (raise-arguments-error who (format "expected as many ~a as points" what)
-                           what (vector-length v)
-                           "points" (vector-length xs)))
+    (complain-showing who (format "expected as many ~a as points" what)
+                      what (vector-length v)
+                      "points" (vector-length xs)))
   v)
 
 (define (check-increasing who xs)

@@ -84,9 +84,9 @@
 (define (check-finite m v)
   (for ([x (in-flvector v)])
     (unless (finite? x)
-      (raise-arguments-error 'eigenvalues "expected a matrix of finite numbers"
-                             "entry" x
-                             "matrix" m))))
+      (complain-showing 'eigenvalues "expected a matrix of finite numbers"
+                        "entry" x
+                        "matrix" m))))
 
 (define (symmetric? m n)
   (for*/and ([i (in-range n)] [j (in-range i)])

@@ -63,7 +63,7 @@
   (define rows (square-parts s))
   (if rows
       (for/vector ([row (in-list rows)]) (scalar-vector row))
-      (raise-arguments-error
+      (complain-showing
        who "expected as many components in each component as there are components"
        "structure" s)))
 
@@ -231,14 +231,14 @@
 (define (solve-columns who columns b A like)
   (define n (length columns))
   (unless (= n (vector-length b))
-    (raise-arguments-error who
-                           (string-append
-                            (if (> n (vector-length b))
-                                "there are more unknowns than equations: the system is under"
-                                "there are more equations than unknowns: the system is over")
-                            "determined")
-                           "unknowns" n "equations" (vector-length b)
-                           "structure" A))
+    (complain-showing who
+                      (string-append
+                       (if (> n (vector-length b))
+                           "there are more unknowns than equations: the system is under"
+                           "there are more equations than unknowns: the system is over")
+                       "determined")
+                      "unknowns" n "equations" (vector-length b)
+                      "structure" A))
   (define (shape v) (vector->structure like v))
   (shape (rows-solve who A (rows-transpose (list->vector columns)) b shape)))
 

@@ -96,7 +96,7 @@
 
 (define (row->vector who r)
   (cond [(and (list? r) (ormap pair? r))
-         (raise-arguments-error
+         (complain-showing
           who (format "each list is an argument of its own: (~a '(1 2) '(3 4))" who) "given" r)]
         [(list? r) (list->vector r)]
         [(tuple? r) (structure-elements (adopt r))]
@@ -104,12 +104,12 @@
 
 (define (check-equal-lengths who vectors)
   (when (null? vectors)
-    (raise-arguments-error who "a matrix has at least one row"))
+    (complain-showing who "a matrix has at least one row"))
   (for ([v (in-list vectors)])
     (unless (= (vector-length v) (vector-length (car vectors)))
-      (raise-arguments-error who "the rows of a matrix have one length"
-                             "first" (vector->list (car vectors))
-                             "another" (vector->list v)))))
+      (complain-showing who "the rows of a matrix have one length"
+                        "first" (vector->list (car vectors))
+                        "another" (vector->list v)))))
 
 (define (m:generate rows columns f)
   (matrix (for/vector #:length rows ([i (in-range rows)])
@@ -126,12 +126,12 @@
 (define (column-matrix->up m)
   (check-matrix 'column-matrix->up m)
   (unless (= 1 (m:num-cols m))
-    (raise-arguments-error 'column-matrix->up "expected a matrix of one column" "matrix" m))
+    (complain-showing 'column-matrix->up "expected a matrix of one column" "matrix" m))
   (structure 'up (column m 0)))
 (define (row-matrix->down m)
   (check-matrix 'row-matrix->down m)
   (unless (= 1 (m:num-rows m))
-    (raise-arguments-error 'row-matrix->down "expected a matrix of one row" "matrix" m))
+    (complain-showing 'row-matrix->down "expected a matrix of one row" "matrix" m))
   (structure 'down (vector-ref (matrix-rows m) 0)))
 
 ;; ---------------------------------------------------------------------------
@@ -147,8 +147,8 @@
 (define (matrix-ref m i j)
   (check-matrix 'matrix-ref m)
   (unless (and (index-below? i (m:num-rows m)) (index-below? j (m:num-cols m)))
-    (raise-arguments-error 'matrix-ref "there is no such entry"
-                           "row" i "column" j "matrix" m))
+    (complain-showing 'matrix-ref "there is no such entry"
+                      "row" i "column" j "matrix" m))
   (entry (matrix-rows m) i j))
 
 (define (index-below? i n) (and (exact-nonnegative-integer? i) (< i n)))
@@ -168,7 +168,7 @@
 
 (define (check-index who what i n m)
   (unless (index-below? i n)
-    (raise-arguments-error who (format "there is no such ~a" what) what i "matrix" m)))
+    (complain-showing who (format "there is no such ~a" what) what i "matrix" m)))
 
 ;; The number of rows of a square matrix.
 (define (m:dimension m) (vector-length (square-rows 'm:dimension m)))
@@ -177,9 +177,9 @@
 (define (m:submatrix m low-row high-row low-column high-column)
   (unless (and (index-below? low-row high-row) (<= high-row (m:num-rows m))
                (index-below? low-column high-column) (<= high-column (m:num-cols m)))
-    (raise-arguments-error 'm:submatrix "there is no such part"
-                           "rows" (list low-row high-row) "columns" (list low-column high-column)
-                           "matrix" m))
+    (complain-showing 'm:submatrix "there is no such part"
+                      "rows" (list low-row high-row) "columns" (list low-column high-column)
+                      "matrix" m))
   (m:generate (- high-row low-row) (- high-column low-column)
               (lambda (i j) (matrix-ref m (+ low-row i) (+ low-column j)))))
 
@@ -261,7 +261,7 @@
 (define (square-rows who m)
   (check-matrix who m)
   (unless (= (m:num-rows m) (m:num-cols m))
-    (raise-arguments-error who "expected a square matrix" "matrix" m))
+    (complain-showing who "expected a square matrix" "matrix" m))
   (matrix-rows m))
 
 (define (m:invert m)

@@ -2,6 +2,7 @@
 ;; Derivatives and integrals of series, and the inverse function of a power series.
 
 (require "coefficients.rkt" "series.rkt"
+         "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/wrong-argument.rkt")
 
 (provide series:derivative series:integral series:reversion)
@@ -25,12 +26,12 @@
 (define (series:reversion s)
   (check-power-series 'series:reversion s)
   (unless (eqv? (series-term s 0) 0)
-    (raise-arguments-error 'series:reversion "the series must begin with 0" "series" s))
+    (complain-showing 'series:reversion "the series must begin with 0" "series" s))
   (define slopes                        ; s/x
     (power-series-of
      (make-coefficients (lambda (k) (series-term s (add1 k))) (sub1 (series-length s)))))
   (when (or (< (series-length s) 2) (eqv? (series-term s 1) 0))
-    (raise-arguments-error 'series:reversion "the coefficient of x must not be 0" "series" s))
+    (complain-showing 'series:reversion "the coefficient of x must not be 0" "series" s))
   (define φ (g:/ 1 slopes))
   (define powers (powers-of φ))
   (power-series-of

@@ -2,6 +2,7 @@
 ;; What one does with series: make them, and look at as many terms as one wants.
 
 (require "coefficients.rkt" "series.rkt"
+         "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/sums-and-products.rkt"
          "../../generic/wrong-argument.rkt")
 
@@ -59,9 +60,9 @@
   (check-series who s)
   (when n (check-argument who exact-nonnegative-integer? n "a number of terms"))
   (unless (or n (finite-series? s))
-    (raise-arguments-error who
-                           (string-append "the series does not end; say of how many terms: " usage)
-                           "series" s))
+    (complain-showing who
+                      (string-append "the series does not end; say of how many terms: " usage)
+                      "series" s))
   (for ([k (in-range (if n (min n (series-length s)) (series-length s)))])
     (f (series-term s k))))
 
