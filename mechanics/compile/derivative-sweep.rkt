@@ -37,7 +37,7 @@
   (case (instruction-operation i)
     [(solve) (solve! b (map moved (instruction-operands i)))]
     [(component) (list-ref (moved (first-operand i)) (second-operand i))]
-    [else (write! b (cons (instruction-operation i) (map moved (instruction-operands i))))]))
+    [else (write! b (moved-instruction i moved))]))
 
 ;; Are there derivatives of all its operations?
 (define (differentiable? p)
@@ -146,11 +146,6 @@
   (define operands (list->vector (instruction-operands i)))
   (define width (+ 1 (system-unknowns i)))
   (lambda (row column) (vector-ref operands (+ (* row width) column))))
-
-;; -> the solution of the system of this matrix and right-hand side, a list of operands
-(define (solve-with! b n entry right)
-  (solve! b (for*/list ([row (in-range n)] [column (in-range (+ n 1))])
-              (if (= column n) (right row) (entry row column)))))
 
 ;; The components of the system at the place k
 (define (components! b n k)

@@ -21,7 +21,7 @@
  ;; from expressions
  expressions->program
  ;; programs made of others
- builder->program write-expression! solve!)
+ builder->program write-expression! solve! solve-with!)
 
 ;; inputs : how many
 ;; instructions : vector; the value of the k-th has the place inputs + k
@@ -127,6 +127,12 @@
   (define system (apply do! b 'solve operands))
   (for/list ([k (in-range n)]) (write! b (list 'component system k))))
 
+;; entry : row column -> operand; right : row -> operand
+;; -> the solution of the system of this matrix and right-hand side, a list of operands
+(define (solve-with! b n entry right)
+  (solve! b (for*/list ([row (in-range n)] [column (in-range (+ n 1))])
+              (if (= column n) (right row) (entry row column)))))
+
 ;; ---------------------------------------------------------------------------
 ;; What outputs need
 
@@ -158,5 +164,5 @@
            (for/vector #:length kept
                        ([i (in-vector (program-instructions p))] [k? (in-vector needed)]
                         #:when k?)
-             (cons (instruction-operation i) (map moved (instruction-operands i))))
+             (moved-instruction i moved))
            (for/vector ([o (in-vector (program-outputs p))]) (moved o))))

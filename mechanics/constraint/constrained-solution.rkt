@@ -45,9 +45,7 @@
   (case n
     [(0) '()]
     [(1) (list (divide! b (car right) (entry 0 0)))]
-    [else
-     (solve! b (for*/list ([i (in-range n)] [j (in-range (+ n 1))])
-                 (if (= j n) (list-ref right i) (entry i j))))]))
+    [else (solve-with! b n entry (lambda (i) (list-ref right i)))]))
 
 ;; The multipliers with the other sign, so that the matrix is symmetric.
 (define (solution-together! b M J f c)

@@ -148,9 +148,7 @@
       (for/fold ([v v]) ([u (in-list (reverse units))]) (along v (fl- 0.0 (dot u v)) u)))
     (define size (norm free))
     (define divisor (if (fl> size 0.0) size 1.0))
-    (values (cons (for/flvector #:length (flvector-length free) ([x (in-flvector free)])
-                    (fl/ x divisor))
-                  units)
+    (values (cons (flvector-map (lambda (x) (fl/ x divisor)) free) units)
             (cons size lengths))))
 
 ;; ---------------------------------------------------------------------------

@@ -13,6 +13,7 @@
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
          "../generic/up-down.rkt"
+         (only-in "../numeric/flvector.rkt" flvector-finite?)
          (only-in "../value/structure.rkt" ref))
 
 (provide fast-Lyapunov-indicator indicator-grid)
@@ -97,11 +98,7 @@
 
 (define ((compiled-displacement run!) p q)
   (run! p q)
-  (finite? q))
-
-(define (finite? q)
-  (and (fl< (flabs (flvector-ref q 0)) +inf.0) (fl< (flabs (flvector-ref q 1)) +inf.0)
-       (fl< (flabs (flvector-ref q 2)) +inf.0) (fl< (flabs (flvector-ref q 3)) +inf.0)))
+  (flvector-finite? q))
 
 ;; The step! of a map that cannot be compiled.
 (define (called-displacement who map x y)

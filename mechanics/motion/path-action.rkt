@@ -16,6 +16,7 @@
 (require racket/flonum
          "../compile/compile-function.rkt"
          "../lagrangian/Lagrange-equations.rkt"
+         "../numeric/flvector.rkt"
          "../numeric/quadrature/end-polynomials.rkt" "../numeric/quadrature/gauss-rule.rkt")
 
 (provide compile-Lagrangian path-action points-between)
@@ -53,7 +54,7 @@
   (define-values (basis slopes) (end-polynomials n u))
   (sample (fl+ (fl* 0.5 (fl+ t0 t1)) (fl* half u)) (fl* half weight)
           (fl* 0.5 (fl+ 1.0 u)) (fl/ 0.5 half)
-          basis (for/flvector #:length n ([s (in-flvector slopes)]) (fl/ s half))))
+          basis (flvector-map (lambda (s) (fl/ s half)) slopes)))
 
 (define (time-samples n t0 t1 nodes parts)
   (define-values (us ws) (gauss-legendre-rule nodes))

@@ -9,7 +9,7 @@
 
 (provide flvector-finite?
          flvector->list flvector-copy! flvector-swap!
-         unit-flvector flvector-scaled along difference dot norm greatest distance)
+         flvector-map unit-flvector flvector-scaled along difference dot norm greatest distance)
 
 (define (flvector-finite? v)
   (for/and ([x (in-flvector v)]) (fl< (flabs x) +inf.0)))
@@ -21,6 +21,13 @@
   (define v (make-flvector n))
   (flvector-set! v i 1.0)
   v)
+
+(define flvector-map
+  (case-lambda
+    [(f v) (for/flvector #:length (flvector-length v) ([x (in-flvector v)]) (f x))]
+    [(f v w)
+     (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [y (in-flvector w)])
+       (f x y))]))
 
 (define (flvector-scaled a v)
   (for/flvector #:length (flvector-length v) ([x (in-flvector v)]) (fl* a x)))

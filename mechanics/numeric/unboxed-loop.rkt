@@ -7,7 +7,7 @@
 
 (require racket/unsafe/ops)
 
-(provide unboxed each at put!)
+(provide unboxed each at put! sum)
 
 (define-syntax-rule (unboxed x) (unsafe-fl* 1.0 x))
 
@@ -21,3 +21,9 @@
 
 (define-syntax-rule (at v i) (unsafe-flvector-ref v i))
 (define-syntax-rule (put! v i x) (unsafe-flvector-set! v i x))
+
+;; From the left.
+(define-syntax sum
+  (syntax-rules ()
+    [(_ x) x]
+    [(_ x y . more) (sum (unsafe-fl+ x y) . more)]))

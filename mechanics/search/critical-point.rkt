@@ -54,7 +54,7 @@
 (define (kinked? t x y g second)
   (define h (* 1e-6 (size x)))
   (define steepness (norm g))
-  (define down (and (> steepness 0.0) (for/flvector ([s (in-flvector g)]) (/ (- s) steepness))))
+  (define down (and (> steepness 0.0) (flvector-map (lambda (s) (/ (- s) steepness)) g)))
   (and down
        (let ([foretold (+ (* -1.0 steepness h) (* 0.5 h h (curvature-along second down)))]
              [change (- (value-beside t (along x h down)) y)])

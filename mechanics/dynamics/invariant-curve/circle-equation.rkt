@@ -8,7 +8,8 @@
          "../../calculus/derivative.rkt"
          "../../compile/compile-function.rkt"
          "../../generic/up-down.rkt"
-         "../../numeric/constants.rkt" "../../numeric/periodic-function.rkt"
+         "../../numeric/constants.rkt" "../../numeric/flvector.rkt"
+         "../../numeric/periodic-function.rkt"
          "../../numeric/whole-turns.rkt")
 
 (provide circle-equation solve-circle curve-of-orbit)
@@ -82,7 +83,8 @@
     (cond [(and (fl< error +inf.0) (fl> error enough) (< count 20)
                 (or (fl< error (fl* 0.5 best)) (= count 0)))
            (define-values (dx dy) (correction q m x y))
-           (define-values (next-x next-y) (both-smoothed (plus x dx) (plus y dy)))
+           (define-values (next-x next-y)
+             (both-smoothed (flvector-map fl+ x dx) (flvector-map fl+ y dy)))
            (improve next-x next-y x y error (+ count 1))]
           [(fl< error best) (values x y (flmax error (residual-between q x y n)))]
           [else (values best-x best-y (flmax best (residual-between q best-x best-y n)))])))
@@ -95,11 +97,8 @@
 (define (residual-between q x y n)
   (define half (fl* 0.5 (node-angle 1 n)))
   (define-values (x-between y-between) (both-shifted x y half))
-  (define moved (for/flvector #:length n ([u (in-flvector x-between)]) (fl+ u half)))
+  (define moved (flvector-map (lambda (u) (fl+ u half)) x-between))
   (greatest-residual (mismatch q moved y-between n)))
-
-(define (plus f g)
-  (for/flvector #:length (flvector-length f) ([a (in-flvector f)] [b (in-flvector g)]) (fl+ a b)))
 
 ;; x, y : distance of the image from the curve; a ... d : derivatives of the map
 (struct mismatch-of (x y a b c d))

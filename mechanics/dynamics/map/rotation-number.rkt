@@ -140,9 +140,7 @@
 
 ;; Changes each step by whole turns, until it is within half a turn of the mean direction.
 (define (within-half-a-turn steps middle)
-  (for/flvector #:length (flvector-length steps) ([step (in-flvector steps)])
-    (define off (fl- step middle))
-    (fl+ middle (fl- off (fl* :2pi (flround (fl/ off :2pi)))))))
+  (flvector-map (lambda (step) (fl+ middle (whole-turns-less (fl- step middle)))) steps))
 
 ;; Between 0 and a turn if all steps go forwards, else within half a turn on both sides of 0.
 (define (mean-direction steps forwards?)

@@ -63,10 +63,8 @@
   (define momenta (vector-copy outputs (+ 2 n)))
   (define known-rate (known-rates b p momenta))
   (define mass (mass-matrix b p momenta))
-  (define system
-    (for*/list ([i (in-range n)] [j (in-range (+ n 1))])
-      (if (= j n) (subtract! b (by-coordinate i) (known-rate (vector-ref momenta i))) (mass i j))))
-  (builder->program b inputs (cons 1 (append velocities (solve! b system)))))
+  (define (right i) (subtract! b (by-coordinate i) (known-rate (vector-ref momenta i))))
+  (builder->program b inputs (cons 1 (append velocities (solve-with! b n mass right)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Derivatives of momenta in a program of t, q and v

@@ -9,7 +9,7 @@
 (require racket/unsafe/ops
          "../unboxed-loop.rkt")
 
-(provide at put! convolve convolve-halves polynomials smaller greater)
+(provide convolve convolve-halves polynomials smaller greater)
 
 (define-syntax-rule (smaller a b) (let ([x a] [y b]) (if (unsafe-fx< x y) x y)))
 (define-syntax-rule (greater a b) (let ([x a] [y b]) (if (unsafe-fx< x y) y x)))

@@ -8,7 +8,7 @@
 (require racket/flonum
          racket/list
          racket/unsafe/ops
-         "convolution.rkt")
+         "../unboxed-loop.rkt" "convolution.rkt")
 
 (provide sum-kernels product-kernels square-kernels shared-product-kernels
          differential-kernel leading-kernel differential-leading-kernel
@@ -50,15 +50,10 @@
       (let ([b0 (weighed-weight base)] [from (weighed-row base)])
         (lambda (k)
           (within k loop-part ...
-                  (put! r k (total (unsafe-fl* b0 (at from k)) term ...)))))
-      (lambda (k) (within k loop-part ... (put! r k (total term ...))))))
+                  (put! r k (sum (unsafe-fl* b0 (at from k)) term ...)))))
+      (lambda (k) (within k loop-part ... (put! r k (sum term ...))))))
 
 (define-syntax-rule (at-once k body) body)
-
-(define-syntax total
-  (syntax-rules ()
-    [(_ x) x]
-    [(_ x y . more) (total (unsafe-fl+ x y) . more)]))
 
 (define-syntax-rule (define-sums name ([w x] ...) ...)
   (define name

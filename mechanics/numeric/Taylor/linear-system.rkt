@@ -7,7 +7,7 @@
 
 (require racket/fixnum
          racket/flonum
-         "../linear-algebra/factored-system.rkt"
+         "../linear-algebra/factored-system.rkt" "../unboxed-loop.rkt"
          "convolution.rkt")
 
 (provide system-kernels)

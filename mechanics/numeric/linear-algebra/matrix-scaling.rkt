@@ -14,5 +14,4 @@
       1.0
       (flexpt 2.0 (flmin 1023.0 (flfloor (fl/ (fllog size) (fllog 2.0)))))))
 
-(define (in-units v unit)
-  (for/flvector #:length (flvector-length v) ([x (in-flvector v)]) (fl/ x unit)))
+(define (in-units v unit) (flvector-map (lambda (x) (fl/ x unit)) v))

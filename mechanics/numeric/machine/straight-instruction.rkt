@@ -13,7 +13,7 @@
 ;; The components of a system follow it at once.
 
 (provide (struct-out place)
-         instruction-operation instruction-operands first-operand second-operand
+         instruction-operation instruction-operands moved-instruction first-operand second-operand
          system-unknowns symmetric-system?)
 
 ;; Prefab: two places of one index are the same operand, and programs are data for other processes.
@@ -23,6 +23,9 @@
 (define (instruction-operands i) (cdr i))
 (define (first-operand i) (cadr i))
 (define (second-operand i) (caddr i))
+
+;; The same operation on other operands; moved : operand -> operand
+(define (moved-instruction i moved) (cons (car i) (map moved (cdr i))))
 
 ;; A system of n unknowns has n rows of n + 1 entries.
 (define (system-unknowns i) (integer-sqrt (length (instruction-operands i))))

@@ -25,20 +25,18 @@
 
 (define (start f! y0)
   (define n (flvector-length y0))
-  (define-vectors n e w k u first)
+  (define-vectors n e w k u)
   (define y (flvector-copy y0))
   (define scheme (make-scheme n))
   (define best (T scheme (- rows 1) (- rows 1)))
   (define before (T scheme (- rows 1) (- rows 2)))
-  (define (try! h)
+  (define (try! h slope)
     (for ([j (in-range rows)])
-      (midpoint-rule! f! n y first h (substeps j) u w k (T scheme j 0))
+      (midpoint-rule! f! n y (slope) h (substeps j) u w k (T scheme j 0))
       (extrapolate-row! n scheme j))
     (weighted-sum! n e [1.0 best] [-1.0 before])
     (root-mean-square e y best n))
-  (f! y first)
-  (stepper-by-shorter-steps start f! y best (lambda () first) try!
-                            #:accepted (lambda () (f! y first))))
+  (stepper-by-shorter-steps start f! y best try!))
 
 ;; The smoothed midpoint rule from y, where the slope is `first`, in so many steps; u and w
 ;; are the last two points, k is room for a slope.

@@ -13,7 +13,7 @@
 
 (define (start f! y0)
   (define n (flvector-length y0))
-  (define-vectors n z w middle e k0 k1 k2 k3 first)
+  (define-vectors n z w middle e k0 k1 k2 k3)
   (define y (flvector-copy y0))
 
   ;; From `from`, where the slope is k0, to `to`.
@@ -26,7 +26,8 @@
     (f! to k3)
     (combine! n to from (fl/ h 6.0) [1.0 k0] [2.0 k1] [2.0 k2] [1.0 k3]))
 
-  (define (try! h)
+  (define (try! h slope)
+    (define first (slope))
     (define half (fl* 0.5 h))
     (classical-step! y w h first)
     (classical-step! y middle half first)
@@ -36,8 +37,6 @@
     (combine! n z z 1.0 [1.0 e])
     (root-mean-square e y z n))
 
-  (f! y first)
-  (stepper-by-shorter-steps start f! y z (lambda () first) try!
-                            #:accepted (lambda () (f! y first))))
+  (stepper-by-shorter-steps start f! y z try!))
 
 (define quality-controlled-runge-kutta-4 (adaptive-method 'qcrk4 5 start))

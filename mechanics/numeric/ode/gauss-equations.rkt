@@ -72,11 +72,16 @@
       (weighted-sum! n change [h new] [(fl- 0.0 h) k])
       (flvector-copy! k new)
       (flmax most (root-mean-square change y y n))))
+  (define (no-less? size last) (and (fl< size beyond-rounding) (fl>= size last)))
+  (and (steps-to-converge once! most-repetitions no-less?) #t))
+
+;; (step!) -> the size of its changes; (only-rounding? size last) : may it be no more than rounding?
+;; -> how many steps it took until changes were, or #f
+(define (steps-to-converge step! most only-rounding?)
   (let loop ([count 1] [last +inf.0])
-    (define size (once!))
-    (cond [(fl<= size rounding) #t]
-          [(and (fl< size beyond-rounding) (fl>= size last)) #t]
-          [(or (= count most-repetitions) (diverges? count size last)) #f]
+    (define size (step!))
+    (cond [(or (fl<= size rounding) (only-rounding? size last)) count]
+          [(or (= count most) (diverges? count size last)) #f]
           [else (loop (+ count 1) size)])))
 
 ;; What is not a number does.
@@ -130,16 +135,12 @@
 ;; (prepare!) : called before each iteration -> did it converge?
 (define (iterate! q h prepare!)
   (define m (equations-newton q))
-  (let loop ([count 1] [last +inf.0])
+  (define (step!)
     (prepare!)
-    (define size (newton-step! q m h))
-    (define (end solved?)
-      (unless (and solved? (<= count fast) (not (newton-turning? m))) (set-newton-step! m #f))
-      solved?)
-    (cond [(fl<= size rounding) (end #t)]
-          [(only-rounding? size last) (end #t)]
-          [(or (= count most-iterations) (diverges? count size last)) (end #f)]
-          [else (loop (+ count 1) size)])))
+    (newton-step! q m h))
+  (define count (steps-to-converge step! most-iterations only-rounding?))
+  (unless (and count (<= count fast) (not (newton-turning? m))) (set-newton-step! m #f))
+  (and count #t))
 
 ;; -> the greatest change of a slope, relative to y
 (define (newton-step! q m h)

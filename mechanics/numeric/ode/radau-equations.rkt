@@ -131,7 +131,6 @@
 ;; -> did Newton's iteration converge?
 (define (iterate! q h)
   (define-fields equations q n y gs enough)
-  (define-elements gs g1 g2 g3)
   ;; The rate of another step is no more than a guess.
   (define (left size count)
     (define rate (equations-rate q))
@@ -140,8 +139,7 @@
   (let loop ([count 1] [last +inf.0])
     (newton-step! q h)
     (define size                        ; how far w has moved, beside y
-      (flmax (root-mean-square g1 y y n)
-             (flmax (root-mean-square g2 y y n) (root-mean-square g3 y y n))))
+      (for/fold ([most 0.0]) ([g (in-vector gs)]) (flmax most (root-mean-square g y y n))))
     (set-equations-iterations! q count)
     (unless (= count 1) (set-equations-rate! q (flmax 1e-16 (fl/ size last))))
     (cond [(fl<= size rounding) #t]
@@ -158,9 +156,7 @@
   (define-elements ws w1 w2 w3)
   (define-elements ks k1 k2 k3)
   (define-elements gs g1 g2 g3)
-  (slope-at! q k1 z1)
-  (slope-at! q k2 z2)
-  (slope-at! q k3 z3)
+  (for ([k (in-vector ks)] [z (in-vector zs)]) (slope-at! q k z))
   (times-inverse-T! n (g1 g2 g3) (k1 k2 k3))
   (define-values (c a b) (values (fl/ gamma h) (fl/ alpha h) (fl/ beta h)))
   (weighted-sum! n g1 [1.0 g1] [(fl- 0.0 c) w1])
@@ -168,9 +164,7 @@
   (weighted-sum! n g3 [1.0 g3] [(fl- 0.0 b) w2] [(fl- 0.0 a) w3])
   (solve-real! matrices g1)
   (solve-complex! matrices g2 g3)
-  (weighted-sum! n w1 [1.0 w1] [1.0 g1])
-  (weighted-sum! n w2 [1.0 w2] [1.0 g2])
-  (weighted-sum! n w3 [1.0 w3] [1.0 g3])
+  (for ([w (in-vector ws)] [g (in-vector gs)]) (weighted-sum! n w [1.0 w] [1.0 g]))
   (times-T! n (z1 z2 z3) (w1 w2 w3)))
 
 ;; k = f(y + z)

@@ -10,18 +10,24 @@
 
 ;; start    : as in a method; f! : the right-hand side
 ;; y        : the present state; z : where a step that is tried leaves the new one
-;; slope    : -> f(y); try! : h -> error, as in a stepper
-;; accepted! : -> void; called when z has become the present state
-(define (stepper-by-shorter-steps start f! y z slope try! #:accepted [accepted! void])
+;; try!     : h, (-> f(y)) -> error; the slope is computed when it is first asked for
+(define (stepper-by-shorter-steps start f! y z try!)
   (define old (make-flvector (flvector-length y)))
+  (define rates (make-flvector (flvector-length y)))
+  (define known? #f)
   (define step 0.0)
+  (define (slope)
+    (unless known?
+      (f! y rates)
+      (set! known? #t))
+    rates)
   (define (try-step! h)
     (set! step h)
-    (try! h))
+    (try! h slope))
   (define (accept!)
     (flvector-copy! old y)
     (flvector-copy! y z)
-    (accepted!))
+    (set! known? #f))
   (define follow (following start f!))
   (make-stepper y slope try-step! accept!
                 (lambda () (interpolant follow (flvector-copy old) (flvector-copy y) step))))

@@ -54,8 +54,7 @@
           [(< k inputs) (place (+ k n 1))]
           [else (vector-ref computed (- k inputs))]))
   (for ([i (in-vector instructions)] [k (in-naturals)])
-    (vector-set! computed k
-                 (write! b (cons (instruction-operation i) (map moved (instruction-operands i))))))
+    (vector-set! computed k (write! b (moved-instruction i moved))))
   (for/vector #:length n ([o (in-vector (machine-rates-outputs r))]) (moved o)))
 
 ;; ---------------------------------------------------------------------------

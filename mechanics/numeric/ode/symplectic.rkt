@@ -25,14 +25,11 @@
   (define p-start (+ q-start (quotient n 2)))
   (define y (flvector-copy y0))
   (define-vectors n z dz)
-  (define (try! h)
+  (define (try! h slope)
     (flvector-copy! z y)
     (kick-and-drift! f! z dz p-start n h kicks drifts)
     (if (flvector-finite? z) 0.0 +nan.0))
-  (define (slope)
-    (f! y dz)
-    dz)
-  (stepper-by-shorter-steps (start weights) f! y z slope try!))
+  (stepper-by-shorter-steps (start weights) f! y z try!))
 
 ;; The kicks, with the drifts between them, of a step from z, whose momenta begin at p-start.
 (define (kick-and-drift! f! z dz p-start n h kicks drifts)

@@ -30,11 +30,6 @@
      (begin (define id (unsafe-vector-ref vectors i))
             (define-elements-from (+ i 1) vectors . more))]))
 
-(define-syntax sum
-  (syntax-rules ()
-    [(_ x) x]
-    [(_ x y . more) (sum (unsafe-fl+ x y) . more)]))
-
 ;; a₁ k₁ + a₂ k₂ + ..., of the components of index i
 (define-syntax-rule (weighted i [a k] ...)
   (sum (unsafe-fl* a (at k i)) ...))

@@ -41,7 +41,7 @@
 ;; Sizes of the eigenvalues, those that count as 0 replaced by the noise.
 (define (sizes c)
   (define floor (max (curvatures*-noise c) 1e-300))
-  (for/flvector ([l (in-flvector (curvatures*-values c))]) (flmax (flabs l) floor)))
+  (flvector-map (lambda (l) (flmax (flabs l) floor)) (curvatures*-values c)))
 
 (define (downward-step c g)
   (for/fold ([p (make-flvector (flvector-length g))])
@@ -70,7 +70,7 @@
 ;; Second differences over steps h beside 1 + |x|; value : flvector -> flonum
 (define (difference-curvatures value x h)
   (define n (flvector-length x))
-  (define steps (for/flvector #:length n ([u (in-flvector x)]) (fl* h (fl+ 1.0 (flabs u)))))
+  (define steps (flvector-map (lambda (u) (fl* h (fl+ 1.0 (flabs u)))) x))
   (define (at . moves)                  ; (i . sign) ...
     (define y (flvector-copy x))
     (for ([m (in-list moves)])

@@ -95,10 +95,10 @@
 
 ;; The search after one more step, h.
 (define (refined s after middle before h)
-  (define sizes (map-flvectors (lambda (a b) (max (abs a) (abs b))) after before))
-  (define rounding (map-flvector (lambda (s) (/ (* epsilon s) h)) sizes))
-  (define scale (or (search-scale s) (map-flvector (lambda (s) (/ s h)) sizes)))
-  (define quotient (map-flvectors (lambda (a b) (/ (- a b) (* 2.0 h))) after before))
+  (define sizes (flvector-map (lambda (a b) (max (abs a) (abs b))) after before))
+  (define rounding (flvector-map (lambda (s) (/ (* epsilon s) h)) sizes))
+  (define scale (or (search-scale s) (flvector-map (lambda (s) (/ s h)) sizes)))
+  (define quotient (flvector-map (lambda (a b) (/ (- a b) (* 2.0 h))) after before))
   (define turn (turn-of after middle before h))
   (define bent? (and (search-turn s) (stays? turn (search-turn s) rounding)))
   (define row (extend (search-row s) quotient rounding scale))
@@ -131,7 +131,7 @@
 
 ;; The difference of the slopes on both sides.
 (define (turn-of after middle before h)
-  (map-flvectors (lambda (sum m) (/ (- sum (* 2.0 m)) h)) (map-flvectors + after before) middle))
+  (flvector-map (lambda (sum m) (/ (- sum (* 2.0 m)) h)) (flvector-map + after before) middle))
 
 ;; Does it stay when h is halved, and is it more than rounding?
 (define (stays? turn before rounding)
@@ -150,21 +150,21 @@
 
 ;; (A(i−1, 0) A(i−1, 1) ...) and the quotient A(i, 0) -> (A(i, 0) A(i, 1) ...)
 (define (extend row quotient rounding scale)
-  (define unknown (map-flvector (lambda (_) +inf.0) quotient))
+  (define unknown (flvector-map (lambda (_) +inf.0) quotient))
   (let loop ([value quotient] [error unknown] [row row] [power 4.0])
     (define here (entry value error (badness value error scale)))
     (cons here
           (if (null? row)
               '()
               (let* ([old (entry-value (car row))]
-                     [new (map-flvectors (lambda (v o) (+ v (/ (- v o) (- power 1.0)))) value old)])
+                     [new (flvector-map (lambda (v o) (+ v (/ (- v o) (- power 1.0)))) value old)])
                 (loop new (error-of new value old rounding) (cdr row) (* 4.0 power)))))))
 
 (define (error-of new value old rounding)
-  (map-flvectors + rounding
-                 (map-flvectors max
-                                (map-flvectors distance new value)
-                                (map-flvectors distance new old))))
+  (flvector-map + rounding
+                 (flvector-map max
+                                (flvector-map distance new value)
+                                (flvector-map distance new old))))
 
 (define (distance a b) (abs (- a b)))
 
@@ -172,7 +172,3 @@
 (define (badness value error scale)
   (for/fold ([m 0.0]) ([v (in-flvector value)] [e (in-flvector error)] [s (in-flvector scale)])
     (if (= e 0.0) m (max m (/ e (max (abs v) s))))))
-
-(define (map-flvector g v) (for/flvector #:length (flvector-length v) ([x (in-flvector v)]) (g x)))
-(define (map-flvectors g v w)
-  (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [y (in-flvector w)]) (g x y)))

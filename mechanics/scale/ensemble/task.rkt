@@ -10,7 +10,7 @@
 (provide (struct-out task) (struct-out watch) (struct-out outcome) (struct-out happened)
          flvector->vector
          (struct-out batch) (struct-out finished) (struct-out trouble) perform-batch
-         message send receive)
+         send receive)
 
 ;; slope     : program of the rates, of a state of `size` scalars and the parameters
 ;; collect   : program of what is wanted of the last state, or #f for all of it
@@ -50,22 +50,10 @@
             (for/list ([y (in-list (batch-starts b))] [p (in-list (batch-parameters b))])
               (perform (vector->flvector y) (vector->flvector p)))))
 
-;; A message is its length and so many bytes.
-(define (message x)
-  (define bytes (s-exp->fasl x))
-  (bytes-append (integer->integer-bytes (bytes-length bytes) 8 #f) bytes))
-
 (define (send x out)
-  (write-bytes (message x) out)
+  (s-exp->fasl x out)
   (flush-output out))
 
 ;; -> the next message, or eof where the input ends before it is whole
 (define (receive in)
-  (define head (read-whole 8 in))
-  (define content (and head (read-whole (integer-bytes->integer head #f) in)))
-  (if content (fasl->s-exp content) eof))
-
-;; -> so many bytes, or #f
-(define (read-whole count in)
-  (define bytes (read-bytes count in))
-  (and (bytes? bytes) (= count (bytes-length bytes)) bytes))
+  (with-handlers ([exn:fail? (lambda (e) eof)]) (fasl->s-exp in)))

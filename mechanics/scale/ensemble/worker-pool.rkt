@@ -5,6 +5,7 @@
 ;; worker that dies are handed out again; a batch during which several workers died is given up.
 
 (require compiler/find-exe
+         racket/fasl
          racket/list
          racket/port
          racket/runtime-path
@@ -76,7 +77,7 @@
 
 ;; Returns #f if the worker has died.
 (define (receive-outcome! pool w)
-  (define f (with-handlers ([exn:fail? (lambda (e) eof)]) (receive (worker-out w))))
+  (define f (receive (worker-out w)))
   (cond [(eof-object? f) (return-batches! pool w) #f]
         [(trouble? f) (raise-no-answer who "a worker failed\n  ~a" (trouble-message f))]
         [else
@@ -105,7 +106,7 @@
   (say! w t)
   w)
 
-(define (say! w x) (thread-send (worker-writer w) (message x) void))
+(define (say! w x) (thread-send (worker-writer w) (s-exp->fasl x) void))
 
 ;; A write to a dead process fails; its death is noticed when its output ends.
 (define (write-all in)
