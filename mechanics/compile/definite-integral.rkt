@@ -3,7 +3,7 @@
 ;; symbols are in an end or in the integrand, there is a formula if an antiderivative is found.
 
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
-         "../error/failure.rkt" "../generic/arithmetic.rkt"
+         "../error/failure.rkt" "../error/refusal.rkt" "../generic/arithmetic.rkt"
          "../generic/branches.rkt" "../generic/define-plain.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
 
@@ -57,7 +57,7 @@
 ;; Does f have symbols of its own at a number between?
 (define (symbolic-integrand? f low high)
   (and (real? low) (real? high) (accepts? f 1)
-       (let ([y (with-handlers ([no-value? (lambda (e) #f)])
+       (let ([y (false-if-raised no-value?
                   (parameterize ([current-branches #f]) (f (inner-point low high))))])
          (symbolic-end? y))))
 

@@ -12,6 +12,7 @@
          "program-builder.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt"
+         "../error/refusal.rkt"
          "../numeric/machine/straight-instruction.rkt")
 
 (provide
@@ -112,7 +113,7 @@
 ;; What an operation of the algebra is not defined for has no value.
 (define (combine-numbers head operands e fail)
   (define value
-    (with-handlers ([exn:fail:contract? (lambda (x) #f)])
+    (false-if-raised exn:fail:contract?
       (apply (operation-numeric head) operands)))
   (real-or-fail value e fail))
 

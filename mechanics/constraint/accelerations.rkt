@@ -16,7 +16,7 @@
 (require (only-in racket/vector vector-append vector-drop vector-take)
          "constraint.rkt" "dependence.rkt" "linearized.rkt"
          "../calculus/derivative.rkt"
-         "../error/failure.rkt"
+         "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/function.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
@@ -92,7 +92,7 @@
 ;; -> a and λ, vectors
 (define (solve-constrained who M J f c)
   (define by-inertia
-    (with-handlers ([exn:fail:mechanics:singular:matrix? (lambda (e) #f)])
+    (false-if-raised exn:fail:mechanics:singular:matrix?
       (rows-solve-each who M M (list->vector (cons f J)))))
   (if by-inertia
       (solve-by-inertia who by-inertia J c)

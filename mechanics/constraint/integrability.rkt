@@ -89,10 +89,13 @@
 (define (derivative-of-form w variables)
   (for*/list ([(x i) (in-indexed variables)] [(y j) (in-indexed variables)]
               #:when (< i j)
-              [slope (in-value (simple (e:- (expression-derivative (vector-ref w j) x)
-                                            (expression-derivative (vector-ref w i) y))))]
+              [slope (in-value (simple (curl w x i y j)))]
               #:unless (eqv? slope 0))
     (component i j slope)))
+
+;; ∂_i ω_j − ∂_j ω_i; x, y : the variables of these indices
+(define (curl w x i y j)
+  (e:- (expression-derivative (vector-ref w j) x) (expression-derivative (vector-ref w i) y)))
 
 (define (on-pair slopes X Y)
   (g:for/sum ([c (in-list slopes)])
@@ -155,9 +158,7 @@
   (define h
     (for/first ([(y j) (in-indexed variables)]
                 #:unless (or (= i j) (eqv? (vector-ref w j) 0)))
-      (simple (e:/ (e:- (expression-derivative (vector-ref w i) y)
-                        (expression-derivative (vector-ref w j) x))
-                   (vector-ref w j)))))
+      (simple (e:/ (curl w y j x i) (vector-ref w j)))))
   (define alone?
     (and h (for/and ([y (in-list variables)] #:unless (eq? x y))
              (eqv? 0 (simple (expression-derivative h y))))))

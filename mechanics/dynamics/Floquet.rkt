@@ -7,7 +7,7 @@
          "map/period-check.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/define-plain.rkt"
-         "../generic/describe.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/describe.rkt" "../generic/up-down.rkt"
          "../motion/system/check.rkt" "../motion/evolution.rkt" "../motion/observed-systems.rkt"
          "../motion/linearized-flow.rkt"
          "../numeric/constants.rkt" "../numeric/linear-algebra/general-eigenvalues.rkt"
@@ -27,9 +27,7 @@
     (complain who "the state comes before the period\n  given second: ~a"
               (describe-with-value state)))
   (check-derivative who derivative state)
-  (check-real who "period" period)
-  (when (zero? (comparand period))
-    (complain-of-argument who "a period that is not 0" period))
+  (check-duration who period)
   (check-tolerance who tolerance)
   (check-period who derivative state period)
   (define first (if (timed-state? derivative state) 1 0))

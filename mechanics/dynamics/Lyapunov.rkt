@@ -156,7 +156,7 @@
 
 (define (exponent-of-map who map start n)
   (check-steps who n)
-  (define p (call-with-values (lambda () (start-coordinates who start)) flvector))
+  (define p (start-point who start))
   (define run! (tangent-stepper who map p))
   (define interval (max 1 (quotient n 1000)))
   (define v (flvector 0.6 0.8))
@@ -168,7 +168,7 @@
 
 ;; Returns a procedure that moves a point p and its displacement v.
 (define (tangent-stepper who map p)
-  (define step! (orbit-stepper map (flvector-ref p 0) (flvector-ref p 1)))
+  (define step! (orbit-stepper map p))
   (define derivatives! (jacobian-runner who map (flvector-ref p 0) (flvector-ref p 1)))
   (define J (make-flvector 4))
   (lambda (p v)

@@ -102,16 +102,15 @@
 
 ;; The step! of a map that cannot be compiled.
 (define (called-displacement who map x y)
-  (define step! (orbit-stepper map x y who))
+  (define step! (orbit-stepper map (flvector x y) who))
   (lambda (p q)
     (define-values (x y) (values (flvector-ref p 0) (flvector-ref p 1)))
     (define-values (u v) (values (flvector-ref p 2) (flvector-ref p 3)))
     (cond [(image? who map x y)
-           (define J (map-jacobian who map x y))
            (flvector-set! q 0 x)
            (flvector-set! q 1 y)
-           (define (change a b) (real->double-flonum (+ (* a u) (* b v))))
-           (flvector-set! q 2 (change (jacobian-a J) (jacobian-b J)))
-           (flvector-set! q 3 (change (jacobian-c J) (jacobian-d J)))
+           (for ([row (in-vector (map-jacobian who map x y))] [k (in-naturals 2)])
+             (define change (+ (* (vector-ref row 0) u) (* (vector-ref row 1) v)))
+             (flvector-set! q k (real->double-flonum change)))
            (step! q)]
           [else #f])))

@@ -8,7 +8,7 @@
 
 (require "failure.rkt")
 
-(provide refusal? raised?)
+(provide refusal? raised? false-if-raised)
 
 ;; Does the procedure have no value there, or none for such an argument?  Racket's own procedures
 ;; and those of this library say it by these exceptions; an `error` or `raise` of a program is no
@@ -18,3 +18,7 @@
 
 ;; Is it anything but a break?
 (define (raised? x) (not (exn:break? x)))
+
+;; The value of the body, or #f if it raises something of that kind.
+(define-syntax-rule (false-if-raised kind? body ...)
+  (with-handlers ([kind? (lambda (e) #f)]) body ...))

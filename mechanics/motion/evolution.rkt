@@ -17,29 +17,30 @@
 
 (provide state-advancer evolve linearized-flow
          ;; for single steps and sections
-         system-by-shape takes-from-to)
+         system-by-shape arity-after)
 
-;; (integrating (who datum takes place least most) (plan-with extra ...) arguments body ...) :
-;; a function of `least` to `most` arguments and the keywords that integrations have in common,
-;; and extra ones.  It prints as (datum); in the body (plan-with tolerance) is the plan.
+;; (integrating (who datum takes place follow) (extra ...) (given ...)) : a function of the arguments
+;; of follow after the first, tolerance -> plan, and those given; and of the keywords that
+;; integrations have in common, and extra ones.  It prints as (datum).
 ;; takes : the arguments, in words; place : of the argument before the tolerance
-(define-syntax-rule (integrating (who datum takes place least most) (plan-with extra ...) arguments
-                      body ...)
-  (make-function
-   (with-tolerance-after place who
-     (lambda (extra ... #:method [method #f]
-                    #:longest-step [longest +inf.0] #:most-steps [most-steps +inf.0]
-                    #:precision [bits (ode-precision)] #:progress? [progress? (report-progress)]
-                    . arguments)
-       (unless (<= least (length arguments) most) (raise-arguments (datum) takes arguments))
-       (define (plan-with tolerance)
-         (make-plan who tolerance method longest most-steps #:precision bits #:progress? progress?))
-       body ...))
-   (takes-from-to least most)
-   datum))
+(define-syntax-rule (integrating (who datum takes place follow) (extra ...) (given ...))
+  (let ([arity (arity-after follow (+ 1 (length '(given ...))))])
+    (make-function
+     (with-tolerance-after place who
+       (lambda (extra ... #:method [method #f]
+                      #:longest-step [longest +inf.0] #:most-steps [most-steps +inf.0]
+                      #:precision [bits (ode-precision)] #:progress? [progress? (report-progress)]
+                      . arguments)
+         (check-count arity datum takes arguments)
+         (define (plan-with tolerance)
+           (make-plan who tolerance method longest most-steps
+                      #:precision bits #:progress? progress?))
+         (apply follow plan-with given ... arguments)))
+     arity
+     datum)))
 
-;; The arity mask of a function of `least` to `most` arguments
-(define (takes-from-to least most) (- (expt 2 (+ most 1)) (expt 2 least)))
+;; The arity mask of f without its first n arguments
+(define (arity-after f n) (arithmetic-shift (procedure-arity-mask f) (- n)))
 
 ;; (state-advancer sysder p ...) : state, duration, tolerance, continue -> state
 ;; continue : state, duration, a length for the next step -> the result
@@ -64,8 +65,7 @@
              (advance-flonums p (system-for state) state (->flonum duration))))
        (continue last duration
                  (if (negative? (real-number duration)) (fl- 0.0 longest) longest))]))
-  (integrating ('state-advancer datum duration-and-tolerance "duration" 2 4) (plan-with) arguments
-    (apply advance plan-with arguments)))
+  (integrating ('state-advancer datum duration-and-tolerance "duration" advance) () ()))
 
 (define duration-and-tolerance "a state, a duration and perhaps a tolerance")
 
@@ -99,9 +99,8 @@
     (check-once state)
     (note-followed derivative-maker parameters state)
     (flow-derivative (advancing p) derivative-maker parameters state duration parameters?))
-  (integrating ('linearized-flow datum duration-and-tolerance "duration" 2 3)
-               (plan-with #:by-parameters? [parameters? #f]) arguments
-    (apply derivative plan-with parameters? arguments)))
+  (integrating ('linearized-flow datum duration-and-tolerance "duration" derivative)
+               (#:by-parameters? [parameters? #f]) (parameters?)))
 
 ;; The message about wrong rates shows the state, and not its displacements.
 (define (check-rates-at who maker parameters state)
@@ -136,8 +135,7 @@
         (follow-precisely p (derivative-for derivative-maker parameters) state shown
                           (real-number step) (real-number final))
         (follow-flonums p (system-for state) state shown (->flonum step) (->flonum final))))
-  (integrating ('evolve datum evolve-takes "final time" 4 5) (plan-with) arguments
-    (apply follow plan-with arguments)))
+  (integrating ('evolve datum evolve-takes "final time" follow) () ()))
 
 (define evolve-takes "a state, a monitor, a time step, a final time and perhaps a tolerance")
 

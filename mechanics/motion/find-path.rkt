@@ -13,7 +13,7 @@
 (require racket/flonum
          "path-action.rkt"
          "system/check.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/path.rkt"
@@ -170,7 +170,7 @@
                    c 0.0 "action of the stationary path" (value-at action c))))
 
 (define (stationary-point action x)
-  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+  (false-if-raised exn:fail:mechanics?
     (define-values (found step)
       (newton (lambda (x) (gradient-of action x)) (lambda (x) (second-derivatives action x)) x
               #:tolerance 1e-10 #:name who))

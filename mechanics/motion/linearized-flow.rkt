@@ -73,17 +73,11 @@
 (define (varied maker ps changes state v)
   (define (f all)
     (define xs (structure->list all))
-    ((derivative-for maker (refilled ps (cdr xs))) (car xs)))
+    ((derivative-for maker (with-numbers varies? ps (cdr xs))) (car xs)))
   (value-and-derivative-along
    f
    (apply up state (filter varies? ps))
    (apply up v (for/list ([p (in-list ps)] [dp (in-list changes)] #:when (varies? p)) dp))))
-
-;; ps with the numbers in place of the parameters that vary
-(define (refilled ps numbers)
-  (cond [(null? ps) '()]
-        [(varies? (car ps)) (cons (car numbers) (refilled (cdr ps) (cdr numbers)))]
-        [else (cons (car ps) (refilled (cdr ps) numbers))]))
 
 ;; ---------------------------------------------------------------------------
 ;; All directions at once

@@ -52,6 +52,8 @@
       (define start (if clock? (vector-ref y 0) (bf 0)))
       (motion state clock? bits working (exact-value start) y f (from start y) from))))
 
+(define (shown m y) (shown-state (motion-shape m) y (motion-bits m)))
+
 (define (shown-state shape y bits)
   (define rounded
     (call-with-bits bits
@@ -80,7 +82,7 @@
                         (lambda (from before to after)
                           (visit (stretch (exact-value from) (exact-value to)
                                           before after)))))))
-  (shown-state (motion-shape m) y (motion-bits m)))
+  (shown m y))
 
 ;; The state at a time within a step: where a motion from its beginning leads to.
 (define (stretch-state m s t)
@@ -93,7 +95,7 @@
                (define run ((motion-restart m) (bf (stretch-from s)) (stretch-before s)))
                (define-values (reached y) (run (bf t) (lambda (from y to z) #t)))
                y))]))
-  (shown-state (motion-shape m) y (motion-bits m)))
+  (shown m y))
 
 ;; About the state at the fraction theta of a step: a cubic with the states and slopes
 ;; at its ends.
@@ -112,7 +114,7 @@
                     ([y (in-vector before)] [z (in-vector after)]
                      [v ((motion-slope m) before)] [w ((motion-slope m) after)])
           (bf+ (bf* a y) (bf* b z) (bf* h (bf+ (bf* c v) (bf* d w))))))))
-  (shown-state (motion-shape m) y (motion-bits m)))
+  (shown m y))
 
 ;; A time as the integration has it, exact; and as it is shown.
 (define (exact-time m t) (exact-value (call-with-bits (motion-working m) (lambda () (bf t)))))
@@ -166,8 +168,7 @@
     (set! latest s)
     (visit s))
   (define (give)
-    (define state (shown-state (motion-shape m) (stretch-after latest) (motion-bits m)))
-    (reached (stretch-to latest) state
+    (reached (stretch-to latest) (shown m (stretch-after latest))
              inexact->exact (lambda (t) (shown-time m t)) 'extrapolation))
   (keeping-so-far give (body noted)))
 

@@ -23,7 +23,7 @@
   (define (advance method state step [tolerance default-tolerance] [continue values])
     (one-step (make-plan who tolerance method) (system-for state) state step continue))
   (stepping who (apply call-datum who derivative-maker parameters)
-            "a state, a step and perhaps a tolerance" 2 4 advance))
+            "a state, a step and perhaps a tolerance" advance))
 
 ;; (ode-advancer derivative tolerance) : state, step, continue -> result
 (define (ode-advancer derivative [tolerance default-tolerance] [dimension #f])
@@ -38,7 +38,7 @@
                         "dimension" dimension))
     (one-step (make-plan 'ode-advancer tolerance method) s state step continue))
   (stepping 'ode-advancer (call-datum 'ode-advancer derivative tolerance)
-            "a state and a step" 2 3 advance))
+            "a state and a step" advance))
 
 ;; (advance-beyond sysder p ...) : state, step, tolerance, time, continue -> result
 ;; The state after the first step that reaches the time or passes it.
@@ -55,17 +55,18 @@
           (one-step p s state step (lambda (state taken next) (loop state next taken)))
           (continue state taken step))))
   (stepping 'advance-beyond (apply call-datum 'advance-beyond derivative-maker parameters)
-            "a state, a step, a tolerance and a time" 4 5 advance))
+            "a state, a step, a tolerance and a time" advance))
 
 (define (clock state) (vector-ref (tuple-elements state) 0))
 
-;; (advance method argument ...) as a function of `least` to `most` arguments, with the method as a
-;; keyword; takes : these arguments, in words
-(define (stepping who datum takes least most advance)
+;; (advance method argument ...) as a function of the arguments, with the method as a keyword;
+;; takes : these arguments, in words
+(define (stepping who datum takes advance)
+  (define arity (arity-after advance 1))
   (define (advance/keywords #:method [method (ode-integration-method)] . arguments)
-    (unless (<= least (length arguments) most) (raise-arguments (datum) takes arguments))
+    (check-count arity datum takes arguments)
     (apply advance method arguments))
-  (make-function (procedure-rename advance/keywords who) (takes-from-to least most) datum))
+  (make-function (procedure-rename advance/keywords who) arity datum))
 
 (define (one-step given s state step continue)
   (define who (plan-who given))

@@ -14,8 +14,7 @@
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/ode/stepper.rkt")
 
-(provide trajectory? trajectory-start trajectory-end trajectory-final-state
-         trajectory-states trajectory-so-far
+(provide trajectory? trajectory-states trajectory-so-far
          ;; for those who make them
          trajectory (struct-out step) (struct-out reading) state-within method-shown)
 
@@ -37,13 +36,8 @@
 ;; state   : step time -> state
 (struct reading (exactly shown state) #:authentic)
 
-(define (trajectory-start tr)
-  (check-trajectory 'trajectory-start tr)
-  (shown-time tr (first-time tr)))
-
-(define (trajectory-end tr)
-  (check-trajectory 'trajectory-end tr)
-  (shown-time tr (last-time tr)))
+(define (trajectory-start tr) (shown-time tr (first-time tr)))
+(define (trajectory-end tr) (shown-time tr (last-time tr)))
 
 (define (first-time tr) (step-from (vector-ref (trajectory-steps tr) 0)))
 (define (last-time tr)
@@ -51,13 +45,11 @@
   (step-to (vector-ref steps (- (vector-length steps) 1))))
 (define (shown-time tr t) ((reading-shown (trajectory-reading tr)) t))
 
-(define (trajectory-final-state tr)
-  (check-trajectory 'trajectory-final-state tr)
-  (state-at tr (last-time tr)))
+(define (trajectory-final-state tr) (state-at tr (last-time tr)))
 
 ;; The states at the given times, or at the ends of the steps.
 (define (trajectory-states tr [times #f])
-  (check-trajectory 'trajectory-states tr)
+  (check-argument 'trajectory-states trajectory? tr a-trajectory)
   (unless (or (not times) (list? times))
     (complain-of-argument 'trajectory-states "a list of times" times))
   (for/list ([t (or times (step-times tr))]) (state-at tr t)))
@@ -80,9 +72,8 @@
 
 (define a-trajectory "a trajectory, such as evolve-trajectory gives")
 
-(define (check-trajectory who tr) (check-argument who trajectory? tr a-trajectory))
-
-(provide-parts trajectory? a-trajectory trajectory-events trajectory-method)
+(provide-parts trajectory? a-trajectory
+  trajectory-start trajectory-end trajectory-final-state trajectory-events trajectory-method)
 
 (define (step-times tr)
   (cons (first-time tr)

@@ -65,7 +65,7 @@
     d)
   (if id (derivative-row (law-rows l) id) (hash-ref! (law-derivatives l) name make)))
 
-(define (emit-in! l kernel) (emit! (law-rows l) (law-id l) kernel))
+(define (emit-in! l . kernels) (apply emit! (law-rows l) (law-id l) kernels))
 
 ;; ---------------------------------------------------------------------------
 
@@ -104,16 +104,15 @@
 (define (emit-equation! l e unknown)
   (if (equation-differential? e)
       (emit-differential! l e unknown)
-      (for ([kernel (in-list (product-kernels
-                              (row-named l unknown)
+      (apply emit-in! l
+             (product-kernels (row-named l unknown)
                               (for/list ([t (in-list (equation-terms e))])
                                 (product (factor-of t)
                                          (row-named l (term-left t))
                                          (degree-named l (term-left t))
                                          (row-named l (term-right t))
                                          (degree-named l (term-right t))))
-                              #f))])
-        (emit-in! l kernel))))
+                              #f))))
 
 ;; In terms of the row d of the derivative of the unknown.
 (define (emit-differential! l e unknown)
@@ -125,8 +124,7 @@
     (if (term-left t)
         (emit-in! l (differential-kernel d (factor-of t) right (degree-named l (term-right t))
                                          (row-named l (term-left t)) (base k)))
-        (for ([kernel (in-list (sum-kernels d (list (weighed (factor-of t) right)) (base k)))])
-          (emit-in! l kernel))))
+        (apply emit-in! l (sum-kernels d (list (weighed (factor-of t) right)) (base k)))))
   (when leading (emit-in! l (differential-leading-kernel d (row-named l leading))))
   (emit-in! l (integral-kernel (row-named l unknown) d))
   (hash-set! (law-derivatives l) unknown d))

@@ -84,7 +84,7 @@
     [(quotient)
      (define-values (x a b) (values (row r id) (row r (car operands)) (row r (cadr operands))))
      (emit-start! r (lambda () (flvector-set! x 0 (fl/ (flvector-ref a 0) (flvector-ref b 0)))))
-     (for ([k (in-list (sum-kernels x (list (weighed 1.0 a)) #f))]) (emit! r id k))
+     (apply emit! r id (sum-kernels x (list (weighed 1.0 a)) #f))
      (emit! r id (leading-kernel x b (degree r (cadr operands))))]
     [(law) (emit-law! r id (car operands) (cdr operands) (partner-of nodes id))]
     [(integral) (emit-integral! r id (car operands) (cdr operands))]

@@ -26,9 +26,10 @@
                d)))
 
 ;; For orders above 0.  A row that does not vary takes none.
-(define (emit! r id kernel)
+(define (emit! r id . kernels)
   (define last (degree r id))
-  (when (> last 0) (set-rows-kernels! r (cons (cons last kernel) (rows-kernels r)))))
+  (for ([kernel (in-list kernels)] #:when (> last 0))
+    (set-rows-kernels! r (cons (cons last kernel) (rows-kernels r)))))
 
 (define (emit-start! r thunk) (set-rows-starts! r (cons thunk (rows-starts r))))
 

@@ -73,7 +73,7 @@
   (unless (fl= constant 0.0) (emit-start! r (lambda () (flvector-set! x 0 constant))))
   (for ([kernel (in-list (kernels #f (if (fl= constant 0.0) #f (itself x))))])
     (emit-start! r (lambda () (kernel 0))))
-  (for ([kernel (in-list (kernels #t #f))]) (emit! r id kernel)))
+  (apply emit! r id (kernels #t #f)))
 
 ;; Kernels of x = base + Σ c a b, squares among them.
 (define (products-of r nodes x terms base)

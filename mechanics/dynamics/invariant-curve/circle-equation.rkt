@@ -34,7 +34,7 @@
 (define (curve-of-orbit map y0 omega)
   (define count 16384)
   (define p (flvector 0.0 y0))
-  (define step! (orbit-stepper map 0.0 y0))
+  (define step! (orbit-stepper map p))
   (define points
     (for/vector #:length count ([k (in-range 1 (+ count 1))])
       (unless (step! p) (raise-no-image 'invariant-circle map 0.0 y0))

@@ -59,7 +59,7 @@
   (define turn (fl* :2pi (real->double-flonum (comparand rotation-number))))
   (define low (fl- start pi))
   (define orbit (flvector start (real->double-flonum (comparand y0))))
-  (define step! (orbit-stepper map start (flvector-ref orbit 1)))
+  (define step! (orbit-stepper map orbit))
   ;; -> the angle at the next step
   (define (later)
     (define-values (x y) (values (flvector-ref orbit 0) (flvector-ref orbit 1)))

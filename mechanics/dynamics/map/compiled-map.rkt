@@ -19,12 +19,13 @@
 
 ;; Returns a procedure that moves the point in the flvector p to its image, and returns #f where
 ;; there is no finite one.  Each orbit needs its own.  who : complains of a map written wrongly
-(define (orbit-stepper map x y [who 'map])
-  (define code (compile-map map x y))
+(define (orbit-stepper map p [who 'map])
+  (define code (compile-map map (flvector-ref p 0) (flvector-ref p 1)))
   (if code (compiled-stepper code) (calling-stepper who map)))
 
 ;; The same, or #f where the map has no image of the start.
-(define (stepper-at who map x y) (and (image? who map x y) (orbit-stepper map x y who)))
+(define (stepper-at who map x y)
+  (and (image? who map x y) (orbit-stepper map (flvector (flonum x) (flonum y)) who)))
 
 (define (compiled-stepper code)
   (define run! (compiled-function-runner code))

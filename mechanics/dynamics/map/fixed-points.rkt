@@ -47,7 +47,7 @@
     (define-values (p at) (fixed-point-of 'find-fixed-point map (done-times m k z) tolerance))
     p)
   (for/or ([k (in-list (returns-after m z back?))])
-    (with-handlers ([refusal? (lambda (e) #f)]) (found k))))
+    (false-if-raised refusal? (found k))))
 
 ;; A point comes back if it returns within this, relative to 1 + |x|.
 (define return-tolerance 1e-9)
@@ -121,7 +121,7 @@
 ;; By falling size.
 (define (multipliers-of M)
   (define n (vector-length M))
-  (cond [(= n 2) (call-with-values (lambda () (eigenvalues (matrix->jacobian M))) list)]
+  (cond [(= n 2) (call-with-values (lambda () (eigenvalues M)) list)]
         [else
          (sort (or (real-matrix-eigenvalues (rows->flvector M) n) '()) > #:key magnitude)]))
 

@@ -13,7 +13,7 @@
          racket/list
          "fixed-points.rkt" "iterated-map.rkt" "jacobian.rkt" "map-of-the-plane.rkt"
          "plane-points.rkt" "unstable-manifold.rkt"
-         "../../error/complain.rkt" "../../error/failure.rkt"
+         "../../error/complain.rkt" "../../error/failure.rkt" "../../error/refusal.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/define-plain.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../numeric/whole-turns.rkt"
@@ -69,7 +69,7 @@
 
 ;; Returns the multiplier by which the branch is stretched, and its direction x, y.
 (define (stretched p stable?)
-  (define J (matrix->jacobian (fixed-point-matrix p)))
+  (define J (fixed-point-matrix p))
   (define-values (greater less) (eigenvalues J))
   (define-values (dx dy) (eigenvector J (if stable? less greater) (not stable?)))
   (values (if stable? (/ 1.0 less) greater) (real->double-flonum dx) (real->double-flonum dy)))
@@ -137,7 +137,7 @@
   (define (between? low x high)
     (define half (* 0.5 (- high low)))
     (<= (- low half) x (+ high half)))
-  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+  (false-if-raised exn:fail:mechanics?
     (define root
       (find-root miss (up (* 0.5 (+ low high)) (* 0.5 (+ low* high*))) #:tolerance 1e-8))
     (and (between? low (ref root 0) high) (between? low* (ref root 1) high*)

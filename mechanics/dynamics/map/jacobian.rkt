@@ -15,22 +15,19 @@
          "../../error/complain.rkt" "../../error/refusal.rkt"
          "../../generic/compare.rkt" "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
-         "../../numeric/whole-turns.rkt"
+         "../../numeric/whole-turns.rkt" "../../numeric/linear-algebra/row-matrix.rkt"
          "../../numeric/optimization/differences.rkt"
          "../../value/shape.rkt")
 
-(provide map-jacobian (struct-out jacobian) matrix->jacobian
-         check-keeps-areas eigenvalues eigenvector jacobian-runner)
+(provide map-jacobian check-keeps-areas eigenvalues eigenvector jacobian-runner)
 
-(struct jacobian (a b c d) #:transparent)
+;; a, b, c and d of a matrix given as a vector of rows
+(define (entries J)
+  (values (entry J 0 0) (entry J 0 1) (entry J 1 0) (entry J 1 1)))
 
-;; M : vector of rows
-(define (matrix->jacobian M)
-  (apply jacobian (for*/list ([row (in-vector M)] [x (in-vector row)]) x)))
-
-(define (jacobian-trace J) (+ (jacobian-a J) (jacobian-d J)))
-(define (jacobian-determinant J)
-  (- (* (jacobian-a J) (jacobian-d J)) (* (jacobian-b J) (jacobian-c J))))
+(define (determinant J)
+  (define-values (a b c d) (entries J))
+  (- (* a d) (* b c)))
 
 ;; step : the greatest step of finite differences
 (define (map-jacobian who map x y [step 1e-3])
@@ -38,19 +35,19 @@
   (define at (up x y))
   (image at)                            ; a mistake of the map's own is seen here
   (with-handlers ([refusal? (lambda (e) (by-differences who image x y step))])
-    (define slopes (scalars (derivative-at image at)))
-    (apply jacobian (for/list ([k (in-list '(0 2 1 3))])
-                      (number-or-refuse (list-ref slopes k))))))
+    (define-values (a c b d)
+      (apply values (map number-or-refuse (scalars (derivative-at image at)))))
+    (vector (vector a b) (vector c d))))
 
 ;; points : lists of two coordinates; what : the things that need it, in the plural
 (define (check-keeps-areas who map points what)
   (for ([p (in-list points)])
-    (define determinant (jacobian-determinant (apply map-jacobian who map p)))
-    (unless (< (abs (- determinant 1)) 1e-6)
+    (define factor (determinant (apply map-jacobian who map p)))
+    (unless (< (abs (- factor 1)) 1e-6)
       (complain who
                 (string-append "the map does not keep areas, which ~a need"
                                "\n  determinant of its derivatives: ~a\n  off by: ~a\n  at: ~a")
-                what determinant (abs (- determinant 1)) (value->text (apply up p))))))
+                what factor (abs (- factor 1)) (value->text (apply up p))))))
 
 (define (number-or-refuse x)
   (define n (comparand (innermost x)))
@@ -60,8 +57,7 @@
   (define-values (by-x by-y)
     (values (differences who image step (lambda (s) (up (+ x s) y)))
             (differences who image step (lambda (s) (up x (+ y s))))))
-  (jacobian (flvector-ref by-x 0) (flvector-ref by-y 0)
-            (flvector-ref by-x 1) (flvector-ref by-y 1)))
+  (for/vector ([x (in-flvector by-x)] [y (in-flvector by-y)]) (vector x y)))
 
 (define (differences who image step along)
   (define middle (numbers (image (along 0.0))))
@@ -82,20 +78,20 @@
 ;; Solves λ² - trace λ + determinant = 0; returns the root greater in size first, of two complex
 ;; ones that with the positive imaginary part.
 (define (eigenvalues J)
-  (define half (* 1/2 (jacobian-trace J)))
-  (define discriminant (- (* half half) (jacobian-determinant J)))
+  (define half (* 1/2 (+ (entry J 0 0) (entry J 1 1))))
+  (define product (determinant J))
+  (define discriminant (- (* half half) product))
   (define root (sqrt discriminant))
   (cond [(< discriminant 0) (values (+ half root) (- half root))]
         [else
          (define greater (if (< half 0) (- half root) (+ half root)))
          (values greater
-                 (if (= greater 0) greater (/ (jacobian-determinant J) greater)))]))
+                 (if (= greater 0) greater (/ product greater)))]))
 
 ;; Returns a direction x, y that J multiplies by the eigenvalue.  Where every direction is one, the
 ;; second call, with first? #f, returns another.
 (define (eigenvector J eigenvalue [first? #t])
-  (define-values (a b c d)
-    (values (jacobian-a J) (jacobian-b J) (jacobian-c J) (jacobian-d J)))
+  (define-values (a b c d) (entries J))
   (cond [(not (= b 0)) (values b (- eigenvalue a))]
         [(not (= c 0)) (values (- eigenvalue d) c)]
         [(= a d) (if first? (values 1 0) (values 0 1))]

@@ -66,7 +66,7 @@
 (define (gives-functions? f)
   (define n (for/first ([n (in-list '(1 5 6))] #:when (accepts? f n)) n))
   (and n
-       (with-handlers ([refusal? (lambda (e) #f)])
+       (false-if-raised refusal?
          (pointwise? (apply f (for/list ([_ (in-range n)]) 1))))))
 
 ;; Returns a function from points to their images, tuples of two.

@@ -8,20 +8,27 @@
 
 (require "../../error/complain.rkt" "../../error/refusal.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
-         "../../generic/up-down.rkt"
+         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         "../../motion/system/check.rkt"
          "../../search/implicit-root.rkt"
          "../../value/shape.rkt")
 
-(provide check-period timed-state? changed)
+(provide check-duration check-period timed-state? changed)
 
 ;; Is the first scalar of the state the time?
 (define (timed-state? f state)
   (and (tuple? state) (eqv? (car (scalars (f state))) 1)))
 
+;; Is it a number, and not 0?
+(define (check-duration who period)
+  (check-real who "period" period)
+  (when (zero? (comparand period))
+    (complain-of-argument who "a period that is not 0" period)))
+
 (define (check-period who derivative state period)
   (define start (plain state))
   (when (and (tuple? start) (>= (structure-length (adopt start)) 3)
-             (with-handlers ([refusal? (lambda (e) #f)]) (timed-state? derivative start)))
+             (false-if-raised refusal? (timed-state? derivative start)))
     (for ([s (in-list (list start (beside start)))])
       (define-values (now later) (values (rates derivative s) (rates derivative (after s period))))
       (unless (or (not now) (not later) (same? now later))
@@ -29,7 +36,7 @@
 
 ;; Returns a list of numbers, or #f where the derivative has no value or no number.
 (define (rates derivative state)
-  (with-handlers ([refusal? (lambda (e) #f)])
+  (false-if-raised refusal?
     (define all (map comparand (scalars (derivative state))))
     (and (andmap rational? all) all)))
 

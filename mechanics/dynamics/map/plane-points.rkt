@@ -2,7 +2,8 @@
 ;; Points of the plane, as maps and pictures take them, and when two are near each other
 ;; (SICM 4.3, pp. 308 and 309).
 
-(require "map-of-the-plane.rkt"
+(require racket/flonum
+         "map-of-the-plane.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
@@ -11,7 +12,7 @@
 
 (provide make-point abscissa ordinate plane-near? cylinder-near? torus-near?
          ;; for maps and their pictures
-         start-coordinates nearness-by-angles check-grid part-middle)
+         start-coordinates start-point nearness-by-angles check-grid part-middle)
 
 (define (make-point x y) (up x y))
 
@@ -22,6 +23,8 @@
 (define (start-coordinates who p)
   (values (start-number who p (component-of who p 0 car))
           (start-number who p (component-of who p 1 cdr))))
+
+(define (start-point who p) (call-with-values (lambda () (start-coordinates who p)) flvector))
 
 (define (start-number who p x)
   (define value (comparand x))

@@ -50,9 +50,9 @@
   (when (> n longest-orbit)
     (complain-of-argument who (format "an orbit of at most ~a steps" longest-orbit) n
                           "\n  10000 give ten digits and more where the orbit is regular"))
-  (define p (point who start))
+  (define p (start-point who start))
   (define angle
-    (if about (angle-about who map (point who about)) (lambda (p) (flvector-ref p 0))))
+    (if about (angle-about who map (start-point who about)) (lambda (p) (flvector-ref p 0))))
   (define next-step! (angle-stepper map p angle))
   (define (missing) (raise-no-image who map (flvector-ref p 0) (flvector-ref p 1)))
   (check-goes-around who about p)
@@ -91,11 +91,9 @@
           (flmax (flmax halves others) (flmax (flabs (fl- whole (mean 0 half))) rounded))
           halves))
 
-(define (point who p) (call-with-values (lambda () (start-coordinates who p)) flvector))
-
 ;; A point has no direction from itself.
 (define (check-goes-around who about p)
-  (when (and about (fl= (distance p (point who about)) 0.0))
+  (when (and about (fl= (distance p (start-point who about)) 0.0))
     (complain who
               (string-append "the orbit starts at the point that it is to go around"
                              "\n  point: ~a\n  (find-fixed-point map point) gives the angle "
@@ -116,7 +114,7 @@
 ;; Returns a procedure that moves p to its image and returns the change of the angle, or #f
 ;; where p has no image.
 (define (angle-stepper map p angle)
-  (define step! (orbit-stepper map (flvector-ref p 0) (flvector-ref p 1)))
+  (define step! (orbit-stepper map p))
   (define q (flvector-copy p))
   (define before (angle p))
   (lambda ()

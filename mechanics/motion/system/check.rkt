@@ -17,7 +17,7 @@
  ;; numbers
  check-real check-positive check-tolerance check-longest check-most real-number
  ;; procedures
- checked-monitor check-maker takes-state-only? raise-arguments
+ checked-monitor check-maker takes-state-only? check-count
  with-tolerance-after
  ;; states and their derivatives
  state-vector check-derivative check-rates check-clock state-derivative-hint)
@@ -143,14 +143,15 @@
 (define (takes-state-only? f ps)
   (and (null? ps) (accepts? f 1) (not (accepts? f 0))))
 
-;; datum : that of the procedure; takes : its arguments, in words
-(define (raise-arguments datum takes arguments)
+;; (datum) : that of the procedure; arity : its mask; takes : its arguments, in words
+(define (check-count arity datum takes arguments)
   (define n (length arguments))
-  (complain-of-arity (value->text datum) "takes ~a\n  given: ~a"
-                     takes
-                     (cond [(= n 0) "no arguments"]
-                           [(= n 1) (describe-with-value (car arguments))]
-                           [else (format "~a arguments" n)])))
+  (unless (bitwise-bit-set? arity n)
+    (complain-of-arity (value->text (datum)) "takes ~a\n  given: ~a"
+                       takes
+                       (cond [(= n 0) "no arguments"]
+                             [(= n 1) (describe-with-value (car arguments))]
+                             [else (format "~a arguments" n)]))))
 
 ;; f by that name; a keyword for the tolerance, as evolve-trajectory has one, is told its place.
 (define (with-tolerance-after what who f)

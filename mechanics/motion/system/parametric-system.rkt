@@ -10,7 +10,7 @@
          "../../generic/up-down.rkt"
          "../../value/shape.rkt" (only-in "../../value/structure.rkt" ref structure->list))
 
-(provide make-parametric-system derivative-for)
+(provide make-parametric-system derivative-for with-numbers)
 
 ;; derivative-maker : parameters -> derivative
 (define (make-parametric-system who derivative-maker parameters state)
@@ -28,7 +28,7 @@
   (define example (up state inputs))
   (define n (shape-length state))
   (define (f s)
-    (define all (with-numbers parameters (structure->list (ref s 1))))
+    (define all (with-numbers numeric? parameters (structure->list (ref s 1))))
     ((derivative-for derivative-maker all) (ref s 0)))
   ;; The parameters are as they were given: an exact 2 may count or choose.
   (define (rates-at v) (derivative (flvector->structure state v)))
@@ -37,12 +37,12 @@
   (define (with-parameters run) (fix-parameters run n ps))
   (and code (system-of-code state derivative code with-parameters with-parameters ps #f)))
 
-;; The parameters with the given numbers in place of the numeric ones.
-(define (with-numbers parameters numbers)
+;; The parameters with the given numbers in place of those that vary.
+(define (with-numbers varies? parameters numbers)
   (cond [(null? parameters) '()]
-        [(numeric? (car parameters))
-         (cons (car numbers) (with-numbers (cdr parameters) (cdr numbers)))]
-        [else (cons (car parameters) (with-numbers (cdr parameters) numbers))]))
+        [(varies? (car parameters))
+         (cons (car numbers) (with-numbers varies? (cdr parameters) (cdr numbers)))]
+        [else (cons (car parameters) (with-numbers varies? (cdr parameters) numbers))]))
 
 (define (derivative-for derivative-maker ps)
   (if (takes-state-only? derivative-maker ps) derivative-maker (apply derivative-maker ps)))

@@ -120,29 +120,29 @@
 ;; ---------------------------------------------------------------------------
 ;; Calls
 
+;; The procedure keeps the memory.
 (define (caller m where types)
-  (define run ((caller-of types) (+ where (address-of (executable-memory-pages m)))))
-  (define-syntax-rule (taking a ...) (lambda (a ...) (run a ...) (void/reference-sink m)))
-  (case (length types)
-    [(1) (taking a)]
-    [(2) (taking a b)]
-    [(3) (taking a b c)]
-    [(4) (taking a b c d)]
-    [(5) (taking a b c d e)]
-    [(6) (taking a b c d e f)]
-    [(7) (taking a b c d e f g)]))
+  ((caller-of types) (+ where (address-of (executable-memory-pages m))) m))
 
-;; types -> (address -> procedure); each is compiled once, which takes longer than most code here.
+;; types -> (address memory -> procedure); each is compiled once, which takes longer than most code
+;; here.
 ;; Threads that ask at once, or are killed in between, compile one twice, no more.
 (define (caller-of types)
   (define k (+ (* 2 (length types)) (if (memq 'flonum types) 1 0)))
   (or (vector-ref callers k)
-      (let ([make (vm-eval `(lambda (address)
-                              (foreign-procedure address ,(map C-type types) void)))])
+      (let ([make (vm-eval (calling types))])
         (vector-set! callers k make)
         make)))
 
 (define callers (make-vector 16 #f))
+
+(define (calling types)
+  (define names (for/list ([k (in-range (length types))]) (string->symbol (format "x~a" k))))
+  `(lambda (address memory)
+     (let ([run (foreign-procedure address ,(map C-type types) void)])
+       (lambda ,names
+         (run ,@names)
+         (keep-live memory)))))
 
 (define (C-type type)
   (if (eq? type 'flonum) 'double 'scheme-object))

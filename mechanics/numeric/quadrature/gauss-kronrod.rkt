@@ -15,7 +15,7 @@
 (require racket/flonum racket/list
          "panel.rkt" "probe-points.rkt"
          "../checked-arguments.rkt"
-         "../../error/failure.rkt")
+         "../../error/failure.rkt" "../../error/refusal.rkt")
 
 (provide
  quadrature            ; (quadrature f low high) -> flonum
@@ -36,7 +36,7 @@
 
 ;; A part of an integral, a hundred times as precise, or #f.
 (define (part-integral f low high tolerance limit)
-  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+  (false-if-raised exn:fail:mechanics?
     (quadrature f low high #:tolerance (max 1e-13 (* 1e-2 tolerance)) #:limit limit)))
 
 ;; A tolerance below twice the rounding error is taken as that.  `limit` bounds

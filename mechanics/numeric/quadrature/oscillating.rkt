@@ -11,7 +11,7 @@
          "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
          "../finite-number.rkt"
          "../optimization/brent-root.rkt"
-         "../../error/failure.rkt")
+         "../../error/failure.rkt" "../../error/refusal.rkt")
 
 (provide oscillating-quadrature)
 
@@ -64,7 +64,7 @@
           [else (loop b y* (- left 1))])))
 
 (define (zero-between f a b)
-  (with-handlers ([exn:fail:mechanics? (lambda (e) #f)])
+  (false-if-raised exn:fail:mechanics?
     (define-values (z error count) (bracketed-root f a b #:tolerance 1e-10))
     z))
 

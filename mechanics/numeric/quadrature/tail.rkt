@@ -14,7 +14,7 @@
 (require racket/flonum
          "epsilon-algorithm.rkt" "gauss-kronrod.rkt"
          "../finite-number.rkt"
-         "../../error/failure.rkt")
+         "../../error/failure.rkt" "../../error/refusal.rkt")
 
 (provide in-logarithm last-logarithm tail-integral diverging?)
 
@@ -24,7 +24,7 @@
 (define ((in-logarithm f end side direction) u)
   (define d (flexp (fl* direction u)))
   (define y
-    (with-handlers ([no-value? (lambda (e) #f)])
+    (false-if-raised no-value?
       (f (fl+ end (fl* side d)))))
   (define z (and (real? y) (fl* d (real->double-flonum y))))
   (and z (finite? z) z))

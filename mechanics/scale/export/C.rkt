@@ -42,7 +42,7 @@
         "PARAMETERS" (number->string (exported-parameter-count s))
         "CLOCK" (if (exported-clock? s) "0" "-1")
         "VARIABLES" (numbered "y" (exported-variables s))
-        "PARAMETER_LIST" (if (null? parameters) "none" (numbered "p" parameters))
+        "PARAMETER_LIST" (numbered "p" parameters)
         "VARIABLE_NAMES" (quoted (exported-variables s))
         "PARAMETER_NAMES" (if (null? parameters) "\"\"" (quoted parameters))
         "JACOBIAN" (if (exported-jacobian s) (jacobian-declaration (exported-name s)) "")
@@ -61,10 +61,10 @@ text
    name name name))
 
 (define (numbered letter names)
-  (string-join
-   (for/list ([x (in-list names)] [k (in-naturals)])
-     (format "~a[~a] = ~a" letter k (safe-comment (symbol->string x))))
-   ", "))
+  (define all
+    (for/list ([x (in-list names)] [k (in-naturals)])
+      (format "~a[~a] = ~a" letter k (safe-comment (symbol->string x)))))
+  (if (null? all) "none" (string-join all ", ")))
 
 (define (quoted names)
   (string-join (for/list ([x (in-list names)]) (format "~s" (format "~a" x))) ", "))
@@ -83,7 +83,7 @@ text
    (format "/* ~a\n\n   variables: ~a\n   parameters: ~a */\n\n"
            (safe-comment (exported-definition s))
            (numbered "y" (exported-variables s))
-           (if (null? (exported-parameters s)) "none" (numbered "p" (exported-parameters s))))
+           (numbered "p" (exported-parameters s)))
    (format "#include \"~a.h\"\n\n#include <math.h>\n" name)
    (helpers used)
    (C-function who s "derivative" "dy" (exported-slope s))

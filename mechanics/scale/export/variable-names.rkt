@@ -5,7 +5,8 @@
 ;; a word of the language, the name of another variable, or one of the names v7, v12 ... that
 ;; values have, gets another one behind it.
 
-(require racket/string)
+(require racket/string
+         "../../algebra/notation/name.rkt")
 
 (provide identifiers identifier? C-keywords python-keywords)
 
@@ -24,16 +25,10 @@
   (if (regexp-match? #px"^[A-Za-z]" plain) plain (string-append "x" plain)))
 
 (define (spelled text)
-  (for/fold ([text text]) ([letter (in-list letters)])
-    (string-replace text (car letter) (cdr letter))))
-
-(define letters
-  '(("α" . "alpha") ("β" . "beta") ("γ" . "gamma") ("δ" . "delta") ("ε" . "epsilon")
-    ("ζ" . "zeta") ("η" . "eta") ("θ" . "theta") ("κ" . "kappa") ("λ" . "lambda") ("μ" . "mu")
-    ("ν" . "nu") ("ξ" . "xi") ("π" . "pi") ("ρ" . "rho") ("σ" . "sigma") ("τ" . "tau")
-    ("φ" . "phi") ("χ" . "chi") ("ψ" . "psi") ("ω" . "omega")
-    ("Γ" . "Gamma") ("Δ" . "Delta") ("Θ" . "Theta") ("Λ" . "Lambda") ("Σ" . "Sigma")
-    ("Φ" . "Phi") ("Ψ" . "Psi") ("Ω" . "Omega") ("′" . "prime") ("'" . "prime")))
+  (string-append*
+   (for/list ([c (in-string text)])
+     (define letter (string c))
+     (if (memv c '(#\′ #\')) "prime" (or (letter->greek letter) letter)))))
 
 ;; Is the text good for the name of a folder and of functions?
 (define (identifier? text)
