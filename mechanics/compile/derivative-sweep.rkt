@@ -112,18 +112,12 @@
 ;; value : the place of its value, whose adjoint is a
 (define (add-shares! b i value a add-to!)
   (define x (first-operand i))
-  (define (y) (second-operand i))
   (case (instruction-operation i)
-    [(add) (add-to! x a) (add-to! (y) a)]
-    [(subtract) (add-to! x a) (add-to! (y) (negate! b a))]
-    [(multiply) (add-to! x (multiply! b a (y))) (add-to! (y) (multiply! b a x))]
     [(divide)
-     (define share (divide! b a (y)))
+     (define share (divide! b a (second-operand i)))
      (add-to! x share)
-     (add-to! (y) (negate! b (multiply! b share value)))]
-    [(negate) (add-to! x (negate! b a))]
+     (add-to! (second-operand i) (negate! b (multiply! b share value)))]
     [(sqrt) (add-to! x (divide! b (multiply! b 1/2 a) value))]
-    [(wrapped) (add-to! x a)]
     [else
      (for ([operand (in-list (instruction-operands i))] [k (in-naturals)] #:when (place? operand))
        (add-to! operand (multiply! b a (partial! b i k value))))]))
@@ -186,16 +180,11 @@
 (define (next-tangent b i k tangent)
   (define value (place k))
   (define x (tangent (first-operand i)))
-  (define (y) (tangent (second-operand i)))
   (case (instruction-operation i)
-    [(add) (add! b x (y))]
-    [(subtract) (subtract! b x (y))]
-    [(multiply)
-     (add! b (multiply! b x (second-operand i)) (multiply! b (first-operand i) (y)))]
-    [(divide) (divide! b (subtract! b x (multiply! b value (y))) (second-operand i))]
-    [(negate) (negate! b x)]
+    [(divide)
+     (define y (second-operand i))
+     (divide! b (subtract! b x (multiply! b value (tangent y))) y)]
     [(sqrt) (divide! b (multiply! b 1/2 x) value)]
-    [(wrapped) x]
     [(solve) (system-tangent b i k tangent)]
     [(component) (vector-ref x (second-operand i))]
     [else
@@ -219,8 +208,17 @@
 ;; ---------------------------------------------------------------------------
 ;; Partial derivatives
 
-;; Of the operation by operand k.
+;; Of the operation by operand k; of quotients and roots others have fewer operations.
 (define (partial! b i k value)
+  (case (instruction-operation i)
+    [(add) 1]
+    [(subtract) (if (= k 0) 1 -1)]
+    [(multiply) (list-ref (instruction-operands i) (- 1 k))]
+    [(negate) -1]
+    [(wrapped) (if (= k 0) 1 0)]
+    [else (general-partial! b i k value)]))
+
+(define (general-partial! b i k value)
   (define operands (instruction-operands i))
   (define names (for/list ([x (in-list operands)] [name (in-list '(x y))]) (if (place? x) name x)))
   (define form (apply (list-ref (generic-op-partials (record-of i)) k) (append names '(value))))

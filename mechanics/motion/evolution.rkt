@@ -19,9 +19,9 @@
          ;; for single steps and sections
          system-by-shape arity-after)
 
-;; (integrating (who datum takes place follow) (extra ...) (given ...)) : a function of the arguments
-;; of follow after the first, tolerance -> plan, and those given; and of the keywords that
-;; integrations have in common, and extra ones.  It prints as (datum).
+;; (integrating (who datum takes place follow) (extra ...) (given ...)) : a function of those
+;; arguments of follow that come after the first, tolerance -> plan, and the given ones; and of the
+;; keywords that integrations have in common, and extra ones.  It prints as (datum).
 ;; takes : the arguments, in words; place : of the argument before the tolerance
 (define-syntax-rule (integrating (who datum takes place follow) (extra ...) (given ...))
   (let ([arity (arity-after follow (+ 1 (length '(given ...))))])

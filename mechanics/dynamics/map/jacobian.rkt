@@ -35,8 +35,9 @@
   (define at (up x y))
   (image at)                            ; a mistake of the map's own is seen here
   (with-handlers ([refusal? (lambda (e) (by-differences who image x y step))])
+    (define slopes (scalars (derivative-at image at)))
     (define-values (a c b d)
-      (apply values (map number-or-refuse (scalars (derivative-at image at)))))
+      (apply values (for/list ([x (in-list slopes)]) (number-or-refuse x))))
     (vector (vector a b) (vector c d))))
 
 ;; points : lists of two coordinates; what : the things that need it, in the plural
