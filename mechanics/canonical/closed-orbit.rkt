@@ -33,6 +33,7 @@
   (define (unscaled s) (out-of-scale c (inner-state s)))
   (define flow (Hamiltonian->state-derivative (Hamiltonian-in-scale H c)))
   (define (moved s) (g:- (coordinate (inner-state s)) (coordinate start)))
+  (define (area s) (* (scale-action c) (structure-ref s 2)))
   (define away (distance-along (flow start) start))
   (define (beyond-turn s) (g:- (g:* (moved s) (moved s)) (* turn-here turn-here)))
   (define (turned? s) (and turn (> (abs (moved s)) (* almost turn-here))))
@@ -44,15 +45,14 @@
         (evolve-trajectory (with-area flow) s longest #:events events #:tolerance tolerance)))
     (define end (trajectory-final-state motion))
     (when (null? (trajectory-events motion))
-      (raise-not-closed who H state (unscaled end) turn longest
-                        (* (scale-action c) (structure-ref end 2))))
+      (raise-not-closed who H state (unscaled end) turn longest (area end)))
     (check-time-free who H (unscaled end))
     end)
   (let follow ([s (up 0 (up (coordinate start) (momentum start)) 0)])
     (define fallen (until 'falling s))
     (define end (if (turned? fallen) fallen (until 'rising fallen)))
     (cond [(near? (inner-state end) start turn-here)
-           (orbit (time end) (* (scale-action c) (/ (structure-ref end 2) (* 2 pi))))]
+           (orbit (time end) (/ (area end) (* 2 pi)))]
           [(turned? end) (raise-no-turn who H turn)]
           [else (follow end)])))
 

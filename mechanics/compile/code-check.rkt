@@ -24,7 +24,7 @@
 (define (moved to v varying)
   (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals)])
     (if (< k varying)
-        (to x (+ 0.1 (* 0.3 (- (* k golden-fraction) (floor (* k golden-fraction))))))
+        (to x (+ 0.1 (* 0.3 (spread-fraction k))))
         x)))
 (define (opposite x d) (- (* -1.1 x) d))
 (define (nearby x d) (+ x (* 0.1 d (+ 1.0 (abs x)))))

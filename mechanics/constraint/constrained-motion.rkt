@@ -58,7 +58,9 @@
 (define (complete who L cs outside kept ready state)
   (cond [(and kept (numeric? (ready state)))
          (define c (constrained-code who L cs outside kept ready state))
-         (values (if c (corrections-in c cs) (corrections-of who L cs kept))
+         (values (if c
+                     (corrections (position-code c) (velocity-code c) (refusing cs))
+                     (corrections-of who L cs kept))
                  (and c (rates-code c)))]
         [else (values #f #f)]))
 
@@ -93,8 +95,7 @@
   (list->structure
    state
    (for/list ([x (in-list (scalars state))] [k (in-naturals 1)])
-     (define turns (* k golden-fraction))
-     (+ x (* 1e-3 (+ 1 (abs x)) (- turns (floor turns)))))))
+     (+ x (* 1e-3 (+ 1 (abs x)) (spread-fraction k))))))
 
 (define (raise-singular-state who cs state)
   (raise-singular
@@ -109,9 +110,6 @@
 ;; Back to the constraints
 
 ;; kept : indices of constraints
-(define (corrections-in c cs)
-  (corrections (position-code c) (velocity-code c) (refusing cs)))
-
 (define (corrections-of who L cs kept)
   (define holonomic-constraints? (ormap holonomic? (constraint-set-parts cs)))
   (corrections (and holonomic-constraints? (lambda (state) (towards-positions who L cs kept state)))

@@ -20,7 +20,7 @@
          "../motion/system/check.rkt" "../motion/event/event.rkt" "../motion/event/event-watch.rkt"
          "../motion/evolution.rkt" "../motion/integration-plan.rkt" "../motion/run-system.rkt"
          "../motion/system/system.rkt"
-         "../search/implicit-root.rkt"
+         "../numeric/flvector.rkt" "../search/implicit-root.rkt"
          "../value/shape.rkt")
 
 (provide Poincare-map stroboscopic-map)
@@ -112,8 +112,7 @@
 
 ;; Is the state as near to the start as the error of the integration?
 (define (near-start? there y tolerance)
-  (for/and ([a (in-flvector there)] [b (in-flvector y)])
-    (fl<= (flabs (fl- a b)) (fl* (fl* 10.0 tolerance) (fl+ 1.0 (flabs b))))))
+  (short? (difference there y) y (fl* 10.0 tolerance)))
 
 (define (raise-never derivative e state steps)
   (define what

@@ -181,14 +181,4 @@
   slope)
 
 (define (second-derivatives action x)
-  (define n (flvector-length x))
-  (define rows
-    (for/vector #:length n ([j (in-range n)])
-      (define h (* 1e-4 (+ 1.0 (abs (flvector-ref x j)))))
-      (define (slope-at h)
-        (define y (flvector-copy x))
-        (flvector-set! y j (+ h (flvector-ref x j)))
-        (gradient-of action y))
-      (for/vector #:length n ([a (in-flvector (slope-at h))] [b (in-flvector (slope-at (- h)))])
-        (/ (- a b) (* 2.0 h)))))
-  (rows-combine (lambda (x y) (* 0.5 (+ x y))) rows (rows-transpose rows)))
+  (symmetric-rows (difference-rows (lambda (x) (gradient-of action x)) x 1e-4)))

@@ -3,7 +3,7 @@
 
 (provide pi
          :pi :-pi :pi/2 :2pi          ; as the book's programs spell them
-         golden-ratio golden-fraction golden-part
+         golden-ratio golden-fraction golden-part spread-fraction
          epsilon rounding)
 
 (define pi 3.141592653589793)
@@ -19,6 +19,11 @@
 ;; (√5 − 1)/2: its multiples, modulo 1, are spread over [0, 1] more evenly than those of
 ;; any other number.
 (define golden-fraction 0.6180339887498949)
+
+;; The k-th multiple, modulo 1
+(define (spread-fraction k)
+  (define turns (* k golden-fraction))
+  (- turns (floor turns)))
 
 ;; (3 − √5)/2 = 1 − golden-fraction: where the lesser part ends of an interval divided so that
 ;; it is to the greater as the greater to the whole.

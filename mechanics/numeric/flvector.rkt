@@ -9,7 +9,8 @@
 
 (provide flvector-finite?
          flvector->list flvector-copy! flvector-swap!
-         flvector-map unit-flvector flvector-scaled along difference dot norm greatest distance)
+         flvector-map unit-flvector flvector-scaled along difference dot norm greatest distance
+         short?)
 
 (define (flvector-finite? v)
   (for/and ([x (in-flvector v)]) (fl< (flabs x) +inf.0)))
@@ -58,6 +59,11 @@
   (for/fold ([m 0.0]) ([x (in-flvector v)]) (flmax m (flabs x))))
 (define (distance v w)
   (for/fold ([m 0.0]) ([x (in-flvector v)] [y (in-flvector w)]) (flmax m (flabs (fl- x y)))))
+
+;; Is each component of p at most a part of 1 + |x|?
+(define (short? p x part)
+  (for/and ([u (in-flvector p)] [v (in-flvector x)])
+    (fl<= (flabs u) (fl* part (fl+ 1.0 (flabs v))))))
 
 (define (flvector-swap! v i j)
   (define x (flvector-ref v i))

@@ -14,7 +14,8 @@
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/function.rkt"
          "../numeric/finite-number.rkt" "../numeric/flvector.rkt"
-         "../numeric/linear-algebra/row-matrix.rkt" "../numeric/linear-algebra/singular-values.rkt"
+         (only-in "../numeric/linear-algebra/row-matrix.rkt" all-entries?)
+         "../numeric/linear-algebra/singular-values.rkt"
          "../numeric/optimization/brent-root.rkt" "../numeric/optimization/newton.rkt"
          "../value/shape.rkt")
 
@@ -109,25 +110,11 @@
 ;; Of f at an argument; value : the same from flvector x to flvector.  An f that has a value
 ;; at numbers and refuses dual numbers is left to differences; one that fails fails there.
 (define (jacobian-at f value argument x)
-  (with-handlers ([refusal? (lambda (e) ((difference-jacobian value) x))])
+  (with-handlers ([refusal? (lambda (e) (difference-rows value x 6e-6))])
     (define slopes (plain (derivative-at f argument)))
     (columns->rows (flvector-length x) (structure->flvector slopes raise-not-a-number))))
 
 (define (raise-not-a-number x) (number 'derivative x))
-
-(define ((difference-jacobian value) x)
-  (define n (flvector-length x))
-  (define columns
-    (for/vector #:length n ([j (in-range n)])
-      (define h (fl* 6e-6 (fl+ 1.0 (flabs (flvector-ref x j)))))
-      (define change (difference (value (moved x j h)) (value (moved x j (fl- 0.0 h)))))
-      (for/vector #:length n ([d (in-flvector change)]) (fl/ d (fl* 2.0 h)))))
-  (rows-transpose columns))
-
-(define (moved x j h)
-  (define y (flvector-copy x))
-  (flvector-set! y j (fl+ h (flvector-ref x j)))
-  y)
 
 ;; ---------------------------------------------------------------------------
 ;; Has the matrix of derivatives at a root an inverse, as far as the root is known?

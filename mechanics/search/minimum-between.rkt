@@ -88,11 +88,9 @@
 (define (samples s low high n)
   (define step (/ (- high low) (real->double-flonum n)))
   (for/list ([k (in-range (+ n 1))])
-    (define shift (if (< 0 k n) (* 0.4 (- (fraction (* k golden-fraction)) 0.5)) 0.0))
+    (define shift (if (< 0 k n) (* 0.4 (- (spread-fraction k) 0.5)) 0.0))
     (define x (if (= k n) (real->double-flonum high) (+ low (* step (+ k shift)))))
     (point x (value-there s x))))
-
-(define (fraction x) (- x (floor x)))
 
 (define plateau-samples 64)
 

@@ -86,7 +86,7 @@
      (emit-start! r (lambda () (flvector-set! x 0 (fl/ (flvector-ref a 0) (flvector-ref b 0)))))
      (apply emit! r id (sum-kernels x (list (weighed 1.0 a)) #f))
      (emit! r id (leading-kernel x b (degree r (cadr operands))))]
-    [(law) (emit-law! r id (car operands) (cdr operands) (partner-of nodes id))]
+    [(law) (emit-law! r id (car operands) (cdr operands) (find-node nodes (list 'partner id)))]
     [(integral) (emit-integral! r id (car operands) (cdr operands))]
     [(still) (emit-value! r id (car operands) (cdr operands))]
     [(system) (emit-system! r nodes id operands)]
@@ -120,7 +120,6 @@
 ;; ---------------------------------------------------------------------------
 ;; Systems
 
-(define (partner-of nodes id) (find-node nodes (list 'partner id)))
 (define (find-node nodes n)
   (for/first ([m (in-vector nodes)] [id (in-naturals)] #:when (equal? m n)) id))
 

@@ -52,10 +52,6 @@
 ;; A point comes back if it returns within this, relative to 1 + |x|.
 (define return-tolerance 1e-9)
 
-(define (short? v x tolerance)
-  (for/and ([d (in-flvector v)] [c (in-flvector x)])
-    (fl<= (flabs d) (fl* tolerance (fl+ 1.0 (flabs c))))))
-
 (define (fixed-point-near who map guess period tolerance [limit 100])
   (define-values (p z)
     (fixed-point-of who map (make-map-on-tuples who map guess period) tolerance limit))

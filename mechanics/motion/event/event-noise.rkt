@@ -22,8 +22,7 @@
 
 ;; Shares between 1/2 and 1, with both signs.
 (define (share i)
-  (define x (* golden-fraction (+ i 1)))
-  (define size (* 0.5 (+ 1.0 (- x (floor x)))))
+  (define size (* 0.5 (+ 1.0 (spread-fraction (+ i 1)))))
   (if (even? i) size (- size)))
 
 (define (factor i tolerance) (fl+ 1.0 (fl* (share i) tolerance)))

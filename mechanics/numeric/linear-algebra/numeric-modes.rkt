@@ -23,7 +23,8 @@
   (define L (Cholesky M))
   (and L
        (let*-values ([(G) (triangular-inverse (rows-transpose L))]
-                     [(C) (symmetric-entries (product (rows-transpose G) (product K G)))]
+                     [(C) (rows->flvector
+                           (symmetric-rows (product (rows-transpose G) (product K G))))]
                      [(squares vectors) (symmetric-eigenvalues C n)])
          (for/list ([square (in-flvector squares)] [v (in-list vectors)])
            (cons (sqrt (clean square C))
@@ -34,10 +35,6 @@
 ;; Zero frequencies are found but for rounding.
 (define (clean square C)
   (if (<= (abs square) (* 1e-14 (flvector-length C) (greatest C))) 0.0 square))
-
-;; Products leave the two triangles apart by rounding.
-(define (symmetric-entries C)
-  (rows->flvector (rows-combine (lambda (x y) (/ (+ x y) 2)) C (rows-transpose C))))
 
 ;; The multiple with first component 1; components that are but rounding beside it become 0.
 (define (first-one components)

@@ -4,7 +4,8 @@
 (require racket/flonum)
 
 (provide entry greatest-entry all-entries? exact-numbers? row-length
-         rows-map rows-combine rows-transpose beside submatrix unit-rows rows->flvector
+         rows-map rows-combine rows-transpose symmetric-rows
+         beside submatrix unit-rows rows->flvector
          exchange!)
 
 (define (entry rows i j) (vector-ref (vector-ref rows i) j))
@@ -37,6 +38,10 @@
   (for/vector #:length n ([j (in-range n)])
     (for/vector #:length (vector-length rows) ([row (in-vector rows)])
       (vector-ref row j))))
+
+;; The mean of a matrix and its transpose
+(define (symmetric-rows rows)
+  (rows-combine (lambda (x y) (* 0.5 (+ x y))) rows (rows-transpose rows)))
 
 ;; The rows of a continued by those of b.
 (define (beside a b)

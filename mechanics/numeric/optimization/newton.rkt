@@ -18,7 +18,7 @@
          "../linear-algebra/flonum-systems.rkt" "../linear-algebra/row-matrix.rkt"
          "../../error/failure.rkt")
 
-(provide newton)
+(provide newton difference-rows)
 
 (define least-part (expt 0.5 30))
 
@@ -45,7 +45,7 @@
     (define p (and J (or (solution J f) (raise-no-step who no-inverse (argument x) f))))
     (cond
       [(not p) (values x 0.0)]
-      [(short? p x tolerance) (values (along x 1.0 p) (greatest p))]
+      [(short? p x (real->double-flonum tolerance)) (values (along x 1.0 p) (greatest p))]
       [(>= count limit) (not-found "too many steps" x p f count)]
       [else
        (define-values (next f*) (descend value J x p))
@@ -73,10 +73,20 @@
           [(< part least-part) (values #f #f)]
           [else (loop (* 0.5 part))])))
 
-;; ---------------------------------------------------------------------------
+;; The derivatives of f from differences over steps of that part of 1 + |x|, a vector of rows
+(define (difference-rows f x part)
+  (define n (flvector-length x))
+  (define (moved j h)
+    (define y (flvector-copy x))
+    (flvector-set! y j (+ h (flvector-ref x j)))
+    (f y))
+  (rows-transpose
+   (for/vector #:length n ([j (in-range n)])
+     (define h (* part (+ 1.0 (abs (flvector-ref x j)))))
+     (for/vector #:length n ([a (in-flvector (moved j h))] [b (in-flvector (moved j (- h)))])
+       (/ (- a b) (* 2.0 h))))))
 
-(define (short? p x tolerance)
-  (for/and ([u (in-flvector p)] [v (in-flvector x)]) (<= (abs u) (* tolerance (+ 1.0 (abs v))))))
+;; ---------------------------------------------------------------------------
 
 ;; Each component beside 1 + |x|.
 (define (size p x)

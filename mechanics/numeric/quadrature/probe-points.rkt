@@ -18,6 +18,7 @@
 
 (require racket/flonum racket/list
          "panel.rkt"
+         (only-in "../constants.rkt" spread-fraction)
          "../../error/failure.rkt")
 
 (provide take-probes suspects suspects-at-edges)
@@ -60,16 +61,11 @@
 (define (spread-points panels low width n)
   (define cell (fl/ width (->fl n)))
   (let loop ([k 0] [panels panels] [points '()])
-    (define x (fl+ low (fl* cell (fl+ (->fl k) (fl+ 0.45 (fl* 0.1 (jitter k)))))))
+    (define x (fl+ low (fl* cell (fl+ (->fl k) (fl+ 0.45 (fl* 0.1 (spread-fraction k)))))))
     (cond [(or (= k n) (null? panels)) points]
           [(fl> x (panel-greatest (car panels))) (loop k (cdr panels) points)]
           [(fl< (panel-width (car panels)) (fl* nodes-per-panel cell)) (loop (+ k 1) panels points)]
           [else (loop (+ k 1) panels (cons x points))])))
-
-;; The fraction of a multiple of the golden section
-(define (jitter k)
-  (define x (fl* 0.6180339887498949 (->fl k)))
-  (fl- x (flfloor x)))
 
 ;; Points that come nearer and nearer to the end; for an end 0, one that is almost there
 (define (closing-in end width seen?)
