@@ -113,10 +113,9 @@
        ,@(for/list ([name (in-list names)] [f (in-list forms)]) `(define-values (,name) ,f))
        (define-values (procedures) (list ,@names))))
   (define linklet (compile-linklet form 'mechanics))
-  (instance-variable-value (instantiate-linklet linklet (list (functions))) 'procedures))
-
-;; Every operation of the algebra, under its name, for where there is no primitive.
-(define (functions) (apply make-instance 'functions #f 'constant (flonum-functions)))
+  ;; every operation of the algebra, under its name, for where there is no primitive
+  (define functions (apply make-instance 'functions #f 'constant (flonum-functions)))
+  (instance-variable-value (instantiate-linklet linklet (list functions)) 'procedures))
 
 ;; The operations a program takes from `functions`.
 (define (functions-used p)

@@ -49,15 +49,13 @@
     (check-real 'advance-beyond "time" target)
     (define s (system-for state))
     (check-clock 'advance-beyond state (system-clock? s))
-    (define (short? state) (< (* step (clock state)) (* step target)))
+    (define (short? state) (< (* step (structure-ref state 0)) (* step target)))
     (let loop ([state state] [step step] [taken 0])
       (if (short? state)
           (one-step p s state step (lambda (state taken next) (loop state next taken)))
           (continue state taken step))))
   (stepping 'advance-beyond (apply call-datum 'advance-beyond derivative-maker parameters)
             "a state, a step, a tolerance and a time" advance))
-
-(define (clock state) (vector-ref (tuple-elements state) 0))
 
 ;; (advance method argument ...) as a function of the arguments, with the method as a keyword;
 ;; takes : these arguments, in words

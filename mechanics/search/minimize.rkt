@@ -26,9 +26,7 @@
                             #:tolerance [tolerance 1e-8] #:method [method #f]
                             #:observe [observe void] #:progress? [progress? (report-progress)])
   (define who 'find-minimum)
-  (check-function-of-one-variable who f)
-  (check-tolerance who tolerance)
-  (check-method who method)
+  (check-search who f tolerance method)
   (if high
       (least-between who f start high (brent who tolerance observe) progress? #:judge? #t)
       (least-near who f start method tolerance observe progress?)))
@@ -37,9 +35,14 @@
 (define-plain (minima f low high #:tolerance [tolerance 1e-8]
                       #:observe [observe void] #:progress? [progress? (report-progress)])
   (define who 'minima)
+  (check-search who f tolerance)
+  (all-between who f low high (brent who tolerance observe) progress? #:judge? #t))
+
+(define (check-search who f tolerance [method #f])
   (check-function-of-one-variable who f)
   (check-tolerance who tolerance)
-  (all-between who f low high (brent who tolerance observe) progress? #:judge? #t))
+  (unless (memq method '(quasi-newton nelder-mead #f))
+    (complain-of-argument who "'quasi-newton or 'nelder-mead" method)))
 
 ;; ---------------------------------------------------------------------------
 ;; In one variable: (argument value steps) of a minimum of f between low and high
@@ -91,9 +94,7 @@
                                          #:report [report (lambda (x y size count) x)]
                                          #:progress? [progress? (report-progress)])
   (define who 'multidimensional-minimize)
-  (check-function-of-one-variable who f)
-  (check-tolerance who tolerance)
-  (check-method who method)
+  (check-search who f tolerance method)
   (define m (least-near who f start method tolerance observe progress?))
   (when (eq? (minimum-kind m) 'saddle) (raise-saddle who m))
   (note-kind who m)
@@ -127,10 +128,6 @@
   (define-values (x y count) (call-with-progress progress? search))
   (define m (if-varying t x (lambda () (judged-minimum t x y count))))
   (if m (minimum->triple m count) (list (argument x) y count)))
-
-(define (check-method who m)
-  (unless (memq m '(quasi-newton nelder-mead #f))
-    (complain-of-argument who "'quasi-newton or 'nelder-mead" m)))
 
 ;; ---------------------------------------------------------------------------
 ;; Notes on the kind of a minimum, which the results of these procedures do not show

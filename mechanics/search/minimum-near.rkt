@@ -33,12 +33,10 @@
       [(or (not better?) (= round most-rounds)) (judged t e* o all)]
       [(outlook-lower o) => (lambda (lower) (again lower method #f))]
       [(and (eq? (outlook-kind o) 'unsettled) (not (eq? method 'nelder-mead)))
-       (again (end-x e) method (metric-of o))]
+       (again (end-x e) method (metric (outlook-curvatures o)))]
       [(and (or (plateau? o) (eq? (outlook-kind o) 'saddle)) (not method*))
        (again (end-x e) 'nelder-mead #f)]
       [else (judged t e* o all)])))
-
-(define (metric-of o) (metric (outlook-curvatures o)))
 
 ;; -> minimum and flvector, for a point that another search found to its own precision
 (define (judged-minimum t x y count)

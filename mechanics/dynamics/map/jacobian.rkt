@@ -31,7 +31,7 @@
 
 ;; step : the greatest step of finite differences
 (define (map-jacobian who map x y [step 1e-3])
-  (define (image p) (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
+  (define image (point-image-at who map))
   (define at (up x y))
   (image at)                            ; a mistake of the map's own is seen here
   (with-handlers ([refusal? (lambda (e) (by-differences who image x y step))])

@@ -16,7 +16,8 @@
 
 (provide check-map map? map-hint called-energy? energy-hint
          check-numbers checked-number positive-number check-steps
-         image-of image-at image? point-image-of check-image raise-no-image image-or-none
+         image-of image-at image? point-image-at
+         point-image-of check-image raise-no-image image-or-none
          image-or-else)
 
 ;; others : the arguments after it, one of which may be the map
@@ -71,6 +72,10 @@
 
 ;; Returns a function from points to their images, tuples of two.
 (define ((image-at who map) p) (image-of who map (structure-ref p 0) (structure-ref p 1) up))
+
+;; The same, checked.
+(define ((point-image-at who map) p)
+  (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
 
 ;; Returns (up x' y'); the coordinates are real numbers, perhaps with perturbations.
 (define (point-image-of who map x y)

@@ -45,15 +45,12 @@
               (describe-function map) (map-hint map)))
   (unless plane? (check-no-energy who map at))
   (define start (point-numbers who at plane?))
-  (define once (if plane? (plane-image who map) (state-image who map at)))
+  (define once (if plane? (point-image-at who map) (state-image who map at)))
   (define angles (angles-of once start))
   (define (point v)
     (define p (apply up (flvector->list v)))
     (if plane? p (with-time at p)))
   (map-on-tuples once times point start angles))
-
-(define ((plane-image who map) p)
-  (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
 
 (define ((state-image who map at) p)
   (define value (map (with-time at p)))

@@ -9,7 +9,7 @@
 ;; found : the crossings in a step, at fractions of it -> the same at times
 (define (crossings-in-time found from to)
   (for/list ([c (in-list found)])
-    (crossing (time-within from to (crossing-at c)) (crossing-event c) (crossing-grazing? c))))
+    (struct-copy crossing c [at (time-within from to (crossing-at c))])))
 
 ;; Reckoned from the nearer end, so that rounding does not lead beyond.
 (define (time-within from to theta)

@@ -27,11 +27,10 @@
 ;; kept     : the first `size` of them are the indices of K
 ;; targets  : of each index in E the l of its entry, or itself if it has none; of others -1
 ;; places   : of each index in K which of them it is
-;; c, a, b  : the numbers
 ;; side     : room for right-hand sides
 (struct matrices (n J real complex product real-exchanges complex-exchanges
                     kept targets places side
-                    [size #:mutable] [c #:mutable] [a #:mutable] [b #:mutable])
+                    [size #:mutable])
   #:authentic)
 
 (define (make-matrices n)
@@ -40,16 +39,13 @@
             (make-flvector (* n n)) (make-flvector (* 2n 2n)) (make-flvector (* n n))
             (make-fxvector n) (make-fxvector 2n)
             (make-fxvector n) (make-fxvector n) (make-fxvector n) (make-flvector 2n)
-            n 1.0 1.0 1.0))
+            n))
 
 (define-syntax-rule (index v i) (unsafe-fxvector-ref v i))
 
 ;; -> have both an inverse?
 (define (factor-matrices! m c a b)
   (define-fields matrices m real complex real-exchanges complex-exchanges)
-  (set-matrices-c! m c)
-  (set-matrices-a! m a)
-  (set-matrices-b! m b)
   (arrange! m c)
   (multiply-parts! m)
   (define size (matrices-size m))
@@ -143,9 +139,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Solutions
 
+;; c, a, b : those for which the matrices were factored
+
 ;; The right-hand side v becomes the solution.
-(define (solve-real! m v)
-  (define-fields matrices m n J real real-exchanges targets side size c)
+(define (solve-real! m c v)
+  (define-fields matrices m n J real real-exchanges targets side size)
   (each-eliminated (i l) targets n (flvector-set! v i (fl/ (at v i) c)))
   (gather! m v 0)
   (solve-factored! real size real-exchanges side)
@@ -155,8 +153,8 @@
       (flvector-set! v i (fl+ (at v i) (fl/ (fl* (at J (fx+ i (fx* l n))) (at v l)) c))))))
 
 ;; So do its real and imaginary parts v and w.
-(define (solve-complex! m v w)
-  (define-fields matrices m n J complex complex-exchanges targets side size a b)
+(define (solve-complex! m a b v w)
+  (define-fields matrices m n J complex complex-exchanges targets side size)
   (define square (fl+ (fl* a a) (fl* b b)))
   (define-syntax-rule (with-quotient (x y p q) body ...)      ; p + iq = (x + iy)/(a + ib)
     (let ([p (fl/ (fl+ (fl* a x) (fl* b y)) square)]

@@ -162,8 +162,8 @@
   (weighted-sum! n g1 [1.0 g1] [(fl- 0.0 c) w1])
   (weighted-sum! n g2 [1.0 g2] [(fl- 0.0 a) w2] [b w3])
   (weighted-sum! n g3 [1.0 g3] [(fl- 0.0 b) w2] [(fl- 0.0 a) w3])
-  (solve-real! matrices g1)
-  (solve-complex! matrices g2 g3)
+  (solve-real! matrices c g1)
+  (solve-complex! matrices a b g2 g3)
   (for ([w (in-vector ws)] [g (in-vector gs)]) (weighted-sum! n w [1.0 w] [1.0 g]))
   (times-T! n (z1 z2 z3) (w1 w2 w3)))
 
@@ -174,7 +174,9 @@
   (f! u k))
 
 ;; v = (γ/h − J)⁻¹ v
-(define (solve-real-equation! q v) (solve-real! (equations-matrices q) v))
+(define (solve-real-equation! q v)
+  (define-fields equations q matrices factored)
+  (solve-real! matrices (fl/ gamma factored) v))
 
 ;; Was f not finite at the end of the step?
 (define (failed-slope? q) (not (flvector-finite? (vector-ref (equations-ks q) 2))))

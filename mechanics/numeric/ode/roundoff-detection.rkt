@@ -13,27 +13,22 @@
 
 (require racket/flonum
          "stepper.rkt"
-         (only-in "../constants.rkt" epsilon) "../flvector.rkt")
+         (only-in "../constants.rkt" epsilon) "../flvector.rkt" "../record-fields.rkt")
 
 (provide make-crawl crawls? rounding-exceeds? state-too-coarse)
 
-;; longest     : of the steps so far
-;; short       : how many there are in the present row
-;; half        : when its lengths are compared, those of so many are to be the later ones
-;; early, late : the sums of lengths in both halves
-;; least       : of the steps since one that was not short
-;; coarse      : the time and the state where it had too few digits, or #f
-(struct crawl ([longest #:mutable] [short #:mutable] [half #:mutable]
-               [early #:mutable] [late #:mutable] [least #:mutable] [coarse #:mutable])
+;; longest : of the steps so far; row : of the short ones since, or #f
+;; least   : of the steps since one that was not short
+;; coarse  : the time and the state where it had too few digits, or #f
+(struct crawl ([longest #:mutable] [row #:mutable] [least #:mutable] [coarse #:mutable])
   #:authentic)
 
-(define (make-crawl) (crawl 0.0 0 first-half 0.0 0.0 +inf.0 #f))
+;; short       : how many there are
+;; half        : when its lengths are compared, those of so many are to be the later ones
+;; early, late : the sums of lengths in both halves
+(struct row (short half early late) #:authentic)
 
-(define (begin-row! c)
-  (set-crawl-short! c 0)
-  (set-crawl-half! c first-half)
-  (set-crawl-early! c 0.0)
-  (set-crawl-late! c 0.0))
+(define (make-crawl) (crawl 0.0 #f +inf.0 #f))
 
 (define much-shorter 1e-4)
 (define still-shorter 0.9)
@@ -46,26 +41,23 @@
 (define (crawls? c h)
   (cond [(fl> h (fl* much-shorter (crawl-longest c)))
          (when (fl> h (crawl-longest c)) (set-crawl-longest! c h))
-         (unless (eq? (crawl-short c) 0) (begin-row! c))
+         (set-crawl-row! c #f)
          #f]
         [else
-         (count-short! c h)
-         (and (= (crawl-short c) (* 2 (crawl-half c)))
-              (begin0 (fl< (crawl-late c) (fl* still-shorter (crawl-early c)))
-                      (lengthen-row! c)))]))
+         (define r (one-longer (or (crawl-row c) (row 0 first-half 0.0 0.0)) h))
+         (define full? (= (row-short r) (* 2 (row-half r))))
+         (set-crawl-row! c (if full? (lengthened r) r))
+         (and full? (fl< (row-late r) (fl* still-shorter (row-early r))))]))
 
-(define (count-short! c h)
-  (set-crawl-short! c (+ 1 (crawl-short c)))
-  (if (<= (crawl-short c) (crawl-half c))
-      (set-crawl-early! c (fl+ h (crawl-early c)))
-      (set-crawl-late! c (fl+ h (crawl-late c)))))
+(define (one-longer r h)
+  (define-fields row r short half early late)
+  (if (< short half)
+      (row (+ 1 short) half (fl+ h early) late)
+      (row (+ 1 short) half early (fl+ h late))))
 
-(define (lengthen-row! c)
-  (cond [(= (crawl-half c) most-half) (begin-row! c)]
-        [else
-         (set-crawl-half! c (* 2 (crawl-half c)))
-         (set-crawl-early! c (fl+ (crawl-early c) (crawl-late c)))
-         (set-crawl-late! c 0.0)]))
+(define (lengthened r)
+  (define-fields row r short half early late)
+  (and (< half most-half) (row short (* 2 half) (fl+ early late) 0.0)))
 
 ;; Is h δ a fair part of the tolerance, relative to 1 + |y|, and δ more than rounding makes of f
 ;; where nothing cancels?
