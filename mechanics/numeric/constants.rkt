@@ -22,7 +22,7 @@
 
 ;; The k-th multiple, modulo 1
 (define (spread-fraction k)
-  (define turns (* k golden-fraction))
+  (define turns (* (real->double-flonum k) golden-fraction))
   (- turns (floor turns)))
 
 ;; (3 − √5)/2 = 1 − golden-fraction: where the lesser part ends of an interval divided so that
