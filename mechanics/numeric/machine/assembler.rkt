@@ -36,15 +36,14 @@
 (define-values (rax rcx rdx rbx rsp rbp rsi rdi) (values 0 1 2 3 4 5 6 7))
 (define-values (r8 r9 r10 r11 r12 r13 r14 r15) (values 8 9 10 11 12 13 14 15))
 
-;; What is in memory, so many bytes behind the address in `base`, with what is in `index` added if
-;; that is not #f.
+;; Memory at the address in `base`, plus so many bytes, plus the number in `index` unless that is #f
 (struct memory (base index distance) #:authentic)
 (define (behind base distance [index #f]) (memory base index distance))
 
 ;; A flonum, or a pattern of 64 bits, a natural number.
 (struct constant (value) #:authentic)
 
-;; Of the bits of a flonum that of its sign, and the others.
+;; Masks of a flonum's bits: that of the sign, and all others
 (define sign (constant (expt 2 63)))
 (define all-but-sign (constant (- (expt 2 63) 1)))
 
@@ -67,7 +66,7 @@
 
 (define (bytes! a . bs) (for ([b (in-list bs)]) (byte! a b)))
 
-;; Of a whole number, the least first.
+;; Writes a whole number in so many bytes, the least first.
 (define (number! a x size)
   (for ([k (in-range size)]) (byte! a (bitwise-bit-field x (* 8 k) (* 8 (+ k 1))))))
 
@@ -144,7 +143,7 @@
   (instruction! a #f #t '(#x81) 0 to)
   (number! a x 4))
 
-;; The same; -> (set! x), which says what is added
+;; Adds a number that is not known yet; returns a procedure that sets this number.
 (define (later-add! a to)
   (add! a to 0)
   (define end (assembly-size a))
@@ -173,8 +172,8 @@
   (instruction! a #f #t '(#x81) 7 r)
   (number! a x 4))
 
-;; Goes on at the label: always, or where the numbers compared last are so.  'below and its kin are
-;; of flonums (ucomisd!), and of these 'unordered and 'equal, where one is no number, both are true.
+;; Jumps to the label: always, or if the numbers compared last satisfy the condition.  'below and
+;; its kin compare flonums (ucomisd!); 'unordered and 'equal both hold if one is not a number.
 (define (jump! a condition l)
   (if (eq? condition 'always)
       (byte! a #xE9)

@@ -40,7 +40,7 @@
             (known-processor?)
             (flvectors-as-known?))))))
 
-;; What a procedure is given of an flvector is so many bytes before its first component.
+;; The address that a procedure receives of an flvector is so many bytes before its first component.
 (define flvector-data 9)
 
 (define (known-processor?)
@@ -50,7 +50,7 @@
        (memq (vm-eval '(machine-type)) '(ta6le a6le))
        #t))
 
-;; Are components where they are thought to be?  So it was in all versions so far.
+;; Are components where this file expects them?  They were in all versions so far.
 (define (flvectors-as-known?)
   (define object-ref (vm-eval '($primitive $object-ref)))
   (define v (flvector 1.5 -2.5 0.75))
@@ -101,7 +101,7 @@
   (count! -1)
   (munmap (executable-memory-pages m) (executable-memory-size m)))
 
-;; Of nobody else, and of no file.
+;; Memory of this process alone, and of no file
 (define private+anonymous #x22)
 
 ;; -> executable-memory, or #f.  What is allocated here is given back by nobody but a garbage

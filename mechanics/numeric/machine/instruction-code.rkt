@@ -80,8 +80,8 @@
   (define there (operand c o))
   (unless (eqv? there r) (move! (context-s c) r there)))
 
-;; The second operand where the processor takes it: of a pair not in memory, which may begin
-;; anywhere, but in a register.
+;; The second operand, from where the processor takes it: a pair in memory, which may begin anywhere,
+;; is loaded into a register first.
 (define (taken c o but)
   (define s (context-s c))
   (define there (operand c o))
@@ -105,8 +105,9 @@
                 [else (if (equal? x y) r (taken c y (list r)))]))
   (bind-register! s (own c k) r))
 
-;; Of a sum or product that operand comes first whose register is free for the result, or which the
-;; processor does not take as the second; where there is but one, it is both.
+;; Returns two operands in the order in which the processor takes them.  In a sum or product the
+;; first one is that whose register is free for the result, or that cannot be the second.  A single
+;; operand is both.
 (define (first-and-second c name operands k)
   (define x (first operands))
   (define y (if (pair? (rest operands)) (second operands) x))

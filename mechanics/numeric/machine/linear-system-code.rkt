@@ -133,7 +133,7 @@
   (while-below a (rax r10 8) (subtract-product! a (behind r9 0 rax) (behind r8 0 rax)))
   (label-here! a cleared))
 
-;; From the last row on; behind it r8 and rcx are.
+;; Substitutes from the last row up.  At the start r8 and rcx are just behind this row.
 (define (substitute-back! a width right)
   (define again (make-label))
   (label-here! a again)
@@ -169,7 +169,7 @@
      n entry entry! less! margin (lambda operation (apply do! b operation))))
   (values (written b) (for/list ([k (in-range n)]) (entry k n)) margins))
 
-;; Both leave the solution in column n.  -> the margins
+;; Both procedures leave the solution in column n, and return the margins.
 ;; Of few unknowns (numeric/linear-algebra/small-symmetric-system.rkt)
 (define (solve-by-rows-above! n entry entry! less! margin do)
   (define inverses

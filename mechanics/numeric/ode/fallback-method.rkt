@@ -14,7 +14,7 @@
 
 (provide bridged-method)
 
-;; m knows the limit of its steps; other : an adaptive method
+;; m : a method whose steppers have a `limit`; other : an adaptive method
 (define (bridged-method m other)
   (define (start f! y0 tolerance)
     (define s ((method-start m) f! y0 tolerance))

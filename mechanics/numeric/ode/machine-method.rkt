@@ -3,8 +3,8 @@
 ;;
 ;; Steps are Racket code at first.  Where the rates of a system have machine code, it and the
 ;; formulas become procedures of whole steps (method-code.rkt), the same to the last bit.  Writing
-;; them takes what some hundred steps save; so that many are taken in Racket code first, by all
-;; integrations of the system together, and the one that is under way goes over.
+;; this code costs as much time as it saves in some hundred steps.  So a system's first steps,
+;; counted over all its integrations, are Racket code; then the integration under way switches.
 
 (require racket/flonum
          (only-in racket/list index-of)
@@ -19,14 +19,14 @@
 (define (explicit-method name order m)
   (adaptive-method name order (lambda (f! y0) (start m f! y0))))
 
-;; y, z, slope : the present state, where a step tried leads, and f(y); old, step : where the last
-;; step began, and its length; w, ks : room of Racket code; width : how many coefficients an
-;; interpolant has, times n
+;; y     : the present state; z : the state that the step tried leads to; slope : f(y)
+;; old   : the state where the last step began; step : its length
+;; w, ks : vectors that the Racket code works in; width : n times the coefficients of an interpolant
 ;; rates : machine-rates of f!, or #f; machine : machine-steps, or #f while steps are Racket code
 (struct integration (m f! n width y z old w ks slope rates [step #:mutable] [machine #:mutable])
   #:authentic)
 
-;; procedures : as method-code.rkt has them; room : where they work; parameters : those of the rates
+;; The procedures of method-code.rkt; room : the flvector they work in; parameters : of the rates
 (struct machine-steps (rates! try! accept! prepare! value! room parameters) #:authentic)
 
 (define (start m f! y0)

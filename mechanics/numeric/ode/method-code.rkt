@@ -15,8 +15,8 @@
 
 (provide (protect-out method-code))
 
-;; Of a step with more components, or rates of more instructions, straight code is no faster or
-;; takes too long to write.
+;; A step of at most so many components, with rates of at most so many instructions, is straight
+;; code; beyond, that is no faster, or takes too long to write.
 (define-values (most-components most-instructions) (values 8 200))
 
 ;; m : explicit-formulas; r : machine-rates -> list of procedures, or #f:
@@ -52,7 +52,7 @@
           (entry #t '(room kept out) (lambda (places) (write-value! a n m places)))))
   (machine-procedures (assembly->bytes a) entries))
 
-;; -> the label of what the form writes
+;; Returns a label that is where the code of the form begins.
 (define-syntax-rule (written-here a form)
   (let ([l (make-label)])
     (label-here! a l)
@@ -91,7 +91,7 @@
   (emit-elements! a n places (square-statements m))
   (write-error-code! a n places m))
 
-;; From the squares.
+;; Writes the error of a step, from the squares in the room.
 (define (write-error-code! a n places m)
   (define squares (square-statements m))
   (define b (make-builder (+ 1 (* n (length squares)))))
@@ -115,7 +115,7 @@
   (write-stages! a n places 'old #f (explicit-formulas-further m) rates)
   (emit-elements! a n places (coefficient-formulas m)))
 
-;; θ is where other procedures are given h.
+;; The procedure receives θ in the place of h.
 (define (write-value! a n m places)
   (define other (hash-ref places 'other))
   (movapd! a 1 (constant 1.0))

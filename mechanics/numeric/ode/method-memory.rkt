@@ -1,10 +1,11 @@
 #lang racket/base
 ;; Where the vectors of a method are while its machine code runs.
 ;;
-;; A procedure is given flvectors, whose addresses it keeps in registers of its own.  One of them is
-;; the *room*: the error of a step and its divisor; h, or a fraction of a step, and 1 less that,
-;; each twice; then vectors of n components: w, the slopes and squares of errors.  The states, the
-;; present slope and the coefficients of an interpolant are flvectors of their own.
+;; A procedure receives flvectors, and keeps their addresses in registers that no function of C
+;; changes.  One flvector is the *room*.  It holds the error of a step and the divisor of this error;
+;; then two pairs of equal numbers, h or a fraction θ of a step, and 1 − θ; then vectors of n
+;; components: w, the slopes and the squares of errors.  States, the present slope and the
+;; coefficients of an interpolant are flvectors of their own.
 
 (require racket/flonum
          "method-formulas.rkt"
@@ -16,7 +17,7 @@
 (define-values (error-place divisor-place first-vector) (values 0 1 6))
 (define numbers (hasheq 'error error-place 'divisor divisor-place 'h 2 'other 4))
 
-;; The error that the code of a step left; 0 where its divisor is.
+;; The error that the code of a step has stored, or 0 if the divisor is 0
 (define (error-in-room room)
   (if (fl= (flvector-ref room divisor-place) 0.0) 0.0 (flvector-ref room error-place)))
 

@@ -41,7 +41,7 @@
        y lost z rest from slope within
        #f #f 0.0 0.0 #f #f #f (make-semaphore 1)))
 
-;; Nothing to do where it has just been tried (outlook-from).
+;; Begins at y0, unless outlook-from has just done so.
 (define (begin-at! r y0)
   (define-fields run r f! y slope)
   (unless (and (run-limit r) (fl= (run-last r) 0.0) (equal? y y0))
@@ -50,7 +50,7 @@
     (set-run-piece! r #f)
     (forget! r)))
 
-;; The state is another one, of which rounding has lost nothing yet.
+;; To be called when the state was changed: rounding has lost nothing of the new one yet.
 (define (forget! r)
   (scale! (run-lost r) 0.0)
   (set-run-last! r 0.0)
@@ -79,8 +79,8 @@
   (for/fold ([l -2.0]) ([_ (in-range 8)])
     (/ (+ (log (* 0.005 tolerance)) (log (- 1.0 (exp l)))) (+ n 1.0))))
 
-;; Of the terms left out, which do not need a tenth; or if that is no more than rounding, they
-;; are to be nothing beside rounding.
+;; The tolerance of the terms left out.  They do not need to be a tenth of what is tolerated of a
+;; motion; but where only rounding is tolerated, they must be nothing beside it.
 (define (term-tolerance tolerated)
   (if (fl<= tolerated rounding) least-term (fl* 10.0 tolerated)))
 
