@@ -27,9 +27,9 @@
           (operating (instruction-operation i) k (map place-of (instruction-operands i))))))
   (steps->runner-maker p steps))
 
-;; (steps-of place-of) returns a list of procedures.  Each is given the flvector of all values, and a
-;; hash from numbers of unknowns to rooms where such systems are solved; it stores values that later
-;; procedures or outputs need.  (place-of operand) is the place of an operand in the flvector.
+;; (steps-of place-of) returns a list of procedures.  Each is given the flvector of all values, and
+;; a hash from numbers of unknowns to rooms where such systems are solved; it stores values that
+;; later procedures or outputs need.  (place-of operand) is the place of an operand in the flvector.
 (define (steps->runner-maker p steps-of)
   (define inputs (program-inputs p))
   (define first-constant (+ inputs (program-length p)))

@@ -80,8 +80,8 @@
   (define there (operand c o))
   (unless (eqv? there r) (move! (context-s c) r there)))
 
-;; The second operand, from where the processor takes it: a pair in memory, which may begin anywhere,
-;; is loaded into a register first.
+;; The second operand, from where the processor takes it: a pair in memory, which may begin
+;; anywhere, is loaded into a register first.
 (define (taken c o but)
   (define s (context-s c))
   (define there (operand c o))

@@ -2,8 +2,8 @@
 ;; Where the vectors of a method are while its machine code runs.
 ;;
 ;; A procedure receives flvectors, and keeps their addresses in registers that no function of C
-;; changes.  One flvector is the *room*.  It holds the error of a step and the divisor of this error;
-;; then two pairs of equal numbers, h or a fraction θ of a step, and 1 − θ; then vectors of n
+;; changes.  One flvector is the *room*.  It holds the error of a step and the divisor of this
+;; error; then two pairs of equal numbers, h or a fraction θ of a step, and 1 − θ; then vectors of n
 ;; components: w, the slopes and the squares of errors.  States, the present slope and the
 ;; coefficients of an interpolant are flvectors of their own.
 
