@@ -26,8 +26,8 @@
   (check-true (factor-matrices! m c a b))
   (define-values (u v w) (values (random-vector n) (random-vector n) (random-vector n)))
   (define-values (x y z) (values (flvector-copy u) (flvector-copy v) (flvector-copy w)))
-  (solve-real! m x)
-  (solve-complex! m y z)
+  (solve-real! m c x)
+  (solve-complex! m a b y z)
   (define complex-c (make-rectangular a b))
   (define real-image (image J n c (for/list ([t (in-flvector x)]) t)))
   (define complex-image
