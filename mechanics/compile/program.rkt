@@ -142,8 +142,8 @@
   (define instructions (program-instructions p))
   (define needed (make-vector (vector-length instructions) #f))
   (define (need! operand)
-    (when (and (place? operand) (>= (place-index operand) n))
-      (vector-set! needed (- (place-index operand) n) #t)))
+    (define k (value-number operand n))
+    (when k (vector-set! needed k #t)))
   (for ([o (in-vector (program-outputs p))]) (need! o))
   (for ([k (in-range (- (vector-length instructions) 1) -1 -1)]
         #:when (vector-ref needed k))
@@ -158,9 +158,8 @@
       (vector-set! new-index k (+ n kept))
       (+ kept 1)))
   (define (moved operand)
-    (if (and (place? operand) (>= (place-index operand) n))
-        (place (vector-ref new-index (- (place-index operand) n)))
-        operand))
+    (define k (value-number operand n))
+    (if k (place (vector-ref new-index k)) operand))
   (program n
            (for/vector #:length kept
                        ([i (in-vector (program-instructions p))] [k? (in-vector needed)]

@@ -37,14 +37,20 @@
 
 (define (look-exactly t x y g second)
   (define c (curvatures second (flvector-length x)))
-  (define (judged kind [lower #f]) (outlook kind g c lower))
-  (define falls (lower-along t x y (direction c)))
+  (judged t x y g c
+          (kinked? t x y g second)
+          (lambda () (fading? t x (downward-step c g) c))
+          (lambda () (long? (downward-step c g) x))))
+
+;; fading?, unsettled? : thunks, asked in this order where there is no kink and no way down
+(define (judged t x y g c kink? fading? unsettled?)
+  (define (judged-as kind [lower #f]) (outlook kind g c lower))
   (cond
-    [(kinked? t x y g second) (judged 'kink)]
-    [(falling? c) (judged 'saddle (falls first-reach))]
-    [(fading? t x (downward-step c g) c) (judged-by-values t x y c judged)]
-    [(long? (downward-step c g) x) (judged 'unsettled)]
-    [else (judged 'minimum)]))
+    [kink? (judged-as 'kink)]
+    [(falling? c) (judged-as 'saddle ((lower-along t x y (direction c)) first-reach))]
+    [(fading?) (judged-by-values t x y c judged-as)]
+    [(unsettled?) (judged-as 'unsettled)]
+    [else (judged-as 'minimum)]))
 
 (define (falling? c) (and (< (least-curvature c) 0.0) (not (vanishing? c 0))))
 
@@ -100,13 +106,10 @@
     [else
      (define c (curvatures narrow (flvector-length x) 1e-6))
      (define steepest (direction c (- (flvector-length x) 1)))
-     (define (judged kind [lower #f]) (outlook kind #f c lower))
-     (cond
-       [(> (curvature-along narrow steepest) (* 1.6 (abs (curvature-along wide steepest))))
-        (judged 'kink)]
-       [(falling? c) (judged 'saddle ((lower-along t x y (direction c)) first-reach))]
-       [(vanishing? c 0) (judged-by-values t x y c judged)]
-       [else (judged 'minimum)])]))
+     (judged t x y #f c
+             (> (curvature-along narrow steepest) (* 1.6 (abs (curvature-along wide steepest))))
+             (lambda () (vanishing? c 0))
+             (lambda () #f))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Beside the point

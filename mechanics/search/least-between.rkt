@@ -18,9 +18,9 @@
     (lambda (found) (described who f low high found judge?))))
 
 ;; -> list of minima, from left to right
-(define (all-between who f low high method progress? #:judge? judge?)
+(define (all-between who f low high method progress?)
   (with-search minima-between who f low high method progress?
-    (lambda (all) (for/list ([one (in-list all)]) (described who f low high one judge?)))))
+    (lambda (all) (for/list ([one (in-list all)]) (described who f low high one #t)))))
 
 (define (with-search search who f low high method progress? receive)
   (define (value x) (number-beneath who (f x)))

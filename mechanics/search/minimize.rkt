@@ -36,7 +36,7 @@
                       #:observe [observe void] #:progress? [progress? (report-progress)])
   (define who 'minima)
   (check-search who f tolerance)
-  (all-between who f low high (brent who tolerance observe) progress? #:judge? #t))
+  (all-between who f low high (brent who tolerance observe) progress?))
 
 (define (check-search who f tolerance [method #f])
   (check-function-of-one-variable who f)

@@ -67,8 +67,7 @@
 
 ;; The values of these instructions are numbered from 0 on where they are kept.
 (define (own c k) (- k (context-from c)))
-(define (own-place c o)
-  (and (place? o) (>= (place-index o) (context-from c)) (own c (place-index o))))
+(define (own-place c o) (value-number o (context-from c)))
 
 ;; -> a register, memory or a constant
 (define (operand c o)

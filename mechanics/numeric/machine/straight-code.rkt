@@ -27,10 +27,11 @@
 (define (most-alive instructions from)
   (define alive (make-hasheqv))
   (for/fold ([most 0]) ([k (in-range (- (vector-length instructions) 1) -1 -1)])
-    (hash-remove! alive (+ from k))
-    (for ([o (in-list (instruction-operands (vector-ref instructions k)))]
-          #:when (and (place? o) (>= (place-index o) from)))
-      (hash-set! alive (place-index o) #t))
+    (hash-remove! alive k)
+    (for* ([o (in-list (instruction-operands (vector-ref instructions k)))]
+           [p (in-value (value-number o from))]
+           #:when p)
+      (hash-set! alive p #t))
     (max most (hash-count alive))))
 
 ;; ---------------------------------------------------------------------------
@@ -65,7 +66,7 @@
                             (for/fold ([most 0]) ([i (in-vector instructions)])
                               (max most (system-room i)))))
   (define-values (own others)
-    (partition (lambda (x) (and (place? (car x)) (>= (place-index (car x)) from))) stores))
+    (partition (lambda (x) (value-number (car x) from)) stores))
   (define targets
     (for/fold ([targets (hasheqv)]) ([x (in-list own)])
       (hash-update targets (place-index (car x)) (lambda (to) (cons (cdr x) to)) '())))
@@ -103,9 +104,9 @@
   (define uses (make-vector (vector-length instructions) '()))
   (for ([k (in-range (- (vector-length instructions) 1) -1 -1)]
         #:unless (eq? 'later (hash-ref twins (+ from k) #f)))
-    (for ([o (in-list (remove-duplicates (instruction-operands (vector-ref instructions k))))]
-          #:when (and (place? o) (>= (place-index o) from)))
-      (define p (- (place-index o) from))
+    (for* ([o (in-list (remove-duplicates (instruction-operands (vector-ref instructions k))))]
+           [p (in-value (value-number o from))]
+           #:when p)
       (vector-set! uses p (cons (+ from k) (vector-ref uses p)))))
   uses)
 

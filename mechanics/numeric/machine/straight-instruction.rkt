@@ -12,12 +12,16 @@
 ;;
 ;; The components of a system follow it at once.
 
-(provide (struct-out place)
+(provide (struct-out place) value-number
          instruction-operation instruction-operands moved-instruction first-operand second-operand
          system-unknowns symmetric-system?)
 
 ;; Prefab: two places of one index are the same operand, and programs are data for other processes.
 (struct place (index) #:prefab)
+
+;; Which of the values from one place on an operand is; #f if it is none of these
+(define (value-number o from)
+  (and (place? o) (>= (place-index o) from) (- (place-index o) from)))
 
 (define (instruction-operation i) (car i))
 (define (instruction-operands i) (cdr i))
