@@ -67,15 +67,11 @@
 ;; takes a state to the duration until the event and the state there.
 (define (finders derivative e p most)
   (define system-for (system-by-shape 'Poincare-map (lambda () derivative) '()))
-  (define known '())                    ; systems and their finders
-  (lambda (state)
-    (define s (system-for state))
-    (or (for/first ([k (in-list known)] #:when (eq? s (car k))) (cdr k))
-        (let* ([watches (watches-for 'Poincare-map (list e) state (system-size s)
-                                     (plan-tolerance p))]
-               [find (finder s e p most watches)])
-          (set! known (cons (cons s find) known))
-          find))))
+  (by-shape
+   (lambda (state)
+     (define s (system-for state))
+     (finder s e p most
+             (watches-for 'Poincare-map (list e) state (system-size s) (plan-tolerance p))))))
 
 (define ((finder s e p most new-watch) state)
   (define y (state-vector 'Poincare-map state))

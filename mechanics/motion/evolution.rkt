@@ -17,7 +17,7 @@
 
 (provide state-advancer evolve linearized-flow
          ;; for single steps and sections
-         system-by-shape arity-after)
+         system-by-shape by-shape arity-after)
 
 ;; (integrating (who datum takes place follow) (extra ...) (given ...)) : a function of those
 ;; arguments of follow that come after the first, tolerance -> plan, and the given ones; and of the

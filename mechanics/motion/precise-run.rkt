@@ -36,28 +36,27 @@
   (define each-step (max (expt 2 (- bits)) (* 1/10 (plan-tolerance p))))
   (define digits (- (bigfloat->flonum (bflog10 (bf each-step)))))
   (define working (+ bits (guard-bits digits)))
-  (call-with-bits working
-    (lambda ()
-      (define y (structure->bigfloats state void))
-      (define-values (f slope traced?) (bigfloat-function who derivative state))
-      (define clock? (constant-rate? slope traced?))
-      (define (stuck t y why)
-        (define last (shown-state state y bits))
-        (raise-cut-short who why (rounded t bits) last (kept last)))
-      (define (from t y)
-        (make-integrator (if (and clock? (not traced?)) (on-time who f) f)
-                         y t (bf each-step) digits #:clock (and clock? 0) #:stuck stuck
-                         #:longest (plan-longest p) #:limit (plan-most p)
-                         #:shortest (expt 2.0 (- bits))))
-      (define start (if clock? (vector-ref y 0) (bf 0)))
-      (motion state clock? bits working (exact-value start) y f (from start y) from))))
+  (with-bits working
+    (define y (structure->bigfloats state void))
+    (define-values (f slope traced?) (bigfloat-function who derivative state))
+    (define clock? (constant-rate? slope traced?))
+    (define (stuck t y why)
+      (define last (shown-state state y bits))
+      (raise-cut-short who why (rounded t bits) last (kept last)))
+    (define (from t y)
+      (make-integrator (if (and clock? (not traced?)) (on-time who f) f)
+                       y t (bf each-step) digits #:clock (and clock? 0) #:stuck stuck
+                       #:longest (plan-longest p) #:limit (plan-most p)
+                       #:shortest (expt 2.0 (- bits))))
+    (define start (if clock? (vector-ref y 0) (bf 0)))
+    (motion state clock? bits working (exact-value start) y f (from start y) from)))
 
 (define (shown m y) (shown-state (motion-shape m) y (motion-bits m)))
 
 (define (shown-state shape y bits)
   (define rounded
-    (call-with-bits bits
-      (lambda () (for/vector #:length (vector-length y) ([x (in-vector y)]) (bfcopy x)))))
+    (with-bits bits
+      (for/vector #:length (vector-length y) ([x (in-vector y)]) (bfcopy x))))
   (bigfloats->structure shape rounded))
 
 (define ((on-time who f) y)
@@ -76,12 +75,11 @@
 ;; -> the state reached
 (define (motion-follow m end visit)
   (define-values (t y)
-    (call-with-bits (motion-working m)
-      (lambda ()
-        ((motion-run m) (bf end)
-                        (lambda (from before to after)
-                          (visit (stretch (exact-value from) (exact-value to)
-                                          before after)))))))
+    (with-bits (motion-working m)
+      ((motion-run m) (bf end)
+                      (lambda (from before to after)
+                        (visit (stretch (exact-value from) (exact-value to)
+                                        before after))))))
   (shown m y))
 
 ;; The state at a time within a step: where a motion from its beginning leads to.
@@ -90,34 +88,32 @@
     (cond [(= t (stretch-from s)) (stretch-before s)]
           [(= t (stretch-to s)) (stretch-after s)]
           [else
-           (call-with-bits (motion-working m)
-             (lambda ()
-               (define run ((motion-restart m) (bf (stretch-from s)) (stretch-before s)))
-               (define-values (reached y) (run (bf t) (lambda (from y to z) #t)))
-               y))]))
+           (with-bits (motion-working m)
+             (define run ((motion-restart m) (bf (stretch-from s)) (stretch-before s)))
+             (define-values (reached y) (run (bf t) (lambda (from y to z) #t)))
+             y)]))
   (shown m y))
 
 ;; About the state at the fraction theta of a step: a cubic with the states and slopes
 ;; at its ends.
 (define (stretch-guess m s theta)
   (define y
-    (call-with-bits (motion-working m)
-      (lambda ()
-        (define h (bf (- (stretch-to s) (stretch-from s))))
-        (define-values (before after) (values (stretch-before s) (stretch-after s)))
-        (define t (- 1 theta))
-        (define weights
-          (list (* t t (+ 1 (* 2 theta))) (* theta theta (+ 1 (* 2 t)))
-                (* theta t t) (* -1 theta theta t)))
-        (define-values (a b c d) (apply values (map bf weights)))
-        (for/vector #:length (vector-length before)
-                    ([y (in-vector before)] [z (in-vector after)]
-                     [v ((motion-slope m) before)] [w ((motion-slope m) after)])
-          (bf+ (bf* a y) (bf* b z) (bf* h (bf+ (bf* c v) (bf* d w))))))))
+    (with-bits (motion-working m)
+      (define h (bf (- (stretch-to s) (stretch-from s))))
+      (define-values (before after) (values (stretch-before s) (stretch-after s)))
+      (define t (- 1 theta))
+      (define weights
+        (list (* t t (+ 1 (* 2 theta))) (* theta theta (+ 1 (* 2 t)))
+              (* theta t t) (* -1 theta theta t)))
+      (define-values (a b c d) (apply values (map bf weights)))
+      (for/vector #:length (vector-length before)
+                  ([y (in-vector before)] [z (in-vector after)]
+                   [v ((motion-slope m) before)] [w ((motion-slope m) after)])
+        (bf+ (bf* a y) (bf* b z) (bf* h (bf+ (bf* c v) (bf* d w)))))))
   (shown m y))
 
 ;; A time as the integration has it, exact; and as it is shown.
-(define (exact-time m t) (exact-value (call-with-bits (motion-working m) (lambda () (bf t)))))
+(define (exact-time m t) (exact-value (with-bits (motion-working m) (bf t))))
 (define (shown-time m t) (rounded t (motion-bits m)))
 
 ;; No motion yet.

@@ -56,13 +56,12 @@
     (complain-of-argument 'bigfloat "a number of bits from 2 to 1000000" bits))
   (check-bigfloats 'bigfloat)
   (define value
-    (call-with-bits bits
-      (lambda ()
-        (cond [(real? x) (real->bigfloat x)]
-              [(big? x) (m:bfcopy (big-value x))]
-              [(m:bigfloat? x) (m:bfcopy x)]
-              [(string? x) (m:string->bigfloat x)]
-              [else #f]))))
+    (with-bits bits
+      (cond [(real? x) (real->bigfloat x)]
+            [(big? x) (m:bfcopy (big-value x))]
+            [(m:bigfloat? x) (m:bfcopy x)]
+            [(string? x) (m:string->bigfloat x)]
+            [else #f])))
   (unless (m:bigfloat? value)
     (complain-of-argument 'bigfloat "a real number or the numeral of one, such as \"0.1\"" x))
   (big value))
@@ -91,7 +90,7 @@
   (define f (operation-on-bigfloats name 1))
   (cond [(eq? name 'exact->inexact) (m:bigfloat->flonum (big-value x))]
         [(eq? name 'inexact->exact) (bigfloat->exact x)]
-        [f (big (call-with-bits (bits x) (lambda () (f (big-value x)))))]
+        [f (big (with-bits (bits x) (f (big-value x))))]
         [else (raise-inapplicable op x)]))
 
 (define (operate-2 op a b)
@@ -107,7 +106,7 @@
     (cond [(not (big? a)) (bits b)]
           [(not (big? b)) (bits a)]
           [else (max (bits a) (bits b))]))
-  (big (call-with-bits most (lambda () (f (raw-bigfloat a) (raw-bigfloat b))))))
+  (big (with-bits most (f (raw-bigfloat a) (raw-bigfloat b)))))
 
 ;; A number of Racket's or ours as one of math/bigfloat.
 (define (raw-bigfloat x) (if (big? x) (big-value x) (real->bigfloat x)))
@@ -133,7 +132,6 @@
   (define most
     (for*/fold ([most 2]) ([rows (list A right)] [row (in-vector rows)] [x (in-vector row)])
       (if (big? x) (max most (bits x)) most)))
-  (call-with-bits most
-    (lambda ()
-      (define x (solutions (rows-map raw-bigfloat A) (rows-map raw-bigfloat right)))
-      (if (eq? x 'singular) x (rows-map big x)))))
+  (with-bits most
+    (define x (solutions (rows-map raw-bigfloat A) (rows-map raw-bigfloat right)))
+    (if (eq? x 'singular) x (rows-map big x))))

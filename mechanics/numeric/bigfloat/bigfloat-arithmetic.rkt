@@ -10,7 +10,7 @@
          "../../operation/operation-column.rkt")
 
 (provide check-bigfloats
-         call-with-bits
+         with-bits
          operation-on-bigfloats
          real->bigfloat         ; rounded to the precision in force
          exact-value)
@@ -33,7 +33,9 @@
     "\n  Fedora: dnf install mpfr; Arch: pacman -S mpfr"
     "\n  macOS, Windows: Racket's package math-lib brings it: raco pkg install math-lib")))
 
-;; The value of (f), computed with this number of bits.
+;; The value of the body, computed with this number of bits.
+(define-syntax-rule (with-bits bits body ...) (call-with-bits bits (lambda () body ...)))
+
 (define (call-with-bits bits f)
   (if (eqv? bits (bf-precision))
       (f)

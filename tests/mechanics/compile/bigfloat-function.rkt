@@ -8,10 +8,9 @@
 
 ;; -> the exact values of f at x in 64 bits, and whether f could be traced
 (define (value-and-traced f x)
-  (call-with-bits 64
-    (lambda ()
-      (define-values (run shape traced?) (bigfloat-function 'test f x))
-      (values (exact-value (vector-ref (run (vector (real->bigfloat x))) 0)) traced?))))
+  (with-bits 64
+    (define-values (run shape traced?) (bigfloat-function 'test f x))
+    (values (exact-value (vector-ref (run (vector (real->bigfloat x))) 0)) traced?)))
 
 (skip-unless bigfloats? no-bigfloats
   (test-case "arithmetic becomes a program"
