@@ -8,6 +8,7 @@
 (require "../system/check.rkt"
          "../../algebra/expression/expression.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/hint.rkt"
+         "../../error/refusal.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../generic/function-check.rkt" "../../generic/function.rkt"
          "../../generic/kind.rkt" "../../generic/notation.rkt" "../../generic/value-struct.rkt"
@@ -70,13 +71,10 @@
 
 ;; The value of the event's function at the state, #f where it has none.
 (define (event-value who e state)
-  (define (value)
+  (false-if-raised no-value?
     (define x ((event-f e) (flvector->structure state (state-vector who state))))
     (check-event-value who e x)
-    x)
-  (with-handlers ([exn:fail:mechanics:singular? (lambda (x) #f)]
-                  [exn:fail:contract:divide-by-zero? (lambda (x) #f)])
-    (value)))
+    x))
 
 (define (check-event-value who e x)
   (unless (or (number? x) (other-number? x))

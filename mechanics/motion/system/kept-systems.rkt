@@ -12,7 +12,7 @@
 (require racket/list
          "../../calculus/gradient.rkt"
          "../../compile/code-check.rkt"
-         "../../error/failure.rkt" "../../error/refusal.rkt"
+         "../../error/refusal.rkt"
          "../../generic/up-down.rkt"
          "../../lagrangian/state-derivative.rkt"
          "../../value/shape.rkt")
@@ -60,5 +60,5 @@
   (equal? (kept-values k) (values-at watched (kept-shape k) (kept-points k))))
 
 (define (values-at f state points)
-  (with-handlers ([no-value? (lambda (e) #f)] [raised? (lambda (e) #f)])
+  (false-if-raised raised?
     (for/list ([v (in-list points)]) (scalars (f (flvector->structure state v))))))
