@@ -18,7 +18,8 @@
          "../assumption/leaf-bounds.rkt" "../assumption/range.rkt" "../assumption/signs.rkt"
          "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt"
-         "../simplify/simplify-expression.rkt")
+         "../simplify/simplify-expression.rkt"
+         (only-in "../../numeric/finite-number.rkt" exact-rational?))
 
 (provide in-logarithms product-of-logarithms angle-of-arcs)
 
@@ -93,7 +94,6 @@
                            functions
                            (simple (e:* n (e:/ none unit)))))))))
 
-(define (exact-rational? q) (and (rational? q) (exact? q)))
 
 (define (functions-in e heads)
   (remove-duplicates (append-map (lambda (head) (applications-of head e)) heads)))

@@ -18,8 +18,8 @@
           'sinh sinh 'cosh cosh 'tanh tanh 'asinh asinh 'acosh acosh 'atanh atanh
           'abs abs 'sgn sgn 'max max 'min min 'erf erf))
 
-;; A value of the library; the letter x is `at`.  Of constants that hold no letter, as (sqrt 3), the
-;; exact value is read.
+;; A value of the library; the letter x is `at`.  Of constants that hold no letter, as
+;; (sqrt 3), the exact value is read.
 (define (build datum [at 'x])
   (let build ([d datum])
     (cond [(and (pair? d) (null? (letters d))) (read-expression d)]
@@ -48,7 +48,8 @@
     (define conditions (append (second group) (cdddr row)))
     (define ((asked other))
       (under conditions (lambda () (verify-equal (build (first row)) (build other)))))
-    (claim 'identity (format "~a: ~s" title (first row)) (asked (second row)) (asked (third row)))))
+    (claim 'identity (format "~a: ~s" title (first row)) (asked (second row))
+     (asked (third row)))))
 
 (define (integral-claim row)
   (define-values (integrand low high value other) (apply values (take row 5)))

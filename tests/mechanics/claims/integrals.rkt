@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Definite integrals as tables and textbooks have them, each with a false neighbour.
 ;;
-;; (integrand low high value false-value condition ...): over the letter x, the integral is the value.
+;; (integrand low high value false-value condition ...): over the letter x the integral is the
+;; value.
 ;;
 ;; Sources: Gradshteyn and Ryzhik, 2.1 to 2.5, 3.3, 3.6; DLMF 4.10, 4.26, 4.40; Landau and Lifshitz,
 ;; Mechanics, chapters 2 and 3; Goldstein, chapters 2, 3 and 10; the exercises of the first year.
@@ -15,11 +16,13 @@
     ((/ 1 (square x)) 1 a (- 1 (/ 1 a)) (- (/ 1 a) 1) (> a 0))
     ((/ 1 (+ 1 (square x))) 0 a (atan a) (tan a))
     ((/ 1 (+ (square a) (square x))) 0 b (/ (atan (/ b a)) a) (atan (/ b a)) (> a 0))
-    ((/ x (+ (square a) (square x))) 0 b (* 1/2 (log (+ 1 (square (/ b a))))) (log (+ 1 (square (/ b a)))) (> a 0))
+    ((/ x (+ (square a) (square x))) 0 b (* 1/2 (log (+ 1 (square (/ b a)))))
+     (log (+ 1 (square (/ b a)))) (> a 0))
     ((/ 1 (* (+ x 1) (+ x 2))) 0 1 (log 4/3) (log 3/4))
     ((/ 1 (- (square x) b)) 0 1 (* -1 (/ (atanh (/ 1 (sqrt b))) (sqrt b)))
                                 (/ (atanh (/ 1 (sqrt b))) (sqrt b)) (> b 1))
-    ((/ 1 (+ (square x) b)) 0 1 (/ (atan (/ 1 (sqrt b))) (sqrt b)) (/ (atan (sqrt b)) (sqrt b)) (> b 0))
+    ((/ 1 (+ (square x) b)) 0 1 (/ (atan (/ 1 (sqrt b))) (sqrt b)) (/ (atan (sqrt b)) (sqrt b))
+     (> b 0))
     ((/ 1 (+ (square x) (* b x) 1)) 0 1
      (* (/ 2 (sqrt (- 4 (square b))))
         (- (atan (/ (+ 2 b) (sqrt (- 4 (square b))))) (atan (/ b (sqrt (- 4 (square b)))))))
@@ -29,10 +32,14 @@
     ((/ (square x) (+ 1 (square x))) 0 a (- a (atan a)) (+ a (atan a)))
     ((/ 1 (square (+ 1 (square x)))) 0 a (* 1/2 (+ (atan a) (/ a (+ 1 (square a)))))
                                        (* 1/2 (- (atan a) (/ a (+ 1 (square a))))))
-    ((/ 1 (expt (+ (square x) (square a)) 3/2)) 0 b (/ b (* (square a) (sqrt (+ (square a) (square b)))))
-                                                    (/ b (* a (sqrt (+ (square a) (square b))))) (> a 0))
-    ((/ x (expt (+ (square x) (square a)) 3/2)) 0 b (- (/ 1 a) (/ 1 (sqrt (+ (square a) (square b)))))
-                                                    (/ 1 (sqrt (+ (square a) (square b)))) (> a 0))
+    ((/ 1 (expt (+ (square x) (square a)) 3/2)) 0 b
+     (/ b (* (square a) (sqrt (+ (square a) (square b)))))
+                                                    (/ b (* a (sqrt (+ (square a) (square b)))))
+                                        (> a 0))
+    ((/ x (expt (+ (square x) (square a)) 3/2)) 0 b
+     (- (/ 1 a) (/ 1 (sqrt (+ (square a) (square b)))))
+                                                    (/ 1 (sqrt (+ (square a) (square b))))
+                                        (> a 0))
     ((* x (expt (- 1 x) 3)) 0 1 1/20 1/15)
     ((expt x n) 0 1 (/ 1 (+ n 1)) (/ 1 n) (> n 0))
     ((sqrt x) 0 a (* 2/3 a (sqrt a)) (* 3/2 a (sqrt a)) (> a 0))
@@ -49,20 +56,24 @@
     ((* x (exp (* -1 x))) 0 a (- 1 (* (+ 1 a) (exp (- a)))) (- 1 (exp (- a))))
     ((* (square x) (exp x)) 0 1 (- (exp 1) 2) (- (exp 1) 1))
     ((log x) 1 a (+ 1 (* a (log a)) (- a)) (- (* a (log a)) a) (> a 0))
-    ((* x (log x)) 1 a (+ (* 1/2 (square a) (log a)) (/ (- 1 (square a)) 4)) (* 1/2 (square a) (log a)) (> a 0))
+    ((* x (log x)) 1 a (+ (* 1/2 (square a) (log a)) (/ (- 1 (square a)) 4))
+     (* 1/2 (square a) (log a)) (> a 0))
     ((/ (log x) x) 1 a (* 1/2 (square (log a))) (square (log a)) (> a 0))
     ((exp (* -1 k (square x))) 0 a (* 1/2 (sqrt (/ :pi k)) (erf (* a (sqrt k))))
                                    (* 1/2 (sqrt (* :pi k)) (erf (* a (sqrt k)))) (> k 0))
     ((* x (exp (* -1 k (square x)))) 0 a (/ (- 1 (exp (* -1 k (square a)))) (* 2 k))
                                          (/ (- 1 (exp (* -1 k (square a)))) k) (> k 0))
     ((* (exp (* -1 k x)) (cos (* w x))) 0 a
-     (/ (+ k (* (exp (* -1 k a)) (- (* w (sin (* w a))) (* k (cos (* w a)))))) (+ (square k) (square w)))
-     (/ (- k (* (exp (* -1 k a)) (- (* w (sin (* w a))) (* k (cos (* w a)))))) (+ (square k) (square w)))
+     (/ (+ k (* (exp (* -1 k a)) (- (* w (sin (* w a))) (* k (cos (* w a))))))
+      (+ (square k) (square w)))
+     (/ (- k (* (exp (* -1 k a)) (- (* w (sin (* w a))) (* k (cos (* w a))))))
+      (+ (square k) (square w)))
      (> k 0) (> w 0))
     ((/ 1 (+ 1 (exp x))) 0 a (- a (log (/ (+ 1 (exp a)) 2))) (- (log (/ (+ 1 (exp a)) 2)) a))
     ;; circular functions
     ((square (sin x)) 0 :pi (/ :pi 2) :pi)
-    ((square (cos (* w x))) 0 a (+ (/ a 2) (/ (sin (* 2 w a)) (* 4 w))) (+ (/ a 2) (/ (sin (* 2 w a)) (* 2 w))) (> w 0))
+    ((square (cos (* w x))) 0 a (+ (/ a 2) (/ (sin (* 2 w a)) (* 4 w)))
+     (+ (/ a 2) (/ (sin (* 2 w a)) (* 2 w))) (> w 0))
     ((* (sin x) (cos x)) 0 a (/ (square (sin a)) 2) (/ (square (cos a)) 2))
     ((cube (sin x)) 0 :pi 4/3 2/3)
     ((* x (sin x)) 0 :pi :pi (- :pi))
@@ -71,9 +82,11 @@
     ((expt (cos x) 4) 0 (/ :pi 2) (* 3/16 :pi) (* 3/8 :pi))
     ((tan x) 0 a (* -1 (log (cos a))) (log (cos a)) (> a -1) (< a 1))
     ((/ 1 (square (cos x))) 0 a (tan a) (/ 1 (tan a)) (> a -1) (< a 1))
-    ((/ 1 (cos x)) 0 a (log (/ (+ 1 (sin a)) (cos a))) (log (/ (- 1 (sin a)) (cos a))) (> a -1) (< a 1))
+    ((/ 1 (cos x)) 0 a (log (/ (+ 1 (sin a)) (cos a))) (log (/ (- 1 (sin a)) (cos a))) (> a -1)
+     (< a 1))
     ((/ 1 (+ 2 (cos x))) 0 (* 2 :pi) (/ (* 2 :pi) (sqrt 3)) (/ :pi (sqrt 3)))
-    ((/ 1 (+ a (cos x))) 0 (* 2 :pi) (/ (* 2 :pi) (sqrt (- (square a) 1))) (/ :pi (sqrt (- (square a) 1))) (> a 1))
+    ((/ 1 (+ a (cos x))) 0 (* 2 :pi) (/ (* 2 :pi) (sqrt (- (square a) 1)))
+     (/ :pi (sqrt (- (square a) 1))) (> a 1))
     ((/ (sin x) (+ 2 (cos x))) 0 :pi (log 3) (- (log 3)))
     ((abs (cos x)) 0 :pi 2 0)
     ;; hyperbolic functions
@@ -85,21 +98,25 @@
     ;; square roots
     ((/ 1 (sqrt (- 1 (square x)))) 0 a (asin a) (acos a) (> a 0) (< a 1))
     ((sqrt (- 1 (square x))) -1 1 (/ :pi 2) :pi)
-    ((sqrt (- (square a) (square x))) 0 a (/ (* :pi (square a)) 4) (/ (* :pi (square a)) 2) (> a 0))
+    ((sqrt (- (square a) (square x))) 0 a (/ (* :pi (square a)) 4) (/ (* :pi (square a)) 2)
+     (> a 0))
     ((sqrt (+ 1 (square x))) 0 a (* 1/2 (+ (* a (sqrt (+ 1 (square a)))) (asinh a)))
                                  (* 1/2 (- (* a (sqrt (+ 1 (square a)))) (asinh a))))
     ((/ 1 (sqrt (+ (square x) (square a)))) 0 b (asinh (/ b a)) (acosh (/ b a)) (> a 0))
     ((/ x (sqrt (+ 1 (square x)))) 0 a (- (sqrt (+ 1 (square a))) 1) (sqrt (+ 1 (square a))))
-    ((/ 1 (sqrt (+ a x))) 0 1 (* 2 (- (sqrt (+ a 1)) (sqrt a))) (* 2 (- (sqrt a) (sqrt (+ a 1)))) (> a 0))
+    ((/ 1 (sqrt (+ a x))) 0 1 (* 2 (- (sqrt (+ a 1)) (sqrt a))) (* 2 (- (sqrt a) (sqrt (+ a 1))))
+     (> a 0))
     ;; mechanics: oscillator's action, fall, Kepler's radial action, time on an ellipse
     ((sqrt (- (* 2 E) (square x))) 0 (sqrt (* 2 E)) (/ (* :pi E) 2) (* :pi E) (> E 0))
     ((/ 1 (sqrt (- (* 2 E) (* k (square x))))) 0 a (/ (asin (* a (sqrt (/ k (* 2 E))))) (sqrt k))
                                                    (asin (* a (sqrt (/ k (* 2 E)))))
-                                                   (> k 0) (> E 0) (> a 0) (< (* k (square a)) (* 2 E)))
+                                                   (> k 0) (> E 0) (> a 0)
+                                        (< (* k (square a)) (* 2 E)))
     ((sqrt (- (/ 2 x) 1)) 1 2 (- (/ :pi 2) 1) (/ :pi 2))
     ((- 1 (* e (cos x))) 0 u (- u (* e (sin u))) (+ u (* e (sin u))))
     ((- (* 1/2 m (square (* a w (cos (* w x))))) (* 1/2 m (square (* w a (sin (* w x)))))) 0 T
      (* 1/4 m (square a) w (sin (* 2 w T))) (* 1/4 m (square a) w (cos (* 2 w T))) (> w 0))
     ((sqrt (+ 1 (square (sinh x)))) 0 a (sinh a) (cosh a))
     ((/ 1 (+ v (* k (square v) x))) 0 T (/ (log (+ 1 (* k v T))) (* k (square v)))
-                                       (/ (log (+ 1 (* k v T))) (* k v)) (> k 0) (> v 0) (> T 0))))
+                                       (/ (log (+ 1 (* k v T))) (* k v)) (> k 0) (> v 0)
+                                       (> T 0))))

@@ -79,8 +79,10 @@
                  (+ (* (sqrt (/ k m)) t) (atan (* x (sqrt (/ k m))) v))))
    (titled "oscillator: tangent of the phase"
            (kept oscillator on-line (t x v)
-                 (- (* (cos (* (sqrt (/ k m)) t)) x) (/ (* (sin (* (sqrt (/ k m)) t)) v) (sqrt (/ k m))))
-                 (+ (* (cos (* (sqrt (/ k m)) t)) x) (/ (* (sin (* (sqrt (/ k m)) t)) v) (sqrt (/ k m))))))
+                 (- (* (cos (* (sqrt (/ k m)) t)) x)
+                  (/ (* (sin (* (sqrt (/ k m)) t)) v) (sqrt (/ k m))))
+                 (+ (* (cos (* (sqrt (/ k m)) t)) x)
+                  (/ (* (sin (* (sqrt (/ k m)) t)) v) (sqrt (/ k m))))))
    (titled "pendulum: energy"
            (kept pendulum on-line (t x v) (- (* 1/2 l (square v)) (* g (cos x)))
                  (+ (* 1/2 l (square v)) (* g (cos x)))))
@@ -100,15 +102,18 @@
    (titled "oscillator damped by exp bt: a quantity of Bateman's"
            (kept damped on-line (t x v)
                  (* (exp (* b t)) (+ (* 1/2 m (square v)) (* 1/2 k (square x)) (* 1/2 b m x v)))
-                 (* (exp (* b t)) (+ (* 1/2 m (square v)) (* 1/2 k (square x)) (* -1/2 b m x v)))))
+                 (* (exp (* b t))
+                  (+ (* 1/2 m (square v)) (* 1/2 k (square x)) (* -1/2 b m x v)))))
    (titled "oscillator of the plane: angular momentum"
            (kept isotropic in-plane (t x y vx vy) (- (* x vy) (* y vx)) (+ (* x vy) (* y vx))))
    (titled "oscillator of the plane: Fradkin's tensor"
-           (kept isotropic in-plane (t x y vx vy) (+ (* m vx vy) (* k x y)) (- (* m vx vy) (* k x y))))
+           (kept isotropic in-plane (t x y vx vy) (+ (* m vx vy) (* k x y))
+            (- (* m vx vy) (* k x y))))
    (titled "Kepler: energy"
            (kept Kepler in-plane (t x y vx vy)
                  (- (* 1/2 m (+ (square vx) (square vy))) (/ k (sqrt (+ (square x) (square y)))))
-                 (+ (* 1/2 m (+ (square vx) (square vy))) (/ k (sqrt (+ (square x) (square y)))))))
+                 (+ (* 1/2 m (+ (square vx) (square vy)))
+                  (/ k (sqrt (+ (square x) (square y)))))))
    (titled "Kepler: angular momentum"
            (kept Kepler in-plane (t x y vx vy) (- (* x vy) (* y vx)) (- (* x vx) (* y vy))))
    (titled "Kepler: Laplace's vector"
@@ -119,11 +124,13 @@
            (kept central polar (t r ph rd pd) (* m (square r) pd) (* m r pd)))
    (titled "central force: energy with the effective potential"
            (kept central polar (t r ph rd pd)
-                 (+ (* 1/2 m (square rd)) (/ (square (* m r r pd)) (* 2 m (square r))) ((literal-function 'V) r))
+                 (+ (* 1/2 m (square rd)) (/ (square (* m r r pd)) (* 2 m (square r)))
+                  ((literal-function 'V) r))
                  (- (+ (* 1/2 m (square rd)) ((literal-function 'V) r))
                     (/ (square (* m r r pd)) (* 2 m (square r))))))
    (titled "spherical pendulum: momentum about the vertical"
-           (kept spherical-pendulum spherical (t th ph v u) (* (square (sin th)) u) (* (sin th) u)))
+           (kept spherical-pendulum spherical (t th ph v u) (* (square (sin th)) u)
+            (* (sin th) u)))
    (titled "spherical pendulum: energy"
            (kept spherical-pendulum spherical (t th ph v u)
                  (- (* 1/2 l (+ (square v) (square (* (sin th) u)))) (* g (cos th)))
@@ -135,7 +142,8 @@
                  (+ (* m (- (* x vy) (* y vx))) (* 1/2 b (+ (square x) (square y))))
                  (- (* m (- (* x vy) (* y vx))) (* 1/2 b (+ (square x) (square y))))))
    (titled "magnetic field: speed"
-           (kept magnetic in-plane (t x y vx vy) (+ (square vx) (square vy)) (- (square vx) (square vy))))
+           (kept magnetic in-plane (t x y vx vy) (+ (square vx) (square vy))
+            (- (square vx) (square vy))))
    (titled "relativistic fall: energy"
            (kept relativistic on-line (t x v)
                  (+ (/ (* m (square c)) (sqrt (- 1 (square (/ v c))))) (* a x))
@@ -154,7 +162,8 @@
            (kept Toda in-plane (t x y vx vy) (+ vx vy) (- vx vy)))
    (titled "Toda: relative energy"
            (kept Toda in-plane (t x y vx vy)
-                 (+ (* 1/4 m (square (- vx vy))) (exp (- x y))) (+ (* 1/2 m (square (- vx vy))) (exp (- x y)))))
+                 (+ (* 1/4 m (square (- vx vy))) (exp (- x y)))
+                 (+ (* 1/2 m (square (- vx vy))) (exp (- x y)))))
    (titled "Hénon–Heiles: energy"
            (kept Henon-Heiles in-plane (t x y vx vy)
                  (+ (* 1/2 (+ (square vx) (square vy) (square x) (square y)))
@@ -167,14 +176,17 @@
                  (+ (* m x v) (* 2 t (+ (* 1/2 m (square v)) (/ k (square x)))))))
    (titled "repelled by |x|: energy"
            (kept (of-line (lambda (t x) (* k (abs x)))) on-line (t x v)
-                 (+ (* 1/2 m (square v)) (* k (sqrt (square x)))) (+ (* 1/2 m (square v)) (* k x))))
+                 (+ (* 1/2 m (square v)) (* k (sqrt (square x))))
+                 (+ (* 1/2 m (square v)) (* k x))))
    (titled "geodesics of the half plane: a circle's centre"
-           (kept (parts (lambda (t x y vx vy) (/ (+ (square vx) (square vy)) (square y)))) in-plane
+           (kept (parts (lambda (t x y vx vy) (/ (+ (square vx) (square vy)) (square y))))
+            in-plane
                  (t x y vx vy) (+ x (/ (* y vy) vx)) (- x (/ (* y vy) vx))))
    (titled "Kepler in polar coordinates: Laplace's vector"
            (kept (of-polar (lambda (r) (/ (* -1 k) r))) polar (t r ph rd pd)
                  (+ (* (- (* m (cube r) (square pd)) k) (cos ph)) (* m (square r) rd pd (sin ph)))
-                 (- (* (- (* m (cube r) (square pd)) k) (cos ph)) (* m (square r) rd pd (sin ph)))))))
+                 (- (* (- (* m (cube r) (square pd)) k) (cos ph))
+                  (* m (square r) rd pd (sin ph)))))))
 
 (define-syntax-rule (along L (t) path false-path)
   (list (lambda () (verify-solution L (lambda (t) path)))
@@ -187,7 +199,8 @@
                   (* A (cos (+ (* (/ k m) t) 'phi)))))
    (titled "oscillator, from place and velocity"
            (along oscillator (t)
-                  (+ (* 'x0 (cos (* (sqrt (/ k m)) t))) (* 'v0 (sqrt (/ m k)) (sin (* (sqrt (/ k m)) t))))
+                  (+ (* 'x0 (cos (* (sqrt (/ k m)) t)))
+                   (* 'v0 (sqrt (/ m k)) (sin (* (sqrt (/ k m)) t))))
                   (+ (* 'x0 (cos (* (sqrt (/ k m)) t))) (* 'v0 (cosh (* (sqrt (/ k m)) t))))))
    (titled "repelled from the top"
            (along (of-line (lambda (t x) (* -1/2 k (square x)))) (t)
@@ -197,7 +210,8 @@
                   (+ 'x0 (* 'v0 t) (* -1/2 g (square t))) (+ 'x0 (* 'v0 t) (* 1/2 g (square t)))))
    (titled "projectile"
            (along (of-plane (lambda (t x y) (* m g y))) (t)
-                  (up (* 'vx t) (- (* 'vy t) (* 1/2 g (square t)))) (up (* 'vx t) (- (* 'vy t) (* g (square t))))))
+                  (up (* 'vx t) (- (* 'vy t) (* 1/2 g (square t))))
+                  (up (* 'vx t) (- (* 'vy t) (* g (square t))))))
    (titled "damped oscillator"
            (along damped (t)
                   (* A (exp (* -1/2 b t)) (cos (* t (sqrt (- (/ k m) (/ (square b) 4))))))
@@ -206,10 +220,14 @@
            (along (parts (lambda (t x v) (* (exp (* 2 w t)) (- (square v) (square (* w x)))))) (t)
                   (* (+ A (* B t)) (exp (* -1 w t))) (* (+ A (* B t)) (exp (* w t)))))
    (titled "driven oscillator"
-           (along (of-line (lambda (t x) (- (* 1/2 m (square w) (square x)) (* a x (cos (* 2 w t)))))) (t)
-                  (/ (* -1 a (cos (* 2 w t))) (* 3 m (square w))) (/ (* a (cos (* 2 w t))) (* 3 m (square w)))))
+           (along
+            (of-line (lambda (t x) (- (* 1/2 m (square w) (square x)) (* a x (cos (* 2 w t))))))
+            (t)
+                  (/ (* -1 a (cos (* 2 w t))) (* 3 m (square w)))
+                  (/ (* a (cos (* 2 w t))) (* 3 m (square w)))))
    (titled "driven at resonance"
-           (along (of-line (lambda (t x) (- (* 1/2 m (square w) (square x)) (* a x (cos (* w t)))))) (t)
+           (along
+            (of-line (lambda (t x) (- (* 1/2 m (square w) (square x)) (* a x (cos (* w t)))))) (t)
                   (/ (* a t (sin (* w t))) (* 2 m w)) (/ (* a t (cos (* w t))) (* 2 m w))))
    (titled "ellipse of the plane's oscillator"
            (along isotropic (t)
@@ -217,8 +235,10 @@
                   (up (* A (cos (* (sqrt (/ k m)) t))) (* B (sin (* 2 (sqrt (/ k m)) t))))))
    (titled "circle about a centre"
            (along Kepler (t)
-                  (up (* a (cos (* t (sqrt (/ k (* m (cube a))))))) (* a (sin (* t (sqrt (/ k (* m (cube a))))))))
-                  (up (* a (cos (* t (sqrt (/ k (* m (square a))))))) (* a (sin (* t (sqrt (/ k (* m (square a))))))))))
+                  (up (* a (cos (* t (sqrt (/ k (* m (cube a)))))))
+                   (* a (sin (* t (sqrt (/ k (* m (cube a))))))))
+                  (up (* a (cos (* t (sqrt (/ k (* m (square a)))))))
+                   (* a (sin (* t (sqrt (/ k (* m (square a))))))))))
    (titled "radial fall at escape's velocity"
            (along (of-line (lambda (t x) (/ (* -1 m k) x))) (t)
                   (expt (* 9/2 k (square t)) 1/3) (expt (* 9 k (square t)) 1/3)))
@@ -240,13 +260,17 @@
            (along (parts (lambda (t r v) (* 1/2 m (+ (square v) (square (* w r)))))) (t)
                   (* A (cosh (* w t))) (* A (cos (* w t)))))
    (titled "fall with drag, as a Lagrangian of exp"
-           (along (parts (lambda (t x v) (* (exp (* b t)) (- (* 1/2 m (square v)) (* m g x))))) (t)
-                  (- (* A (exp (* -1 b t))) (* (/ g b) t)) (+ (* A (exp (* -1 b t))) (* (/ g b) t))))
+           (along (parts (lambda (t x v) (* (exp (* b t)) (- (* 1/2 m (square v)) (* m g x)))))
+            (t)
+                  (- (* A (exp (* -1 b t))) (* (/ g b) t))
+                  (+ (* A (exp (* -1 b t))) (* (/ g b) t))))
    (titled "two coupled oscillators: out of phase"
            (along (of-plane (lambda (t x y)
                               (* 1/2 k (+ (square x) (square y) (square (- x y)))))) (t)
-                  (up (* A (cos (* (sqrt (/ (* 3 k) m)) t))) (* -1 A (cos (* (sqrt (/ (* 3 k) m)) t))))
-                  (up (* A (cos (* (sqrt (/ (* 3 k) m)) t))) (* A (cos (* (sqrt (/ (* 3 k) m)) t))))))
+                  (up (* A (cos (* (sqrt (/ (* 3 k) m)) t)))
+                   (* -1 A (cos (* (sqrt (/ (* 3 k) m)) t))))
+                  (up (* A (cos (* (sqrt (/ (* 3 k) m)) t)))
+                   (* A (cos (* (sqrt (/ (* 3 k) m)) t))))))
    (titled "free particle in polar coordinates"
            (along (of-polar (lambda (r) 0)) (t)
                   (up (sqrt (+ (square a) (square (* 'v t)))) (atan (* 'v t) a))
@@ -259,7 +283,8 @@
                   (up (* A (tanh t)) (/ A (cosh t))) (up (* A (cosh t)) (/ A (sinh t)))))
    (titled "Toda: the relative motion"
            (along (parts (lambda (t x v) (- (* 1/2 (square v)) (exp x)))) (t)
-                  (log (/ 1/2 (square (cosh (* 1/2 t))))) (log (/ 1 (square (cosh (* 1/2 t)))))))))
+                  (log (/ 1/2 (square (cosh (* 1/2 t)))))
+                  (log (/ 1 (square (cosh (* 1/2 t)))))))))
 
 (define state (up 't 'q 'p))
 (define-syntax-rule (canonical (t q p) image false-image)
@@ -272,13 +297,15 @@
    (titled "exchange" (canonical (t q p) (up t p (- q)) (up t p q)))
    (titled "dilatation" (canonical (t q p) (up t (* a q) (/ p a)) (up t (* a q) (* a p))))
    (titled "rotation of the plane of states"
-           (canonical (t q p) (up t (+ (* q (cos a)) (* p (sin a))) (- (* p (cos a)) (* q (sin a))))
+           (canonical (t q p)
+            (up t (+ (* q (cos a)) (* p (sin a))) (- (* p (cos a)) (* q (sin a))))
                       (up t (+ (* q (cos a)) (* p (sin a))) (+ (* p (cos a)) (* q (sin a))))))
    (titled "Poincaré's: polar coordinates of states"
            (canonical (t q p) (up t (* (sqrt (* 2 p)) (sin q)) (* (sqrt (* 2 p)) (cos q)))
                       (up t (* (sqrt p) (sin q)) (* (sqrt p) (cos q)))))
    (titled "oscillator: angle and action to states"
-           (canonical (t q p) (up t (* (sqrt (/ (* 2 p) (* m w))) (sin q)) (* (sqrt (* 2 m w p)) (cos q)))
+           (canonical (t q p)
+            (up t (* (sqrt (/ (* 2 p) (* m w))) (sin q)) (* (sqrt (* 2 m w p)) (cos q)))
                       (up t (* (sqrt (/ (* 2 p) (* m w))) (sin q)) (* (sqrt (* m w p)) (cos q)))))
    (titled "Goldstein's: log(sin p / q)"
            (canonical (t q p) (up t (log (/ (sin p) q)) (/ (* q (cos p)) (sin p)))
@@ -289,9 +316,12 @@
                           (* 2 (sqrt q) (+ 1 (* (sqrt q) (cos p))) (sin p)))
                       (up t (log (+ 1 (* (sqrt q) (cos p))))
                           (* (sqrt q) (+ 1 (* (sqrt q) (cos p))) (sin p)))))
-   (titled "shear" (canonical (t q p) (up t q (+ p (* a (cube q)))) (up t (+ q (* a (cube q))) p)))
-   (titled "inversion" (canonical (t q p) (up t (/ 1 q) (* -1 p (square q))) (up t (/ 1 q) (* p (square q)))))
-   (titled "moving frame" (canonical (t q p) (up t (- q (* 'v t)) p) (up t (- q (* 'v t)) (* 2 p))))
+   (titled "shear"
+    (canonical (t q p) (up t q (+ p (* a (cube q)))) (up t (+ q (* a (cube q))) p)))
+   (titled "inversion"
+    (canonical (t q p) (up t (/ 1 q) (* -1 p (square q))) (up t (/ 1 q) (* p (square q)))))
+   (titled "moving frame"
+    (canonical (t q p) (up t (- q (* 'v t)) p) (up t (- q (* 'v t)) (* 2 p))))
    (titled "time of the oscillator: the angle as coordinate"
            (canonical (t q p) (up t (atan q p) (* 1/2 (+ (square q) (square p))))
                       (up t (atan p q) (* 1/2 (+ (square q) (square p))))))
@@ -299,13 +329,16 @@
            (canonical (t q p) (up t (/ p (* -1 m g)) (+ (/ (square p) (* 2 m)) (* m g q)))
                       (up t (/ p (* m g)) (+ (/ (square p) (* 2 m)) (* m g q)))))
    (titled "squeezing"
-           (canonical (t q p) (up t (+ (* (cosh a) q) (* (sinh a) p)) (+ (* (sinh a) q) (* (cosh a) p)))
+           (canonical (t q p)
+            (up t (+ (* (cosh a) q) (* (sinh a) p)) (+ (* (sinh a) q) (* (cosh a) p)))
                       (up t (+ (* (cosh a) q) (* (sinh a) p)) (- (* (sinh a) q) (* (cosh a) p)))))
    (titled "q to the n"
-           (canonical (t q p) (up t (cube q) (/ p (* 3 (square q)))) (up t (cube q) (/ p (square q)))))
+           (canonical (t q p) (up t (cube q) (/ p (* 3 (square q))))
+            (up t (cube q) (/ p (square q)))))
    (titled "logarithm" (canonical (t q p) (up t (log q) (* q p)) (up t (log q) (/ p q))))
    (titled "hyperbolic sine"
-           (canonical (t q p) (up t (asinh q) (* p (sqrt (+ 1 (square q))))) (up t (sinh q) (* p (sqrt (+ 1 (square q)))))))
+           (canonical (t q p) (up t (asinh q) (* p (sqrt (+ 1 (square q)))))
+            (up t (sinh q) (* p (sqrt (+ 1 (square q)))))))
    (titled "standard map"
            (canonical (t q p) (up t (+ q p (* k (sin q))) (+ p (* k (sin q))))
                       (up t (+ q p) (+ p (* k (sin (* q p)))))))))
