@@ -55,15 +55,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Transformations
 
-(define (F1->C F) (to-old 'F1->C (type-of 1) F))
-(define (F2->C F) (to-old 'F2->C (type-of 2) F))
-(define (F3->C F) (to-old 'F3->C (type-of 3) F))
-(define (F4->C F) (to-old 'F4->C (type-of 4) F))
+(define-syntax-rule (define-of-types make [name number] ...)
+  (begin (define (name F) (make 'name (type-of number) F)) ...))
 
-(define (F1->C-inv F) (to-new 'F1->C-inv (type-of 1) F))
-(define (F2->C-inv F) (to-new 'F2->C-inv (type-of 2) F))
-(define (F3->C-inv F) (to-new 'F3->C-inv (type-of 3) F))
-(define (F4->C-inv F) (to-new 'F4->C-inv (type-of 4) F))
+(define-of-types to-old [F1->C 1] [F2->C 2] [F3->C 3] [F4->C 4])
+(define-of-types to-new [F1->C-inv 1] [F2->C-inv 2] [F3->C-inv 3] [F4->C-inv 4])
 
 ;; new state ↦ old state
 (define (to-old who k F)
@@ -119,10 +115,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The correction of the new Hamiltonian: new state ↦ ∂₀F
 
-(define (F1->K F) (rate-of-generator 'F1->K (type-of 1) F))
-(define (F2->K F) (rate-of-generator 'F2->K (type-of 2) F))
-(define (F3->K F) (rate-of-generator 'F3->K (type-of 3) F))
-(define (F4->K F) (rate-of-generator 'F4->K (type-of 4) F))
+(define-of-types rate-of-generator [F1->K 1] [F2->K 2] [F3->K 3] [F4->K 4])
 
 (define (rate-of-generator who k F)
   (check-generator who k F)

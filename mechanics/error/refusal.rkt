@@ -8,7 +8,7 @@
 
 (require "failure.rkt")
 
-(provide refusal? raised? false-if-raised)
+(provide refusal? raised? if-raised)
 
 ;; Does the procedure have no value there, or none for such an argument?  Racket's own procedures
 ;; and those of this library say it by these exceptions; an `error` or `raise` of a program is no
@@ -19,6 +19,6 @@
 ;; Is it anything but a break?
 (define (raised? x) (not (exn:break? x)))
 
-;; The value of the body, or #f if it raises something of that kind.
-(define-syntax-rule (false-if-raised kind? body ...)
-  (with-handlers ([kind? (lambda (e) #f)]) body ...))
+;; The value of the body, or `otherwise` if it raises something of that kind
+(define-syntax-rule (if-raised kind? otherwise body ...)
+  (with-handlers ([kind? (lambda (_) otherwise)]) body ...))

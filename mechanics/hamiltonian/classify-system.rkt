@@ -54,7 +54,7 @@
   (or asked?
       (and (tuple? q) value (not (value-or-none f (unknowns-like (up 't q q)))))))
 
-(define (value-or-none f state) (with-handlers ([raised? (lambda (e) #f)]) (f state)))
+(define (value-or-none f state) (if-raised #f (f state)))
 
 ;; ---------------------------------------------------------------------------
 ;; States that leave it open

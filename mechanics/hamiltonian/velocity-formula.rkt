@@ -22,7 +22,7 @@
          "../algebra/expression/operation.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/solve/solve-equations.rkt"
-         "../error/failure.rkt"
+         "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/sums-and-products.rkt" "../generic/up-down.rkt"
          "../value/assumptions.rkt" "../value/rewrite.rkt" "../value/shape.rkt"
          "../value/simplify.rkt"
@@ -144,6 +144,5 @@
 
 ;; The value of e with the entries put in; +nan.0 where it divides by zero.
 (define (put e entries)
-  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) +nan.0)])
-    (simplify (substitute-expression e entries))))
+  (if-divided-by-zero +nan.0 (simplify (substitute-expression e entries))))
 (define (zero? e) (eqv? 0 (simplify e)))

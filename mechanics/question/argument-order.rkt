@@ -52,7 +52,7 @@
 
 ;; Does f depend on the velocities otherwise than linearly?
 (define (inert? f state)
-  (with-handlers ([raised? (lambda (e) #f)])
+  (if-raised #f
     (define by-velocities (partial 2))
     (define M ((by-velocities (by-velocities (scalar-valued 'Lagrangian f))) state))
     (not (andmap g:zero? (scalars M)))))

@@ -21,7 +21,7 @@
          "../algebra/expression/expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/derivative.rkt"
          "../calculus/expression-function.rkt" "../calculus/integral.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function-check.rkt"
          "../generic/function.rkt" "../generic/sums-and-products.rkt"
@@ -140,8 +140,7 @@
 
 ;; The integrand may be 0/0 at the start and yet pass for 0 on all lines from there.
 (define (check-start F slopes start)
-  (unless (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
-            (andmap finite? (gradient-at slopes start)))
+  (unless (if-divided-by-zero #f (andmap finite? (gradient-at slopes start)))
     (raise-no-answer 'gauge-function
                      (string-append "the integral for ~a cannot begin where it is not finite"
                                     "\n  begin: ~a"

@@ -17,8 +17,8 @@
 (require racket/list
          "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "argument-order.rkt"
          "small-oscillations.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/solve/factors.rkt"
+         "../algebra/expression/expression.rkt"
+         "../algebra/solve/factors.rkt" (only-in "../algebra/solve/root.rkt" known-branch)
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
@@ -116,22 +116,13 @@
 ;; 1, 0 or −1, or an expression of the same sign.
 (define (known-sign e)
   (define A (assumptions-in-force))
-  (cond [(real? e) (cond [(zero? e) 0] [(positive? e) 1] [else -1])]
-        [else
-         (define-values (sign open)
-           (for/fold ([sign 1] [open 1]) ([f (in-list (expression-factors e A))]
-                                          #:when (odd? (cdr f)))
-             (define s (factor-sign (car f) A))
-             (if s (values (* sign s) open) (values sign (e:* open (car f))))))
-         (if (eqv? open 1) sign (simplify-expression (e:* sign open) A))]))
-
-;; 1 or −1, or #f if it is not known.
-(define (factor-sign f A)
-  (define size (simplify-expression (e:apply op:abs f) A))
-  (define (zero? e) (eqv? 0 (simplify-expression e A)))
-  (cond [(zero? (e:- size f)) 1]
-        [(zero? (e:+ size f)) -1]
-        [else #f]))
+  (define-values (sign open)
+    (for/fold ([sign 1] [open 1])
+              ([f (in-list (if (real? e) (list (cons e 1)) (expression-factors e A)))]
+               #:when (odd? (cdr f)))
+      (define s (known-branch (car f) A))
+      (if s (values (* s sign) open) (values sign (e:* open (car f))))))
+  (if (eqv? open 1) sign (simplify-expression (e:* sign open) A)))
 
 ;; ---------------------------------------------------------------------------
 

@@ -18,7 +18,7 @@
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
          (only-in "../canonical/closed-form.rkt" derivative-of)
-         "../error/complain.rkt" "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/describe.rkt"
          "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
@@ -66,8 +66,7 @@
 ;; f without rounding: near an end the terms of the energy are far greater than their sum.
 (define (without-rounding f state)
   (define (exactly x) (if (rational? x) (inexact->exact x) x))
-  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) (f state))])
-    (f (s:map/r exactly state))))
+  (if-divided-by-zero (f state) (f (s:map/r exactly state))))
 
 ;; The energy must be a symbol: with a number all actions would be those of that energy, whatever
 ;; the state.  A coordinate whose equation is linear in its momentum never turns back.

@@ -15,7 +15,7 @@
          "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt"
-         "../../error/computed-once.rkt")
+         "../../error/computed-once.rkt" "../../error/refusal.rkt")
 
 (provide find-reference at-common-reference
          reference-sign holds-at? real-value leaves-of concerning)
@@ -77,7 +77,7 @@
       (cond [(literal-head? head) (lookup n parts)]
             [(operation-numeric head) => (lambda (f) (real (apply f parts)))]
             [else (cons (operation-name head) parts)]))
-    (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
+    (if-divided-by-zero #f
       (exact->inexact (node-fold e leaf-value node-value)))))
 
 ;; ---------------------------------------------------------------------------

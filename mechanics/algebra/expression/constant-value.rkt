@@ -1,7 +1,8 @@
 #lang racket/base
 ;; The number that an expression stands for by itself, as 2 π does.
 
-(require "expression.rkt" "operation.rkt" "pi.rkt")
+(require "expression.rkt" "operation.rkt" "pi.rkt"
+         "../../error/refusal.rkt")
 
 (provide constant-value)
 
@@ -16,5 +17,5 @@
     (define (node-value n parts)
       (define f (and (operation? (node-head n)) (operation-numeric (node-head n))))
       (if f (real (apply f parts)) (return #f)))
-    (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
+    (if-divided-by-zero #f
       (exact->inexact (node-fold e leaf-value node-value)))))

@@ -15,7 +15,8 @@
          (only-in "../assumption/ledger.rkt" strict-sign)
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
-         "../expression/simplifier.rkt" "../expression/size.rkt")
+         "../expression/simplifier.rkt" "../expression/size.rkt"
+         "../../error/refusal.rkt")
 
 (provide (struct-out atlas) collect-kernels imaginary-unit
          (struct-out circular) (struct-out surd) (struct-out exponential-power)
@@ -139,8 +140,7 @@
     (and numeric
          (andmap (lambda (a) (and (real? a) (exact? a))) args)
          (not (equal? args '(0 0)))             ; atan 0 0
-         (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
-           (apply numeric args))))
+         (if-divided-by-zero #f (apply numeric args))))
   (and x (real? x) (exact? x) x))
 
 ;; n with its arguments simplified; structured arguments by components.

@@ -5,7 +5,8 @@
 (require "factors.rkt"
          "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
-         "../simplify/simplify-expression.rkt")
+         "../simplify/simplify-expression.rkt"
+         "../../error/refusal.rkt")
 
 (provide (struct-out root) put zero-everywhere? known-branch sign-and-rest value-at line quotient-of
          arguments-of)
@@ -42,9 +43,7 @@
        (list a b)))
 
 ;; The value at x, or #f where there is none.
-(define (value-at e x value A)
-  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
-    (simplify-expression (put e x value) A)))
+(define (value-at e x value A) (if-divided-by-zero #f (simplify-expression (put e x value) A)))
 
 (define (quotient-of a b A) (simplify-expression (e:/ a b) A))
 

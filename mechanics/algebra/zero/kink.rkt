@@ -30,7 +30,7 @@
          "../solve/factors.rkt" (only-in "../solve/nonzero-conditions.rkt" not-zero)
          "../simplify/declare.rkt" "../simplify/known-sign.rkt"
          "../simplify/simplify-expression.rkt"
-         "../../error/computed-once.rkt")
+         "../../error/computed-once.rkt" "../../error/refusal.rkt")
 
 (provide find-kinks (struct-out kink))
 
@@ -121,7 +121,7 @@
 (define (excluded? place needs A)
   (for/or ([r (in-list needs)])
     (define u
-      (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
+      (if-divided-by-zero #f
         (simplify-expression
          (substitute-expression (relation-expression r) (list (cons (cadr place) (caddr place))))
          A)))
@@ -335,7 +335,7 @@
 
 ;; Has e, where x is 0, the value to which it leads?  sgn(x²) has not.
 (define (same-at-0? x e upper s)
-  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
+  (if-divided-by-zero #f
     (define (at-0 e) (substitute-expression e (list (cons x 0))))
     (eqv? 0 (simplify-expression (e:- (at-0 e) (at-0 upper)) (search-assumptions s)))))
 
@@ -344,7 +344,7 @@
   (and (node-fold e
                   (lambda (leaf) #t)
                   (lambda (n plain?s) (and (andmap values plain?s) (plain-node? x n s))))
-       (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)])
+       (if-divided-by-zero #f
          (substitute-expression e (list (cons x 0)))
          #t)))
 

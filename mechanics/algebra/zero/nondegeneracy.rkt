@@ -12,7 +12,8 @@
          "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/read.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
-         "../simplify/simplify-expression.rkt")
+         "../simplify/simplify-expression.rkt"
+         "../../error/refusal.rkt")
 
 (provide make-meaning meaning-values meaning-matrix meaning-moving meaning-variables
          meaningful? independent-equations
@@ -26,7 +27,7 @@
 (define (meaningful? m equations A)
   (define replacements (solutions equations))
   (and replacements
-       (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
+       (if-divided-by-zero #f
          (let* ([n (under m replacements)]
                 [before (point-of m A)]
                 [after (point-of n A)])
@@ -76,7 +77,7 @@
 ;; The equations without those that follow from others before; #f if they cannot all hold.
 (define (independent-equations equations)
   (define (difference q) (e:- (datum->expression (cadr q)) (datum->expression (caddr q))))
-  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
+  (if-divided-by-zero #f
     (for/fold ([kept '()]) ([q (in-list equations)])
       (define replacements (and kept (solutions kept)))
       (define rest (and replacements

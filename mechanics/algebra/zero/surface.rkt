@@ -20,7 +20,8 @@
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../rewriting/collect.rkt"
          "../simplify/simplify-expression.rkt"
-         "../solve/factors.rkt" "../solve/nonzero-conditions.rkt" "../solve/solve-equations.rkt")
+         "../solve/factors.rkt" "../solve/nonzero-conditions.rkt" "../solve/solve-equations.rkt"
+         "../../error/refusal.rkt")
 
 (provide surfaces surface-zero surface-power surface-polynomial
          surface-separate? surfaces-apart? degenerate-parameters)
@@ -214,9 +215,7 @@
     (for/or ([x (in-list (symbols-in u))]) (solve-equations (list u) (list x) A)))
   (or (not roots)
       (for/or ([r (in-list roots)])
-        (define there
-          (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (e) #f)]) ; it has no value
-            (substitute-expression (surface-zero f) (car r))))
+        (define there (if-divided-by-zero #f (substitute-expression (surface-zero f) (car r))))
         (and there
              (for/or ([g (in-list (surfaces there (surface-variables f) A))])
                (even? (surface-power g)))))))
