@@ -41,12 +41,14 @@
       (integral-term-by-term simple further)
       (and branches? (integral-of-other-form simple x A further))))
 
-;; An expression whose derivatives by the symbols are the slopes, if they are those of any; #f where
-;; an antiderivative was not found.
-(define (potential slopes xs A)
-  (for/fold ([F 0]) ([slope (in-list slopes)] [x (in-list xs)])
-    (define rest (and F (antiderivative (e:- slope (expression-derivative F x)) x A)))
-    (and rest (simplify-expression (e:+ F rest) A))))
+;; An expression whose derivatives by the symbols are the slopes, if they are those of any; the
+;; value of (fail slope x) where an antiderivative was not found.
+(define (potential slopes xs A [fail (lambda (slope x) #f)])
+  (let/ec return
+    (for/fold ([F 0]) ([slope (in-list slopes)] [x (in-list xs)])
+      (define left (simplify-expression (e:- slope (expression-derivative F x)) A))
+      (define integral (or (antiderivative left x A) (return (fail left x))))
+      (simplify-expression (e:+ F integral) A))))
 
 (define (integral-term-by-term e antiderivative)
   (and (sum? e)

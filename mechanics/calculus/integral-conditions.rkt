@@ -221,7 +221,7 @@
 
 ;; a² − b² of u = a + b, where it has fewer roots than u; else #f.  It is 0 wherever u is.
 (define (norm u p)
-  (define-values (b a) (partition (rooted? p) (if (headed? u op:+) (node-args u) (list u))))
+  (define-values (b a) (partition (rooted? p) (operands-of u op:+)))
   (and (pair? a)
        (pair? b)
        (let ([n (simplify-expression (e:- (e:expt (sum a) 2) (e:expt (sum b) 2)) (path-A p))])

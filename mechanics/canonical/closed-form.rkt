@@ -4,33 +4,27 @@
 ;; a₁ du₁ + a₂ du₂ + ⋯ with ∂aᵢ/∂uⱼ = ∂aⱼ/∂uᵢ is integrated one variable after another: what is
 ;; left of each coefficient depends on those not yet integrated alone.
 
-(require "../algebra/expression/expression.rkt"
-         "../error/failure.rkt"
+(require "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
-         "../value/assumptions.rkt" "../value/simplify.rkt"
+         "../value/assumptions.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (require-on-demand
- ["../calculus/antiderivative.rkt" antiderivative]
+ ["../calculus/antiderivative.rkt" potential]
  ["../calculus/expression-function.rkt" expression-derivative])
 
-(provide closed? integrated derivative-of)
+(provide closed? integrated)
 
 ;; form : the coefficients, expressions; variables : symbols.  Was it not refuted that it is closed?
 (define (closed? form variables)
   (for*/and ([(a i) (in-parallel form (in-naturals))] [(b j) (in-parallel form (in-naturals))]
              #:when (< i j))
-    (not (refuted? (prove-zero (g:- (derivative-of a (list-ref variables j))
-                                    (derivative-of b (list-ref variables i))))))))
-
-(define (derivative-of e x) (if (expression? e) (expression-derivative e x) 0))
+    (not (refuted? (prove-zero (g:- (expression-derivative a (list-ref variables j))
+                                    (expression-derivative b (list-ref variables i))))))))
 
 ;; -> an expression
 (define (integrated who form variables)
-  (for/fold ([F 0]) ([a (in-list form)] [u (in-list variables)])
-    (define rest (simplify (g:- a (derivative-of F u))))
-    (define integral (antiderivative rest u (assumptions-in-force)))
-    (unless integral
-      (raise-no-answer who "no antiderivative was found\n  of: ~a\n  by: ~a"
-                       (value->text rest) u))
-    (simplify (g:+ F integral))))
+  (potential form variables (assumptions-in-force)
+             (lambda (slope u)
+               (raise-no-answer who "no antiderivative was found\n  of: ~a\n  by: ~a"
+                                (value->text slope) u))))

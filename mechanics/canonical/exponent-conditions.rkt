@@ -10,9 +10,7 @@
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
          "../generic/describe.rkt" "../generic/on-demand.rkt" "../generic/up-down.rkt"
-         (only-in "../value/algebra.rkt"
-                  make-meaning meaning-values meaning-matrix meaning-moving meaning-variables
-                  meaningful?)
+         (only-in "../value/algebra.rkt" meaning-with meaningful?)
          "../value/assumptions.rkt" "../value/simplify.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
@@ -26,17 +24,13 @@
 ;; -> a text such as "a = 1/2 and (expt c 2) = 2", or #f
 (define (condition-on-exponents entries names find-meaning)
   (define open (filter power-of-unknown? (map simplify-strictly entries)))
-  (define given (and (pair? open) (with-values entries (find-meaning))))
+  (define given (and (pair? open) (meaning-with (filter expression? entries) (find-meaning))))
   (for*/or ([e (in-list open)] [x (in-list names)] #:when (occurs? x e)
             [f (in-list (factors-of-parameters (expression-derivative e x) names))]
             [p (in-list (symbols-in f))]
             [value (in-list (values-of p f))])
     (define equations (sufficient p value entries names given))
     (and equations (string-join (map equation->text equations) " and "))))
-
-(define (with-values entries m)
-  (make-meaning (append (filter expression? entries) (meaning-values m))
-                (meaning-matrix m) (meaning-moving m) (meaning-variables m)))
 
 ;; -> equations that make all entries zero together, p = value first, or #f
 (define (sufficient p value entries names given)

@@ -64,7 +64,8 @@
   (list (g:- a (g:* rho (g:cos (cdr angle)))) (g:- b (g:* rho (g:sin (cdr angle))))))
 
 (define (angle? e)
-  (and (node? e) (eq? (node-head e) op:atan) (= (length (node-args e)) 2)))
+  (and (headed? e op:atan)
+       (= (length (node-args e)) 2)))
 
 ;; What is squared has more solutions; those that lead back are solutions where signs are as
 ;; there.

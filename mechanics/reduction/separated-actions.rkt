@@ -17,7 +17,6 @@
          "separated-equation.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
-         (only-in "../canonical/closed-form.rkt" derivative-of)
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/describe.rkt"
          "../generic/up-down.rkt"
@@ -111,7 +110,7 @@
 (define (radicand-of e x point)
   (define D (denominator-of e))
   (define (number-at e) (number-function e x point))
-  (define (slope e) (number-at (derivative-of e (piece-q x))))
+  (define (slope e) (number-at (expression-derivative e (piece-q x))))
   (radicand (number-at e) (slope e) (number-at D) (slope D)))
 
 (define ((number-function e x point) q)
@@ -145,7 +144,7 @@
   (define x (swing-piece w))
   (cond [(piece-cyclic? x) (if (eq? c (piece-constant x)) 1.0 0.0)]
         [else
-         (define dR (number-function (derivative-of (swing-radicand w) c) x (swing-point w)))
+         (define dR (number-function (expression-derivative (swing-radicand w) c) x (swing-point w)))
          (between-turns w (lambda (R q) (if (> R 0.0) (/ (dR q) (* 2.0 (sqrt R))) 0.0)))]))
 
 ;; 1/π of the integral of (f R q) over the swing

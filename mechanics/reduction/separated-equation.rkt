@@ -62,7 +62,7 @@
 
 ;; Times f, for one of the candidates
 (define (parted-after G candidates f [open candidates])
-  (define terms (terms-of (expanded (g:* f G))))
+  (define terms (operands-of (expanded (g:* f G)) op:+))
   (for/or ([o (in-list candidates)])
     (define (of? pair t) (or (holds? t (car pair)) (holds? t (cdr pair))))
     (define-values (own rest) (partition (lambda (t) (of? o t)) terms))
@@ -70,7 +70,6 @@
          (not (for*/or ([t (in-list own)] [x (in-list (remq o open))]) (of? x t)))
          (list o (sum own) (sum rest)))))
 
-(define (terms-of e) (if (and (node? e) (eq? (node-head e) op:+)) (node-args e) (list e)))
 (define (sum terms) (simplify-strictly (g:for/sum ([t (in-list terms)]) t)))
 (define (holds? e x) (and (symbol? x) (occurs? x e)))
 

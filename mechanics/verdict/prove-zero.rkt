@@ -98,7 +98,7 @@
     (and (ormap (lambda (z) (eq? (zero-test-reason z) 'nowhere)) tests)
          (part-without-value domain A)))
   (cond [(not part) '()]
-        [(and (node? part) (eq? (node-head part) op:up))
+        [(headed? part op:up)
          (list (format "at no point do all of these have real values: ~a"
                        (joined (map value->text (node-args part)) ", ")))]
         [else (list (format "~a has no real value" (value->text part)))]))

@@ -13,11 +13,7 @@
 ;; z : test of the expression e; given : #f or the meaning of the question; A : assumptions
 ;; -> lists of equations, each of which makes e zero
 (define (sensible-ways z e given A)
-  (define m
-    (if given
-        (make-meaning (cons e (meaning-values given)) (meaning-matrix given)
-                      (meaning-moving given) (meaning-variables given))
-        (make-meaning (list e) '() '() '())))
+  (define m (meaning-with (list e) given))
   (define (known? way) (or given (not (ormap symbol-alone? way))))
   (filter (lambda (way) (and (known? way) (meaningful? m way A))) (zero-test-ways z)))
 
@@ -34,7 +30,7 @@
          (define together (independent-equations (append-map car ways)))
          (if (and together
                   (<= (length together) most-equations)
-                  (meaningful? (or given (make-meaning '() '() '() '())) together A))
+                  (meaningful? (meaning-with '() given) together A))
              (list together)
              '())]
         [else '()]))

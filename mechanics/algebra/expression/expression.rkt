@@ -21,7 +21,7 @@
 (provide
  ;; kinds
  expression? symbolic? node? node-head node-args
- make-node with-operands headed? expression=? expression-hash
+ make-node with-operands headed? operands-of expression=? expression-hash
  node-mark set-node-mark!
  ;; forms that were asked for
  requested? requested-assumptions request-form
@@ -152,7 +152,10 @@
 
 (define (headed? e head) (and (node? e) (eq? (node-head e) head)))
 
-;; The operands of e if it is a short node with this head, else e alone.
+;; The operands of e if it has this head, else e alone.
+(define (operands-of e head) (if (headed? e head) (node-args e) (list e)))
+
+;; The same, if they are few.
 (define (operands e head)
   (if (and (headed? e head) (short? (node-args e) flatten-limit))
       (node-args e)

@@ -14,7 +14,7 @@
 ;; last.  Presentation may add kernels, which are ranked between the others.
 
 (require "../expression/expression.rkt" "../expression/operation.rkt" "../expression/order.rkt"
-         "../expression/size.rkt")
+         "../expression/size.rkt" "../expression/substitute.rkt")
 
 (provide (struct-out kernel) make-kernel sum-kernel? circular-kernel? hyperbolic-kernel?
          exponential-kernel?
@@ -77,7 +77,7 @@
 
 ;; The sum of ((number . expression) ...)
 (define (sum-of-terms terms)
-  (for/fold ([sum 0]) ([t (in-list terms)]) (e:+ sum (e:* (car t) (cdr t)))))
+  (rebuild op:+ (for/list ([t (in-list terms)]) (e:* (car t) (cdr t)))))
 
 ;; ((operand . ±1) ...) of an operation within the same or its inverse: of nested sums and
 ;; differences, or products and quotients.

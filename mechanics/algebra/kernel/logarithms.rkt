@@ -16,7 +16,8 @@
          "collector.rkt" "kernel.rkt"
          "../assumption/ledger.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
-         "../expression/operation.rkt" "../expression/simplifier.rkt")
+         "../expression/operation.rkt" "../expression/simplifier.rkt"
+         "../expression/substitute.rkt")
 
 (provide visit-logarithm! settle-logarithms! visit-modulus!)
 
@@ -129,7 +130,7 @@
 (define (joined c parts sign)
   (simplifier-simplify
    (collector-simplifier c)
-   (for/fold ([u sign]) ([p (in-list parts)]) (e:* u (e:expt (cdr p) (car p))))))
+   (e:* sign (rebuild op:* (for/list ([p (in-list parts)]) (e:expt (cdr p) (car p)))))))
 
 ;; If the sign is -1, a part that is no power stays negative, or -1 is a part.
 (define (opposite-parts c parts sign)
@@ -185,8 +186,7 @@
         [else (list (cons 1 (present-number x inexact?)))]))
 
 (define (sum-of-logarithms c parts)
-  (for/fold ([sum 0]) ([p (in-list parts)])
-    (e:+ sum (e:* (car p) (part-logarithm c (cdr p))))))
+  (rebuild op:+ (for/list ([p (in-list parts)]) (e:* (car p) (part-logarithm c (cdr p))))))
 
 ;; The logarithm of a factor, which is not visited again: it has no further factors.
 (define (part-logarithm c f)

@@ -112,7 +112,7 @@
          (define factors
            (for/list ([a (in-list (node-args e))])
              (define flat (flatten-products a))
-             (if (headed? flat op:*) (node-args flat) (list flat))))
+             (operands-of flat op:*)))
          (number-first (append* factors))]
         [else e]))
 

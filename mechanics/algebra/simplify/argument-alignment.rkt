@@ -14,7 +14,7 @@
 
 (require "normalize.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
-         "../expression/simplifier.rkt"
+         "../expression/simplifier.rkt" "../expression/substitute.rkt"
          "../field/bounds.rkt" "../field/field.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
@@ -136,14 +136,15 @@
 
 (define (fraction->expression F f)
   (e:/ (poly->expression F (fraction-numerator f))
-       (for/fold ([product 1]) ([h (in-list (fraction-denominator-factors f))])
-         (e:* product (e:expt (poly->expression F (power-base h)) (power-exponent h))))))
+       (product-of-powers (fraction-denominator-factors f) (lambda (p) (poly->expression F p)))))
 
 (define (poly->expression F p)
-  (for/fold ([sum 0]) ([s (in-list (summands F p))])
-    (e:+ sum
-         (for/fold ([product (car s)]) ([power (in-list (cdr s))])
-           (e:* product (e:expt (kernel-expression (power-base power)) (power-exponent power)))))))
+  (rebuild op:+ (for/list ([s (in-list (summands F p))])
+                  (e:* (car s) (product-of-powers (cdr s) kernel-expression)))))
+
+(define (product-of-powers powers base->expression)
+  (rebuild op:* (for/list ([h (in-list powers)])
+                  (e:expt (base->expression (power-base h)) (power-exponent h)))))
 
 ;; The least of those that are equal, simplified by itself.
 (define (spell-by-wholes F arguments fractions s)

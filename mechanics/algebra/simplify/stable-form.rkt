@@ -2,7 +2,8 @@
 ;; Presenting a normal form as an expression that stays as it is.
 
 (require "argument-alignment.rkt" "normalize.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/expression.rkt" "../expression/nodes.rkt"
+         "../expression/operation.rkt"
          "../field/field.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../presentation/present.rkt")
@@ -59,10 +60,10 @@
 ;; Does e show a root that is no kernel of F, as one of another degree or radicand?
 (define (new-roots? F e)
   (define known (kernel-expressions (field-kernels F)))
-  (define (new? n parts)
+  (define (new? n)
     (define root (root-of n))
-    (or (and root (not (hash-ref known root #f))) (ormap values parts)))
-  (and (pair? (atlas-tower (field-atlas F))) (node-fold e (lambda (leaf) #f) new?)))
+    (and root (not (hash-ref known root #f))))
+  (and (pair? (atlas-tower (field-atlas F))) (some-node? new? e)))
 
 ;; The root that the node is a power of, or #f.
 (define (root-of n)

@@ -8,8 +8,8 @@
          "argument-alignment.rkt" "normalize.rkt" "radicand.rkt" "stable-form.rkt"
          (only-in "../assumption/assumption-set.rkt" plainly-real?)
          (only-in "../assumption/ledger.rkt" make-ledger)
-         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
-         "../expression/simplifier.rkt" "../expression/size.rkt"
+         "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
+         "../expression/pi.rkt" "../expression/simplifier.rkt" "../expression/size.rkt"
          "../field/bounds.rkt" "../field/field.rkt"
          "../presentation/linear-parts.rkt" "../presentation/present.rkt")
 
@@ -133,8 +133,4 @@
 
 ;; Is one of these nodes below e?
 (define (contains-any? e nodes)
-  (node-fold e
-             (lambda (leaf) #f)
-             (lambda (n found)
-               (or (ormap values found)
-                   (and (not (eq? n e)) (hash-ref nodes n #f))))))
+  (some-node? (lambda (n) (and (not (eq? n e)) (hash-ref nodes n #f))) e))

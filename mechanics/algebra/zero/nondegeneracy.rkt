@@ -15,13 +15,19 @@
          "../simplify/simplify-expression.rkt"
          "../../error/refusal.rkt")
 
-(provide make-meaning meaning-values meaning-matrix meaning-moving meaning-variables
-         meaningful? independent-equations
+(provide make-meaning meaning-with meaningful? independent-equations
          solutions replaced)
 
 ;; values : expressions that must have a value     matrix : rows of expressions
 ;; moving : expressions of which one must vary with one of the symbols `variables`
 (struct meaning (values matrix moving variables) #:constructor-name make-meaning #:authentic)
+
+;; m : a meaning, or #f of a question about which nothing is known; es : expressions that are to
+;; have a value as well
+(define (meaning-with es m)
+  (if m
+      (struct-copy meaning m [values (append es (meaning-values m))])
+      (make-meaning es '() '() '())))
 
 ;; equations : as data, which shall hold together; A : assumptions
 (define (meaningful? m equations A)
@@ -97,7 +103,7 @@
 ;; A factor of left to the first power, by the others; else a power by its root; else what is
 ;; divided, or under a root.
 (define (solved-for left right)
-  (define factors (if (headed? left op:*) (node-args left) (list left)))
+  (define factors (operands-of left op:*))
   (define (free? e)
     (and (not (number? e))
          (not (ormap (lambda (o) (shares? e o)) (cons right (remq e factors))))))
