@@ -22,22 +22,22 @@
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/notation.rkt" "../generic/truth.rkt" "../generic/value-struct.rkt"
+         "../generic/truth.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"
          "../value/assumptions.rkt" "../value/simplify.rkt"
          "../numeric/linear-algebra/row-matrix.rkt"
          "../value/matrix/row-systems.rkt"
-         "../verdict/verdict.rkt")
+         "../verdict/report.rkt" "../verdict/verdict.rkt")
 
 (provide equilibrium-stability stability?)
 
 ;; kind : 'stable 'linearly-stable 'unstable 'undecided
 ;; conditions : inequalities (> e 0) for it to be stable, unstable if e < 0 in one
 (value-struct stability (kind conditions)
-  #:text stability->text
-  #:notation stability-notation
+  #:text (lambda (s) (report->text (stability-lines s)))
+  #:notation (lambda (s see) (report-notation (stability-lines s)))
   #:property prop:no-truth-value
   "how stable it is, is neither true nor false; ask (eq? (stability-kind s) 'stable)")
 
@@ -133,25 +133,16 @@
     [(unstable) "unstable"]
     [else "undecided: second derivatives do not tell"]))
 
-(define (stability-notation s see)
-  (define conditions (map see (stability-conditions s)))
+;; As those of a verdict (verdict/report.rkt)
+(define (stability-lines s)
+  (define conditions (map value->datum (stability-conditions s)))
   (define headline (stability-headline s))
-  (cond [(null? conditions) (statement (list 0 headline))]
+  (define (line depth label . content) (list depth label (and (pair? content) content)))
+  (cond [(null? conditions) (list (line 0 headline))]
         [(null? (cdr conditions))
-         (statement (list 0 (string-append headline " if")
-                          (tree:row (list (car conditions) (tree:word ",")))
-                          "unstable if that is reversed"))]
+         (list (line 0 (string-append headline " if") (car conditions) ","
+                     "unstable if that is reversed"))]
         [else
-         (apply statement
-                (list 0 (string-append headline
-                                       " if all of these hold, unstable if one is reversed"))
-                (for/list ([c (in-list conditions)]) (list 1 "" c)))]))
-
-(define (stability->text s)
-  (define conditions (map value->text (stability-conditions s)))
-  (string-append
-   (stability-headline s)
-   (cond [(null? conditions) ""]
-         [(null? (cdr conditions)) (format " if ~a, unstable if that is reversed" (car conditions))]
-         [else (apply string-append " if all of these hold, unstable if one is reversed"
-                      (for/list ([c (in-list conditions)]) (format "\n  ~a" c)))])))
+         (cons (line 0 (string-append headline
+                                      " if all of these hold, unstable if one is reversed"))
+               (for/list ([c (in-list conditions)]) (line 1 "" c)))]))

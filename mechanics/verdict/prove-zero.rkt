@@ -6,7 +6,8 @@
 
 (require racket/list
          "residual-remarks.rkt" "smoothness.rkt" "verdict.rkt" "vanishing-conditions.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt"
          "../algebra/expression/read.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt"
@@ -235,10 +236,7 @@
 
 ;; Is there a jump, of sgn, in e?
 (define (looks-at-jumps? e)
-  (and (node? e)
-       (node-fold e
-                  (lambda (leaf) #f)
-                  (lambda (n parts) (or (eq? (node-head n) op:sgn) (ormap values parts))))))
+  (some-node? (lambda (n) (headed? n op:sgn)) e))
 
 ;; A with relations that exclude the kinks on which the witness lies; #f if it lies on none.
 (define (assumptions-off-kinks A kinks witness)

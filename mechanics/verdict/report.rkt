@@ -217,10 +217,11 @@
 ;; The report with each line's content written plainly.
 (define (report->text report)
   (joined (for/list ([line (in-list report)])
-            (define content (caddr line))
-            (string-append (make-string (* 2 (car line)) #\space)
-                           (cadr line)
-                           (if content (string-append " " (content->text content)) "")))
+            (define-values (depth label content) (apply values line))
+            (string-append (make-string (* 2 depth) #\space)
+                           label
+                           (if (and content (not (string=? label ""))) " " "")
+                           (if content (content->text content) "")))
           "\n"))
 
 (define (content->text content)

@@ -32,9 +32,9 @@
   (set-reader-left! in (cdr (reader-left in)))
   t)
 
-(define (expect! in kind)
-  (unless (ahead? in kind) (unexpected in))
-  (take! in))
+;; The token ahead, taken if it is of the kind; else #f, or a complaint
+(define (accept! in kind) (and (ahead? in kind) (take! in)))
+(define (expect! in kind) (or (accept! in kind) (unexpected in)))
 
 (define (unexpected in)
   (define t (ahead in))
@@ -56,10 +56,8 @@
 
 (define (read-relation in)
   (let loop ([left (read-sum in)])
-    (if (ahead? in 'relation)
-        (let ([sign (take! in)])
-          (loop (related sign left (read-sum in) in)))
-        left)))
+    (define sign (accept! in 'relation))
+    (if sign (loop (related sign left (read-sum in) in)) left)))
 
 (define (related sign left right in)
   (define name (hash-ref relation-names (token-text sign) #f))
@@ -72,20 +70,20 @@
 
 (define (read-sum in)
   (let loop ([terms (list (signed in read-term))])
-    (cond [(ahead? in 'plus) (take! in) (loop (cons (read-term in) terms))]
+    (cond [(accept! in 'plus) (loop (cons (read-term in) terms))]
           [(ahead? in 'minus) (loop (cons (signed in read-term) terms))]
           [else (terms->datum (reverse terms))])))
 
 ;; Reads by `read`; behind a minus sign, the negative.
 (define (signed in read)
-  (define negative? (and (ahead? in 'minus) (take! in)))
+  (define negative? (accept! in 'minus))
   (define d (read in))
   (if negative? (negative d) d))
 
 (define (read-term in)
   (let loop ([t (read-product in)])
-    (cond [(ahead? in 'slash) (take! in) (loop (quotient-of t (read-factor in)))]
-          [(ahead? in 'times) (take! in) (loop (product-of t (read-product in)))]
+    (cond [(accept! in 'slash) (loop (quotient-of t (read-factor in)))]
+          [(accept! in 'times) (loop (product-of t (read-product in)))]
           [else t])))
 
 (define (product-of a b)
@@ -98,7 +96,7 @@
 
 (define (read-product in)
   (let loop ([factors (list (read-factor in))])
-    (cond [(ahead? in 'times) (take! in) (loop (cons (read-factor in) factors))]
+    (cond [(accept! in 'times) (loop (cons (read-factor in) factors))]
           [(memq (kind-ahead in) '(number name unit quoted open root bracket partial plain))
            (loop (cons (read-factor in) factors))]
           [(null? (cdr factors)) (car factors)]
@@ -108,13 +106,11 @@
 ;; Factors
 
 (define (read-factor in)
-  (if (ahead? in 'root)
-      (begin (take! in) (list 'sqrt (read-primary in)))
+  (if (accept! in 'root)
+      (list 'sqrt (read-primary in))
       (let loop ([d (read-primary in)])
         (cond [(glued? in 'raised) (loop (list 'expt d (token-value (take! in))))]
-              [(ahead? in 'caret)
-               (take! in)
-               (loop (list 'expt d (read-power in)))]
+              [(accept! in 'caret) (loop (list 'expt d (read-power in)))]
               [(glued? in 'open) (loop (cons d (read-arguments in)))]
               [(and (glued? in 'name) (eq? 'i (token-value (ahead in))))
                (take! in)
@@ -138,7 +134,7 @@
 ;; Reads by `read` once or more, with signs of that kind between.
 (define (separated in kind read)
   (let loop ([ds (list (read in))])
-    (cond [(ahead? in kind) (take! in) (loop (cons (read in) ds))]
+    (cond [(accept! in kind) (loop (cons (read in) ds))]
           [else (reverse ds)])))
 
 (define (read-primary in)

@@ -75,9 +75,9 @@
 
 (define (make-form-of-finite e A variables)
   (define-values (F f simple notes) (normal-form+simplified e A))
-  (define grounds
-    (needed-grounds e (if (fraction-zero? f) 0 simple) A (filter assumption? notes)))
-  (define unexpanded (map cadr (filter-not assumption? notes)))
+  (define-values (left assumed) (partition left-unexpanded? notes))
+  (define grounds (needed-grounds e (if (fraction-zero? f) 0 simple) A assumed))
+  (define unexpanded (map cadr left))
   (cond [(fraction-zero? f) (form 0 1 0 '() no-ways grounds unexpanded)]
         [(and (readable? f) (null? unexpanded))
          (define (may-be-0? p) (may-vanish? A F p))
@@ -119,7 +119,7 @@
              [else (memq (node-head e) (list op:+ op:-))])
        #t))
 
-(define (assumption? note) (not (eq? (car note) 'left-unexpanded)))
+(define (left-unexpanded? note) (eq? (car note) 'left-unexpanded))
 
 ;; Do the assumptions allow the expression over F to be zero?
 (define (may-vanish? A F e)
