@@ -25,8 +25,9 @@
          "expression-function.rkt" (only-in "known-antiderivatives.rkt" linear-in)
          (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
-         "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt" "../algebra/expression/read.rkt"
-         "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt"
+         "../algebra/expression/read.rkt" "../algebra/expression/substitute.rkt"
+         "../algebra/expression/symbols.rkt"
          "../algebra/solve/nonzero-conditions.rkt"
          "../algebra/simplify/declare.rkt" "../algebra/simplify/known-sign.rkt"
          "../algebra/simplify/simplify-expression.rkt")

@@ -98,11 +98,13 @@
 (define (solved who known sought)
   (define which (variable-which known))
   (define s
-    (mixed-variable-solver who (format "~a ~a" (variable-age sought) (named (variable-which sought)))
-                 (format "the ~a state" (variable-age known))
-                 (lambda (place x)
-                   (define-values (t y) (time-and-variable place))
-                   (slope known t y x))))
+    (mixed-variable-solver
+     who
+     (format "~a ~a" (variable-age sought) (named (variable-which sought)))
+     (format "the ~a state" (variable-age known))
+     (lambda (place x)
+       (define-values (t y) (time-and-variable place))
+       (slope known t y x))))
   (lambda (state)
     (solution-at s (up (time state) (part state which)) (part state (variable-which sought))
                  (signed (variable-sign known) (part state (other which))))))

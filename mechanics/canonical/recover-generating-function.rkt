@@ -96,13 +96,14 @@
   (define t (time state))
   (define (old z) (transformed who C (state-of t (type-new k) y z)))
   (define s
-    (mixed-variable-solver who
-                 (string-append "new " (named (other (type-new k))))
-                 (format "old ~a and new ~a" (named (type-old k)) (named (type-new k)))
-                 (lambda (place z)
-                   (define-values (t y) (time-and-variable place))
-                   (part (C (state-of t (type-new k) y z)) (type-old k)))
-                 no-formula))
+    (mixed-variable-solver
+     who
+     (string-append "new " (named (other (type-new k))))
+     (format "old ~a and new ~a" (named (type-old k)) (named (type-new k)))
+     (lambda (place z)
+       (define-values (t y) (time-and-variable place))
+       (part (C (state-of t (type-new k) y z)) (type-old k)))
+     no-formula))
   (define z (solution-at s (up t y) (part state (other (type-new k))) x))
   (values (signed (old-sign k) (part (old z) (other (type-old k))))
           (signed (new-sign k) z)))

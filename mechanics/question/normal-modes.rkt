@@ -10,7 +10,7 @@
 ;; each, as in a chain of equal pendulums, the factors come out of the square root.
 
 (require racket/list
-         "../algebra/assumption/reference.rkt"
+         (prefix-in algebra: "../algebra/expression/constant-value.rkt")
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/on-demand.rkt"
@@ -36,11 +36,7 @@
   (if (andmap real? (map size found)) (sort found < #:key size #:cache-keys? #t) found))
 
 ;; The number that an expression without symbols is, or #f.
-(define (constant-value e)
-  (let/ec return
-    (if (number? e)
-        e
-        (real-value e (lambda (leaf arguments) (return #f))))))
+(define (constant-value e) (if (number? e) e (algebra:constant-value e)))
 
 ;; Zeros where the block has no coordinate.
 (define (spread shape block n)

@@ -144,7 +144,8 @@
   (define x (swing-piece w))
   (cond [(piece-cyclic? x) (if (eq? c (piece-constant x)) 1.0 0.0)]
         [else
-         (define dR (number-function (expression-derivative (swing-radicand w) c) x (swing-point w)))
+         (define slope (expression-derivative (swing-radicand w) c))
+         (define dR (number-function slope x (swing-point w)))
          (between-turns w (lambda (R q) (if (> R 0.0) (/ (dR q) (* 2.0 (sqrt R))) 0.0)))]))
 
 ;; 1/π of the integral of (f R q) over the swing

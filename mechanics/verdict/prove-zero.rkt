@@ -41,14 +41,14 @@
   (check-variables names)
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
   (define endless? #f)
+  (define (note-endless!) (set! endless? #t))
   (define in-force (assumptions-in-force))
   (define-values (judged missing)
-    (call-for-value (lambda ()
-                      (at-symbolic-arguments x '() variables (lambda () (set! endless? #t))))
+    (call-for-value (lambda () (at-symbolic-arguments x '() variables note-endless!))
                     (not motion-domain)))
+  (define arguments (remove* names (hash-keys variables)))
   (define beside
-    (domain-expressions
-     (if motion-domain (domain-along motion-domain (remove* names (hash-keys variables))) (domain))))
+    (domain-expressions (if motion-domain (domain-along motion-domain arguments) (domain))))
   (define A (common-assumptions (with-relations (with-domain in-force beside) relied-on) judged))
   (define kinks (once (lambda () (kinks-of surveys relied-on in-force))))
   (define-values (residual tests) (judge-all judged A (hash-keys variables) kinks))

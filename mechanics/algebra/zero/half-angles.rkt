@@ -12,7 +12,7 @@
 
 (provide rationalized (struct-out stand-in) exponential-stand-in?)
 
-;; A symbol for a quotient: for the tangent of half a step, of sine and cosine, or for an exponential,
+;; A symbol for a quotient: for the tangent of half a step, sine over cosine, or for an exponential
 ;; over 1
 (struct stand-in (symbol over under) #:authentic)
 

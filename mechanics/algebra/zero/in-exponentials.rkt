@@ -7,7 +7,7 @@
 ;; the normal form is far smaller: the cosine of 5a + 3b is two products of
 ;; powers of eⁱᵃ and eⁱᵇ, in cos a, sin a, cos b and sin b it has twelve terms.
 
-(require "../expression/expression.rkt" "../expression/operation.rkt"
+(require "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt")
 
 (provide in-exponentials hyperbolic-in-exponentials single-valued?)
@@ -54,14 +54,12 @@
 ;; Are all operations of e rational, or exponential, circular or hyperbolic
 ;; functions?  Then what holds for exponentials of complex numbers holds for it.
 (define (single-valued? e)
-  (node-fold e
-             (lambda (leaf) #t)
-             (lambda (n args)
-               (define head (node-head n))
-               (and (andmap values args)
-                    (or (literal-head? head)
-                        (and (memq head single-valued) #t)
-                        (hash-has-key? rewritings head)
-                        (integer-power? n))))))
+  (define (of-many-values? n)
+    (define head (node-head n))
+    (not (or (literal-head? head)
+             (memq head single-valued)
+             (hash-has-key? rewritings head)
+             (integer-power? n))))
+  (not (some-node? of-many-values? e)))
 
 (define single-valued (list op:+ op:- op:* op:/ op:exp op:up op:down))

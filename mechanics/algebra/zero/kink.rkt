@@ -252,8 +252,8 @@
            (> k (search-order s)))))
 
 ;; f : a factor of odd power of the radicand u ≥ 0.  Has uⁿ a kink where f is 0?  It has along a
-;; path, and on a surface of zeros; zeros that are no surface are a distance's.  What parameters must
-;; not be for that is noted.  apart? : has f no zeros in common with other factors?
+;; path, and on a surface of zeros; zeros that are no surface are those of a distance, for
+;; parameters that are not 0: that is noted.  apart? : has f no zeros in common with other factors?
 (define (touched? f n apart? s)
   (define A (search-assumptions s))
   (cond [(> (* 2 n (surface-power f)) (search-order s)) #f]
@@ -326,8 +326,8 @@
 (define (joined? x e above below s)
   (define-values (upper lower) (values (simplify-expression e above) (simplify-expression e below)))
   (define difference (simplify-expression (e:- upper lower) (search-assumptions s)))
-  (and (plain-at-0? x upper s)
-       (plain-at-0? x lower s)
+  (and (plain-at-0? x upper)
+       (plain-at-0? x lower)
        (same-at-0? x e upper s)
        (or (eqv? difference 0)
            (let ([power (assoc x (expression-factors difference (search-assumptions s)))])
@@ -340,15 +340,13 @@
     (eqv? 0 (simplify-expression (e:- (at-0 e) (at-0 upper)) (search-assumptions s)))))
 
 ;; Is e, where x is 0, defined and without a kink, as a formula?
-(define (plain-at-0? x e s)
-  (and (node-fold e
-                  (lambda (leaf) #t)
-                  (lambda (n plain?s) (and (andmap values plain?s) (plain-node? x n s))))
+(define (plain-at-0? x e)
+  (and (not (some-node? (lambda (n) (not (plain-node? x n))) e))
        (if-divided-by-zero #f
          (substitute-expression e (list (cons x 0)))
          #t)))
 
-(define (plain-node? x n s)
+(define (plain-node? x n)
   (define head (node-head n))
   (or (literal-head? head)
       (not (occurs? x n))

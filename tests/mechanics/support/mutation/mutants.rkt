@@ -65,8 +65,8 @@
    "(cons (cdr p) (exponential-exponent (kernel-relation (car p))))"
    "(cons 1 (exponential-exponent (kernel-relation (car p))))"]
   ["log xy = log x - log y" "kernel/logarithms.rkt"
-   "(e:+ sum (e:* (car p) (part-logarithm c (cdr p))))"
-   "(e:- sum (e:* (car p) (part-logarithm c (cdr p))))"]
+   "(rebuild op:+ (for/list ([p (in-list parts)]) (e:* (car p) (part-logarithm c (cdr p)))))"
+   "(for/fold ([sum 0]) ([p (in-list parts)]) (e:- sum (e:* (car p) (part-logarithm c (cdr p)))))"]
   ["log √u = 2 log u" "kernel/logarithms.rkt"
    "(values (car (node-args f)) 1/2)"
    "(values (car (node-args f)) 2)"]
