@@ -94,8 +94,8 @@
 
 ;; The set, for those who take a Lagrangian before it.
 (define (gather-with who L constraints)
-  (when (and (constraints? L) (not (constraints? constraints)))
-    (complain who "the Lagrangian comes first, then the constraints; these look swapped"))
+  (check-comes-first who (and (constraints? L) (not (constraints? constraints)))
+                     "Lagrangian" "constraints")
   (check-Lagrangian who L)
   (gather who constraints))
 

@@ -143,8 +143,8 @@
 ;; Returns a function from a state to the state a period later; a negative period leads back.
 (define-plain (stroboscopic-map derivative period #:tolerance [tolerance 1e-12])
   (define who 'stroboscopic-map)
-  (when (and (not (pointwise? derivative)) (pointwise? period))
-    (complain who "the state derivative comes first, then the period; these look swapped"))
+  (check-comes-first who (and (not (pointwise? derivative)) (pointwise? period))
+                     "state derivative" "period")
   (check-state-derivative who derivative)
   (check-duration who period)
   (check-tolerance who tolerance)

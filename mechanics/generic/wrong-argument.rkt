@@ -5,7 +5,7 @@
 (require "describe.rkt"
          "../error/complain.rkt")
 
-(provide complain-of-argument check-argument provide-parts)
+(provide complain-of-argument check-argument check-comes-first provide-parts)
 
 ;; expected : what is wanted, such as "a positive step"; hint : further lines, or ""
 (define (complain-of-argument who expected x [hint ""])
@@ -13,6 +13,11 @@
 
 (define (check-argument who good? x expected)
   (unless (good? x) (complain-of-argument who expected x)))
+
+;; first, second : what the arguments are, such as "map" and "point"
+(define (check-comes-first who swapped? first second)
+  (when swapped?
+    (complain who "the ~a comes first, then the ~a; these look swapped" first second)))
 
 ;; (provide-parts thing? "a thing" thing-part ...): provides these procedures of a thing, which
 ;; readers may give anything; each complains of that in its own name.

@@ -28,8 +28,7 @@
 
 ;; H is asked about at a state, where a Lagrangian would have a value, too, which is no energy.
 (define (check-Hamiltonian-and-state who H state)
-  (when (and (tuple? H) (pointwise? state))
-    (complain who "the Hamiltonian comes first, then the state; these look swapped"))
+  (check-comes-first who (and (tuple? H) (pointwise? state)) "Hamiltonian" "state")
   (check-Hamiltonian who H)
   (check-H-state who state)
   (when (called-Lagrangian-only? H) (raise-called-Lagrangian who H)))

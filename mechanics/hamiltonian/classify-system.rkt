@@ -50,11 +50,9 @@
   (define state (unknowns-like (up 't q (if (tuple? q) (flip (adopt q)) q))))
   (define value #f)
   (define asked?
-    (asked-for-momentum? state (lambda () (set! value (value-or-none f state)))))
+    (asked-for-momentum? state (lambda () (set! value (if-raised #f (f state))))))
   (or asked?
-      (and (tuple? q) value (not (value-or-none f (unknowns-like (up 't q q)))))))
-
-(define (value-or-none f state) (if-raised #f (f state)))
+      (and (tuple? q) value (not (if-raised #f (f (unknowns-like (up 't q q))))))))
 
 ;; ---------------------------------------------------------------------------
 ;; States that leave it open

@@ -2,13 +2,13 @@
 ;; A Lagrangian and a path in the wrong order, both of which are functions of one argument.
 
 (require "Lagrange-equations.rkt" "local-tuple.rkt"
-         "../error/complain.rkt" "../error/refusal.rkt")
+         "../error/refusal.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide check-not-swapped)
 
 (define (check-not-swapped who L q)
-  (when (swapped? who L q)
-    (complain who "the Lagrangian comes first, then the path; these look swapped")))
+  (check-comes-first who (swapped? who L q) "Lagrangian" "path"))
 
 ;; Would the arguments serve in the other order?  This is asked after they failed in the given
 ;; order; if they fail in the other order, too, the user sees the first failure.

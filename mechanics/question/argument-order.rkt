@@ -9,7 +9,7 @@
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/function-check.rkt" "../generic/up-down.rkt"
+         "../generic/function-check.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/known-Hamiltonians.rkt"
          "../lagrangian/name-hints.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../value/shape.rkt")
@@ -44,9 +44,8 @@
 (define (call-with-quantity-last who L Q state thunk)
   (with-handlers ([exn:fail:mechanics:singular?
                    (lambda (e)
-                     (when (and (inert? Q state) (not (inert? L state)))
-                       (complain
-                        who "the Lagrangian comes first, then the quantity; these look swapped"))
+                     (check-comes-first who (and (inert? Q state) (not (inert? L state)))
+                                        "Lagrangian" "quantity")
                      (raise e))])
     (thunk)))
 

@@ -38,8 +38,7 @@
 ;; map : a map of the plane, or a function of states; at : a point or a state
 (define (make-map-on-tuples who map at times)
   (define plane? (map? map))
-  (when (and (not (pointwise? map)) (pointwise? at))
-    (complain who "the map comes first, then the point; these look swapped"))
+  (check-comes-first who (and (not (pointwise? map)) (pointwise? at)) "map" "point")
   (unless (or plane? (and (pointwise? map) (accepts? map 1)))
     (complain who "expected a map of the plane, or a function of a state\n  given: ~a~a"
               (describe-function map) (map-hint map)))
