@@ -140,12 +140,18 @@
 (define (without-absolute-value e)
   (if (or (headed? e op:abs) (headed? e op:sqrt)) (car (node-args e)) e))
 
-;; Relations that hold where e has a value, and those of the operations themselves
+;; Relations that hold where e has a value
 (define (needs-of e) (append-map node-relations (nodes-in e)))
 
+;; Those of roots and logarithms that were met.  A derivative of uⁿ meets uⁿ⁻¹, which may have no
+;; value at an end of uⁿ.
 (define (needs-met operations)
-  (append* (for/list ([o (in-list operations)] #:unless (eq? (car o) 'nowhere))
-             (node-relations (shown (car o) (cdr o))))))
+  (for*/list ([o (in-list operations)]
+              #:when (memq (car o) '(sqrt log expt))
+              [r (in-list (node-relations (shown (car o) (cdr o))))])
+    (if (and (eq? (car o) 'expt) (eqv? positive (relation-signs r)))
+        (struct-copy relation r [signs nonnegative])
+        r)))
 
 ;; What they say of signs, as datums, with places put in.  It costs nothing, and says nothing of
 ;; ends themselves.

@@ -7,12 +7,12 @@
 ;; √(x² + y²) is a distance.  Factors are those of polynomials in tangents of half the angles
 ;; and in exponentials (half-angles.rkt), so that √(1 − cos x) has its kink.
 ;;
-;; That holds of polynomials in independent functions of the variables, each with a variable that
-;; no other depends on; what others there are count as parameters, if some coefficient is never 0.
-;; x² + sin²x is a polynomial in x and tan(x/2), and vanishes at 0 to the second power.
+;; The argument needs independent functions, each with a variable on which no other depends.  Other
+;; functions count as parameters, where some coefficient is never 0.  So it says nothing of
+;; x² + sin²x, a polynomial in x and tan(x/2), which vanishes at 0 to the second power.
 ;;
-;; It holds for parameters as they are in general; at h = 0 √(x² + h²) is |x|.  Such values are
-;; zeros of a discriminant.
+;; It also needs parameters in general position: at h = 0 √(x² + h²) is |x|.  Such values of
+;; parameters are zeros of a discriminant.
 
 (require racket/list
          "half-angles.rkt"

@@ -53,6 +53,14 @@
   (check-pred undecided? verdict)
   (check-equal? (format "~s" (verdict-kinks verdict)) (format "~s" expected)))
 
+(test-case "a power whose derivative has no value at an end keeps the kink there"
+  (define (L local)
+    (- (* 1/2 (square (velocity local)))
+       (expt (* (square (sin (coordinate local))) (+ 1 (square (velocity local)))) 1/2)))
+  (define v (verify-conserved L (Lagrangian->energy L) line))
+  (check-pred undecided? v)
+  (check-equal? (map car (verdict-kinks v)) '(kink kink)))
+
 (test-case "where a sign was assumed the kink is named all the same"
   (check-kinks (verify-solution L-free (lambda (t) (sqrt (square t))))
                '(kink (sqrt (expt t 2)) (= t 0)))
