@@ -57,7 +57,7 @@
 ;; Does f have symbols of its own at a number between?
 (define (symbolic-integrand? f low high)
   (and (real? low) (real? high) (accepts? f 1)
-       (let ([y (false-if-raised no-value?
+       (let ([y (if-raised no-value? #f
                   (parameterize ([current-branches #f]) (f (inner-point low high))))])
          (symbolic-end? y))))
 

@@ -113,7 +113,7 @@
 ;; What an operation of the algebra is not defined for has no value.
 (define (combine-numbers head operands e fail)
   (define value
-    (false-if-raised exn:fail:contract?
+    (if-raised exn:fail:contract? #f
       (apply (operation-numeric head) operands)))
   (real-or-fail value e fail))
 

@@ -92,7 +92,7 @@
 ;; -> a and λ, vectors
 (define (solve-constrained who M J f c)
   (define by-inertia
-    (false-if-raised exn:fail:mechanics:singular:matrix?
+    (if-raised exn:fail:mechanics:singular:matrix? #f
       (rows-solve-each who M M (list->vector (cons f J)))))
   (if by-inertia
       (solve-by-inertia who by-inertia J c)

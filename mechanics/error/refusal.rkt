@@ -8,7 +8,7 @@
 
 (require "failure.rkt")
 
-(provide refusal? raised? if-raised)
+(provide refusal? raised? divided-by-zero? if-raised)
 
 ;; Does the procedure have no value there, or none for such an argument?  Racket's own procedures
 ;; and those of this library say it by these exceptions; an `error` or `raise` of a program is no
@@ -18,6 +18,8 @@
 
 ;; Is it anything but a break?
 (define (raised? x) (not (exn:break? x)))
+
+(define divided-by-zero? exn:fail:contract:divide-by-zero?)
 
 ;; The value of the body, or `otherwise` if it raises something of that kind
 (define-syntax-rule (if-raised kind? otherwise body ...)

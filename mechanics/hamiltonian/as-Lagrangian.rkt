@@ -37,7 +37,7 @@
 (define (as-Lagrangian-along f q [force #f])
   (define (position) (q (string->uninterned-symbol "t")))
   (converted f force
-             (Hamiltonian-told? f (if-raised 0 (position)))))
+             (Hamiltonian-told? f (if-raised raised? 0 (position)))))
 
 ;; The same where there is a state, of velocities or of momenta.
 (define (as-Lagrangian-at who f state [force #f])

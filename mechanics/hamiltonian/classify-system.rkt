@@ -50,9 +50,9 @@
   (define state (unknowns-like (up 't q (if (tuple? q) (flip (adopt q)) q))))
   (define value #f)
   (define asked?
-    (asked-for-momentum? state (lambda () (set! value (if-raised #f (f state))))))
+    (asked-for-momentum? state (lambda () (set! value (if-raised raised? #f (f state))))))
   (or asked?
-      (and (tuple? q) value (not (if-raised #f (f (unknowns-like (up 't q q))))))))
+      (and (tuple? q) value (not (if-raised raised? #f (f (unknowns-like (up 't q q))))))))
 
 ;; ---------------------------------------------------------------------------
 ;; States that leave it open

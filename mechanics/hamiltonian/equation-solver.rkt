@@ -82,7 +82,7 @@
     (values (symbols-like given "q") (symbols-like like "v") (symbols-like y "w")))
   (define (f x) ((solver-f s) place x))
   (define-values (value slopes)
-    (if-raised (values #f #f) (values (f x) (derivative-at f x))))
+    (if-raised raised? (values #f #f) (values (f x) (derivative-at f x))))
   (cond [(not value) 'by-numbers]
         [(independent? slopes x) 'exactly]
         [else

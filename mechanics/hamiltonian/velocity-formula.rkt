@@ -144,5 +144,5 @@
 
 ;; The value of e with the entries put in; +nan.0 where it divides by zero.
 (define (put e entries)
-  (if-divided-by-zero +nan.0 (simplify (substitute-expression e entries))))
+  (if-raised divided-by-zero? +nan.0 (simplify (substitute-expression e entries))))
 (define (zero? e) (eqv? 0 (simplify e)))

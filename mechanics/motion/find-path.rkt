@@ -170,7 +170,7 @@
                    c 0.0 "action of the stationary path" (value-at action c))))
 
 (define (stationary-point action x)
-  (false-if-raised exn:fail:mechanics?
+  (if-raised exn:fail:mechanics? #f
     (define-values (found step)
       (newton (lambda (x) (gradient-of action x)) (lambda (x) (second-derivatives action x)) x
               #:tolerance 1e-10 #:name who))

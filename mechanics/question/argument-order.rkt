@@ -51,7 +51,7 @@
 
 ;; Does f depend on the velocities otherwise than linearly?
 (define (inert? f state)
-  (if-raised #f
+  (if-raised raised? #f
     (define by-velocities (partial 2))
     (define M ((by-velocities (by-velocities (scalar-valued 'Lagrangian f))) state))
     (not (andmap g:zero? (scalars M)))))

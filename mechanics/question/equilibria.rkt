@@ -45,7 +45,7 @@
 (define (surveys-at-rest L force t q)
   (define anywhere (symbols-like q "q"))
   (define-values (_ survey)
-    (if-raised (values #f #f)
+    (if-raised raised? (values #f #f)
       (survey-derivatives
        (lambda () (residual-at-rest 'verify-equilibrium L force t anywhere))
        (scalars anywhere)
@@ -126,7 +126,7 @@
   (define-values (L force) (as-Lagrangian 'find-equilibrium given start given-force))
   (define (residual-at q) (residual-at-rest 'find-equilibrium L force 0 q))
   (check-no-symbols (residual-at start))
-  (check-no-symbols (if-raised 0 (residual-at (beside start))))
+  (check-no-symbols (if-raised raised? 0 (residual-at (beside start))))
   (define q (find-root residual-at start))
   (define (residual t) (residual-at-rest 'find-equilibrium L force t q))
   (check-constant 'find-equilibrium (simplify (residual 't)) 't)

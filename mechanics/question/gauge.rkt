@@ -140,7 +140,7 @@
 
 ;; The integrand may be 0/0 at the start and yet pass for 0 on all lines from there.
 (define (check-start F slopes start)
-  (unless (if-divided-by-zero #f (andmap finite? (gradient-at slopes start)))
+  (unless (if-raised divided-by-zero? #f (andmap finite? (gradient-at slopes start)))
     (raise-no-answer 'gauge-function
                      (string-append "the integral for ~a cannot begin where it is not finite"
                                     "\n  begin: ~a"

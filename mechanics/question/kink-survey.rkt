@@ -87,7 +87,7 @@
 (define (survey-anywhere t shape local f domain functions order)
   (define state (unknowns-like shape))
   (define-values (_ survey)
-    (if-raised (values #f #f)
+    (if-raised raised? (values #f #f)
       (survey-derivatives (lambda () (f state)) (scalars state)
                           #:put (lambda () (map cons (scalars state) (scalars (local))))
                           #:solve-for (list t)

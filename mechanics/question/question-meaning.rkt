@@ -50,12 +50,12 @@
 
 ;; The expressions in the value of the thunk, which may fail at symbols; then none.
 (define (expressions-in value)
-  (filter expression? (scalars (if-raised 0 (value)))))
+  (filter expression? (scalars (if-raised raised? 0 (value)))))
 
 ;; The second derivatives by the highest velocities, as rows.
 (define (mass-matrix L state n)
   (define highest (partial (+ n 1)))
-  (if-raised '()
+  (if-raised raised? '()
     (define M (expressions-in (lambda () ((highest (highest (scalar-valued 'L L))) state))))
     (define width (integer-sqrt (length M)))
     (if (= (length M) (* width width)) (rows-of M width) '())))

@@ -53,7 +53,7 @@
 
 ;; Does the value of f contain a symbol of the state?  If f fails at symbols, it counts as yes.
 (define (depends? f state)
-  (define value (if-raised #f (f state)))
+  (define value (if-raised raised? #f (f state)))
   (define es (if value (expressions-of value) '()))
   (or (null? es)
       (for*/or ([e (in-list es)] [s (in-list (scalars state))] #:when (symbol? s)) (occurs? s e))))

@@ -65,7 +65,7 @@
 ;; f without rounding: near an end the terms of the energy are far greater than their sum.
 (define (without-rounding f state)
   (define (exactly x) (if (rational? x) (inexact->exact x) x))
-  (if-divided-by-zero (f state) (f (s:map/r exactly state))))
+  (if-raised divided-by-zero? (f state) (f (s:map/r exactly state))))
 
 ;; The energy must be a symbol: with a number all actions would be those of that energy, whatever
 ;; the state.  A coordinate whose equation is linear in its momentum never turns back.

@@ -47,7 +47,7 @@
 
 ;; The gradient at x, or #f where the function refuses to be differentiated
 (define (target-gradient t x)
-  (false-if-raised refusal?
+  (if-raised refusal? #f
     (define-values (y slope) (target-value-and-gradient t x))
     slope))
 
@@ -62,14 +62,14 @@
     (define axis (scalars->structure s (lambda (k) (if (= k j) 1.0 0.0))))
     (for ([y (in-list (scalars (along s axis)))] [i (in-naturals)])
       (flvector-set! all (+ (* i n) j) (value-or-nan (target-who t) y))))
-  (false-if-raised refusal?
+  (if-raised refusal? #f
     (for ([j (in-range n)]) (fill-column! j))
     all))
 
 ;; v·Hv at x, by one product of the second derivatives with v; #f where these are refused.
 (define (target-curvature-along t x v)
   (define s (target-structure t x))
-  (false-if-raised refusal?
+  (if-raised refusal? #f
     (define product
       ((Hessian-vector-product (target-tuple-function t)) s (flvector->structure s v)))
     (for/fold ([sum 0.0]) ([y (in-list (scalars product))] [a (in-flvector v)])

@@ -29,6 +29,6 @@
 ;; -> a list, or #f of a function that fails there
 (define (value-at f state)
   (and f
-       (if-raised #f (expressions-of (f state)))))
+       (if-raised raised? #f (expressions-of (f state)))))
 
 (define (expressions-of x) (filter expression? (scalars x)))

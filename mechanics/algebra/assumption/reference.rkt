@@ -77,7 +77,7 @@
       (cond [(literal-head? head) (lookup n parts)]
             [(operation-numeric head) => (lambda (f) (real (apply f parts)))]
             [else (cons (operation-name head) parts)]))
-    (if-divided-by-zero #f
+    (if-raised divided-by-zero? #f
       (exact->inexact (node-fold e leaf-value node-value)))))
 
 ;; ---------------------------------------------------------------------------

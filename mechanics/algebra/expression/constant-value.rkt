@@ -17,5 +17,5 @@
     (define (node-value n parts)
       (define f (and (operation? (node-head n)) (operation-numeric (node-head n))))
       (if f (real (apply f parts)) (return #f)))
-    (if-divided-by-zero #f
+    (if-raised divided-by-zero? #f
       (exact->inexact (node-fold e leaf-value node-value)))))

@@ -140,7 +140,7 @@
     (and numeric
          (andmap (lambda (a) (and (real? a) (exact? a))) args)
          (not (equal? args '(0 0)))             ; atan 0 0
-         (if-divided-by-zero #f (apply numeric args))))
+         (if-raised divided-by-zero? #f (apply numeric args))))
   (and x (real? x) (exact? x) x))
 
 ;; n with its arguments simplified; structured arguments by components.

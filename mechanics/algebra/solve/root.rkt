@@ -43,7 +43,7 @@
        (list a b)))
 
 ;; The value at x, or #f where there is none.
-(define (value-at e x value A) (if-divided-by-zero #f (simplify-expression (put e x value) A)))
+(define (value-at e x value A) (if-raised divided-by-zero? #f (simplify-expression (put e x value) A)))
 
 (define (quotient-of a b A) (simplify-expression (e:/ a b) A))
 

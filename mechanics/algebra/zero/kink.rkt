@@ -121,7 +121,7 @@
 (define (excluded? place needs A)
   (for/or ([r (in-list needs)])
     (define u
-      (if-divided-by-zero #f
+      (if-raised divided-by-zero? #f
         (simplify-expression
          (substitute-expression (relation-expression r) (list (cons (cadr place) (caddr place))))
          A)))
@@ -341,14 +341,14 @@
 
 ;; Has e, where x is 0, the value to which it leads?  sgn(x²) has not.
 (define (same-at-0? x e upper s)
-  (if-divided-by-zero #f
+  (if-raised divided-by-zero? #f
     (define (at-0 e) (substitute-expression e (list (cons x 0))))
     (eqv? 0 (simplify-expression (e:- (at-0 e) (at-0 upper)) (search-assumptions s)))))
 
 ;; Is e, where x is 0, defined and without a kink, as a formula?
 (define (plain-at-0? x e)
   (and (not (some-node? (lambda (n) (not (plain-node? x n))) e))
-       (if-divided-by-zero #f
+       (if-raised divided-by-zero? #f
          (substitute-expression e (list (cons x 0)))
          #t)))
 

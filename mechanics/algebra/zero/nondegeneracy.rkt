@@ -33,7 +33,7 @@
 (define (meaningful? m equations A)
   (define replacements (solutions equations))
   (and replacements
-       (if-divided-by-zero #f
+       (if-raised divided-by-zero? #f
          (let* ([n (under m replacements)]
                 [before (point-of m A)]
                 [after (point-of n A)])
@@ -83,7 +83,7 @@
 ;; The equations without those that follow from others before; #f if they cannot all hold.
 (define (independent-equations equations)
   (define (difference q) (e:- (datum->expression (cadr q)) (datum->expression (caddr q))))
-  (if-divided-by-zero #f
+  (if-raised divided-by-zero? #f
     (for/fold ([kept '()]) ([q (in-list equations)])
       (define replacements (and kept (solutions kept)))
       (define rest (and replacements

@@ -98,7 +98,7 @@
 (define (new-chain d F state)
   (define place (symbols-like state "z"))
   (define-values (direction value)
-    (if-raised (values #f #f)
+    (if-raised raised? (values #f #f)
       (define-values (velocity force)
         ((flow-direction (derivation-who d) (derivation-H d)) place))
       (define value (F place))

@@ -29,7 +29,7 @@
 (define (work-out F state)
   (define place (symbols-like state "z"))
   (define value
-    (if-raised #f
+    (if-raised raised? #f
       (define value (F place))
       (and (expression? value) (simplify-strictly value))))
   (worked-out place value))

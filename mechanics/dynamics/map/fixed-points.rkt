@@ -47,7 +47,7 @@
     (define-values (p at) (fixed-point-of 'find-fixed-point map (done-times m k z) tolerance))
     p)
   (for/or ([k (in-list (returns-after m z back?))])
-    (false-if-raised refusal? (found k))))
+    (if-raised refusal? #f (found k))))
 
 ;; A point comes back if it returns within this, relative to 1 + |x|.
 (define return-tolerance 1e-9)

@@ -137,7 +137,7 @@
   (define (between? low x high)
     (define half (* 0.5 (- high low)))
     (<= (- low half) x (+ high half)))
-  (false-if-raised exn:fail:mechanics?
+  (if-raised exn:fail:mechanics? #f
     (define root
       (find-root miss (up (* 0.5 (+ low high)) (* 0.5 (+ low* high*))) #:tolerance 1e-8))
     (and (between? low (ref root 0) high) (between? low* (ref root 1) high*)

@@ -67,7 +67,7 @@
 (define (gives-functions? f)
   (define n (for/first ([n (in-list '(1 5 6))] #:when (accepts? f n)) n))
   (and n
-       (false-if-raised refusal?
+       (if-raised refusal? #f
          (pointwise? (apply f (for/list ([_ (in-range n)]) 1))))))
 
 ;; Returns a function from points to their images, tuples of two.

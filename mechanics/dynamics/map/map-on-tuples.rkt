@@ -72,7 +72,7 @@
 
 ;; An energy makes a number of a state, and what is called one may not take a point (up x y).
 (define (check-no-energy who map at)
-  (define (takes?) (false-if-raised refusal? (map at) #t))
+  (define (takes?) (if-raised refusal? #f (map at) #t))
   (when (or (of-momenta? map) (and (called-energy? map) (not (takes?)))) (raise-energy who map)))
 
 (define (raise-energy who f)
@@ -129,7 +129,7 @@
 ;; If a whole turn of coordinate k moves coordinates of the image by whole turns only, returns
 ;; their indices, else #f.  Two places are tried: at one alone it may be chance.
 (define (moved-by-a-turn at start here k)
-  (define (at-or-not v) (false-if-raised refusal? (at v)))
+  (define (at-or-not v) (if-raised refusal? #f (at v)))
   (define (moved v image)
     (define further (flvector-copy v))
     (flvector-set! further k (fl+ :2pi (flvector-ref v k)))

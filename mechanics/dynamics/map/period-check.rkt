@@ -28,7 +28,7 @@
 (define (check-period who derivative state period)
   (define start (plain state))
   (when (and (tuple? start) (>= (structure-length (adopt start)) 3)
-             (false-if-raised refusal? (timed-state? derivative start)))
+             (if-raised refusal? #f (timed-state? derivative start)))
     (for ([s (in-list (list start (beside start)))])
       (define-values (now later) (values (rates derivative s) (rates derivative (after s period))))
       (unless (or (not now) (not later) (same? now later))
@@ -36,7 +36,7 @@
 
 ;; Returns a list of numbers, or #f where the derivative has no value or no number.
 (define (rates derivative state)
-  (false-if-raised refusal?
+  (if-raised refusal? #f
     (define all (map comparand (scalars (derivative state))))
     (and (andmap rational? all) all)))
 

@@ -71,7 +71,7 @@
 
 ;; The value of the event's function at the state, #f where it has none.
 (define (event-value who e state)
-  (false-if-raised no-value?
+  (if-raised no-value? #f
     (define x ((event-f e) (flvector->structure state (state-vector who state))))
     (check-event-value who e x)
     x))

@@ -60,5 +60,5 @@
   (equal? (kept-values k) (values-at watched (kept-shape k) (kept-points k))))
 
 (define (values-at f state points)
-  (false-if-raised raised?
+  (if-raised raised? #f
     (for/list ([v (in-list points)]) (scalars (f (flvector->structure state v))))))

@@ -36,7 +36,7 @@
 
 ;; A part of an integral, a hundred times as precise, or #f.
 (define (part-integral f low high tolerance limit)
-  (false-if-raised exn:fail:mechanics?
+  (if-raised exn:fail:mechanics? #f
     (quadrature f low high #:tolerance (max 1e-13 (* 1e-2 tolerance)) #:limit limit)))
 
 ;; A tolerance below twice the rounding error is taken as that.  `limit` bounds

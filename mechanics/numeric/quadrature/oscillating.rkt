@@ -64,7 +64,7 @@
           [else (loop b y* (- left 1))])))
 
 (define (zero-between f a b)
-  (false-if-raised exn:fail:mechanics?
+  (if-raised exn:fail:mechanics? #f
     (define-values (z error count) (bracketed-root f a b #:tolerance 1e-10))
     z))
 

@@ -24,7 +24,7 @@
 (define ((in-logarithm f end side direction) u)
   (define d (flexp (fl* direction u)))
   (define y
-    (false-if-raised no-value?
+    (if-raised no-value? #f
       (f (fl+ end (fl* side d)))))
   (define z (and (real? y) (fl* d (real->double-flonum y))))
   (and z (finite? z) z))

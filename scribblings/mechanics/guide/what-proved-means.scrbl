@@ -24,6 +24,19 @@ has a value nowhere, nothing is proved:
 (define nothing (- (square (sin 'x)) (- 1 (square (cos 'x)))))
 (prove-zero (* nothing (/ 1 nothing)))]
 
+Of real numbers more is true than of complex ones, and it is used: a root is not negative, so
+@formula{√A = B} is shown by @formula{A = B²} and @formula{B ≥ 0}; @formula{|u|} is decided for
+either sign of u; a sum of logarithms vanishes if their product is 1, and a sum of arcs if the
+product of the points with these angles lies on the positive axis and no other whole turn is in
+reach.
+
+@examples[#:eval session #:label #f
+(verify-equal (sqrt (square (- (sin 'w) 2))) (- 2 (sin 'w)))
+(verify-equal (log (abs (- (square 'x) 9))) (+ (log (abs (- 'x 3))) (log (abs (+ 'x 3)))))
+(verify-equal (+ (asin 'x) (acos 'x)) (/ ':pi 2))
+(verify-equal (+ (atan 'x) (atan (/ 1 'x))) (/ ':pi 2))
+(assuming ('(> x 0)) (verify-equal (+ (atan 'x) (atan (/ 1 'x))) (/ ':pi 2)))]
+
 Numbers that are not real are welcome as such. An expression that holds one, such as
 @racket[(exp (* +i 'omega 't))], has complex values, and then nothing is taken for granted
 about what stands under roots.

@@ -173,7 +173,9 @@ derivative includes the term of its motion (Leibniz' rule), also in integrals wi
 
 Where symbols are in an end or in the integrand, the result is a formula, if an antiderivative
 is found: of polynomials, sines, cosines, exponentials and their products, of powers with symbolic
-exponents, and of a line over a quadratic polynomial or its root. The conditions under which it
+exponents, of a line over a quadratic polynomial or its root, of such a root over x, of partial
+fractions, of single functions and their usual quotients, of @formula{e^(−kx²)} with a positive k,
+and of absolute values and signs of lines. The conditions under which it
 holds, that k is not 0, or a denominator does not vanish on the way, are among the
 @racket[assumptions] used, and said in a note, but for those that are declared or known;
 @racket[integral-conditions] gives them as a list.
@@ -183,6 +185,8 @@ holds, that k is not 0, or a denominator does not vanish on the way, are among t
 (define (between t) (+ 'q1 (* (/ (- 'q2 'q1) (- 't2 't1)) (- t 't1))))
 (prove-zero (- (Lagrangian-action (lambda (s) (* 1/2 'm (square (velocity s)))) between 't1 't2)
                (/ (* 'm (square (- 'q2 'q1))) (* 2 (- 't2 't1)))))
+(definite-integral (lambda (x) (abs (- x 'a))) 0 1)
+(assuming ('(> a 1)) (definite-integral (lambda (x) (/ 1 (+ 'a (cos x)))) 0 ':2pi))
 (eval:error (definite-integral (lambda (x) (exp (* 'k (square x)))) 0 'b))]
 
 A pendulum's period from its law of energy, infinitely slow at the ends of the swing:
@@ -217,11 +221,15 @@ no such relations are found, there is no formula.
          verdict?]{
 
 A verdict on whether the integral of f is the expression claimed. It rests on the conditions
-that @racket[integral-conditions] gives: they are among its @racket[verdict-assumptions]. The
+that @racket[integral-conditions] gives: they are among its @racket[verdict-assumptions]. If no
+antiderivative is found and an end is a symbol, the claim is one itself when its derivative by
+that symbol is the integrand. The
 action of the oscillator between two points:
 
 @examples[#:eval session
 (verify-integral (lambda (x) (/ 1 (+ (square 'a) (square x)))) 0 'b (/ (atan (/ 'b 'a)) 'a))
+(verify-integral (lambda (x) (* x (log x))) 1 'b
+                 (- (* 1/2 (square 'b) (log 'b)) (/ (- (square 'b) 1) 4)))
 (define (L-oscillator local)
   (* 1/2 'm (- (square (velocity local)) (square (* 'w (coordinate local))))))
 (define (motion t)

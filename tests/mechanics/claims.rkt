@@ -5,8 +5,9 @@
 
 (require racket/list
          mechanics
-         "ask.rkt" "by-numbers.rkt" "identities.rkt" "integrals.rkt"
-         "../support/checks.rkt")
+         "support/checks.rkt"
+         "support/claims/ask.rkt" "support/claims/by-numbers.rkt"
+         "support/claims/identities.rkt" "support/claims/integrals.rkt")
 
 (define (status-of make-verdict)
   (with-handlers ([exn:fail:mechanics? (lambda (e) 'undecided)]) (verdict-status (make-verdict))))
