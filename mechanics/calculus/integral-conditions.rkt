@@ -26,7 +26,9 @@
          (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt"
-         "../algebra/expression/read.rkt" "../algebra/expression/substitute.rkt"
+         "../algebra/expression/read.rkt"
+         (only-in "../algebra/expression/simplifier.rkt" left-unexpanded?)
+         "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/solve/nonzero-conditions.rkt"
          "../algebra/simplify/declare.rkt" "../algebra/simplify/known-sign.rkt"
@@ -270,7 +272,7 @@
   (define-values (_ grounds)
     (simplify-expression/assumptions (e:- (derivative F p) e) (path-A p)))
   (append-map (lambda (g) (on-path g p))
-              (filter (lambda (g) (not (eq? (car g) 'left-unexpanded))) grounds)))
+              (filter-not left-unexpanded? grounds)))
 
 ;; The conditions under which a relation holds on the whole path
 (define (on-path ground p)

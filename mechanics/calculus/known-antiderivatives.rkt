@@ -27,8 +27,7 @@
 (define-values (sin cos tan) (values (function op:sin) (function op:cos) (function op:tan)))
 (define-values (sinh cosh tanh) (values (function op:sinh) (function op:cosh) (function op:tanh)))
 (define-values (asin atan) (values (function op:asin) (function op:atan)))
-(define log (function op:log))
-(define (sqrt u) (make-node op:sqrt (list u)))      ; √3 is no decimal
+(define-values (log sqrt) (values (function op:log) (function op:sqrt)))
 (define (square u) (e:expt u 2))
 
 ;; The function of which it is the integral, its power, and the integral
@@ -61,7 +60,7 @@
     (and Δ
          (eqv? 1 (known-sign Δ A))
          (eqv? 1 (known-sign a A))
-         (let* ([s (simplify-expression (sqrt Δ) A)]
+         (let* ([s (simplify-expression (make-node op:sqrt (list Δ)) A)]
                 [tangent (e:/ (e:* b (sin x)) (e:+ (e:+ a s) (e:* b (cos x))))])
            (e:* (e:/ c s) (e:- x (e:* 2 (atan tangent))))))))
 

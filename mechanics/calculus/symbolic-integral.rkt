@@ -10,7 +10,9 @@
          "antiderivative.rkt" "expression-function.rkt" "integral.rkt" "integral-conditions.rkt"
          "number-argument.rkt" "perturbed-value.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
-         "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
+         "../algebra/expression/expression.rkt"
+         (only-in "../algebra/expression/simplifier.rkt" left-unexpanded?)
+         "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
          "../algebra/simplify/declare.rkt" "../algebra/simplify/necessary-assumptions.rkt"
          "../algebra/simplify/simplify-expression.rkt"
@@ -100,7 +102,7 @@
 ;; A sign that the result takes for granted is a condition, too: √(a²) = a where a ≥ 0.
 (define (difference high low A note!)
   (define-values (simple grounds) (simplify-expression/needed (e:- high low) A))
-  (note! (filter (lambda (g) (not (eq? (car g) 'left-unexpanded))) (at-last grounds)))
+  (note! (filter-not left-unexpanded? (at-last grounds)))
   simple)
 
 ;; Nothing is taken for granted of x, as √(x²) = x would be: it leaves no trace in the formula.

@@ -11,6 +11,7 @@
          (except-in "../algebra/assumption/assumption-set.rkt" assumptions)
          "../algebra/assumption/relation.rkt"
          "../algebra/expression/expression.rkt"
+         (only-in "../algebra/expression/simplifier.rkt" left-unexpanded?)
          "../error/computed-once.rkt"
          "../generic/describe.rkt" "../generic/wrong-argument.rkt")
 
@@ -54,7 +55,7 @@
   (define data
     (for*/fold ([known '()] #:result (reverse known))
                ([notes (in-list (reverse (current-used)))] [d (in-list (at-last notes))])
-      (if (or (eq? (car d) 'left-unexpanded) (member d known) (= (length known) used-limit))
+      (if (or (left-unexpanded? d) (member d known) (= (length known) used-limit))
           known
           (cons d known))))
   (current-used (if (null? data) '() (list data)))

@@ -1,7 +1,6 @@
 #lang racket/base
-;; Three hundred claims of textbooks are decided, and as many false neighbours: at least 95 in
-100 of the
-;; true ones are proved, none is decided wrongly.
+;; Three hundred claims of textbooks are decided, and as many false neighbours: at least 95 in 100
+;; of the true ones are proved, none is decided wrongly.
 
 (require racket/list
          mechanics
@@ -13,8 +12,7 @@
   (with-handlers ([exn:fail:mechanics? (lambda (e) 'undecided)]) (verdict-status (make-verdict))))
 
 ;; A function with an absolute value or an angle has a kink or a cut, where physics may differ;
-of the
-;; integral of |cos x| over whole turns there is no formula.
+;; of the integral of |cos x| there is no formula.
 (define left-undecided
   '("(abs (cos x)) from 0 to :pi" "oscillator: phase" "repelled by |x|: energy"
     "quartic: zero energy" "time of the oscillator: the angle as coordinate"))

@@ -5,7 +5,7 @@
 ;; factors of an expression: work of the simplifier (simplify/workspace.rkt), which
 ;; stands above both.  It hands itself down, with its methods in one record.
 
-(provide (struct-out simplifier) (struct-out methods)
+(provide (struct-out simplifier) (struct-out methods) left-unexpanded?
          simplifier-simplify simplifier-terms simplifier-linear-parts
          simplifier-factors simplifier-irreducible-factors simplifier-split-root)
 
@@ -16,6 +16,10 @@
 ;; Procedures that take the simplifier first.
 (struct methods (simplify terms linear-parts factors irreducible-factors split-root)
   #:authentic)
+
+;; Besides assumptions it rests on, simplification tells parts (left-unexpanded e) that would have
+;; grown too large.
+(define (left-unexpanded? note) (eq? (car note) 'left-unexpanded))
 
 (define-syntax-rule (define-method (name s argument ...) method)
   (define (name s argument ...) ((method (simplifier-methods s)) s argument ...)))

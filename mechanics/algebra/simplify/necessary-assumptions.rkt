@@ -19,6 +19,7 @@
          "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
          "../assumption/relation.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
+         (only-in "../expression/simplifier.rkt" left-unexpanded?)
          "../polynomial/fraction.rkt")
 
 (provide needed-grounds simplify-expression/needed)
@@ -36,7 +37,7 @@
 ;; -> those of the grounds that it needs: datums, or what finds them
 (define (needed-grounds e simple A grounds)
   (define declared (map relation-datum (assumptions-relations A)))
-  (define (taken? d) (and (not (eq? (car d) 'left-unexpanded)) (not (member d declared))))
+  (define (taken? d) (and (not (left-unexpanded? d)) (not (member d declared))))
   (define taken (filter taken? grounds))
   (if (or (null? taken)
           (> (length taken) most-taken)

@@ -22,7 +22,7 @@
          "../assumption/relation.rkt"
          (only-in "../assumption/signs.rkt" signs-within? zero)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/operation.rkt"
+         "../expression/operation.rkt" (only-in "../expression/simplifier.rkt" left-unexpanded?)
          "../field/bounds.rkt" (only-in "../field/field.rkt" field-atlas)
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
          "../polynomial/fraction.rkt"
@@ -118,8 +118,6 @@
        (cond [(memq (node-head e) (list op:* op:/ op:expt)) (ormap holds-sum? (node-args e))]
              [else (memq (node-head e) (list op:+ op:-))])
        #t))
-
-(define (left-unexpanded? note) (eq? (car note) 'left-unexpanded))
 
 ;; Do the assumptions allow the expression over F to be zero?
 (define (may-vanish? A F e)

@@ -8,6 +8,7 @@
          "print-shown.rkt" "result-formula.rkt"
          "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt"
          "../typesetting/drawn-text.rkt"
+         (only-in "../../algebra/expression/simplifier.rkt" left-unexpanded?)
          "../../algebra/expression/write.rkt"
          "../../algebra/notation/formula.rkt" "../../algebra/notation/infix.rkt"
          (only-in "../../algebra/notation/tree.rkt" plain?)
@@ -85,4 +86,3 @@
       (parameterize ([print-limit 24]) (plain-datum->tree (cadr n)))
       (plain-datum->tree n)))
 
-(define (left-unexpanded? n) (eq? (car n) 'left-unexpanded))

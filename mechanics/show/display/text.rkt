@@ -3,6 +3,7 @@
 ;; reports.
 
 (require "layout.rkt"
+         (only-in "../../algebra/expression/simplifier.rkt" left-unexpanded?)
          "../../algebra/expression/write.rkt"
          "../../generic/describe.rkt"
          "../../verdict/verdict.rkt")
@@ -23,7 +24,7 @@
          (for/list ([n (in-list notes)]) (string-append "\n" (note->text n)))))
 
 (define (note->text n)
-  (if (eq? (car n) 'left-unexpanded)
+  (if (left-unexpanded? n)
       (format "; left unexpanded: ~a" (datum->brief-text (cadr n)))
       (format "; assuming ~a" (value->text n))))
 

@@ -4,6 +4,7 @@
 
 (require file/convertible
          (only-in "../../algebra/expression/expression.rkt" node? symbolic?)
+         (only-in "../../algebra/expression/simplifier.rkt" left-unexpanded?)
          "../../algebra/notation/formula.rkt" "../../algebra/notation/name.rkt"
          "../../algebra/notation/tree.rkt"
          "../display/result.rkt"
@@ -74,7 +75,7 @@
   (with-handlers ([exn:fail? (lambda (e) (values x '()))]) (shown-throughout x)))
 
 (define (note->tree n)
-  (if (eq? (car n) 'left-unexpanded)
+  (if (left-unexpanded? n)
       (row (list (word "left unexpanded: ") (plain-datum->tree (cadr n))))
       (row (list (word "assuming ") (plain-datum->tree n)))))
 

@@ -1,7 +1,6 @@
 #lang racket/base
-;; What a claim of `identities` or `integrals` says in numbers, by Racket's own functions:
-nothing of
-;; the library is asked.
+;; What a claim of `identities` or `integrals` says in numbers, by Racket's own functions: nothing
+;; of the library is asked.
 
 (require racket/flonum
          racket/list
