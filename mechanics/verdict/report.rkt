@@ -85,12 +85,15 @@
 (define (kink-line k)
   (define where (equations (kink-equations k)))
   (list 1
-        (case (kink-sort k) [(kink) "kink:"] [(jump) "jump:"] [(branch) "branch:"] [else "no value:"])
+        (case (kink-sort k)
+          [(kink) "kink:"] [(jump) "jump:"] [(branch) "branch:"] [else "no value:"])
         (cond [(null? where) (list (short-datum (kink-expression k)) "everywhere")]
               [else
                `(,(short-datum (kink-expression k)) ,(if (kink-solved? k) "at" "where") ,@where
                  ,@(if (kink-family? k) '("for integers" n) '())
-                 ,@(if (eq? (kink-sort k) 'branch) '("(of the formula alone: the angle goes on)") '()))])))
+                 ,@(if (eq? (kink-sort k) 'branch)
+                       '("(of the formula alone: the angle goes on)")
+                       '()))])))
 
 (define (evidence z depth ways)
   (define (line label . content) (list (list depth label content)))

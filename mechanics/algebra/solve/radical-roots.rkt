@@ -1,11 +1,12 @@
 #lang racket/base
-;; Roots of an equation in which the unknown stands under a square root: P + Q = 0, where Q changes with
-;; the sign of the root, is P² = Q² where P and Q have opposite signs.
+;; Roots of an equation in which the unknown stands under a square root: P + Q = 0, where Q
+;; changes with the sign of the root, is P² = Q² where P and Q have opposite signs.
 
 (require racket/list
          "factors.rkt" "root.rkt"
          (only-in "../assumption/assumption-set.rkt" with-automatic-assumptions)
-         "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/symbols.rkt" "../simplify/simplify-expression.rkt")
+         "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/symbols.rkt"
+         "../simplify/simplify-expression.rkt")
 
 (provide radical-roots)
 

@@ -27,7 +27,7 @@
         [(zero-everywhere? (e:+ e size) A) -1]
         [else #f]))
 
-;; e has the sign of `sign` · rest, where squares and factors of known sign are left out of the rest.
+;; e has the sign of `sign` · rest; squares and factors of known sign are left out of the rest.
 (define (sign-and-rest e A)
   (for/fold ([sign 1] [rest 1]) ([f (in-list (expression-factors e A))])
     (define known (if (even? (cdr f)) 1 (known-branch (car f) A)))

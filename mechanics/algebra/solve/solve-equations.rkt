@@ -6,9 +6,9 @@
 ;; A factor is solved if it is linear in an unknown, with a coefficient in which no
 ;; unknown occurs; and, if there is one unknown only, when it is a quadratic polynomial, in
 ;; the unknown, in a power of it or in an exponential of a x + b, or one of degree 1 in the
-;; sine and the cosine of one angle a x + b, or such a one when a square root is squared away.  Of angles all solutions within a turn of x are
-;; given if a is a whole number, else those within a turn of the angle; exactly: multiples of
-;; :pi are.
+;; sine and the cosine of one angle a x + b, or such a one when a square root is squared away.
+;; Of angles all solutions within a turn of x are given if a is a whole number, else those within
+;; a turn of the angle; exactly: multiples of :pi are.
 ;;
 ;; Parameters are at a generic point: what depends on them is not zero.  Conditions for
 ;; solutions to be real are kept with them.

@@ -85,4 +85,3 @@
   (if (left-unexpanded? n)
       (parameterize ([print-limit 24]) (plain-datum->tree (cadr n)))
       (plain-datum->tree n)))
-

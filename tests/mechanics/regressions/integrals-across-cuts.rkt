@@ -38,7 +38,8 @@
   (check-conditions (lambda (x) (sqrt (square x))) (- 'a) 'a '() places)
   (check-conditions (lambda (x) (sqrt (square (- x 'a)))) 0 1 '() places)
   (check-conditions (lambda (t) (* 'a (sqrt (+ (square t) (expt t 4))))) -1 1 '() places)
-  (check-conditions (lambda (x) (* 'k (abs (- x 'a)))) 0 1 '() '(((k . 2) (a . 1/3)) ((k . 1) (a . -1)))))
+  (check-conditions (lambda (x) (* 'k (abs (- x 'a)))) 0 1 '()
+                    '(((k . 2) (a . 1/3)) ((k . 1) (a . -1)))))
 
 (test-case "conditions speak of ends and parameters, and where they hold the formula is real"
   (check-conditions (lambda (x) (/ 1 (- (square x) (square 'b)))) 0 1
