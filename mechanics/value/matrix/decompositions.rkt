@@ -21,9 +21,7 @@
   (define rows (or (square-entries 'eigenvectors m) (raise-no-matrix 'eigenvectors m)))
   (cond [(not (inexact-entries? rows)) (vectors-of-null-spaces rows)]
         [(symmetric? rows) (vectors-of-symmetric rows)]
-        [else
-         (define decimal (rows-map exact->inexact rows))
-         (numeric-eigenvectors decimal (eigenvalues (matrix decimal)))]))
+        [else (numeric-eigenvectors (rows-map exact->inexact rows))]))
 
 (define (inexact-entries? rows)
   (and (all-entries? number? rows) (not (all-entries? exact? rows))))

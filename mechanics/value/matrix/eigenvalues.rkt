@@ -3,23 +3,28 @@
 ;;
 ;; Zeros first: rows and columns that reach one another form a block, and the
 ;; eigenvalues are those of the blocks.  A block of one row is its own; (a b; c d)
-;; has (τ ± √((a - d)² + 4 b c))/2, with the trace τ.  Of flonums, one of the two
-;; may lose its digits in the difference; it is the determinant over the other.
-;; Greater blocks lead to equations of higher degree: those of flonums are left to
-;; the algorithms of numeric/, others are refused.
+;; has (τ ± √((a - d)² + 4 b c))/2, with the trace τ.  Of flonums the roots are taken of
+;; exact numbers, and one of the two, which may lose its digits in the difference, is the
+;; determinant over the other.  Greater blocks lead to equations of higher degree: those of
+;; flonums are left to the algorithms of numeric/, others are refused.
+;;
+;; How much roundings change eigenvalues, those of a neighbor tell: the transposed matrix, its
+;; entries changed by a few roundings.
 
 (require racket/flonum
          racket/list
-         "linear-algebra.rkt" "row-systems.rkt"
+         "linear-algebra.rkt" "row-systems.rkt" "unsure-digits.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
          "../../generic/wrong-argument.rkt"
-         "../../numeric/finite-number.rkt" "../../numeric/flvector.rkt"
+         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt" "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
          "../../numeric/linear-algebra/matrix-scaling.rkt")
 
-(provide characteristic-polynomial eigenvalues)
+(provide characteristic-polynomial eigenvalues
+         ;; for eigenvectors
+         (struct-out sure) spectrum)
 
 (require-on-demand
  ["../../numeric/linear-algebra/general-eigenvalues.rkt" real-matrix-eigenvalues]
@@ -38,13 +43,32 @@
 
 ;; A list, each as often as it is a root of the characteristic polynomial.
 (define (eigenvalues m)
-  (append-map (lambda (block) (block-eigenvalues m block))
-              (rows-diagonal-blocks (square 'eigenvalues m))))
+  (define found (spectrum 'eigenvalues m))
+  (note-unsure 'eigenvalues
+               (for/list ([x (in-list found)] #:when (unsure? x))
+                 (with-bound (sure-value x) (sure-within x)))
+               advice)
+  (map sure-value found))
 
-(define (block-eigenvalues m block)
-  (cond [(= (vector-length block) 1) (list (entry block 0 0))]
-        [(flonums? block) (numeric-eigenvalues m block)]
-        [(= (vector-length block) 2) (two-eigenvalues block)]
+(define advice
+  "of exact entries (polynomial-roots (characteristic-polynomial m 'x) 'x) has all digits")
+
+;; An eigenvalue, and about how much roundings change it
+(struct sure (value within) #:authentic)
+
+(define (unsure? x)
+  (and (not (eqv? (sure-within x) 0)) (few-digits? (sure-within x) (magnitude (sure-value x)))))
+
+;; -> a list of sure
+(define (spectrum who m)
+  (append-map (lambda (block) (block-spectrum m block))
+              (rows-diagonal-blocks (square who m))))
+
+(define (block-spectrum m block)
+  (define (exactly x) (sure x 0))
+  (cond [(= (vector-length block) 1) (list (exactly (entry block 0 0)))]
+        [(flonums? block) (numeric-spectrum m block)]
+        [(= (vector-length block) 2) (map exactly (two-eigenvalues block))]
         [else (raise-degree m (vector-length block))]))
 
 (define (two-eigenvalues block)
@@ -52,12 +76,7 @@
     (values (entry block 0 0) (entry block 0 1) (entry block 1 0) (entry block 1 1)))
   (define trace (g:+ a d))
   (define root (g:sqrt (g:+ (g:square (g:- a d)) (g:* 4 b c))))
-  (define plus (g:/ (g:+ trace root) 2))
-  (define minus (g:/ (g:- trace root) 2))
-  (cond [(not (and (flonum? root) (real? trace))) (list plus minus)]
-        [(> trace 0) (list plus (/ (rows-determinant block) plus))]
-        [(< trace 0) (list (/ (rows-determinant block) minus) minus)]
-        [else (list plus minus)]))
+  (list (g:/ (g:+ trace root) 2) (g:/ (g:- trace root) 2)))
 
 ;; Real numbers, some of them flonums: exact ones alone are kept exact.
 (define (flonums? block)
@@ -66,20 +85,41 @@
 
 ;; Of three or more from the least to the greatest, by real part and then by imaginary
 ;; part.
-(define (numeric-eigenvalues m block)
+(define (numeric-spectrum m block)
   (define n (vector-length block))
   (define v (rows->flvector block))
   (check-finite m v)
-  (cond [(= n 2) (two-numeric-eigenvalues v)]
-        [(symmetric? v n)
-         (define-values (found vectors) (symmetric-eigenvalues v n))
-         (flvector->list found)]
-        [else (sort (or (real-matrix-eigenvalues v n) (raise-not-separate m)) before?)]))
+  (cond [(= n 2) (map (lambda (x) (sure x (* epsilon (magnitude x)))) (two-numeric-eigenvalues v))]
+        [else
+         (define find (if (symmetric? v n) symmetric-values real-matrix-eigenvalues))
+         (define found (or (find v n) (raise-not-separate m)))
+         (define others (or (find (neighbor v n) n) found))
+         (for/list ([x (in-list (sort found before?))])
+           (sure x (for/fold ([least +inf.0]) ([y (in-list others)])
+                     (min least (magnitude (- x y))))))]))
+
+(define (symmetric-values v n)
+  (define-values (found vectors) (symmetric-eigenvalues v n))
+  (flvector->list found))
+
+;; Symmetric if v is.
+(define (neighbor v n)
+  (for*/flvector #:length (* n n) ([i (in-range n)] [j (in-range n)])
+    (define change (flsin (->fl (+ 1 i j (* 3 i j)))))
+    (fl* (flvector-ref v (+ (* j n) i)) (fl+ 1.0 (fl* (fl* 16.0 epsilon) change)))))
 
 (define (two-numeric-eigenvalues v)
   (define unit (unit-of v))
-  (define-values (a b c d) (apply values (flvector->list (in-units v unit))))
-  (for/list ([x (in-list (two-eigenvalues (vector (vector a b) (vector c d))))]) (* unit x)))
+  (define-values (a b c d)
+    (apply values (map inexact->exact (flvector->list (in-units v unit)))))
+  (define-values (trace det) (values (+ a d) (- (* a d) (* b c))))
+  (define root (sqrt (exact->inexact (- (* trace trace) (* 4 det)))))
+  (define-values (plus minus)
+    (let ([sum (exact->inexact trace)]) (values (/ (+ sum root) 2) (/ (- sum root) 2))))
+  (for/list ([x (in-list (cond [(or (not (real? root)) (= trace 0)) (list plus minus)]
+                               [(> trace 0) (list plus (/ det plus))]
+                               [else (list (/ det minus) minus)]))])
+    (* unit (exact->inexact x))))
 
 (define (check-finite m v)
   (for ([x (in-flvector v)])

@@ -1,117 +1,135 @@
 #lang racket/base
 ;; Eigenvectors of a matrix of decimals that is not symmetric.
 ;;
-;; An eigenvalue alone has one eigenvector, which inverse iteration finds.  One that is repeated
-;; comes as several numbers near one another: by roundings ε if it has as many vectors, by as
-;; much as ε^(1/k) if it has fewer.  Their mean is the eigenvalue to some ε in both cases.  So
-;; eigenvalues that lie near are taken together; if their mean λ is an eigenvalue, the space
-;; that A − λ maps to 0 has its vectors, and if not, those are taken together that lie nearer.
+;; An eigenvalue alone has one eigenvector, which the matrix A less it maps to 0.  One that is
+;; repeated comes as several numbers near one another: by roundings ε if it has as many vectors,
+;; by as much as ε^(1/k) if it has fewer.  Their mean is the eigenvalue to some ε in both cases.
+;; So eigenvalues are taken together that are apart by no more than roundings change them; if
+;; their mean λ is an eigenvalue, it has the vectors that A − λ maps to 0, and if not, those are
+;; taken together that lie nearer.
 ;;
-;; That space is spanned by the right singular vectors of which the singular values vanish.  With
-;; λ complex, z = x + i y is taken to 0 if (x, y) is by a real matrix of twice the size.
+;; A is balanced first, so that the units of its coordinates do not count.
 
-(require racket/list
-         "linear-algebra.rkt" "matrix.rkt" "row-products.rkt"
+(require racket/flonum
+         racket/list
+         "eigenvalues.rkt" "matrix.rkt" "row-products.rkt" "unsure-digits.rkt"
          "../structure.rkt"
-         "../../generic/arithmetic.rkt"
-         "../../numeric/flvector.rkt"
-         "../../numeric/linear-algebra/row-matrix.rkt"
-         "../../numeric/linear-algebra/singular-values.rkt")
+         "../../generic/describe.rkt"
+         "../../numeric/constants.rkt"
+         "../../numeric/linear-algebra/flonum-systems.rkt"
+         "../../numeric/linear-algebra/general-eigenvalues.rkt"
+         "../../numeric/linear-algebra/row-matrix.rkt")
 
 (provide numeric-eigenvectors)
 
-;; rows : of flonums; values : its eigenvalues -> a list of (value vector ...), up tuples
-(define (numeric-eigenvectors rows values)
-  (append-map (lambda (near) (vectors-of rows near widest))
-              (clusters values (greatest-entry rows) widest)))
+;; rows : of flonums -> a list of (value vector ...), up tuples of unit length
+(define (numeric-eigenvectors rows)
+  (define found (spectrum 'eigenvectors (matrix rows)))
+  (define-values (balanced scales) (balanced-rows rows))
+  (define spaces
+    (append-map (lambda (near) (spaces-of balanced near widest))
+                (clusters found (greatest-entry balanced) widest)))
+  (note-unsure 'eigenvectors
+               (for/list ([s (in-list spaces)] #:when (unsure? s spaces scales))
+                 (format "the vector of ~a" (value->text (space-value s))))
+               "other eigenvalues are near, or the coordinates have unlike units")
+  (for/list ([s (in-list spaces)])
+    (cons (space-value s) (orthonormal (map (lambda (v) (map * scales v)) (space-vectors s))))))
 
-;; Relative to the entries: how near eigenvalues are that may be one, and how far the mean of
-;; such from being it.
-(define widest 1e-3)
-(define narrowest 1e-14)
+;; within : about how much roundings change the value; vectors : lists, with 1 as greatest entry
+(struct space (value within vectors) #:authentic)
+
+;; Roundings turn a vector by their size over the distance to the next eigenvalue, and by more if
+;; its own coordinates have small scales.
+(define (unsure? s spaces scales)
+  (define turn
+    (for/fold ([turn epsilon]) ([other (in-list spaces)] #:unless (eq? s other))
+      (define distance (magnitude (- (space-value s) (space-value other))))
+      (max turn (/ (+ (space-within s) (space-within other)) (max distance 1e-300)))))
+  (for/or ([v (in-list (space-vectors s))])
+    (few-digits? (* turn (apply max scales))
+                 (apply max (map (lambda (scale x) (* scale (magnitude x))) scales v)))))
+
+;; -> rows, and the scales that make vectors of them vectors of the given ones
+(define (balanced-rows rows)
+  (define n (vector-length rows))
+  (cond [(all-entries? real? rows)
+         (define v (rows->flvector rows))
+         (define scales (balance! v n))
+         (values (for/vector ([i (in-range n)])
+                   (for/vector ([x (in-flvector v (* i n) (* (+ i 1) n))]) x))
+                 (for/list ([s (in-flvector scales)]) s))]
+        [else (values rows (make-list n 1.0))]))
+
+;; ---------------------------------------------------------------------------
+;; Eigenvalues that are one
+
+;; By how many roundings eigenvalues may be apart that are one, by how much at most, and how far
+;; the mean of those may be from one: relative to the entries.
+(define widest 1e3)
+(define narrowest 1e-2)
+(define far 1e-3)
 (define rounding 1e-12)
 
-(define (vectors-of rows near gap)
+(define (spaces-of rows near gap)
+  (define n (vector-length rows))
   (define size (greatest-entry rows))
-  (cond [(null? (cdr near)) (list (list (car near) (by-inverse-iteration rows (car near))))]
-        [else
-         (define mean (mean-of near))
-         (define found (null-vectors rows mean (* rounding size (vector-length rows))))
-         (cond [(pair? found) (list (cons mean found))]
-               [(< gap narrowest)
-                (for/list ([value (in-list near)])
-                  (list value (by-inverse-iteration rows value)))]
-               [else
-                (define closer (/ gap 10))
-                (append-map (lambda (part) (vectors-of rows part closer))
-                            (clusters near size closer))])]))
+  (define (alone x)
+    (space (sure-value x) (sure-within x) (take (null-vectors rows (sure-value x) (- n 1) 0.0) 1)))
+  (define (together)
+    (define mean (mean-of (map sure-value near)))
+    (define found (null-vectors rows mean n (* rounding size n)))
+    (and (pair? found)
+         (andmap (lambda (v) (satisfied? rows mean v)) found)
+         (list (space mean (* epsilon size n) found))))
+  (define closer (/ gap 10))
+  (cond [(or (null? (cdr near)) (< gap narrowest)) (map alone near)]
+        [(together)]
+        [else (append-map (lambda (part) (spaces-of rows part closer))
+                          (clusters near size closer))]))
 
 (define (mean-of near)
   (define mean (/ (apply + near) (length near)))
   (if (<= (abs (imag-part mean)) (* 1e-14 (magnitude mean))) (real-part mean) mean))
 
 ;; Lists of values of which each is near another in its list, in the order of the values
-(define (clusters values size gap)
-  (define (value i) (list-ref values i))
-  (define (near? i j) (<= (magnitude (- (value i) (value j))) (* gap size)))
-  (for/list ([group (in-list (joined-groups (length values) near?))]) (map value group)))
+(define (clusters found size gap)
+  (define (near? i j)
+    (define-values (x y) (values (list-ref found i) (list-ref found j)))
+    (<= (magnitude (- (sure-value x) (sure-value y)))
+        (min (* far size)
+             (* gap (+ (sure-within x) (sure-within y) (* epsilon (magnitude (sure-value x))))))))
+  (for/list ([group (in-list (joined-groups (length found) near?))])
+    (map (lambda (i) (list-ref found i)) group)))
 
 ;; ---------------------------------------------------------------------------
-;; One
+;; Vectors
 
-;; Near the eigenvalue the inverse of the matrix less it stretches one direction: that one.
-(define (by-inverse-iteration rows value)
+;; Those that rows less value takes to 0, if pivots of no more than `small` count as none, and no
+;; more than `most` pivots are sought; lists
+(define (null-vectors rows value most small)
   (define n (vector-length rows))
-  (define near (g:- (matrix rows) (+ value (* (greatest-entry rows) 1e-10))))
-  (define start (apply up (for/list ([i (in-range n)]) (+ 1.0 (* 0.1 i)))))
-  (for/fold ([v start]) ([_ (in-range 4)])
-    (unit-length (solve-linear-left near v))))
+  (define A (rows-combine - rows (unit-rows n value 0)))
+  (define-values (rank columns) (eliminate-fully! A most small))
+  (for/list ([place (in-range rank n)]) (vector->list (null-vector A columns rank place))))
 
-(define (unit-length v)
-  (define size (sqrt (for/sum ([x (in-list (structure->list v))]) (expt (magnitude x) 2))))
-  (g:/ v size))
+;; Does the vector, with entries up to 1, satisfy each row, however small the row is?
+(define (satisfied? rows value v)
+  (define allowed (* rounding (vector-length rows)))
+  (for/and ([row (in-vector rows)] [x (in-list v)])
+    (<= (magnitude (- (for/sum ([a (in-vector row)] [y (in-list v)]) (* a y)) (* value x)))
+        (* allowed (greatest-entry (vector row))))))
 
-;; ---------------------------------------------------------------------------
-;; Several
-
-;; Orthonormal vectors that rows less value takes to 0, but for the tolerance
-(define (null-vectors rows value tolerance)
-  (define A (rows-combine - rows (unit-rows (vector-length rows) value 0)))
-  (if (all-entries? real? A)
-      (for/list ([v (in-list (real-null-vectors A tolerance))]) (apply up v))
-      (map (lambda (z) (apply up z))
-           (independent (for/list ([v (in-list (real-null-vectors (doubled A) tolerance))])
-                          (joined v (vector-length A)))))))
-
-;; -> lists of numbers
-(define (real-null-vectors rows tolerance)
-  (define-values (us sizes vs) (singular-values (columns-of rows)))
-  (for/list ([size (in-list sizes)] [v (in-list vs)] #:when (<= size tolerance))
-    (flvector->list v)))
-
-;; Re A, −Im A over Im A, Re A
-(define (doubled A)
-  (define n (vector-length A))
-  (for/vector ([i (in-range (* 2 n))])
-    (for/vector ([j (in-range (* 2 n))])
-      (define x (entry A (modulo i n) (modulo j n)))
-      (cond [(eq? (< i n) (< j n)) (real-part x)]
-            [(< i n) (- (imag-part x))]
-            [else (imag-part x)]))))
-
-(define (joined v n)
-  (define-values (x y) (split-at v n))
-  (map make-rectangular x y))
-
-;; Those that are not combinations of others before; z and i z both come, as v
-(define (independent zs)
-  (for/fold ([found '()] #:result (reverse found)) ([z (in-list zs)])
+(define (orthonormal vs)
+  (for/fold ([found '()] #:result (map (lambda (v) (apply up v)) (reverse found)))
+            ([v (in-list vs)])
+    (define greatest (apply max (map magnitude v)))
     (define rest
-      (for/fold ([z z]) ([w (in-list (append found found))])
-        (define c (inner w z))
-        (map (lambda (a b) (- a (* c b))) z w)))
+      (for/fold ([v (map (lambda (a) (/ a greatest)) v)]) ([w (in-list (append found found))])
+        (define c (inner w v))
+        (map (lambda (a b) (- a (* c b))) v w)))
     (define size (sqrt (real-part (inner rest rest))))
-    (if (> size 0.1) (cons (map (lambda (a) (/ a size)) rest) found) found)))
+    (cons (map (lambda (a) (/ a size)) rest) found)))
 
 (define (inner w z) (for/sum ([a (in-list w)] [b (in-list z)]) (* (conjugate a) b)))
 (define (conjugate a) (make-rectangular (real-part a) (- (imag-part a))))
