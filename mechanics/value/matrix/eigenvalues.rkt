@@ -18,7 +18,8 @@
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
          "../../generic/wrong-argument.rkt"
-         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt" "../../numeric/flvector.rkt"
+         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
+         "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
          "../../numeric/linear-algebra/matrix-scaling.rkt")
 

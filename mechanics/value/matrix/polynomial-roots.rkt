@@ -1,22 +1,22 @@
 #lang racket/base
-;; Roots of polynomials: the eigenvalues of the matrix with the coefficients in its last
-;; column,
+;; Roots of polynomials: up to degree 2 the eigenvalues of the matrix with the coefficients in
+;; its last column,
 ;;
-;;   0 0 −c₀
-;;   1 0 −c₁      of x³ + c₂ x² + c₁ x + c₀.
-;;   0 1 −c₂
+;;   0 −c₀
+;;   1 −c₁      of x² + c₁ x + c₀;
 ;;
-;; Rational roots of a polynomial with rational coefficients are recognized by their
-;; decimals, tried exactly, and divided out.
+;; of a higher degree, with numbers as coefficients, decimals, found by numeric/.  Rational roots of
+;; a polynomial with rational coefficients are recognized by these, tried exactly, and divided out.
 
 (require racket/list
-         "eigenvalues.rkt" "matrix.rkt"
+         "eigenvalues.rkt" "matrix.rkt" "unsure-digits.rkt"
          "../rewrite.rkt" "../simplify.rkt"
          "../../algebra/expression/symbols.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/scalar.rkt"
-         "../../generic/sums-and-products.rkt" "../../generic/wrong-argument.rkt")
+         "../../generic/sums-and-products.rkt" "../../generic/wrong-argument.rkt"
+         "../../numeric/constants.rkt" "../../numeric/optimization/complex-zeros.rkt")
 
 (provide polynomial-roots)
 
@@ -24,18 +24,22 @@
 (define (polynomial-roots p x)
   (check-argument 'polynomial-roots scalar? p "a polynomial")
   (check-argument 'polynomial-roots symbol? x "a symbol, the unknown")
-  (define coefficients (coefficients-in p x))
-  (define leading (last coefficients))
-  (roots (for/list ([c (in-list (drop-right coefficients 1))]) (simplify (g:/ c leading)))))
+  (roots (coefficients-in p x)))
 
-;; Of the monic polynomial with these coefficients below its highest power, from x⁰ on.
+;; Of the polynomial with these coefficients, from x⁰ on.
 (define (roots coefficients)
-  (cond [(null? coefficients) '()]
+  (define degree (sub1 (length coefficients)))
+  (define leading (last coefficients))
+  (cond [(= degree 0) '()]
         [(g:zero? (car coefficients)) (cons 0 (roots (cdr coefficients)))]
-        [(and (> (length coefficients) 2) (andmap number? coefficients))
+        [(and (andmap number? coefficients)
+              (or (> degree 2) (not (andmap exact? coefficients))))
          (numeric-roots coefficients)]
-        [(> (length coefficients) 2) (raise-no-formula coefficients)]
-        [else (map simplify (eigenvalues (companion coefficients)))]))
+        [(> degree 2) (raise-no-formula coefficients)]
+        [else
+         (define monic (for/list ([c (in-list (drop-right coefficients 1))])
+                         (simplify (g:/ c leading))))
+         (map simplify (eigenvalues (companion monic)))]))
 
 (define (companion coefficients)
   (define n (length coefficients))
@@ -45,27 +49,40 @@
                           [else 0]))))
 
 (define (numeric-roots coefficients)
-  (define found (eigenvalues (companion (map exact->inexact coefficients))))
-  (define rational (and (andmap exact? coefficients) (ormap (exact-root coefficients) found)))
-  (if rational
-      (cons rational (roots (divided-by coefficients rational)))
-      found))
+  (define all-exact? (andmap exact? coefficients))
+  (define found (complex-zeros (map inexact->exact coefficients)))
+  (define-values (rational rest)
+    (if all-exact? (rational-roots (map bounded-zero found) coefficients) (values '() '())))
+  (cond [(pair? rational) (append rational (roots rest))]
+        [else
+         (unless all-exact? (note-rough found))
+         (map bounded-zero found)]))
 
-;; decimal root -> the rational one beside it, or #f
-(define ((exact-root coefficients) decimal)
-  (for*/first ([near (in-list '(1/1000000000 1/100000 1/1000))]
-               [x (in-value (rationalize (inexact->exact (real-part decimal)) near))]
-               #:when (zero? (value-at x coefficients)))
-    x))
+;; Decimal coefficients are known but for roundings.
+(define (note-rough found)
+  (note-unsure 'polynomial-roots
+               (for*/list ([b (in-list found)]
+                           [z (in-value (bounded-zero b))]
+                           [within (in-value (* epsilon (bounded-change b)))]
+                           #:when (few-digits? within (magnitude z)))
+                 (with-bound z within))
+               "coefficients that are exact numbers leave all digits"))
 
-;; Horner's scheme -> the value of the polynomial at x, then the coefficients of its quotient by
-;; the linear factor of x.
-(define (horner x coefficients)
-  (for/fold ([found '(1)]) ([c (in-list (reverse coefficients))])
-    (cons (+ c (* x (car found))) found)))
+;; -> those of the decimals that are rational, and the coefficients without them
+(define (rational-roots decimals coefficients)
+  (for*/fold ([rational '()] [rest coefficients] #:result (values (reverse rational) rest))
+             ([x (in-list decimals)] #:when (real? x))
+    (define exact (inexact->exact x))
+    (define near (rationalize exact (abs (* 4 (inexact->exact epsilon) exact))))
+    (define-values (remainder quotient) (divided-by near rest))
+    (if (zero? remainder) (values (cons near rational) quotient) (values rational rest))))
 
-(define (value-at x coefficients) (car (horner x coefficients)))
-(define (divided-by coefficients x) (drop-right (cdr (horner x coefficients)) 1))
+;; By x − root, after Horner -> remainder, and the quotient's coefficients
+(define (divided-by root coefficients)
+  (define found
+    (for/fold ([found '()]) ([c (in-list (reverse coefficients))])
+      (cons (if (null? found) c (+ c (* root (car found)))) found)))
+  (values (car found) (cdr found)))
 
 ;; ---------------------------------------------------------------------------
 
@@ -89,7 +106,7 @@
   (complain 'polynomial-roots
             (string-append "of degree ~a and with symbols in the coefficients it has no formula; "
                            "(factor p) may find factors of lower degree\n  coefficients: ~a")
-            (length coefficients) (value->text (append coefficients '(1)))))
+            (sub1 (length coefficients)) (value->text coefficients)))
 
 (define (raise-no-polynomial p x)
   (complain 'polynomial-roots "expected a polynomial in ~a, of degree ~a at most; given ~a"

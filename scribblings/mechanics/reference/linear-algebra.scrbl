@@ -215,8 +215,9 @@ too: every matrix satisfies its characteristic polynomial.
 
 The zeros of the characteristic polynomial, each as often as it is one. Matrices of
 finite real numbers, some of them flonums, may have any size; their eigenvalues come in
-the order of real parts. Otherwise the zeros of the matrix must leave blocks of at most
-two rows.
+the order of real parts, as accurate as LAPACK's; a note names those of which roundings leave
+fewer than half of the digits, as of eigenvalues that are repeated. Otherwise the zeros of the
+matrix must leave blocks of at most two rows.
 
 @examples[#:eval session
 (eigenvalues (matrix-by-rows '(2 1) '(1 2)))
@@ -232,7 +233,8 @@ derivative there have magnitude 1 @sicm{4.1}.}
 For each eigenvalue a list: the eigenvalue, and after it its independent eigenvectors, as
 @racket[up] tuples. Those of flonums have unit length. If such a matrix is symmetric, each
 eigenvalue comes with one vector, orthogonal to all others; if it is not, eigenvalues that are
-the same but for roundings are one, with their mean as value.
+the same but for roundings are one, with their mean as value. A note names vectors of which
+roundings leave fewer than half of the digits, since another eigenvalue is near.
 
 @examples[#:eval session
 (eigenvectors (matrix-by-rows '(a b) '(b a)))
@@ -255,12 +257,15 @@ are orthogonal, those of singular values 0 included.
 
 The roots of a polynomial in x, each as often as it is one: exact where they are rational,
 and of a polynomial of degree 2; of higher degree, decimals, for which its coefficients must
-be numbers.
+be numbers. All digits of decimals are right, however many roots there are and however near one
+another; but those that coefficients in decimals leave uncertain in more than half of their digits
+a note names.
 
 @examples[#:eval session
 (polynomial-roots (+ (* 'a (square 'x)) (* 'b 'x)) 'x)
 (polynomial-roots (* (- 'x 1) (- 'x 1/2) (+ (square 'x) 4)) 'x)
 (polynomial-roots (- (expt 'x 3) 2) 'x)
+(polynomial-roots (apply * (for/list ([k 20]) (- 'x k 1))) 'x)
 (eval:error (polynomial-roots (sin 'x) 'x))]}
 
 @deftogether[(@defproc[(s->m [left tuple] [m tuple] [right tuple]) matrix?]

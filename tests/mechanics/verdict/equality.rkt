@@ -5,19 +5,9 @@
 (require racket/port
          racket/string
          mechanics
-         mechanics/error/note
-         "../support/checks.rkt" "../support/run-text.rkt")
+         "../support/checks.rkt" "../support/notes.rkt" "../support/run-text.rkt")
 
 (define one-by-Pythagoras (+ (square (sin 'x)) (square (cos 'x))))
-
-;; What a new session is told while the expression is evaluated.
-(define-syntax-rule (told expression ...)
-  (let ([port (open-output-string)])
-    (define t
-      (parameterize ([current-error-port port])
-        (thread (lambda () (start-session-of-notes!) expression ... (void)))))
-    (thread-wait t)
-    (get-output-string port)))
 
 (test-case "expressions that are equal are equal however they are written"
   (check-true (= (square (sin 'x)) (- 1 (square (cos 'x)))))

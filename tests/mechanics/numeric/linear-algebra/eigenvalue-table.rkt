@@ -4,9 +4,9 @@
 ;;
 ;; A line of the table is a name, LAPACK's error, rows of flonums, and the eigenvalues of these very
 ;; flonums to 30 digits.  They are mpmath's (1.3, mp.eig at 600 digits).  LAPACK's error is the
-;; greatest of numpy's eigenvalues (2.4, dgeev), relative to the eigenvalue or, of 0, to the greatest
-;; entry of the balanced matrix; of the matrix itself and of 20 whose entries differ from it in the
-;; last digit, since of one alone an error may be small by chance.
+;; greatest of numpy's eigenvalues (2.4, dgeev), relative to the eigenvalue or, of 0, to the
+;; greatest entry of the balanced matrix; of the matrix itself and of 20 whose entries differ from
+;; it in the last digit, since of one alone an error may be small by chance.
 
 (require racket/flonum
          racket/list

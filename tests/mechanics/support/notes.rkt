@@ -1,0 +1,15 @@
+#lang racket/base
+;; What a new session is told.
+
+(require mechanics/error/note)
+
+(provide told)
+
+;; The notes while the expressions are evaluated.
+(define-syntax-rule (told expression ...)
+  (let ([port (open-output-string)])
+    (define t
+      (parameterize ([current-error-port port])
+        (thread (lambda () (start-session-of-notes!) expression ... (void)))))
+    (thread-wait t)
+    (get-output-string port)))
