@@ -95,7 +95,15 @@
 
 (define (spherical-j who n x)
   (check-natural who n)
-  (if (= x 0.0) (if (eqv? n 0) 1.0 0.0) (spherical n x (lambda (J Y) J))))
+  (if (< (abs x) 1.0) (spherical-j-near-0 n x) (spherical n x (lambda (J Y) J))))
+
+;; xⁿ/(1·3 … (2n + 1)) Σ (−x²/2)ᵏ/(k! (2n + 3) … (2n + 2k + 1)), where J of the order n + 1/2 may be
+;; too small for a flonum
+(define (spherical-j-near-0 n x)
+  (define scale (for/fold ([scale 1.0]) ([k (in-range n)]) (/ (* scale x) (+ k k 3))))
+  (let loop ([k 1] [term scale] [sum scale])
+    (define next (/ (* term -0.5 x x) (* k (+ n n k k 1))))
+    (if (= (+ sum next) sum) sum (loop (+ k 1) next (+ sum next)))))
 
 (define (spherical-y who n x)
   (check-natural who n)
@@ -104,7 +112,7 @@
 
 (define (spherical n x choose)
   (define f (call-with-values (lambda () (Bessel-J+Y (+ n 0.5) (abs x))) choose))
-  (* (if (< x 0.0) (parity n) 1.0) (sqrt (/ pi (* 2.0 (abs x)))) f))
+  (* (if (< x 0.0) (parity n) 1.0) (/ (sqrt (/ pi 2.0)) (sqrt (abs x))) f))
 
 (define (parity n) (if (even? (inexact->exact n)) 1.0 -1.0))
 

@@ -49,4 +49,4 @@
     (values next
             (if (fl= (flabs next) +inf.0)
                 next
-                (fl+ (fl* (fl* (fl+ mu (->fl k)) (fl/ 2.0 x)) next) (fl* sign f))))))
+                (fl+ (fl/ (fl* (fl* 2.0 (fl+ mu (->fl k))) next) x) (fl* sign f))))))

@@ -24,12 +24,11 @@
 ;; -> J, if the sign of z is −1.0, or I, if it is 1.0
 (define (power-series nu x sign)
   (define-values (m mu) (nearest-order nu))
-  (define half (fl* 0.5 x))
   (define-values (gamma-1 gamma-2 plus minus) (reciprocal-gammas mu))
   (define scale
-    (for/fold ([scale (fl* (flexpt half mu) plus)]) ([k (in-range 1 (+ m 1))])
-      (fl* scale (fl/ half (fl+ mu (->fl k))))))
-  (define z (fl* sign (fl* half half)))
+    (for/fold ([scale (fl* (fl* (flexpt x mu) (flexpt 0.5 mu)) plus)]) ([k (in-range 1 (+ m 1))])
+      (fl/ (fl* scale x) (fl* 2.0 (fl+ mu (->fl k))))))
+  (define z (fl* sign (fl* 0.25 (fl* x x))))
   (let loop ([k 1.0] [term 1.0] [sum 1.0])
     (define next (fl* term (fl/ z (fl* k (fl+ nu k)))))
     (if (fl< (flabs next) 1e-18)
@@ -40,7 +39,7 @@
 (define (Temme-series mu x sign)
   (define-values (gamma-1 gamma-2 plus minus) (reciprocal-gammas mu))
   (define angle (fl* pi mu))
-  (define d (fllog (fl/ 2.0 x)))
+  (define d (fl- (fllog 2.0) (fllog x)))
   (define e (fl* mu d))
   (define (over sine y) (if (fl< (flabs y) 1e-10) 1.0 (fl/ (sine y) y)))
   (define half (over flsin (fl* 0.5 angle)))
@@ -58,9 +57,9 @@
     (define g (fl+ f* (fl* r q*)))
     (define term (fl* c* g))
     (define term* (fl* c* (fl- p* (fl* k g))))
-    (if (and (fl< (flabs term) (fl* 1e-17 (flabs sum)))
-             (fl< (flabs term*) (fl* 1e-17 (flabs sum*))))
-        (values sum (fl* (fl/ 2.0 x) sum*))
+    (if (and (fl<= (flabs term) (fl* 1e-17 (flabs sum)))
+             (fl<= (flabs term*) (fl* 1e-17 (flabs sum*))))
+        (values sum (fl/ (fl* 2.0 sum*) x))
         (loop (fl+ k 1.0) f* p* q* c* (fl+ sum term) (fl+ sum* term*)))))
 
 ;; ---------------------------------------------------------------------------

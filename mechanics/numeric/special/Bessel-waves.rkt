@@ -89,7 +89,7 @@
   (define-values (c s) (values (flcos phase) (flsin phase)))
   (define cosine (fl+ (fl* (flcos x) c) (fl* (flsin x) s)))
   (define sine (fl- (fl* (flsin x) c) (fl* (flcos x) s)))
-  (define scale (flsqrt (fl/ 2.0 (fl* pi x))))
+  (define scale (fl/ (flsqrt (fl/ 2.0 pi)) (flsqrt x)))
   (values (fl* scale (fl- (fl* P cosine) (fl* Q sine)))
           (fl* scale (fl+ (fl* P sine) (fl* Q cosine)))))
 
