@@ -5,7 +5,7 @@
          racket/promise
          "workspace.rkt"
          "../assumption/assumption-set.rkt" "../assumption/domain.rkt"
-         "../assumption/ledger.rkt" "../assumption/narrowing.rkt"
+         "../assumption/ledger.rkt" "../assumption/narrowing.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/symbols.rkt")
 
 (provide question-about domain-assumptions neutral-workspace)
@@ -27,8 +27,14 @@
          (assumptions-of-monomials found A)]
         [else
          (define w (neutral-workspace))
+         (define relations (for/list ([r (in-list found)]) (simplified r w)))
          (with-handlers ([exn:algebra:contradiction? (lambda (x) #f)])
-           (add-relations A (for/list ([r (in-list found)]) (simplified r w)) w))]))
+           (add-relations A (filter (lambda (r) (met-inside? r A w)) relations) w))]))
+
+;; √(-x²) is asked about where it is imaginary, not at x = 0 alone.
+(define (met-inside? r A w)
+  (not (eqv? zero (known-signs (meet (infer-signs A w (relation-expression r))
+                                     (known (relation-signs r) '()))))))
 
 (define most-relations 30)
 
