@@ -11,12 +11,12 @@
 
 (require "canonical.rkt" "closed-form.rkt"
          "symplectic-transformation.rkt" "transformation.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/message-words.rkt" "../error/note.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/printed-function.rkt"
          "../hamiltonian/H-state.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/assumptions.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (require-on-demand ["../calculus/expression-function.rkt" evaluate-at])
@@ -30,14 +30,20 @@
   (define variables (cdr (scalars state)))
   (check-clock who C state)
   (when (refuted? (prove-zero ((symplectic-transform? C) state))) (raise-not-canonical who C))
-  (define form (map simplify (gradient-of-correction C state)))
-  (unless (closed? form variables) (raise-not-canonical who C))
-  (define e (integrated who form variables))
+  (define-values (e assumed)
+    (call-telling-used
+     (lambda ()
+       (define form (map simplify (gradient-of-correction C state)))
+       (unless (closed? form variables) (raise-not-canonical who C))
+       (integrated who form variables))))
   (define K
     (printed-function (C->K C) (at)
       (check-H-state who at)
       (evaluate-at e state at)))
   (check-correction who C K state)
+  (unless (null? assumed)
+    (note-once (format "~a: this K is that of states with ~a" who
+                       (joined (map (lambda (a) (format "~s" a)) assumed)))))
   K)
 
 ;; The components of Mᵀ J ∂₀C

@@ -56,10 +56,14 @@
 
 ;; Does f have symbols of its own at a number between?
 (define (symbolic-integrand? f low high)
-  (and (real? low) (real? high) (accepts? f 1)
+  (define-values (from to) (values (number-or-not low) (number-or-not high)))
+  (and (real? from) (real? to) (accepts? f 1)
        (let ([y (if-raised no-value? #f
-                  (parameterize ([current-branches #f]) (f (inner-point low high))))])
+                  (parameterize ([current-branches #f]) (f (inner-point from to))))])
          (symbolic-end? y))))
+
+;; Of π and what is made of it the value
+(define (number-or-not end) (if (symbolic? end) (constant-value end) end))
 
 (define (inner-point low high)
   (cond [(and (rational? low) (rational? high)) (+ low (* 5/13 (- high low)))]

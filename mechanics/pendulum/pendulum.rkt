@@ -99,17 +99,26 @@
   (g:/ (g:* pi (omega-R alpha beta E)) (first-elliptic-integral (turning-modulus beta E))))
 
 (define (pendulum-oscillating-action alpha beta E)
-  (check-swinging 'pendulum-oscillating-action alpha beta E)
-  (define k (modulus beta E))
-  (elliptic-integrals
-   k
-   (lambda (K E)
-     (g:* (/ 8.0 pi) (g:sqrt (g:* alpha beta)) (g:- E (g:* (g:- 1.0 (g:square k)) K))))))
+  (cond
+    [(separatrix? beta E) (pendulum-separatrix-action alpha beta)]
+    [else
+     (check-swinging 'pendulum-oscillating-action alpha beta E)
+     (define k (modulus beta E))
+     (elliptic-integrals
+      k
+      (lambda (K E)
+        (g:* (/ 8.0 pi) (g:sqrt (g:* alpha beta)) (g:- E (g:* (g:- 1.0 (g:square k)) K)))))]))
 
 (define (pendulum-circulating-action alpha beta E)
-  (check-turning 'pendulum-circulating-action alpha beta E)
-  (define k (turning-modulus beta E))
-  (g:/ (g:* (/ 4.0 pi) (g:sqrt (g:* alpha beta)) (second-elliptic-integral k)) k))
+  (cond
+    [(separatrix? beta E) (g:* 1/2 (pendulum-separatrix-action alpha beta))]
+    [else
+     (check-turning 'pendulum-circulating-action alpha beta E)
+     (define k (turning-modulus beta E))
+     (g:/ (g:* (/ 4.0 pi) (g:sqrt (g:* alpha beta)) (second-elliptic-integral k)) k)]))
+
+;; There the actions have limits, which are not differentiated by the energy.
+(define (separatrix? beta E) (and (real? beta) (real? E) (= beta E)))
 
 ;; The action of the separatrix, which encloses all states in which the pendulum swings
 (define (pendulum-separatrix-action alpha beta)

@@ -1,17 +1,18 @@
 #lang racket/base
 ;; Conditions that are imposed: equations that hold together, each solved for one of its symbols.
 ;;
-;; If a symbol may be either root of a square, the root that is not negative is taken; an equation
-;; is divided by a common factor of its sides, as if that were not 0.  Both are choices, of which
-;; the reader is told.
+;; If a symbol may be either root of a square, the root of the declared sign is taken, or the one
+;; that is not negative; an equation is divided by a common factor of its sides, as if that were not
+;; 0.  Where nothing is declared these are choices, of which the reader is told.
 
 (require (only-in racket/list append-map count remove-duplicates)
          (only-in racket/string string-join)
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/operation.rkt"
+         (only-in "../algebra/solve/root.rkt" known-branch)
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/wrong-argument.rkt"
-         "../value/algebra.rkt" "../value/read-expression.rkt"
+         "../value/algebra.rkt" "../value/assumptions.rkt" "../value/read-expression.rkt"
          "../verdict/verdict.rkt")
 
 (provide equations-of solved equations->text choices->text)
@@ -67,7 +68,7 @@
 
 ;; -> ((expression . replacement) ...), to be made one after the other
 (define (solved who equations)
-  (define replacements (solutions equations))
+  (define replacements (with-declared-signs equations (solutions equations)))
   (unless replacements
     (complain who "the equations cannot hold together\n  equations: ~a" (value->text equations)))
   (for ([q (in-list equations)] #:unless (kept? q replacements))
@@ -111,10 +112,19 @@
 ;; Equations x = 2 for what is replaced by one root of two, as where x² = 4.
 (define (roots-taken equations replacements)
   (for/list ([r (in-list replacements)]
-             #:unless (eqv? (cdr r) 0)
-             #:when (let ([others (map (lambda (s) (if (eq? s r) (negated s) s)) replacements)])
-                      (andmap (lambda (q) (kept? q others)) equations)))
+             #:when (and (other-root r equations replacements) (not (known-branch (car r) (assumptions-in-force)))))
     (list '= (car r) (simplify-expression (cdr r)))))
+
+;; The replacements with r negated, or #f if the equations do not hold then
+(define (other-root r equations replacements)
+  (define others (map (lambda (s) (if (eq? s r) (negated s) s)) replacements))
+  (and (not (eqv? (cdr r) 0)) (andmap (lambda (q) (kept? q others)) equations) others))
+
+;; replacements : or #f
+(define (with-declared-signs equations replacements)
+  (for/fold ([all replacements]) ([r (in-list (or replacements '()))]
+                                  #:when (eqv? -1 (known-branch (car r) (assumptions-in-force))))
+    (or (other-root r equations all) all)))
 
 ;; What both sides of an equation are divided by when it is solved: x, where x y = x z.  Where
 ;; that is 0 the equation says nothing of the rest.

@@ -18,7 +18,7 @@
          "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "argument-order.rkt"
          "small-oscillations.rkt"
          "../algebra/expression/expression.rkt"
-         "../algebra/solve/factors.rkt" (only-in "../algebra/solve/root.rkt" known-branch)
+         (only-in "../algebra/solve/root.rkt" sign-and-rest)
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
@@ -116,13 +116,8 @@
 ;; 1, 0 or −1, or an expression of the same sign.
 (define (known-sign e)
   (define A (assumptions-in-force))
-  (define-values (sign open)
-    (for/fold ([sign 1] [open 1])
-              ([f (in-list (if (real? e) (list (cons e 1)) (expression-factors e A)))]
-               #:when (odd? (cdr f)))
-      (define s (known-branch (car f) A))
-      (if s (values (* s sign) open) (values sign (e:* open (car f))))))
-  (if (eqv? open 1) sign (simplify-expression (e:* sign open) A)))
+  (define-values (sign rest) (sign-and-rest e A))
+  (if (eqv? rest 1) sign (simplify-expression (e:* sign rest) A)))
 
 ;; ---------------------------------------------------------------------------
 

@@ -17,7 +17,8 @@
 
 (provide assume assuming assumptions forget-assumptions automatic-assumptions
          ;; for those who call the algebra
-         assumptions-in-force with-domain common-assumptions note-used! undeclared call-assuming)
+         assumptions-in-force with-domain common-assumptions note-used! undeclared call-assuming
+         call-telling-used)
 
 ;; ---------------------------------------------------------------------------
 ;; The state
@@ -60,6 +61,14 @@
           (cons d known))))
   (current-used (if (null? data) '() (list data)))
   data)
+
+;; -> the value of (thunk), and the datums that it rests on without their being declared
+(define (call-telling-used thunk)
+  (define-values (value used)
+    (parameterize ([current-used '()])
+      (let ([value (thunk)]) (values value (undeclared (settle-used!))))))
+  (note-used! used)
+  (values value used))
 
 ;; Those of the datums that are not declared in A.
 (define (undeclared grounds [A (current-declared)])

@@ -29,7 +29,8 @@
 
 ;; e has the sign of `sign` · rest; squares and factors of known sign are left out of the rest.
 (define (sign-and-rest e A)
-  (for/fold ([sign 1] [rest 1]) ([f (in-list (expression-factors e A))])
+  (for/fold ([sign 1] [rest 1])
+            ([f (in-list (if (real? e) (list (cons e 1)) (expression-factors e A)))])
     (define known (if (even? (cdr f)) 1 (known-branch (car f) A)))
     (if known (values (* sign known) rest) (values sign (e:* rest (car f))))))
 
@@ -43,7 +44,8 @@
        (list a b)))
 
 ;; The value at x, or #f where there is none.
-(define (value-at e x value A) (if-raised divided-by-zero? #f (simplify-expression (put e x value) A)))
+(define (value-at e x value A)
+  (if-raised divided-by-zero? #f (simplify-expression (put e x value) A)))
 
 (define (quotient-of a b A) (simplify-expression (e:/ a b) A))
 

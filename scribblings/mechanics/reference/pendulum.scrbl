@@ -51,10 +51,12 @@ The angular frequency of the motion with an energy, of either sort, of swings, o
               @defproc[(pendulum-separatrix-action [alpha real?] [beta real?]) real?])]{
 
 The action of the motion with an energy, the area that it encloses (or that lies below a turn)
-divided by 2π; and that of the whole region of swings.
+divided by 2π; and that of the whole region of swings. At the energy of the separatrix the actions
+of swings and of turns are their limits.
 
 @examples[#:eval session
 (pendulum-oscillating-action 1 9.8 0)
+(pendulum-oscillating-action 1 9.8 9.8)
 (pendulum-circulating-action 1 9.8 100)
 (pendulum-separatrix-action 1 9.8)]}
 

@@ -107,3 +107,8 @@
        (* 2 (sin (* 'w 'T)))))
   (check-pred proved? (verify-integral (compose L (Gamma motion)) 0 'T claim))
   (check-pred proved? (prove-zero (- (Lagrangian-action L motion 0 'T) claim))))
+
+(test-case "an end may be a multiple of π by its name"
+  (check-equal? (expression (definite-integral (lambda (x) (* 'a (sin x))) 0 ':pi)) '(* 2 a))
+  (check-equal? (expression (definite-integral (lambda (x) (* 'a (cos x))) ':-pi (/ ':pi 2))) 'a)
+  (check-= (definite-integral sin 0 ':pi) 2 1e-12))

@@ -4,7 +4,7 @@
 
 (require mechanics
          mechanics/book
-         "../support/checks.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/notes.rkt" "../support/session.rkt")
 
 (define line (up 't 'q 'p))
 (define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))
@@ -38,3 +38,15 @@
 (test-case "without the time there is nothing to add"
   (check-identity ((C->K (polar-canonical 'alpha) (up 't 'theta 'I)) (up 't 'theta 'I)) 0)
   (check-equal? (format "~a" (C->K (shift-t 0) line)) "(C->K (shift-t 0))"))
+
+(test-case "a sign that it takes for granted is told"
+  (define ((pushed speed) s)
+    (up (time s) (+ (coordinate s) (* (time s) (speed (momentum s)))) (momentum s)))
+  (define C (pushed (lambda (p) (sqrt (square p)))))
+  (check-equal? (told (C->K C line)) "; C->K: this K is that of states with (>= p 0)\n")
+  (check-equal? (told (C->K (pushed (lambda (p) (sqrt (square (- p 1))))) line))
+                "; C->K: this K is that of states with (>= (- p 1) 0)\n")
+  (check-equal? (told (assuming ('(< p 0)) (C->K C line))
+                      (C->K (pushed square) line))
+                "")
+  (check-identity (assuming ('(< p 0)) ((C->K C line) line)) (* 1/2 (square 'p))))

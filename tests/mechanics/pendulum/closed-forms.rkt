@@ -86,6 +86,16 @@
   (define g (pendulum-circulating-state-to-aa-state 2.0 9.8))
   (check-close (determinant (qp-submatrix ((D-as-matrix g) (up 1.0 1.0 15.0)))) 1.0 1e-8))
 
+(test-case "on the separatrix the actions are the limits from both sides"
+  (for ([beta '(9.8 2)])
+    (check-equal? (pendulum-oscillating-action 3 beta beta) (pendulum-separatrix-action 3 beta))
+    (check-close (* 2 (pendulum-circulating-action 3 beta beta))
+                 (pendulum-separatrix-action 3 beta)
+                 1e-14)
+    (check-close (pendulum-circulating-action 3 beta beta)
+                 (pendulum-circulating-action 3 beta (+ beta 1e-12))
+                 1e-9)))
+
 (test-case "the separatrix"
   (define-values (angle p)
     (values (pendulum-separatrix-angle 1 9.8) (pendulum-separatrix-angular-momentum 1 9.8)))

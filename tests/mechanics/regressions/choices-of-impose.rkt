@@ -1,6 +1,6 @@
 #lang racket/base
 ;; impose divided by a factor of both sides, or took one of two roots, without a word; only
-;; verify-again told.
+;; verify-again told.  It took the root that is not negative where a negative one was declared.
 
 (require "../support/checks.rkt" "../support/run-text.rkt")
 
@@ -15,3 +15,14 @@
   (check-equal? errors
                 (lines "; impose: (* x y) = (* x z), with x not 0"
                        "; impose: (expt a 2) = 4, with a = 2")))
+
+(test-case "a sign that is declared decides, and nothing is chosen"
+  (define-values (output errors)
+    (session '("-I" "mechanics")
+             "(assume '(< x 0) '(> y 0))"
+             "(impose (cube 'x) '(= (expt x 2) 4))"
+             "(impose 'x '(= (* 4 (expt x 2)) (expt y 2)))"
+             "(impose (up 'x 'y) '((= (expt x 2) 9) (= (expt y 2) 16)))"
+             "(impose 'x '(= x (- (* 2 y))))"))
+  (check-equal? output '("-8" "(* -1/2 y)" "(up -3 4)" "(* -2 y)"))
+  (check-equal? errors (lines)))
