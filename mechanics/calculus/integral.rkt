@@ -14,6 +14,7 @@
          "derivative.rkt" "dual.rkt" "gradient-tape.rkt" "Taylor-number.rkt" "number-argument.rkt"
          "perturbed-value.rkt"
          "moving-places.rkt" "recorded-number.rkt"
+         "../error/note.rkt"
          "../generic/arithmetic.rkt" "../generic/branches.rkt" "../generic/elementary.rkt"
          "../generic/sums-and-products.rkt"
          "../numeric/quadrature/improper.rkt")
@@ -24,7 +25,9 @@
 ;; compile : f x -> f as a function from flonum to flonum, or #f; x is an example
 ;; bound   : the sum of the bounds of errors;  count : how often f was evaluated
 ;; search? : -> whether to look for narrow peaks
-(struct task (who tolerance compile search? [bound #:mutable] [count #:mutable]) #:authentic)
+;; met     : was a value other than an exact 0 met?
+(struct task (who tolerance compile search? [bound #:mutable] [count #:mutable] [met #:mutable])
+  #:authentic)
 
 ;; A box around an integral that is being taken, which another within its integrand sets:
 ;; to look for peaks takes ten times the evaluations of a smooth integrand, which is little,
@@ -40,10 +43,17 @@
   (define around (current-integral))
   (define iterated? (box (and around #t)))
   (when around (set-box! around #t))
-  (define t (task who tolerance compile (lambda () (not (unbox iterated?))) 0.0 0))
+  (define t (task who tolerance compile (lambda () (not (unbox iterated?))) 0.0 0 #f))
   (define value
     (parameterize ([current-integral iterated?]) (integral-not-heard t f low high)))
-  (report value (task-bound t) (task-count t)))
+  (define nothing-seen?
+    (and (not around) (task-met t) (eqv? value 0.0) (eqv? (task-bound t) 0.0) (> (task-count t) 0)))
+  (when nothing-seen? (note-once (format nothing-seen who)))
+  (report value (if nothing-seen? +inf.0 (task-bound t)) (task-count t)))
+
+(define nothing-seen
+  (string-append "~a: the integrand was 0 at all points where it was looked at;\n"
+                 "  of a peak between them, ends next to it give the integral"))
 
 ;; A listener to branches is told of those at the ends alone.
 (define (integral-not-heard t f low high)
@@ -132,6 +142,7 @@
     (let/ec stop
       (define (sample x)
         (define y (f x))
+        (unless (eqv? y 0) (set-task-met! t #t))
         (cond [(real? y) y]
               [(perturbed? y) (stop y)]
               [else (number (task-who t) y)]))

@@ -11,7 +11,8 @@
 
 (require "canonical.rkt" "closed-form.rkt"
          "symplectic-transformation.rkt" "transformation.rkt"
-         "../error/complain.rkt" "../error/failure.rkt" "../error/message-words.rkt" "../error/note.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/message-words.rkt"
+         "../error/note.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/printed-function.rkt"
          "../hamiltonian/H-state.rkt"

@@ -6,7 +6,7 @@
 ;; a given coordinate, forwards.  A coordinate that is an angle may close by a turn.
 
 (require "closed-orbit.rkt" "orbit-scale.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/on-demand.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
@@ -30,7 +30,33 @@
 
 (define-plain (frequency-of-orbit H state #:turn [turn #f] #:tolerance [tolerance 1e-11]
                                   #:longest-time [longest 1e4])
-  (/ (* 2 pi) (orbit-period (checked-orbit 'frequency-of-orbit H state turn tolerance longest))))
+  (define (period tolerance)
+    (orbit-period (checked-orbit 'frequency-of-orbit H state turn tolerance longest)))
+  (/ (* 2 pi) (settled-period 'frequency-of-orbit period tolerance)))
+
+;; Next to a separatrix an error of the energy becomes a much greater one of the period.  So the
+;; tolerance is made smaller until the period does not change.  What is left of change may be less
+;; than the error by some factor.
+;; period : tolerance -> the period
+(define (settled-period who period tolerance)
+  (define enough (max 1e-9 (* 100 tolerance)))
+  (let tighten ([tolerance tolerance] [rough (period tolerance)])
+    (define closer (max (* 0.01 tolerance) least-tolerance))
+    (define T (period closer))
+    (define off (abs (- 1 (/ rough T))))
+    (cond [(<= off enough) T]
+          [(> closer least-tolerance) (tighten closer T)]
+          [else
+           (when (> off half-of-the-digits) (note-once (format near-separatrix who (about off))))
+           T])))
+
+(define least-tolerance 1e-14)
+(define half-of-the-digits 5e-9)
+(define near-separatrix
+  (string-append "~a: roundings leave fewer than half of the digits, for the motion nearly comes\n"
+                 "  to rest on its way, as next to a separatrix; ~a of the frequency is uncertain"))
+
+(define (about x) (format "about 1e~a" (inexact->exact (round (/ (log x) (log 10))))))
 
 (define (checked-orbit who H state turn tolerance longest)
   (check-options who turn tolerance longest)

@@ -3,7 +3,8 @@
 ;; symbols are in an end or in the integrand, there is a formula if an antiderivative is found.
 
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
-         "../error/failure.rkt" "../error/refusal.rkt" "../generic/arithmetic.rkt"
+         "../error/failure.rkt" "../error/note.rkt" "../error/refusal.rkt"
+         "../generic/arithmetic.rkt"
          "../generic/branches.rkt" "../generic/define-plain.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
 
@@ -59,7 +60,8 @@
   (define-values (from to) (values (number-or-not low) (number-or-not high)))
   (and (real? from) (real? to) (accepts? f 1)
        (let ([y (if-raised no-value? #f
-                  (parameterize ([current-branches #f]) (f (inner-point from to))))])
+                  (parameterize ([current-branches #f])
+                    (without-notes (f (inner-point from to)))))])
          (symbolic-end? y))))
 
 ;; Of π and what is made of it the value

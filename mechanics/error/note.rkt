@@ -6,7 +6,7 @@
 ;; the run of a program; where there is none, as in a library or a test, nobody would read
 ;; them, and nothing is said.
 
-(provide note note-once start-session-of-notes!)
+(provide note note-once start-session-of-notes! without-notes)
 
 ;; The lines of the text, each as a comment.
 (define (note text)
@@ -27,3 +27,7 @@
   (when (and said (not (hash-ref said key #f)))
     (hash-set! said key #t)
     (note text)))
+
+;; The value of an expression that is only tried; what is to be said once is left to the next.
+(define-syntax-rule (without-notes expression)
+  (parameterize ([current-said #f]) expression))

@@ -112,7 +112,8 @@
 ;; Equations x = 2 for what is replaced by one root of two, as where x² = 4.
 (define (roots-taken equations replacements)
   (for/list ([r (in-list replacements)]
-             #:when (and (other-root r equations replacements) (not (known-branch (car r) (assumptions-in-force)))))
+             #:when (other-root r equations replacements)
+             #:unless (known-branch (car r) (assumptions-in-force)))
     (list '= (car r) (simplify-expression (cdr r)))))
 
 ;; The replacements with r negated, or #f if the equations do not hold then

@@ -451,7 +451,8 @@ for an angle in radians. For the pendulum in closed form see @secref["reference-
                        real?])]{
 
 The action ∮ p dq/2π of the motion through a state, and its angular frequency. The action is
-negative if the motion goes around its area the other way.
+negative if the motion goes around its area the other way. Next to a separatrix the frequency is
+found with a smaller tolerance; where roundings leave fewer than half of its digits, a note says so.
 
 @examples[#:eval session
 (define (quartic state)

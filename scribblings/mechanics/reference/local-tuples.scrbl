@@ -145,7 +145,8 @@ computed; its value is returned. The bound is an estimate, as in all methods tha
 samples only. It counts the rounding of the points where f is evaluated, but not the rounding
 within f. When the sum of estimates is small enough, f is sampled at some 220 other points, spread
 evenly and closing in on the ends and on 0. So peaks of a thousandth of the interval are found,
-and @racket[(exp (- x))] between 0 and a million; a much narrower peak may be missed. Integrals
+and @racket[(exp (- x))] between 0 and a million; a much narrower peak may be missed. Where f was
+0.0 at all points the bound is @racket[+inf.0], and a note says so. Integrals
 within integrals are not sampled in this way, for that would take too long.
 
 @examples[#:eval session

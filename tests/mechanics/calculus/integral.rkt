@@ -9,7 +9,7 @@
          mechanics/calculus/derivative
          mechanics/compile/definite-integral
          mechanics/lagrangian/local-tuple
-         "../support/checks.rkt")
+         "../support/checks.rkt" "../support/notes.rkt")
 
 (test-case "definite integrals of functions made by arithmetic"
   (check-= (definite-integral (g:square g:sin) 0 1) (/ (- 1 (* (sin 1.0) (cos 1.0))) 2) 1e-12)
@@ -81,3 +81,23 @@
   (check-= ((D laplace) 2) (* -1/2 root-of-pi (expt 2.0 -3/2)) 1e-10)
   (check-= (((g:expt D 2) laplace) 2) (* 3/4 root-of-pi (expt 2.0 -5/2)) 1e-10)
   (check-= ((D (lambda (b) (definite-integral (lambda (x) (g:/ 1 (g:sqrt x))) 0 b))) 4) 1/2 1e-12))
+
+;; ---------------------------------------------------------------------------
+;; Integrands that were 0 wherever they were looked at
+
+(define (take-two f)
+  (definite-integral f 0 1 #:report (lambda (value bound count) (list value bound))))
+
+(test-case "the bound of an integral of which nothing was seen is infinite, and a note tells"
+  (define (narrow x) (g:exp (g:negate (g:square (g:* 1e8 (g:- x 0.3))))))
+  (define (beyond x) (if (< 0.31 x 0.3100001) 1.0 0.0))
+  (for ([f (list narrow beyond)])
+    (check-equal? (told (check-equal? (take-two f) '(0.0 +inf.0)))
+                  (string-append
+                   "; definite-integral: the integrand was 0 at all points where it was looked at;\n"
+                   ";   of a peak between them, ends next to it give the integral\n")))
+  (check-equal? (told (check-equal? (take-two (lambda (x) 0)) '(0.0 0.0))
+                      (check-equal? (definite-integral beyond 0.3 0.3) 0.0)
+                      (definite-integral g:sin -1 1)
+                      (definite-integral (lambda (x) (+ 1 (definite-integral beyond 0 x))) 0 1))
+                ""))

@@ -2,7 +2,8 @@
 ;; Actions and angles by integration, against closed forms.
 
 (require mechanics
-         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt"
+         "../support/notes.rkt")
 
 (define ((oscillator m k) (up t q p)) (+ (/ (square p) (* 2 m)) (* 1/2 k (square q))))
 
@@ -94,3 +95,21 @@
  [(action-of-orbit (lambda (s) (+ (square (momentum s)) (* (square (coordinate s)) (cos (time s)))))
                    (up 0 1 0))
   "action-of-orbit: <function> depends on the time, and its motions have no action"])
+
+;; H is known to a rounding; of the energy's distance from the separatrix that is a greater part.
+(test-case "next to a separatrix the frequency keeps its digits, or a note tells"
+  (define (start E) (up 0 0.0 (sqrt (* 2 (+ E 1)))))
+  (define (frequency E) (frequency-of-orbit (Hpendulum 1.0 1.0) (start E) #:turn (* 2 pi)))
+  (define (check-frequency E tolerance)
+    (check-= (/ (frequency E) (pendulum-frequency 1.0 1.0 E)) 1 tolerance (format "~a" E)))
+  (for* ([side '(-1 1)] [distance '(1e-1 1e-3 1e-5 1e-7)])
+    (check-equal? (told (check-frequency (+ 1 (* side distance)) 1e-9)) ""))
+  (for ([side '(-1 1)])
+    (define text (told (check-frequency (+ 1 (* side 1e-11)) 1e-5)))
+    (check-true
+     (regexp-match?
+      (string-append "^; frequency-of-orbit: roundings leave fewer than half of the digits, "
+                     "for the motion nearly comes\n;   to rest on its way, as next to a separatrix; about "
+                     "1e-[5-8] of the frequency is uncertain\n$")
+      text)
+     text)))
