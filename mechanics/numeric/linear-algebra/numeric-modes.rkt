@@ -27,14 +27,18 @@
                            (symmetric-rows (product (rows-transpose G) (product K G))))]
                      [(squares vectors) (symmetric-eigenvalues C n)])
          (for/list ([square (in-flvector squares)] [v (in-list vectors)])
-           (cons (sqrt (clean square C))
-                 (first-one (for/list ([row (in-vector G)])
-                              (for/fold ([s 0.0]) ([x (in-vector row)] [y (in-flvector v)])
-                                (+ s (* x y))))))))))
+           (define shape
+             (for/list ([row (in-vector G)])
+               (for/fold ([s 0.0]) ([x (in-vector row)] [y (in-flvector v)]) (+ s (* x y)))))
+           (cons (sqrt (clean square K shape)) (first-one shape))))))
 
-;; Zero frequencies are found but for rounding.
-(define (clean square C)
-  (if (<= (abs square) (* 1e-14 (flvector-length C) (greatest C))) 0.0 square))
+;; Zero frequencies are found but for rounding: ω² is x·K x with the shape x, a sum of terms.
+(define (clean square K shape)
+  (define terms
+    (for*/sum ([(row x) (in-parallel (in-vector K) (in-list shape))]
+               [(k y) (in-parallel (in-vector row) (in-list shape))])
+      (abs (* x k y))))
+  (if (<= (abs square) (* 1e-14 (vector-length K) terms)) 0.0 square))
 
 ;; The multiple with first component 1; components that are but rounding beside it become 0.
 (define (first-one components)
@@ -55,7 +59,7 @@
   (and (Cholesky M)
        (let ([exponents (real-matrix-eigenvalues (first-order M K G n) (* 2 n))])
          (and exponents
-              (let ([omegas (frequencies exponents n)])
+              (let ([omegas (frequencies exponents n (singular? K))])
                 (for/list ([omega (in-list omegas)] [before (in-list (repetitions omegas))])
                   (define A (at-frequency M K G omega n))
                   (define small (* 1e-12 (frequency-scale M K G omega)))
@@ -79,12 +83,18 @@
     (cond [(< i n) (if (= j (+ i n)) 1.0 0.0)]
           [else (- (real->double-flonum (entry right (- i n) j)))])))
 
-;; One of each pair λ, −λ, as ω = −iλ, the real ones without the rounding beside them.
-(define (frequencies exponents n)
-  (define size (apply max 1e-300 (map magnitude exponents)))
-  (define (clean x) (if (<= (abs x) (* 1e-9 size)) 0.0 x))
+;; K x = 0 has solutions: there are frequencies 0.
+(define (singular? K)
+  (eq? 'singular (floating-solutions K (unit-rows (vector-length K) 1.0 0.0))))
+
+;; One of each pair λ, −λ, as ω = −iλ, the real ones without the rounding beside them, which
+;; frequencies 0 are altogether.
+(define (frequencies exponents n zeros?)
+  (define greatest (apply max 1e-300 (map magnitude exponents)))
   (define omegas
     (for/list ([z (in-list exponents)])
+      (define size (if zeros? greatest (magnitude z)))
+      (define (clean x) (if (<= (abs x) (* 1e-9 size)) 0.0 x))
       (make-rectangular (clean (imag-part z)) (clean (- (real-part z))))))
   (define moving (filter (lambda (w) (> (real-part w) 0.0)) omegas))
   (define still (sort (filter (lambda (w) (= (real-part w) 0.0)) omegas) > #:key imag-part))
