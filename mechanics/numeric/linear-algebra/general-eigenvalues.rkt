@@ -14,8 +14,9 @@
 ;; Working Note 122, 1997), which keeps small eigenvalues beside large ones.
 
 (require racket/flonum
+         racket/unsafe/ops
          "matrix-scaling.rkt"
-         "../constants.rkt" "../flvector.rkt")
+         "../constants.rkt" "../flvector.rkt" (only-in "../unboxed-loop.rkt" unboxed))
 
 (provide real-matrix-eigenvalues balance!)
 
@@ -62,15 +63,24 @@
               (flvector-set! scales i scale)
               #t))))
 
-;; Of n entries, `stride` apart from place i on, with squares that neither overflow nor vanish.
+;; Of n entries, `stride` apart from place i on, in a unit of which the squares neither overflow
+;; nor vanish, if they do.
 (define (length-along h i stride n)
-  (define size
-    (for/fold ([m 0.0]) ([k (in-range n)]) (flmax m (flabs (flvector-ref h (+ i (* k stride)))))))
-  (if (fl= size 0.0)
-      0.0
-      (fl* size (flsqrt (for/fold ([sum 0.0]) ([k (in-range n)])
-                          (define x (fl/ (flvector-ref h (+ i (* k stride))) size))
-                          (fl+ sum (fl* x x)))))))
+  (define (squares unit)
+    (let loop ([k 0] [j i] [sum 0.0])
+      (if (unsafe-fx= k n)
+          (unboxed sum)
+          (let ([x (unsafe-fl* unit (unsafe-flvector-ref h j))])
+            (loop (unsafe-fx+ k 1) (unsafe-fx+ j stride) (unsafe-fl+ sum (unsafe-fl* x x)))))))
+  (define plain (squares 1.0))
+  (cond [(fl< 1e-280 plain 1e280) (flsqrt plain)]
+        [else
+         (define size
+           (for/fold ([m 0.0]) ([k (in-range n)])
+             (flmax m (flabs (flvector-ref h (+ i (* k stride)))))))
+         (define unit
+           (flexpt 2.0 (flmin 1000.0 (flfloor (fl/ (fllog size) (fl- 0.0 (fllog 2.0)))))))
+         (if (fl< 0.0 size +inf.0) (fl/ (flsqrt (squares unit)) unit) size)]))
 
 ;; The power of two nearest to the root of row/column.
 (define (scale-between column row)
@@ -105,12 +115,19 @@
 
 ;; Entries number m to n - 1 of those that are `stride` apart from place i on.
 (define (reflect-all! h i stride m n v beta)
+  (define start (+ i (* m stride)))
   (define along
-    (fl* beta (for/fold ([sum 0.0]) ([k (in-range m n)])
-                (fl+ sum (fl* (flvector-ref v k) (flvector-ref h (+ i (* k stride))))))))
-  (for ([k (in-range m n)])
-    (define at (+ i (* k stride)))
-    (flvector-set! h at (fl- (flvector-ref h at) (fl* along (flvector-ref v k))))))
+    (let loop ([k m] [j start] [sum 0.0])
+      (if (unsafe-fx= k n)
+          (unsafe-fl* beta sum)
+          (loop (unsafe-fx+ k 1) (unsafe-fx+ j stride)
+                (unsafe-fl+ sum (unsafe-fl* (unsafe-flvector-ref v k)
+                                            (unsafe-flvector-ref h j)))))))
+  (let loop ([k m] [j start])
+    (when (unsafe-fx< k n)
+      (unsafe-flvector-set! h j (unsafe-fl- (unsafe-flvector-ref h j)
+                                            (unsafe-fl* along (unsafe-flvector-ref v k))))
+      (loop (unsafe-fx+ k 1) (unsafe-fx+ j stride)))))
 
 ;; ------------------------------------------------------------------ separating
 
