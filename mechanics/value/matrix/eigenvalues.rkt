@@ -14,6 +14,8 @@
 (require racket/flonum
          racket/list
          "linear-algebra.rkt" "row-systems.rkt" "unsure-digits.rkt"
+         "../simplify.rkt"
+         "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
@@ -76,8 +78,17 @@
   (define-values (a b c d)
     (values (entry block 0 0) (entry block 0 1) (entry block 1 0) (entry block 1 1)))
   (define trace (g:+ a d))
-  (define root (g:sqrt (g:+ (g:square (g:- a d)) (g:* 4 b c))))
+  (define root (without-signs (g:sqrt (g:+ (g:square (g:- a d)) (g:* 4 b c)))))
   (list (g:/ (g:+ trace root) 2) (g:/ (g:- trace root) 2)))
+
+;; The root comes with both signs, so that x does for a factor |x| of it.
+(define (without-signs root)
+  (define simple (if (node? root) (simplify root) root))
+  (define factors (if (headed? simple op:*) (node-args simple) (list simple)))
+  (define (size? f) (headed? f op:abs))
+  (if (ormap size? factors)
+      (apply g:* (map (lambda (f) (if (size? f) (car (node-args f)) f)) factors))
+      root))
 
 ;; Real numbers, some of them flonums: exact ones alone are kept exact.
 (define (flonums? block)

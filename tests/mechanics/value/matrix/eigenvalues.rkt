@@ -33,6 +33,8 @@
   (define oscillator (matrix-by-rows '(0 1) (list (- (square 'omega)) 0)))
   (check-equal? (map expression (map simplify (eigenvalues oscillator)))
                 '((* 0+1i omega) (* 0-1i omega)))
+  ;; of the sign of ω nothing is assumed
+  (check-equal? (filter (lambda (a) (memq 'omega a)) (assumptions 'used)) '())
   ;; the derivative of the map at (0, 0): I' = I + K θ, θ' = θ + I'
   (define (multipliers K) (eigenvalues (matrix-by-rows (list (+ 1 K) 1) (list K 1))))
   (check-true (same? (apply up (multipliers 0.6)) (up 2.13066238629181 .469337613708193) 1e-13))
