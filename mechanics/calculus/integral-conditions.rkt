@@ -32,9 +32,10 @@
          "../algebra/expression/symbols.rkt"
          "../algebra/solve/nonzero-conditions.rkt"
          "../algebra/simplify/declare.rkt" "../algebra/simplify/known-sign.rkt"
-         "../algebra/simplify/simplify-expression.rkt")
+         "../algebra/simplify/simplify-expression.rkt"
+         "../algebra/zero/zero-test.rkt" "../error/failure.rkt")
 
-(provide between-ends integral-conditions-of continuous-logarithms)
+(provide between-ends integral-conditions-of continuous-logarithms proved-zero?)
 
 ;; x : the variable, which goes from low to high
 ;; A : assumptions; inside : the same, with x between the ends, if their order is known
@@ -80,20 +81,27 @@
 (define (at-low u p) (at u p (path-low p)))
 (define (at-high u p) (at u p (path-high p)))
 
-;; F with log(u/u(low)) in place of log u, where u may be negative and F' = e remains: so values
-;; are real.
+;; F with log(u/u(low)) in place of log u, where u may be negative, F' = e remains, and F goes on where
+;; a sign changes: so values are real.
 (define (continuous-logarithms F e x low high A)
   (define p (make-path x low high A))
   (define (real-logarithm u)
     (define positive? (or (not (occurs? x u)) (eqv? 1 (known-sign u (path-inside p)))))
-    (e:apply op:log (if positive? u (e:/ u (at-low u p)))))
+    (if positive? (make-node op:log (list u)) (e:apply op:log (e:/ u (at-low u p)))))
   (define real
     (node-fold F values
                (lambda (n args)
-                 (if (headed? n op:log)
-                     (real-logarithm (car args))
-                     (rebuild (node-head n) args)))))
-  (if (eqv? 0 (simplify-expression (e:- (derivative real p) e) A)) real F))
+                 (cond [(headed? n op:log) (real-logarithm (car args))]
+                       [(andmap eq? args (node-args n)) n]
+                       [else (rebuild (node-head n) args)]))))
+  (define difference (e:- (derivative real p) e))
+  (if (and (andmap (lambda (u) (continuous-over? (make-node op:sgn (list u)) real p)) (signed-parts real p))
+           (or (eqv? 0 (simplify-expression difference A)) (proved-zero? difference A)))
+      real
+      F))
+
+(define (proved-zero? e A)
+  (eq? 'proved (zero-test-status (zero-test e (with-automatic-assumptions A #f)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Parts of an expression
@@ -119,14 +127,21 @@
               (path-A p)
               (moves? p)))
 
-;; Has F the same value for both signs where the line u of n = sgn u is zero?
+;; Has F the same value for all signs, 0 too, where the line u of n = sgn u is zero, and is it the
+;; only sign that changes there?
 (define (continuous-over? n F p)
   (define u (car (node-args n)))
   (define (with sign) (substitute-expression F (list (cons n sign))))
   (and (line? u p)
-       (let ([zero (e:- (path-x p) (e:/ u (derivative u p)))])
-         (eqv? 0 (simplify-expression (at (e:- (with 1) (with -1)) p (simplify-expression zero))
-                                      (path-A p))))))
+       (let ([zero (simplify-expression (e:- (path-x p) (e:/ u (derivative u p))))])
+         (define (zero-there? e) (eqv? 0 (simplify-expression (at e p zero) (path-A p))))
+         (with-handlers ([no-value? (lambda (_) #f)])
+           (and (not (ormap zero-there? (remove u (signed-parts F p))))
+                (zero-there? (e:- (with 1) (with -1)))
+                (zero-there? (e:- (with 1) (with 0))))))))
+
+(define (signed-parts e p)
+  (parts-in e (lambda (n) (and (headed? n op:sgn) ((moves? p) n) (car (node-args n))))))
 
 ;; (base . exponent) of powers with an exponent that is no number
 (define (symbolic-powers F x)
@@ -160,6 +175,7 @@
 ;; -> conditions
 (define (without-zero u p)
   (cond [(memv (known-sign u (path-inside p)) '(1 -1)) '()]
+        [(headed? u op:abs) (factors-without-zero (car (node-args u)) p)]
         [(radicand-of-root u) => (lambda (v) (factors-without-zero v p))]
         [(or (line? u p) (monotone? u p)) (same-sign-at-ends u p)]
         [(wave-of-line? u p)
@@ -205,12 +221,18 @@
 (define (derivative u p) (expression-derivative u (path-x p)))
 
 (define (line? u p)
-  (eqv? 0 (simplify-expression (derivative (derivative u p) p) (path-A p))))
+  (and (smooth? u p)
+       (eqv? 0 (simplify-expression (derivative (derivative u p) p) (path-A p)))))
+
+;; Has u neither kinks nor jumps that its derivatives would not show?
+(define (smooth? u p)
+  (not (some-node? (lambda (n) (and (memq (node-head n) (list op:abs op:sgn)) ((moves? p) n))) u)))
 
 ;; Do all factors of the derivative that move keep their signs, but for zeros?
 (define (monotone? u p)
-  (for/and ([f (in-list (factors-of (list (derivative u p)) (path-A p) (moves? p)))])
-    (one-sided? f (path-inside p))))
+  (and (smooth? u p)
+       (for/and ([f (in-list (factors-of (list (derivative u p)) (path-A p) (moves? p)))])
+         (one-sided? f (path-inside p)))))
 
 (define (one-sided? f A) (or (never-positive? f A) (never-positive? (e:negate f) A)))
 
@@ -239,7 +261,8 @@
 (define (discriminant-of u p)
   (define A (path-A p))
   (define slope (simplify-expression (derivative u p) A))
-  (and (line? slope p)
+  (and (smooth? u p)
+       (line? slope p)
        (let ([c1 (at slope p 0)])
          (simplify-expression
           (e:- (e:expt c1 2) (e:* 2 (e:* (derivative slope p) (at u p 0)))) A))))

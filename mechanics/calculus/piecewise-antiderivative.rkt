@@ -10,7 +10,8 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
-         "../algebra/simplify/simplify-expression.rkt")
+         "../algebra/simplify/known-sign.rkt" "../algebra/simplify/simplify-expression.rkt"
+         "../error/failure.rkt")
 
 (provide integral-by-sides)
 
@@ -24,17 +25,30 @@
     (and (not (occurs? x slope))
          (not (eqv? slope 0))
          (let* ([x0 (simple (e:- x (e:/ u slope)))]
-                [right (side-integral e u 1 x x0 simple antiderivative)]
-                [left (side-integral e u -1 x x0 simple antiderivative)])
+                [right (side-integral e u 1 x x0 A antiderivative)]
+                [left (side-integral e u -1 x x0 A antiderivative)])
            (and left
                 right
                 (e:+ (e:/ (e:+ right left) 2)
                      (e:* (e:apply op:sgn u) (e:/ (e:- right left) 2))))))))
 
-;; The antiderivative where sgn u = sign, which is 0 at x0; or #f
-(define (side-integral e u sign x x0 simple antiderivative)
+;; The antiderivative where sgn u = sign, which is 0 at x0; or #f, as where it has no value there
+(define (side-integral e u sign x x0 A antiderivative)
   (define there
     (substitute-expression e (list (cons (make-node op:abs (list u)) (e:* sign u))
                                    (cons (make-node op:sgn (list u)) sign))))
-  (define F (antiderivative (simple there)))
-  (and F (e:- F (substitute-expression F (list (cons x x0))))))
+  (define F (antiderivative (simplify-expression there A)))
+  (define (at-x0 e) (substitute-expression e (list (cons x x0))))
+  (with-handlers ([no-value? (lambda (_) #f)])
+    (define real (and F (with-real-logarithms F x at-x0 A)))
+    (and real (e:- real (at-x0 real)))))
+
+;; F with log(u/u(x0)) in place of log u, where u(x0) may be negative
+(define (with-real-logarithms F x at-x0 A)
+  (define (real u)
+    (define at (at-x0 u))
+    (if (or (not (occurs? x u)) (eqv? 1 (known-sign at A))) u (e:/ u at)))
+  (node-fold F values
+             (lambda (n args)
+               (define reals (if (headed? n op:log) (map real args) args))
+               (if (andmap eq? reals (node-args n)) n (rebuild (node-head n) reals)))))

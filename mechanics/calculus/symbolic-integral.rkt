@@ -9,14 +9,17 @@
 (require racket/list
          "antiderivative.rkt" "expression-function.rkt" "integral.rkt" "integral-conditions.rkt"
          "number-argument.rkt" "perturbed-value.rkt"
-         (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
-         "../algebra/expression/expression.rkt"
+         (only-in "../algebra/assumption/assumption-set.rkt"
+                  relation-expression relation-signs with-automatic-assumptions)
+         "../algebra/assumption/domain.rkt" "../algebra/assumption/signs.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          (only-in "../algebra/expression/simplifier.rkt" left-unexpanded?)
          "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
-         "../algebra/simplify/declare.rkt" "../algebra/simplify/necessary-assumptions.rkt"
+         "../algebra/simplify/declare.rkt" "../algebra/simplify/domain-question.rkt"
+         "../algebra/simplify/necessary-assumptions.rkt"
          "../algebra/simplify/simplify-expression.rkt"
-         "../algebra/zero/common-domain.rkt" "../algebra/zero/zero-test.rkt"
+         "../algebra/zero/common-domain.rkt" "../algebra/zero/real-signs.rkt"
          "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt"
          "../error/note.rkt"
          "../generic/describe.rkt" "../generic/wrong-argument.rkt"
@@ -82,22 +85,31 @@
   (define continuous (continuous-logarithms F e x low high A))
   (define (at end) (value-at continuous x end (and claim #t)))
   (define formula (difference (at high) (at low) A note!))
-  (unless (somewhere-real? (domain-expressions (list formula)) (with-relations A conditions))
+  (unless (and (or (real-leaves? formula) (not (andmap real-leaves? (list y low high))))
+               (somewhere-real? (domain-expressions (list formula)) (with-relations A conditions)))
     (raise-interrupted who e))
   formula)
 
-;; The claim with x in place of an end, if its derivative is proved to be e between the ends
+;; The claim with x in place of an end, if its derivative is proved to be e between the ends, and it
+;; is real wherever e is
 (define (antiderivative-in-claim claim e x low high A)
   (define (candidate end other sign)
     (and (symbol? end)
          (not (or (occurs? end e) (occurs? end other)))
          (e:* sign (substitute-expression claim (list (cons end x))))))
   (define (right? F)
-    (eq? 'proved
-         (zero-test-status (zero-test (e:- (expression-derivative F x) e)
-                                      (with-automatic-assumptions A #f)))))
+    (and (real-wherever? F e A)
+         (proved-zero? (e:- (expression-derivative F x) e) A)))
   (and (expression? claim)
        (findf (lambda (F) (and F (right? F))) (list (candidate high low 1) (candidate low high -1)))))
+
+;; Has F no gap that e has not, as √(x² − 1) has one?  Beyond it a constant may be another.  Gaps
+;; that begin where u = 0 in log u or 1/√u are cuts (integral-conditions.rkt).
+(define (real-wherever? F e A)
+  (define B (or (domain-assumptions (list e) A) A))
+  (for/and ([r (in-list (remove* (domain-relations e) (domain-relations F)))]
+            #:unless (eqv? positive (relation-signs r)))
+    (signs-within? (real-signs (relation-expression r) B) (relation-signs r))))
 
 ;; A sign that the result takes for granted is a condition, too: √(a²) = a where a ≥ 0.
 (define (difference high low A note!)

@@ -9,7 +9,7 @@
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt")
 
-(provide range-signs range-over interval-signs
+(provide range-signs range-over interval-signs around-pi
          leaf-range node-range)                  ; the same, step by step
 
 ;; -> the signs that values of e may have

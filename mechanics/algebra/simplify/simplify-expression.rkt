@@ -5,11 +5,11 @@
 (require (only-in "normalize.rkt" normal-field normal-fraction) "domain-question.rkt"
          "workspace.rkt"
          "../assumption/assumption-set.rkt"
-         (only-in "../assumption/ledger.rkt" simplifier-grounds simplifier-revision)
+         (only-in "../assumption/ledger.rkt" question simplifier-grounds simplifier-revision)
          "../expression/expression.rkt"
          "../field/bounds.rkt")
 
-(provide simplify-expression simplify-expression/assumptions
+(provide simplify-expression simplify-expression/assumptions simplify-where
          normal-form normal-form+simplified)
 
 ;; The work begins anew as long as there are revisions; each decides more signs.
@@ -28,6 +28,11 @@
 (define (simplify-expression e [A no-assumptions])
   (define-values (simple grounds) (simplify-expression/assumptions e A))
   simple)
+
+;; The same where A holds, though e may have no real value there: √(x²y) was written |x| √y, and that
+;; says nothing of y where x is 0.  Nothing is taken for granted.
+(define (simplify-where e A)
+  (workspace-simplify (make-workspace (with-automatic-assumptions A #f) (question '() #f) (make-fuel)) e))
 
 ;; -> the simplified expression and what is to be known of it, as datums: what it
 ;; rests on, such as (>= R 0), and (left-unexpanded e) if it is not in canonical

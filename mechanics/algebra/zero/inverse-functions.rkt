@@ -56,8 +56,14 @@
   (define size (e:sqrt (e:+ (square (complex-x z)) (square (complex-y z)))))
   (e:/ (complex-y z) (e:+ size (complex-x z))))
 
-(define (e:sqrt u) (e:apply op:sqrt u))
-(define (e:log u) (e:apply op:log u))
+;; Of an exact number the value as it is: √2 is no decimal
+(define (function op)
+  (lambda (u)
+    (define value (e:apply op u))
+    (if (and (number? value) (inexact? value)) (make-node op (list u)) value)))
+
+(define-values (e:sqrt e:log e:exp) (values (function op:sqrt) (function op:log) (function op:exp)))
+(define-values (e:cos e:sin) (values (function op:cos) (function op:sin)))
 (define (square u) (e:expt u 2))
 
 (define as-logarithms
@@ -71,12 +77,17 @@
 ;; e = c (Σ nᵢ fᵢ + R) with whole numbers nᵢ, where R holds none of the functions
 (struct whole-sum (multiples functions rest) #:authentic)
 
-;; functions : nodes in e -> whole-sum, or #f if e is no such sum of them
+;; functions : nodes in e -> whole-sum, or #f if e is no such sum of them, as where it has no value
+;; for functions that are 0 or 1
 (define (sum-of e functions A)
+  (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)])
+    (linear-sum e functions A)))
+
+(define (linear-sum e functions A)
   (define marks (map (lambda (f) (string->uninterned-symbol "f")) functions))
   (define marked (substitute-expression e (map cons functions marks)))
   (define (with . numbers) (substitute-expression marked (map cons marks numbers)))
-  (define (simple e) (simplify-expression e A))
+  (define (simple e) (simplify-where e A))
   (define none (apply with (map (lambda (f) 0) functions)))
   (define coefficients
     (for/list ([f (in-list functions)])
@@ -114,7 +125,7 @@
                  (sum-of e logs A)))
   (and s
        (let ([product (product-over s (lambda (f) (car (node-args f))) 1 e:* (lambda (u) (e:/ 1 u)))])
-         (e:- (e:* product (e:apply op:exp (whole-sum-rest s))) 1))))
+         (e:- (e:* product (e:exp (whole-sum-rest s))) 1))))
 
 (define (holds-any? e nodes)
   (and (node? e) (or (and (memq e nodes) #t) (ormap (lambda (a) (holds-any? a nodes)) (node-args e)))))
@@ -131,7 +142,7 @@
   (define s (and (pair? arcs) (sum-of e arcs A)))
   (cond [(and s (within-one-turn? s A))
          (define R (whole-sum-rest s))
-         (define turned (complex (e:apply op:cos R) (e:apply op:sin R)))
+         (define turned (complex (e:cos R) (e:sin R)))
          (define Z (product-over s arc-point turned complex* conjugated))
          (values (complex-y Z) (complex-x Z))]
         [else (values #f #f)]))
@@ -153,7 +164,7 @@
         [else (complex u (other))]))
 
 (define (within-one-turn? s A)
-  (define bounds (bounds-from (assumptions-relations A)))
+  (define bounds (bounds-around (assumptions-relations A)))
   (define (places leaf) (bounds-of bounds leaf))
   (define range
     (for/fold ([r (range-over (whole-sum-rest s) places)])

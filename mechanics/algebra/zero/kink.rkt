@@ -218,11 +218,13 @@
 ;; Is all that is differentiated linear in the angle, so that a turn adds a constant?  Then nothing
 ;; but the formula jumps.  A path that jumps is none.
 (define (branch-alone? angle s)
+  (define (simple e) (simplify-expression e (search-assumptions s)))
+  (define turn (string->uninterned-symbol "turn"))
   (define (turn-of f)
     (define (with e) (substitute-expression f (list (cons angle e))))
-    (define (slope e) (simplify-expression (e:- (with (e:+ e 1)) (with e)) (search-assumptions s)))
-    (and (eqv? 0 (simplify-expression (e:- (slope 0) (slope angle)) (search-assumptions s)))
-         (slope 0)))
+    (define slope (simple (e:- (with 1) (with 0))))
+    (define rise (e:- (with (e:+ angle turn)) (with angle)))
+    (and (eqv? 0 (simple (e:- rise (e:* turn slope)))) slope))
   (define turns (if (search-values? s) '() (map turn-of (search-functions s))))
   (and (pair? turns)
        (andmap (lambda (c) (and c (not (varies? c s)))) turns)))

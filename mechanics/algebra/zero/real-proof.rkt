@@ -9,7 +9,8 @@
 ;; - P + √A vanishes if P² = A, and P is not positive (real-signs.rkt).
 ;;
 ;; A proof holds wherever all parts of the expression are real and the assumptions hold; nothing is
-;; taken for granted.
+;; taken for granted.  Where that is, the expression tells as it was asked: a simplified one may have
+;; no value at some of these points.
 
 (require racket/list
          "inverse-functions.rkt" "real-signs.rkt" "sign-cases.rkt"
@@ -42,7 +43,7 @@
 (define (zero-among-reals? e A depth steps)
   (set-box! steps (- (unbox steps) 1))
   (and (>= (unbox steps) 0)
-       (let ([simple (simplify-expression e A)])
+       (let ([simple (simplify-where e A)])
          (define (again e [A A]) (zero-among-reals? e A (- depth 1) steps))
          (or (eqv? simple 0)
              (and (> depth 0)
@@ -69,7 +70,7 @@
        (signs-within? (real-signs x A) nonnegative)))
 
 (define (by-conjugates e A again)
-  (for/or ([r (in-list (roots-in e))])
+  (for/or ([r (in-list (conjugate-roots e A))])
     (define-values (P Q) (parts-by-root e r))
     (and (opposite-signs? P Q A)
          (again (e:* e (conjugate e r))))))
