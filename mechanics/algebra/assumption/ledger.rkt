@@ -30,15 +30,17 @@
 ;; point : promise of the lookup of the reference point, or of #f
 ;; grounds : datums, newest first, each once; noted : the same as a table
 ;; taken, open : expressions taken not to be negative, and of unknown sign
+;; asked : (assumptions . expression) pairs, whose signs are being looked for
 (struct ledger (assumptions domain point noted
-                            [grounds #:mutable] [taken #:mutable] [open #:mutable])
+                            [grounds #:mutable] [taken #:mutable] [open #:mutable]
+                            [asked #:mutable])
   #:authentic)
 
 (define (make-ledger A q)
   (ledger A
           (question-domain q)
           (delay (or (common-point A) (find-reference (question-expressions q) A)))
-          (make-hash) '() '() '()))
+          (make-hash) '() '() '() '()))
 
 ;; The reference point of the question of which this is a part, or #f.
 (define (common-point A)
@@ -73,11 +75,24 @@
 
 ;; As the assumptions decide it; what that rests on is noted.
 (define (branch-under A s e branch-of)
-  (define k (infer-signs A s e))
+  (define l (simplifier-ledger s))
+  (define k (asked-once A s e (lambda () (infer-signs A s e)) unknown))
   (define branch (branch-of (known-signs k)))
   (when branch
-    (for ([d (in-list (known-because k))]) (note! (simplifier-ledger s) d)))
+    (for ([d (in-list (known-because k))]) (note! l d)))
   branch)
+
+;; What find gives.  A relation may hold sgn u or |u|: then the sign of u is asked for while it is
+;; looked for, and the answer is `unknown`.
+(define (asked-once A s e find unknown)
+  (define l (simplifier-ledger s))
+  (define before (ledger-asked l))
+  (define (asked? q) (and (eq? (car q) A) (equal? (cdr q) e)))
+  (if (ormap asked? before)
+      unknown
+      (dynamic-wind (lambda () (set-ledger-asked! l (cons (cons A e) before)))
+                    find
+                    (lambda () (set-ledger-asked! l before)))))
 
 (define (branch-in-domain s e branch-of)
   (define A (force (ledger-domain (simplifier-ledger s))))
@@ -139,7 +154,9 @@
   #f)
 
 ;; Are all numbers in e, its roots and its logarithms real?
-(define (known-real? s e) (real-valued? (declared s) s e))
+(define (known-real? s e)
+  (define A (declared s))
+  (asked-once A s e (lambda () (real-valued? A s e)) #f))
 
 ;; ---------------------------------------------------------------------------
 

@@ -3,7 +3,8 @@
 
 (require "decimals.rkt" "declared-relations.rkt" "degenerate-factors.rkt" "disguised.rkt"
          "domains.rkt" "kinks.rkt" "literal-functions.rkt" "logarithms.rkt" "motions.rkt"
-         "rational-function-angles.rkt" "roots-and-signs.rkt" "surface-kinks.rkt"
+         "rational-function-angles.rkt" "real-identities.rkt" "roots-and-signs.rkt"
+         "surface-kinks.rkt"
          "symbolic-integrals.rkt")
 
 (provide class-names single-classes claims-of-a-subject random-subject)
@@ -22,6 +23,7 @@
         (cons 'degenerate-factors degenerate-factors)
         (cons 'surface-kinks surface-kinks)
         (cons 'domains domains)
+        (cons 'real-identities real-identities)
         (cons 'disguised disguised-identity)
         (cons 'false-by-little false-by-little)))
 

@@ -13,7 +13,7 @@
 
 (define sharp (fixed-intervals 224))
 
-;; Points that are enough, and how many are tried.
+;; Points that are enough besides those that are hinted at, and how many are tried.
 (define enough 6)
 (define tries 60)
 (define more-tries 400)
@@ -55,7 +55,7 @@
            (climb start holds (length assumed))))
        (when found (visit found (point-of found)))
        (survey (if found (list found) '()) in-domain)]
-      [(or (= k limit) (= (length used) enough)) (survey used in-domain)]
+      [(or (= k limit) (= (length used) (+ enough (length hints)))) (survey used in-domain)]
       [else
        (define numbers
          (if (negative? k)
