@@ -21,7 +21,8 @@
   (hasheq '+ m:+ '- m:- '* m:* '/ m:/ 'expt m:expt 'sqrt m:sqrt 'square m:square 'cube m:cube
           'exp m:exp 'log m:log 'sin m:sin 'cos m:cos 'tan m:tan 'asin m:asin 'acos m:acos
           'atan m:atan 'sinh m:sinh 'cosh m:cosh 'tanh m:tanh
-          'asinh m:asinh 'acosh m:acosh 'atanh m:atanh 'abs m:abs 'sgn m:sgn))
+          'asinh m:asinh 'acosh m:acosh 'atanh m:atanh 'abs m:abs 'sgn m:sgn
+          'erf m:erf))
 
 (define (build e)
   (cond [(pair? e)

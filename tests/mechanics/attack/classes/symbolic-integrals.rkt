@@ -1,16 +1,18 @@
 #lang racket/base
 ;; Integrals with symbols: formulas the library finds, their derivatives, and formulas F(high) −
-;; F(low) put to it, most of which hold only where no cut lies between the ends.
+;; F(low) put to it, most of which hold only where no cut lies between the ends.  Some are of
+;; integrands of which it finds no antiderivative but in the claim, and hold jumps and gaps.
 
-(require "../disguise.rkt" "../statement.rkt" "../template.rkt")
+(require "../disguise.rkt" "../judge/number.rkt" "../judge/point.rkt"
+         "../statement.rkt" "../template.rkt")
 
 (provide symbolic-integrals)
 
 (define (symbolic-integrals)
-  (define-values (e F) (random-integrand))
+  (define-values (e F) (if (chance 6) (random-unknown) (random-integrand)))
   (define-values (low high) (random-ends))
-  (define claim
-    (and F (chance 2) `(- ,(substituted F 'x high) ,(substituted F 'x low))))
+  (define difference (and F `(- ,(substituted F 'x high) ,(substituted F 'x low))))
+  (define claim (and F (chance 2) (not (holds-no-value? difference)) difference))
   (define by (and (not claim) (chance 4) (pick '(a b))))
   (define f `(lambda (x) ,(quoted-symbols e '(x))))
   (define-values (from to) (values (quoted-symbols low '()) (quoted-symbols high '())))
@@ -22,6 +24,12 @@
                        ',by)]
                  [else `(definite-integral ,f ,from ,to)])
            `(integral ,e ,low ,high ,by ,claim)))
+
+;; Has a part of it, of numbers alone, no value?  The claim would be the user's mistake.
+(define (holds-no-value? e)
+  (and (pair? e)
+       (or (and (null? (symbols-of e)) (eq? 'none (number-at e (hasheq))))
+           (ormap holds-no-value? (cdr e)))))
 
 ;; Cuts lie between them for some values of the symbols.
 (define (random-ends)
@@ -41,6 +49,24 @@
   (define e `(* c ,(placed (car pair))))
   (values (if (chance 8) (disguise-once e) e)
           (and (pair? (cdr pair)) `(* c (/ ,(placed (pick (cdr pair))) ,slope)))))
+
+;; The derivative of x e^(sin x) is that of no table.
+(define (random-unknown)
+  (define-values (e F) (random-integrand))
+  (define known? (and F (chance 2)))
+  (define jump (if (chance 2) 0 (substituted (pick jumps) 'x (pick '(x x (- x 1) (+ x a) (- x a))))))
+  (define hidden '(* (+ 1 (* x (cos x))) (exp (sin x))))
+  (values (if known? `(+ ,e ,hidden) hidden)
+          `(+ (* x (exp (sin x))) ,jump ,@(if known? (list F) '()))))
+
+;; Each is constant beside some places, or where it has a value
+(define jumps
+  '((square (sgn x)) (sgn x) (* (square (sgn x)) (sgn (* 2 x))) (sgn (abs x)) (atan 0 x)
+    (- (abs (+ x 1/2)) (abs (- x 1/2))) (- (atan (tan x)) x) (+ (atan x) (atan (/ 1 x)))
+    (/ (abs x) x) (* (abs x) (sgn x) (/ 1 x)) (- (acosh (cosh x)) x)
+    (* (sqrt (- (square x) 1)) (- (square (cosh x)) 1 (square (sinh x))) (sgn x))
+    (+ (- (abs (+ x 1/2)) (abs (- x 1/2))) (* (sqrt (- (square x) 1)) (- 1 (square (sin x)) (square (cos x)))))
+    (- (log (abs x)) (* 1/2 (log (square x)))) (- (asin (sin x)) x) (sgn (- (square x) 1))))
 
 ;; (integrand antiderivative ...), right ones or nearly
 (define integrands
@@ -110,4 +136,29 @@
     ((log (square x)) (- (* x (log (square x))) (* 2 x)))
     ((log (abs (- x a))) (- (* (- x a) (log (abs (- x a)))) x))
     ((/ 1 (* x (log x))) (log (abs (log x))) (log (log x)))
-    ((/ (log x) x) (* 1/2 (square (log x))))))
+    ((/ (log x) x) (* 1/2 (square (log x))))
+    ;; sides of a kink
+    ((* x (abs (- x a))) (* (sgn (- x a)) (+ (/ (cube x) 3) (* -1/2 a (square x)) (/ (cube a) 6)))
+                         (* (sgn (- x a)) (+ (/ (cube x) 3) (* -1/2 a (square x)))))
+    ((* (abs x) (exp (* a x)))) ((* (abs x) (abs (- x a)))) ((abs (* x (- x a)))) ((* (sgn x) (abs (- x a))))
+    ((/ (abs x) (+ 1 (square x))) (* 1/2 (sgn x) (log (+ 1 (square x)))))
+    ((* (sgn (- x a)) (cos x)) (* (sgn (- x a)) (- (sin x) (sin a))) (* (sgn (- x a)) (sin x)))
+    ((/ (abs x) (- x a))) ((/ (sgn x) (+ x a))) ((/ 1 (+ a (abs x)))) ((expt (abs x) n)) ((sqrt (abs x)))
+    ((/ 1 (+ 1 (abs x))) (* (sgn x) (log (+ 1 (abs x))))) ((/ 1 (square (- (abs x) 1)))) ((/ (abs x) (square x)))
+    ((exp (- (abs x))) (* (sgn x) (- 1 (exp (- (abs x))))) (* -1 (sgn x) (exp (- (abs x)))))
+    ((sinh (abs x)) (* (sgn x) (- (cosh x) 1)) (* (sgn x) (cosh x))) ((log (abs x)))
+    ;; cosines in denominators, logarithms, hyperbolic functions, the error function
+    ((/ 1 (+ 2 (square a) (cos x)))) ((/ 1 (+ 3 (cos (* a x))))) ((/ 1 (+ 1 (square a) (* a (cos x)))))
+    ((/ 1 (+ 2 (* a (cos x))))) ((/ 1 (- 2 (cos x))) (/ (+ x (* 2 (atan (/ (sin x) (- 4 (cos x)))))) 2))
+    ((log x) (- (* x (log x)) x) (- (* x (log (abs x))) x)) ((log (+ x a))) ((* x (log x)))
+    ((cosh (* a x)) (/ (sinh (* a x)) a)) ((square (cosh x))) ((/ 1 (square (cosh x))) (tanh x))
+    ((/ 1 (cosh x)) (atan (sinh x)) (* 2 (atan (exp x))) (* 2 (atan (tanh (/ x 2)))))
+    ((exp (* -1 (+ 1 (square a)) (square x)))) ((exp (- (square x))) (* 1/2 (sqrt :pi) (erf x)) (erf x))
+    ((exp (* -1 a (square x)))) ((asin x) (+ (* x (asin x)) (sqrt (- 1 (square x))))) ((asin (* a x)))
+    ((/ 1 (sin x)) (- (atanh (cos x))) (log (abs (tan (/ x 2))))) ((atan (* a x)))
+    ;; roots over x
+    ((/ (sqrt (+ (square x) a)) x)) ((/ (sqrt (- 1 (square x))) x)) ((/ (sqrt (- (* a x) (square x))) x))
+    ((/ (sqrt (- (square x) 1)) x) (- (sqrt (- (square x) 1)) (acos (/ 1 x)))
+                                   (- (sqrt (- (square x) 1)) (atan (sqrt (- (square x) 1)))))
+    ((/ 1 (* x (sqrt (+ (square x) (* a x)))))) ((/ 1 (* x (sqrt (- (+ (square x) x) 2)))))
+    ((/ 1 (* x (sqrt (- (* 2 x) 1))))) ((/ 1 (* x (sqrt (- (square x) (square a)))))) ((sqrt (- (/ 2 x) 1)))))

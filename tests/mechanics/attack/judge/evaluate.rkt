@@ -189,6 +189,24 @@
     [(#f) (fail-unknown)]
     [else (fail-outside)]))
 
+;; erf v = 2/√π · e^(-v²) (v + 2v³/3 + 4v⁵/15 + ...), whose terms have one sign; each is less than half
+;; the one before as soon as n > 2v², and then all that follow are less than the last.
+(define (error-function A v)
+  (define i (as-interval A v))
+  (define size (max (abs ((arithmetic-to-real A) (interval-low i)))
+                    (abs ((arithmetic-to-real A) (interval-high i)))))
+  (when (> size 12) (fail-unknown))
+  (define double (multiply A 2 (square A i)))
+  (define-values (sum last)
+    (for/fold ([sum i] [term i]) ([n (in-range (+ 300 (ceiling (* 4 size size))))])
+      (define next (divide A (multiply A term double) (+ (* 2 n) 3)))
+      (values (add A sum next) next)))
+  (define all (add A sum ((arithmetic-join A) (as-interval A 0) (as-interval A last))))
+  (if (eqv? v 0)
+      0
+      (divide A (multiply A 2 (multiply A (inverse-exponential A (square A i)) all))
+              (root A (half-turn A)))))
+
 (define (modulus A v)
   (case (sign-of v)
     [(1 0) v]
@@ -230,6 +248,7 @@
                (list 'asinh (unary inverse-hyperbolic-sine))
                (list 'acosh (unary inverse-hyperbolic-cosine))
                (list 'atanh (unary checked-artanh))
+               (list 'erf (unary error-function))
                (list 'abs (unary modulus)) (list 'sgn (unary sign))))])
     (values (first entry) (second entry))))
 

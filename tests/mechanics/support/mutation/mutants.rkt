@@ -246,4 +246,16 @@
    "#t"]
   ["a witness need not be in the domain" "zero/region.rkt"
    "(for/list ([e (in-list (assumptions-domain A))])"
-   "(for/list ([e (in-list '())])"])
+   "(for/list ([e (in-list '())])"]
+  ["a sign is 1 or -1" "zero/sign-cases.rkt"
+   "(if (and jumps? (possible? zero)) (at-zero e u A) '())"
+   "'()"]
+  ["what vanishes beside a zero of u vanishes there" "zero/sign-cases.rkt"
+   "(beside 1 (if jumps? positive nonnegative))"
+   "(beside 1 positive)"]
+  ["what is a whole turn is 0" "zero/inverse-functions.rkt"
+   "(and (< (- turn) (interval-low range)) (< (interval-high range) turn))"
+   "#t"]
+  ["squares that are equal are of equals" "zero/real-proof.rkt"
+   "(and (opposite-signs? P Q A)"
+   "(and #t"])

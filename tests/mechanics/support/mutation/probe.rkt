@@ -10,6 +10,7 @@
                   ball/ ball-lower ball-upper ball-scale ball-positive? exact->ball make-ball)
          mechanics/algebra/zero/kink
          (only-in mechanics/algebra/zero/nondegeneracy make-meaning meaningful?)
+         mechanics/algebra/zero/real-proof
          mechanics/algebra/zero/zero-test
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/expression/read
@@ -61,6 +62,20 @@
     (- (cos (* 1.4142135623730958 x)) (cos (* (sqrt 2) x)))
     (- (* 0.7 x) (* 7 (* 0.1 x)))
     (- (expt (sqrt (- -1 (* x x))) 2) (- -1 (* x x)))))
+
+;; Proved among real numbers, and not: these differ from 0 at one point, beyond 10¹⁸, by whole turns,
+;; at one point, everywhere.
+(define among-reals
+  '((#t (- (sgn (* x (abs x))) (sgn x)))
+    (#f (- (sgn (abs (- x 137/101))) 1))
+    (#t (- (abs (- 2 (sqrt (+ 1 (expt (sin x) 2))))) (- 2 (sqrt (+ 1 (expt (sin x) 2))))))
+    (#f (* (sqrt (+ 1000000000 (sqrt x))) (- (abs (- 1000000000 (sqrt x))) (- 1000000000 (sqrt x)))))
+    (#t (- (+ (* 4 (atan (exp x))) (* 4 (atan (exp (* -1 x))))) (* 2 :pi)))
+    (#f (+ (* 4 (atan (exp x))) (* 4 (atan (exp (* -1 x))))))
+    (#t (- (atan (* -1 (exp x)) -1) (- (atan (exp x)) :pi)))
+    (#f (- (atan (* -1 (abs x)) -1) (- (atan (abs x)) :pi)))
+    (#t (- (sqrt (+ x (* 2 (sqrt (- x 1))))) (+ 1 (sqrt (- x 1)))))
+    (#f (+ (sqrt (+ x (* 2 (sqrt (- x 1))))) 1 (sqrt (- x 1))))))
 
 ;; What their witnesses name.
 (define named
@@ -133,6 +148,9 @@
       (for/or ([d (in-list kept)]) (value-kept (datum->expression d)))
       (for/or ([d (in-list read-for-proof)]) (unlike d 'proved (status d)))
       (for/or ([d (in-list open)]) (unlike d 'undecided (status d)))
+      (for/or ([entry (in-list among-reals)])
+        (unlike (cadr entry) (car entry)
+                (and (prove-among-reals (datum->expression (cadr entry)) no-assumptions) #t)))
       (for/or ([entry (in-list named)])
         (unlike (car entry) (cadr entry)
                 (map car (zero-test-witness (zero-test (datum->expression (car entry)))))))
