@@ -5,11 +5,11 @@
 ;;
 ;; which is continuous, as the usual form by tan x/2 is not, and
 ;;
-;;     ∫ e^(−kx²) dx = ½ √(π/k) erf(√k x),   k > 0.
+;;     ∫ e^(−s²x²) dx = √π/2s erf(sx).
 ;;
 ;; (Gradshteyn and Ryzhik, 2.5, 2.7; DLMF 4.26, 4.40, 7.1.)
 
-(require "expression-function.rkt"
+(require "expression-function.rkt" (only-in "quadratic-antiderivative.rkt" root-of)
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt"
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
@@ -77,7 +77,7 @@
   (for/or ([n (in-list (nodes-in e))] #:when (headed? n op:exp))
     (define k (simplify-expression (e:/ (car (node-args n)) (e:* -1 (square x))) A))
     (define c (simplify-expression (e:/ e n) A))
-    (and (not (occurs? x k))
-         (not (occurs? x c))
-         (eqv? 1 (known-sign k A))
-         (e:* c (e:* (e:* 1/2 (sqrt (e:/ exact-pi k))) (e:apply op:erf (e:* (sqrt k) x)))))))
+    (define s (and (not (occurs? x k)) (not (occurs? x c)) (root-of k A)))
+    (and s
+         (not (eqv? s 0))
+         (e:* c (e:* (e:/ (sqrt exact-pi) (e:* 2 s)) (e:apply op:erf (e:* s x)))))))

@@ -17,7 +17,7 @@
                  "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/simplify/known-sign.rkt" "../algebra/simplify/simplify-expression.rkt")
 
-(provide integral-of-quadratic)
+(provide integral-of-quadratic root-of)
 
 ;; An expression, or #f
 (define (integral-of-quadratic e x A)
