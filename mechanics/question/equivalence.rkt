@@ -129,7 +129,8 @@
 ;; ---------------------------------------------------------------------------
 ;; A matrix
 
-;; M as rows of scalars, by the accelerations in the residual.
+;; M as rows of scalars, by the accelerations in the residual.  No sign is taken for granted here:
+;; the verdict would not know of it.
 (define (mass-rows L local)
   (define q (coordinate local))
   (define (residual-at a)
@@ -137,14 +138,14 @@
   (define columns (scalars ((D residual-at) (g:* 0 q))))
   (define n (shape-length q))
   (for/list ([i (in-range n)])
-    (for/list ([j (in-range n)]) (simplify (list-ref columns (+ (* n j) i))))))
+    (for/list ([j (in-range n)]) (simplify-strictly (list-ref columns (+ (* n j) i))))))
 
 ;; The parts of the residual without accelerations.
 (define (without-accelerations E local)
   (define rest
     (for/fold ([e (list->down E)]) ([a (in-list (scalars (acceleration local)))])
       (substitute e a 0)))
-  (map simplify (scalars rest)))
+  (map simplify-strictly (scalars rest)))
 
 (define (combined who rows1 rows2 E1 E2 local surveys domain)
   (define-values (b1 b2)
@@ -158,7 +159,7 @@
         (by-row-spaces A1 A2 local surveys domain))))
 
 (define (by-matrix M1 M2 b1 b2 local surveys domain)
-  (define C (simplify (g:* M2 (g:invert M1))))
+  (define C (simplify-strictly (g:* M2 (g:invert M1))))
   (define v
     (judged (map g:- b2 (matrix-times-list C b1)) local surveys domain
             (append-map (lambda (M) (regular-conditions M local)) (list M1 M2))))

@@ -28,3 +28,13 @@
 
 (test-case "a factor declared not to be 0 is no condition"
   (check-equal? (assuming ('(> c 0)) (conditions L-free (scaled 'c L-free) local)) '()))
+
+;; With d = |a − b| both have the same motions where d = 1: such a place is no witness.
+(test-case "a witness takes no sign for granted in silence"
+  (define d (sqrt (square (- 'a 'b))))
+  (define ((oscillators m k) (up _ (up x y) (up vx vy)))
+    (- (+ (square vx) (* m (square vy))) (+ (square x) (* k (square y)))))
+  (define v (verify-equivalent-Lagrangians (oscillators d d) (oscillators d 1) plane))
+  (check-pred refuted? v)
+  (define (at name) (cdr (assoc name (verdict-witness v))))
+  (check-not-equal? (abs (- (at 'a) (at 'b))) 1))
