@@ -28,14 +28,13 @@
          "../algebra/expression/operation.rkt" "../algebra/expression/pi.rkt"
          "../algebra/expression/read.rkt"
          (only-in "../algebra/expression/simplifier.rkt" left-unexpanded?)
-         "../algebra/expression/substitute.rkt"
-         "../algebra/expression/symbols.rkt"
+         "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/solve/nonzero-conditions.rkt"
          "../algebra/simplify/declare.rkt" "../algebra/simplify/known-sign.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../algebra/zero/zero-test.rkt" "../error/failure.rkt")
 
-(provide between-ends integral-conditions-of continuous-logarithms proved-zero?)
+(provide between-ends integral-conditions-of continuous-logarithms jumps-between? proved-zero?)
 
 ;; x : the variable, which goes from low to high
 ;; A : assumptions; inside : the same, with x between the ends, if their order is known
@@ -81,8 +80,8 @@
 (define (at-low u p) (at u p (path-low p)))
 (define (at-high u p) (at u p (path-high p)))
 
-;; F with log(u/u(low)) in place of log u, where u may be negative, F' = e remains, and F goes on where
-;; a sign changes: so values are real.
+;; F with log(u/u(low)) in place of log u, where u may be negative, F' = e remains, and F goes on
+;; where a sign changes: so values are real.
 (define (continuous-logarithms F e x low high A)
   (define p (make-path x low high A))
   (define (real-logarithm u)
@@ -95,7 +94,7 @@
                        [(andmap eq? args (node-args n)) n]
                        [else (rebuild (node-head n) args)]))))
   (define difference (e:- (derivative real p) e))
-  (if (and (andmap (lambda (u) (continuous-over? (make-node op:sgn (list u)) real p)) (signed-parts real p))
+  (if (and (not (jumps? real p))
            (or (eqv? 0 (simplify-expression difference A)) (proved-zero? difference A)))
       real
       F))
@@ -133,15 +132,35 @@
   (define u (car (node-args n)))
   (define (with sign) (substitute-expression F (list (cons n sign))))
   (and (line? u p)
-       (let ([zero (simplify-expression (e:- (path-x p) (e:/ u (derivative u p))))])
-         (define (zero-there? e) (eqv? 0 (simplify-expression (at e p zero) (path-A p))))
-         (with-handlers ([no-value? (lambda (_) #f)])
-           (and (not (ormap zero-there? (remove u (signed-parts F p))))
-                (zero-there? (e:- (with 1) (with -1)))
-                (zero-there? (e:- (with 1) (with 0))))))))
+       (let ()
+         (define (zero-there? e) (eqv? 0 (at-zero-of-line e u p)))
+         (and (not (ormap zero-there? (remove u (signed-parts F p))))
+              (zero-there? (e:- (with 1) (with -1)))
+              (zero-there? (e:- (with 1) (with 0)))))))
 
-(define (signed-parts e p)
-  (parts-in e (lambda (n) (and (headed? n op:sgn) ((moves? p) n) (car (node-args n))))))
+;; The value of e where the line u is zero; #f if there is none
+(define (at-zero-of-line e u p)
+  (define zero (simplify-expression (e:- (path-x p) (e:/ u (derivative u p)))))
+  (with-handlers ([no-value? (lambda (_) #f)])
+    (simplify-expression (at e p zero) (path-A p))))
+
+;; Has e a sign of x, or an |u| divided by u, that makes it jump between the ends, as far as is known?
+(define (jumps-between? e x low high A)
+  (define p (make-path x low high A))
+  (define simple (simplify-expression e (with-automatic-assumptions A #f)))
+  (or (jumps? simple p)
+      (for*/or ([u (in-list (parts-headed op:abs simple p))]
+                [divisor (in-list (filter (moves? p) (denominators simple)))])
+        (or (not (line? u p)) (eqv? 0 (at-zero-of-line divisor u p))))))
+
+(define (jumps? e p)
+  (not (andmap (lambda (u) (continuous-over? (make-node op:sgn (list u)) e p)) (signed-parts e p))))
+
+(define (signed-parts e p) (parts-headed op:sgn e p))
+
+;; The arguments, those that move, of the operation in e
+(define (parts-headed head e p)
+  (parts-in e (lambda (n) (and (headed? n head) ((moves? p) n) (car (node-args n))))))
 
 ;; (base . exponent) of powers with an exponent that is no number
 (define (symbolic-powers F x)

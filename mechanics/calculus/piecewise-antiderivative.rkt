@@ -40,14 +40,13 @@
   (define F (antiderivative (simplify-expression there A)))
   (define (at-x0 e) (substitute-expression e (list (cons x x0))))
   (with-handlers ([no-value? (lambda (_) #f)])
-    (define real (and F (with-real-logarithms F x at-x0 A)))
+    (define real (and F (with-real-logarithms F x A)))
     (and real (e:- real (at-x0 real)))))
 
-;; F with log(u/u(x0)) in place of log u, where u(x0) may be negative
-(define (with-real-logarithms F x at-x0 A)
+;; F with log|u| in place of log u, where u may be negative.  There is no zero of u on the path.
+(define (with-real-logarithms F x A)
   (define (real u)
-    (define at (at-x0 u))
-    (if (or (not (occurs? x u)) (eqv? 1 (known-sign at A))) u (e:/ u at)))
+    (if (or (not (occurs? x u)) (eqv? 1 (known-sign u A))) u (e:apply op:abs u)))
   (node-fold F values
              (lambda (n args)
                (define reals (if (headed? n op:log) (map real args) args))

@@ -44,13 +44,15 @@
 ;; slope : Q'; delta : Δ
 (struct quadratic (all c0 c1 c2 slope delta) #:authentic)
 
+(define ((signed-in x) n) (and (memq (node-head n) (list op:abs op:sgn)) (occurs? x n)))
+
 ;; Coefficients of a polynomial of degree n at most, or #f; |x| is none
 (define (coefficients e x n A)
   (define derivatives
     (for/fold ([es (list e)]) ([_ (in-range (+ n 1))])
       (cons (simple (expression-derivative (car es) x) A) es)))
   (and (eqv? 0 (car derivatives))
-       (not (some-node? (lambda (n) (and (memq (node-head n) (list op:abs op:sgn)) (occurs? x n))) e))
+       (not (some-node? (signed-in x) e))
        (for/list ([d (in-list (reverse (cdr derivatives)))] [factorial (in-list '(1 1 2))])
          (simple (e:/ (substitute-expression d (list (cons x 0))) factorial) A))))
 

@@ -1,14 +1,14 @@
 #lang racket/base
 ;; Definite integrals with symbols in their ends or their integrands, as formulas:
-;; F(high) − F(low), where F is an antiderivative (antiderivative.rkt).  Where none is found, a claim
-;; is one itself if an end is a symbol, and its derivative there is the integrand.
+;; F(high) − F(low), where F is an antiderivative (antiderivative.rkt).  Where none is found, a
+;; claim is one itself if an end is a symbol, and its derivative there is the integrand.
 ;;
 ;; The conditions under which that is the integral (integral-conditions.rkt) are among the
 ;; assumptions used, as those of simplification are, unless they are declared or known.
 
 (require racket/list
          "antiderivative.rkt" "expression-function.rkt" "integral.rkt" "integral-conditions.rkt"
-         "number-argument.rkt" "perturbed-value.rkt"
+         "number-argument.rkt" "perturbed-value.rkt" "Taylor-number.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt"
                   relation-expression relation-signs with-automatic-assumptions)
          "../algebra/assumption/domain.rkt" "../algebra/assumption/signs.rkt"
@@ -22,7 +22,7 @@
          "../algebra/zero/common-domain.rkt" "../algebra/zero/real-signs.rkt"
          "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt"
          "../error/note.rkt"
-         "../generic/describe.rkt" "../generic/wrong-argument.rkt"
+         "../generic/describe.rkt" "../generic/kinks-met.rkt" "../generic/wrong-argument.rkt"
          "../value/assumptions.rkt")
 
 (provide symbolic-integral)
@@ -41,9 +41,11 @@
     (set! conditions (remove-duplicates (append conditions (map (named names) more)))))
   (check-ends who from to)
   (define formula
-    (let integral ([f f])
-      (define y (f x))
-      (cond [(perturbed? y) (integral-by-components integral f y)]
+    (let integral ([f f] [left #f])     ; so many derivatives are to be taken; #f if all are
+      (define-values (y kinks?) (value-and-kinks f x))
+      (when (and kinks? (not (eqv? left 0))) (check-without-jumps who (innermost y) x from to))
+      (define (component-integral f) (integral f (- (or left (order-of-perturbation y)) 1)))
+      (cond [(perturbed? y) (integral-by-components component-integral f y)]
             [(or (perturbed? low) (perturbed? high))
              (evaluate-generically (between-expressions who x y from to claim note!) names)]
             [else (between-expressions who x y from to claim note!)])))
@@ -55,6 +57,27 @@
   (for ([c (in-list conditions)])
     (note-once (format "definite-integral: the formula holds if ~s" c)))
   formula)
+
+;; f at x; and has it a sign, or the like, of what is perturbed?
+(define (value-and-kinks f x)
+  (define-values (y kinks) (call-noting-kinks (lambda () (f x))))
+  (for ([k (in-list kinks)]) (apply note-kink! (met-name k) (met-arguments k)))
+  (values y (ormap (lambda (k) (memq (met-name k) '(sgn abs sqrt expt))) kinks)))
+
+(define (order-of-perturbation y)
+  (if (perturbed? y)
+      (+ (if (jet? y) (jet-order y) 1) (order-of-perturbation ((parts-value (parts-of y)) y)))
+      0))
+
+;; The place of a jump may move with what is perturbed, which derivatives of e, the integrand at x, do
+;; not show.
+(define (check-without-jumps who e x low high)
+  (when (and (expression? e) (jumps-between? e x low high (assumptions-in-force)))
+    (raise-no-answer who
+                     (string-append "no formula was found for a derivative of the integral of ~a, "
+                                    "which jumps\n  give its symbols values first: "
+                                    "(substitute expression 'm 3 ...)")
+                     (value->text e))))
 
 ;; A datum with values in place of names that stood for perturbed ends
 (define ((named names) datum)
@@ -101,7 +124,8 @@
     (and (real-wherever? F e A)
          (proved-zero? (e:- (expression-derivative F x) e) A)))
   (and (expression? claim)
-       (findf (lambda (F) (and F (right? F))) (list (candidate high low 1) (candidate low high -1)))))
+       (findf (lambda (F) (and F (right? F)))
+              (list (candidate high low 1) (candidate low high -1)))))
 
 ;; Has F no gap that e has not, as √(x² − 1) has one?  Beyond it a constant may be another.  Gaps
 ;; that begin where u = 0 in log u or 1/√u are cuts (integral-conditions.rkt).

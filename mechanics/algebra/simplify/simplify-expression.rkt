@@ -29,10 +29,11 @@
   (define-values (simple grounds) (simplify-expression/assumptions e A))
   simple)
 
-;; The same where A holds, though e may have no real value there: √(x²y) was written |x| √y, and that
-;; says nothing of y where x is 0.  Nothing is taken for granted.
+;; The same where A holds, though e may have no real value there: √(x²y) was written |x| √y, and
+;; that says nothing of y where x is 0.  Nothing is taken for granted.
 (define (simplify-where e A)
-  (workspace-simplify (make-workspace (with-automatic-assumptions A #f) (question '() #f) (make-fuel)) e))
+  (define w (make-workspace (with-automatic-assumptions A #f) (question '() #f) (make-fuel)))
+  (workspace-simplify w e))
 
 ;; -> the simplified expression and what is to be known of it, as datums: what it
 ;; rests on, such as (>= R 0), and (left-unexpanded e) if it is not in canonical

@@ -1,16 +1,17 @@
 #lang racket/base
 ;; Sums of logarithms, and sums of arcs, that vanish.
 ;;
-;; *Logarithms.*  Real ones have positive arguments, and the exponential of real numbers is one to one:
+;; *Logarithms.*  Real ones have positive arguments, and the exponential of real numbers is one to
+;; one:
 ;;
 ;;     Σ nᵢ log uᵢ + R = 0      if      ∏ uᵢ^nᵢ · e^R = 1.
 ;;
 ;; Inverse hyperbolic functions are logarithms.
 ;;
-;; *Arcs.*  Each is the angle of a complex number: atan u that of 1 + iu, asin u of √(1 − u²) + iu, acos u
-;; of u + i√(1 − u²), the angle of the point (x, y) that of x + iy.  The sum Σ nᵢ αᵢ + R is the angle of
-;; Z = ∏ zᵢ^nᵢ · (cos R + i sin R), up to whole turns.  So it is zero if Z is positive, that is, if
-;; Im Z = 0 and Re Z ≥ 0, and if the range of the sum leaves no other whole turn.
+;; *Arcs.*  Each is the angle of a complex number: atan u that of 1 + iu, asin u of √(1 − u²) + iu,
+;; acos u of u + i√(1 − u²), the angle of the point (x, y) that of x + iy.  The sum Σ nᵢ αᵢ + R is
+;; the angle of Z = ∏ zᵢ^nᵢ · (cos R + i sin R), up to whole turns.  So it is zero if Z is positive,
+;; that is, if Im Z = 0 and Re Z ≥ 0, and if the range of the sum leaves no other whole turn.
 
 (require racket/list
          "in-exponentials.rkt" "real-signs.rkt"
@@ -35,7 +36,8 @@
                (define u (and (pair? args) (car args)))
                (define write (hash-ref as-logarithms (node-head n) #f))
                (cond [write (write u)]
-                     [(and (hyperbolic? n) (pair? (applications-of op:log u))) (in-exponentials (rebuild (node-head n) args))]
+                     [(and (hyperbolic? n) (pair? (applications-of op:log u)))
+                      (hyperbolic-in-exponentials (rebuild (node-head n) args))]
                      [(and (eq? (node-head n) op:tan) (half-arc u)) => tangent-of-half]
                      [(andmap eq? args (node-args n)) n]
                      [else (rebuild (node-head n) args)]))))
@@ -93,8 +95,10 @@
     (for/list ([f (in-list functions)])
       (simple (e:- (apply with (map (lambda (g) (if (eq? f g) 1 0)) functions)) none))))
   (define (linear?)
-    (eqv? 0 (simple (for/fold ([r (e:- marked none)]) ([m (in-list marks)] [c (in-list coefficients)])
-                      (e:- r (e:* c m))))))
+    (define rest
+      (for/fold ([r (e:- marked none)]) ([m (in-list marks)] [c (in-list coefficients)])
+        (e:- r (e:* c m))))
+    (eqv? 0 (simple rest)))
   (define unit (findf (lambda (c) (not (eqv? c 0))) coefficients))
   (and unit
        (linear?)
@@ -124,18 +128,21 @@
   (define s (and (pair? logs) (andmap (lambda (f) (not (holds-any? (car (node-args f)) logs))) logs)
                  (sum-of e logs A)))
   (and s
-       (let ([product (product-over s (lambda (f) (car (node-args f))) 1 e:* (lambda (u) (e:/ 1 u)))])
+       (let ([product
+              (product-over s (lambda (f) (car (node-args f))) 1 e:* (lambda (u) (e:/ 1 u)))])
          (e:- (e:* product (e:exp (whole-sum-rest s))) 1))))
 
 (define (holds-any? e nodes)
-  (and (node? e) (or (and (memq e nodes) #t) (ormap (lambda (a) (holds-any? a nodes)) (node-args e)))))
+  (and (node? e)
+       (or (and (memq e nodes) #t)
+           (ormap (lambda (a) (holds-any? a nodes)) (node-args e)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Arcs
 
 (define arc-heads (list op:atan op:asin op:acos))
 
-;; -> two expressions, Im Z and Re Z : e is zero where the first is 0 and the second is not negative.
+;; -> two expressions, Im Z and Re Z : e is zero where the first is 0 and the second not negative;
 ;; #f #f if e is no sum of arcs, or one with too wide a range
 (define (angle-of-arcs e A)
   (define arcs (functions-in e arc-heads))
@@ -182,7 +189,8 @@
   (define range (range-over n places))
   (define right (if (pair? (cdr args)) (real-signs (cadr args) A) positive))
   (define (within low high) (intersection range (interval low high)))
-  (cond [(eq? (node-head n) op:acos) (within 0 (if (signs-within? signs nonnegative) quarter (* 2 quarter)))]
+  (cond [(eq? (node-head n) op:acos)
+         (within 0 (if (signs-within? signs nonnegative) quarter (* 2 quarter)))]
         [(signs-within? right nonnegative)
          (within (if (signs-within? signs nonnegative) 0 (- quarter))
                  (if (signs-within? signs nonpositive) 0 quarter))]

@@ -34,8 +34,9 @@
 
 (provide find-kinks (struct-out kink))
 
-;; sort : 'kink, 'jump, 'branch (a jump of an angle by a whole turn, which its derivatives do not have) or
-;; 'no-value           expression : in which it is, such as |t − 2|
+;; sort : 'kink, 'jump, 'branch (a jump of an angle by a whole turn, which its derivatives do not
+;; have) or 'no-value
+;; expression : in which it is, such as |t − 2|
 ;; equations : (= t 2) ... or, where these cannot be solved for, (= u 0), and what else holds
 ;; there; solved? tells which.  family? : do they hold for each integer n?
 (struct kink (sort expression equations solved? family?) #:transparent)

@@ -5,17 +5,19 @@
 ;; numbers more is true, and here it is used, one step upon the other:
 ;;
 ;; - |u| and sgn u are decided case by case (sign-cases.rkt);
-;; - a sum of logarithms, or of arcs, vanishes if a product does not differ from 1 (inverse-functions.rkt);
+;; - a sum of logarithms, or of arcs, vanishes if a product does not differ from 1
+;;   (inverse-functions.rkt);
 ;; - P + √A vanishes if P² = A, and P is not positive (real-signs.rkt).
 ;;
 ;; A proof holds wherever all parts of the expression are real and the assumptions hold; nothing is
-;; taken for granted.  Where that is, the expression tells as it was asked: a simplified one may have
-;; no value at some of these points.
+;; taken for granted.  Where that is, the expression tells as it was asked: a simplified one may
+;; have no value at some of these points.
 
 (require racket/list
          "inverse-functions.rkt" "real-signs.rkt" "sign-cases.rkt"
          "../assumption/assumption-set.rkt" "../assumption/signs.rkt"
-         "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/operation.rkt" "../expression/size.rkt"
+         "../expression/conjugate.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt" "../expression/size.rkt"
          "../simplify/domain-question.rkt" "../simplify/simplify-expression.rkt")
 
 (provide prove-among-reals)
@@ -29,7 +31,8 @@
 (define (prove-among-reals e A)
   (define steps (box most-steps))
   (and (worthwhile? e)
-       (zero-among-reals? (in-logarithms e) (with-domain-of e (with-automatic-assumptions A #f)) most-depth steps)))
+       (zero-among-reals? (in-logarithms e) (with-domain-of e (with-automatic-assumptions A #f))
+                          most-depth steps)))
 
 (define (worthwhile? e)
   (and (pair? (append-map (lambda (head) (applications-of head e)) real-heads))

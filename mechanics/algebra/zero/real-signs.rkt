@@ -1,9 +1,9 @@
 #lang racket/base
 ;; The signs that an expression may have, by all that is known of it.
 ;;
-;; Three ways are tried: its structure and the relations declared (assumption/assumption-set.rkt), the
-;; intervals its symbols are in (assumption/range.rkt), and for P + √A the rule of squares: the part
-;; decides whose square is the greater.
+;; Three ways are tried: its structure and the relations declared (assumption/assumption-set.rkt),
+;; the intervals its symbols are in (assumption/range.rkt), and for P + √A the rule of squares: the
+;; part decides whose square is the greater.
 ;;
 ;; Of a conjugate nothing is concluded unless it has a real value wherever e has one: √(1 + √x) has,
 ;; √(1 − √x) has none beyond 1.
@@ -47,8 +47,9 @@
 
 ;; The sign of P + Q, which have the signs p and q, where P² − Q² has the signs of `excess`
 (define (greater-part p q excess)
-  (cond [(signs-within? excess nonnegative) (if (signs-within? excess positive) p (bitwise-ior p zero))]
-        [(signs-within? excess nonpositive) (if (signs-within? excess negative) q (bitwise-ior q zero))]
+  (define (or-zero signs) (if (signs-within? zero excess) (bitwise-ior signs zero) signs))
+  (cond [(signs-within? excess nonnegative) (or-zero p)]
+        [(signs-within? excess nonpositive) (or-zero q)]
         [else any-sign]))
 
 ;; Is one of them never negative, the other never positive?

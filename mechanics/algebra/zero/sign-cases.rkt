@@ -2,8 +2,8 @@
 ;; Absolute values and signs, case by case: u ≥ 0, where |u| = u, and u < 0.
 ;;
 ;; Where sgn u occurs, u = 0 is a case of its own, for sgn 0 is 0: a symbol is then replaced by what
-;; it is there, if u is a line in it.  Nothing is concluded from values beside u = 0, since something
-;; else may jump there, as sgn(u²), or there may be no values beside it.
+;; it is there, if u is a line in it.  Nothing is concluded from values beside u = 0, since
+;; something else may jump there, as sgn(u²), or there may be no values beside it.
 
 (require racket/list
          "in-exponentials.rkt" "real-signs.rkt"
@@ -15,8 +15,8 @@
 
 (provide sign-cases under-relation)
 
-;; -> ((expression . assumptions) ...), the cases whose expressions have all to be zero; #f if e holds
-;; no sign that can be decided so
+;; -> ((expression . assumptions) ...), the cases whose expressions have all to be zero; #f if e
+;; holds no sign that can be decided so
 (define (sign-cases e A)
   (define signed (append (applications-of op:abs e) (applications-of op:sgn e)))
   (define u (findf single-valued? (map of signed)))

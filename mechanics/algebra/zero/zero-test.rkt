@@ -235,7 +235,8 @@
                   (pair? grounds)))
   (cond [witness (make-zero-test 'refuted witness value bound points #f '() f)]
         [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t A))]
-        [(prove-among-reals (tape->expression t) A) (vanishing-test t (form 0 1 0 '() no-ways '() '()) A)]
+        [(prove-among-reals (tape->expression t) A)
+         (vanishing-test t (form 0 1 0 '() no-ways '() '()) A)]
         [else
          (define reason (and (zero? points) 'nowhere))
          (make-zero-test 'undecided #f value bound points reason '() f)]))

@@ -1,24 +1,27 @@
 #lang racket/base
 ;; Identities of real numbers: roots, absolute values, signs, logarithms, arcs and hyperbolic
 ;; functions, many of which hold in a region only.  Random arguments are put in, both sides are made
-;; parts of something else, and about every other one is made false: by a sign, a factor, a whole turn,
-;; a condition left away or changed.  The points begin with small numbers, at which much is zero.
+;; parts of something else, and about every other one is made false: by a sign, a factor, a whole
+;; turn, a condition left away or changed.  The points begin with small numbers, at which much is
+;; zero.
 
 (require racket/list racket/match
-         "../disguise.rkt" "../judge/evaluate.rkt" "../judge/flonum.rkt" "../judge/point.rkt" "../judge/relation.rkt"
+         "../disguise.rkt" "../judge/evaluate.rkt" "../judge/flonum.rkt" "../judge/point.rkt"
+         "../judge/relation.rkt"
          "../statement.rkt" "../template.rkt")
 
 (provide real-identities)
 
 (define (real-identities)
   (define-values (left right given) (random-identity))
-  (define-values (wrong-right wrong-given)
+  (define-values (other-right other-given)
     (if (chance 2) (made-false right given) (values right given)))
   (define context (random-context))
-  (define points (points-where wrong-given (list left wrong-right)))
+  (define sides (list (context (disguised left (random 2))) (context other-right)))
+  (define points (points-where other-given sides))
   (if (null? points)
       (real-identities)
-      (statement (context (disguised left (random 2))) (context wrong-right) wrong-given points)))
+      (statement (car sides) (cadr sides) other-given points)))
 
 ;; ---------------------------------------------------------------------------
 ;; Identities: (left right condition ...), in u and v
@@ -45,7 +48,8 @@
     ((abs (- 2 (sqrt u))) (- 2 (sqrt u)) (<= u 4)) ((abs (- 1 (sqrt u))) (- (sqrt u) 1) (>= u 1))
     ((sqrt (square (- 3 (sqrt (+ 1 (square u)))))) (- 3 (sqrt (+ 1 (square u)))) (<= (abs u) 2))
     ((sqrt (+ 1 (* 2 (abs u)) (square u))) (+ 1 (abs u)))
-    ((sqrt (- 1 (square (sin u)))) (abs (cos u))) ((sqrt (+ 2 (* 2 (cos u)))) (* 2 (abs (cos (/ u 2)))))
+    ((sqrt (- 1 (square (sin u)))) (abs (cos u)))
+    ((sqrt (+ 2 (* 2 (cos u)))) (* 2 (abs (cos (/ u 2)))))
     ((* (sqrt (- 1 u)) (sqrt (+ 1 u))) (sqrt (- 1 (square u))))
     ((/ (sqrt (- 1 (square u))) (+ 1 u)) (sqrt (/ (- 1 u) (+ 1 u))))
     ;; logarithms, and inverse hyperbolic functions
@@ -58,14 +62,17 @@
     ((* 2 (asinh u)) (asinh (* 2 u (sqrt (+ 1 (square u))))))
     ((* 2 (acosh u)) (acosh (- (* 2 (square u)) 1)))
     ((+ (atanh u) (atanh v)) (atanh (/ (+ u v) (+ 1 (* u v)))))
-    ((+ (asinh u) (asinh v)) (asinh (+ (* u (sqrt (+ 1 (square v)))) (* v (sqrt (+ 1 (square u)))))))
+    ((+ (asinh u) (asinh v)) (asinh (+ (* u (sqrt (+ 1 (square v)))) (* v (sqrt (+ 1
+     (square u)))))))
     ((log (+ u (sqrt (+ 1 (square u))))) (- (log (- (sqrt (+ 1 (square u))) u))))
     ((acosh u) (* 2 (asinh (sqrt (/ (- u 1) 2))))) ((cosh (asinh u)) (sqrt (+ 1 (square u))))
     ((sinh (acosh u)) (sqrt (- (square u) 1))) ((asinh (- u)) (- (asinh u)))
-    ((asinh u) (* (sgn u) (acosh (sqrt (+ 1 (square u)))))) ((atanh (/ 1 u)) (* 1/2 (log (/ (+ u 1) (- u 1)))))
+    ((asinh u) (* (sgn u) (acosh (sqrt (+ 1 (square u))))))
+    ((atanh (/ 1 u)) (* 1/2 (log (/ (+ u 1) (- u 1)))))
     ;; arcs
     ((+ (asin u) (acos u)) (/ :pi 2)) ((+ (atan u) (atan (/ 1 u))) (/ :pi 2) (> u 0))
-    ((+ (atan u) (atan (/ 1 u))) (/ :pi -2) (< u 0)) ((+ (atan u) (atan (/ 1 u))) (* 1/2 :pi (sgn u)))
+    ((+ (atan u) (atan (/ 1 u))) (/ :pi -2) (< u 0))
+    ((+ (atan u) (atan (/ 1 u))) (* 1/2 :pi (sgn u)))
     ((atan u) (asin (/ u (sqrt (+ 1 (square u))))))
     ((* 2 (atan u)) (asin (/ (* 2 u) (+ 1 (square u)))) (<= (square u) 1))
     ((* 2 (atan u)) (asin (/ (* 2 u) (+ 1 (square u)))) (>= u -1) (<= u 1))
@@ -76,19 +83,23 @@
     ((- (atan u) (atan v)) (atan (/ (- u v) (+ 1 (* u v)))) (> u 0) (> v 0))
     ((acos (- u)) (- :pi (acos u))) ((asin (- u)) (- (asin u)))
     ((atan v u) (atan (/ v u)) (> u 0)) ((atan v u) (+ :pi (atan (/ v u))) (< u 0) (>= v 0))
-    ((atan v u) (- (atan (/ v u)) :pi) (< u 0) (< v 0)) ((atan v u) (- (/ :pi 2) (atan (/ u v))) (> v 0))
+    ((atan v u) (- (atan (/ v u)) :pi) (< u 0) (< v 0))
+    ((atan v u) (- (/ :pi 2) (atan (/ u v))) (> v 0))
     ((atan v u) (* 2 (atan (/ v (+ u (sqrt (+ (square u) (square v))))))))
     ((atan (- v) u) (- (atan v u)) (> (abs v) 0)) ((atan (- v) u) (- (atan v u)) (> u 0))
     ((atan (* 2 v) (* 2 u)) (atan v u)) ((atan (abs v) u) (abs (atan v u)))
     ((atan (- (abs u)) -1) (- (atan (abs u)) :pi) (> (abs u) 0))
-    ((acos u) (* 2 (asin (sqrt (/ (- 1 u) 2))))) ((asin u) (* 2 (atan (/ u (+ 1 (sqrt (- 1 (square u))))))))
+    ((acos u) (* 2 (asin (sqrt (/ (- 1 u) 2)))))
+    ((asin u) (* 2 (atan (/ u (+ 1 (sqrt (- 1 (square u))))))))
     ((asin (sqrt (- 1 (square u)))) (acos (abs u))) ((acos u) (atan (sqrt (- 1 (square u))) u))
     ((acos u) (- (/ :pi 2) (* 2 (atan (/ u (+ 1 (sqrt (- 1 (square u)))))))))
     ((atan (sqrt u)) (acos (/ 1 (sqrt (+ 1 u))))) ((* 2 (asin (sqrt u))) (acos (- 1 (* 2 u))))
     ((+ (asin u) (asin v)) (asin (+ (* u (sqrt (- 1 (square v)))) (* v (sqrt (- 1 (square u))))))
      (<= (+ (square u) (square v)) 1))
-    ((+ (atan u v) (atan v u)) (/ :pi 2) (> u 0) (> v 0)) ((sin (* 2 (asin u))) (* 2 u (sqrt (- 1 (square u)))))
-    ((cos (atan v u)) (/ u (sqrt (+ (square u) (square v))))) ((tan (* 1/2 (acos u))) (sqrt (/ (- 1 u) (+ 1 u))))
+    ((+ (atan u v) (atan v u)) (/ :pi 2) (> u 0) (> v 0))
+    ((sin (* 2 (asin u))) (* 2 u (sqrt (- 1 (square u)))))
+    ((cos (atan v u)) (/ u (sqrt (+ (square u) (square v)))))
+    ((tan (* 1/2 (acos u))) (sqrt (/ (- 1 u) (+ 1 u))))
     ((asin (sin u)) u (<= (abs u) 3/2)) ((asin (sin u)) (- :pi u) (> u 2) (< u 4))
     ((acos (cos u)) (abs u) (<= (abs u) 3)) ((acos (cos u)) u (>= u 0) (<= u 3))
     ((atan (tan u)) u (< u 3/2) (> u -3/2)) ((atan (sinh u)) (* 2 (atan (tanh (/ u 2)))))
@@ -140,7 +151,8 @@
     [`(- ,u ,v) (pick (list `(- ,v ,u) `(+ ,u ,v)))]
     [`(+ ,u ,v) `(- ,u ,v)]
     [`(/ ,u ,v) `(/ ,v ,u)]
-    [`(,(and f (or 'asin 'acos 'atan 'asinh)) ,u) (pick (list `(,f (abs ,u)) `(abs (,f ,u)) `(- (,f ,u))))]
+    [`(,(and f (or 'asin 'acos 'atan 'asinh)) ,u)
+     (pick (list `(,f (abs ,u)) `(abs (,f ,u)) `(- (,f ,u))))]
     [`(log ,u) `(log (abs ,u))]
     [_ #f]))
 
@@ -175,7 +187,8 @@
   (define symbols (apply symbols-of (append sides (relation-sides given))))
   (define all
     (for*/list ([_ (in-range 60)]
-                [numbers (in-value (if (chance 3) (random-numbers symbols (random 40)) (few symbols)))]
+                [numbers
+                 (in-value (if (chance 3) (random-numbers symbols (random 40)) (few symbols)))]
                 #:when (all-hold? given (make-point numbers 0) flonum-intervals))
       numbers))
   (define good (filter (lambda (numbers) (andmap (lambda (e) (real-there? e numbers)) sides)) all))

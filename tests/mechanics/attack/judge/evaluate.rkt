@@ -189,8 +189,8 @@
     [(#f) (fail-unknown)]
     [else (fail-outside)]))
 
-;; erf v = 2/√π · e^(-v²) (v + 2v³/3 + 4v⁵/15 + ...), whose terms have one sign; each is less than half
-;; the one before as soon as n > 2v², and then all that follow are less than the last.
+;; erf v = 2/√π · e^(-v²) (v + 2v³/3 + 4v⁵/15 + ...), whose terms have one sign; each is less than
+;; half the one before as soon as n > 2v², and then all that follow are less than the last.
 (define (error-function A v)
   (define i (as-interval A v))
   (define size (max (abs ((arithmetic-to-real A) (interval-low i)))

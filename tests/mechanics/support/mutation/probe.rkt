@@ -63,13 +63,14 @@
     (- (* 0.7 x) (* 7 (* 0.1 x)))
     (- (expt (sqrt (- -1 (* x x))) 2) (- -1 (* x x)))))
 
-;; Proved among real numbers, and not: these differ from 0 at one point, beyond 10¹⁸, by whole turns,
-;; at one point, everywhere.
+;; Proved among real numbers, and not: these differ from 0 at one point, beyond 10¹⁸, by whole
+;; turns, at one point, everywhere.
 (define among-reals
   '((#t (- (sgn (* x (abs x))) (sgn x)))
     (#f (- (sgn (abs (- x 137/101))) 1))
     (#t (- (abs (- 2 (sqrt (+ 1 (expt (sin x) 2))))) (- 2 (sqrt (+ 1 (expt (sin x) 2))))))
-    (#f (* (sqrt (+ 1000000000 (sqrt x))) (- (abs (- 1000000000 (sqrt x))) (- 1000000000 (sqrt x)))))
+    (#f (* (sqrt (+ 1000000000 (sqrt x)))
+           (- (abs (- 1000000000 (sqrt x))) (- 1000000000 (sqrt x)))))
     (#t (- (+ (* 4 (atan (exp x))) (* 4 (atan (exp (* -1 x))))) (* 2 :pi)))
     (#f (+ (* 4 (atan (exp x))) (* 4 (atan (exp (* -1 x))))))
     (#t (- (atan (* -1 (exp x)) -1) (- (atan (exp x)) :pi)))
