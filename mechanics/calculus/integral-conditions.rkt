@@ -57,7 +57,8 @@
 ;; -> a list of datums, among them declared ones; #f if there are none under which F will do
 (define (integral-conditions-of e F x low high A)
   (define p (make-path x low high A))
-  (define-values (moving still) (partition (moves? p) (factors-of (denominators F) A)))
+  (define-values (moving still)
+    (partition (moves? p) (factors-of (append (denominators F) (sizes-in-logarithms F)) A)))
   (with-handlers ([nothing-told? (lambda (_) #f)]
                   [exn:algebra:contradiction? (lambda (_) #f)])
     (check-domain e p)
@@ -75,29 +76,42 @@
 (struct nothing-told ())
 (define (fail) (raise (nothing-told)))
 
+;; u of log|u|, which is a constant beside a kink (piecewise-antiderivative.rkt)
+(define (sizes-in-logarithms F)
+  (for/list ([u (in-list (logarithms-in F))] #:when (headed? u op:abs)) (car (node-args u))))
+
 (define ((moves? p) u) (occurs? (path-x p) u))
 (define (at u p end) (substitute-expression u (list (cons (path-x p) end))))
 (define (at-low u p) (at u p (path-low p)))
 (define (at-high u p) (at u p (path-high p)))
 
-;; F with log(u/u(low)) in place of log u, where u may be negative, F' = e remains, and F goes on
-;; where a sign changes: so values are real.
+;; F with log(u/u(low)), or else with log|u|, in place of log u, where u may be negative, F' = e
+;; remains, and F goes on where a sign changes: so values are real.
 (define (continuous-logarithms F e x low high A)
   (define p (make-path x low high A))
-  (define (real-logarithm u)
-    (define positive? (or (not (occurs? x u)) (eqv? 1 (known-sign u (path-inside p)))))
-    (if positive? (make-node op:log (list u)) (e:apply op:log (e:/ u (at-low u p)))))
-  (define real
-    (node-fold F values
-               (lambda (n args)
-                 (cond [(headed? n op:log) (real-logarithm (car args))]
-                       [(andmap eq? args (node-args n)) n]
-                       [else (rebuild (node-head n) args)]))))
-  (define difference (e:- (derivative real p) e))
-  (if (and (not (jumps? real p))
-           (or (eqv? 0 (simplify-expression difference A)) (proved-zero? difference A)))
-      real
-      F))
+  (define (known? u) (or (not (occurs? x u)) (eqv? 1 (known-sign u (path-inside p)))))
+  (define (positive-in-e? u) (member u (logarithms-in e)))
+  (define by-ends (with-logarithms-of F known? (lambda (u) (e:/ u (at-low u p)))))
+  (define by-size
+    (with-logarithms-of F (lambda (u) (or (known? u) (positive-in-e? u)))
+                        (lambda (u) (e:apply op:abs u))))
+  (define (difference F) (e:- (derivative F p) e))
+  (define (zero? e) (or (eqv? 0 (simplify-expression e A)) (proved-zero? e A)))
+  (cond [(and (not (jumps? by-ends p)) (zero? (difference by-ends))) by-ends]
+        [(and (not (eq? by-size F)) (not (jumps? by-size p)) (proved-zero? (difference by-size) A))
+         by-size]
+        [else F]))
+
+;; F with the logarithms of what the function makes of u, but where u is to stay
+(define (with-logarithms-of F stays? real)
+  (node-fold F values
+             (lambda (n args)
+               (define new (if (and (headed? n op:log) (not (stays? (car args)))) (map real args) args))
+               (cond [(andmap eq? new (node-args n)) n]
+                     [(eq? new args) (rebuild (node-head n) new)]
+                     [else (e:apply op:log (car new))]))))
+
+(define (logarithms-in e) (parts-in e (lambda (n) (and (headed? n op:log) (car (node-args n))))))
 
 (define (proved-zero? e A)
   (eq? 'proved (zero-test-status (zero-test e (with-automatic-assumptions A #f)))))

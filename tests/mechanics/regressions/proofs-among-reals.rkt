@@ -92,3 +92,18 @@
                  (lambda (x) (/ 'k (square (- (abs x) 1))))
                  (lambda (x) (* 'k (log (abs x)))))])
     (check-exn exn:fail:mechanics? (lambda () (definite-integral f -3 3)))))
+
+(test-case "logarithms beside a kink are real beyond a pole, too"
+  (define F (definite-integral (lambda (x) (/ 'c (- (abs x) 1))) 'b (* 2 'b)))
+  (check-= (substitute (substitute F 'c 1) 'b 2) (log 3) 1e-12))
+
+(test-case "a jump that moves has no derivative by components"
+  (define ((integral-of f) b) (definite-integral (lambda (x) (* 'c (f (- (* b x) 'a)))) 0 2))
+  (define text "no formula was found for a derivative of the integral of .*, which jumps")
+  (check-exn (regexp text) (lambda () ((D (integral-of sgn)) 'b)))
+  (check-exn (regexp text) (lambda () ((D (D (integral-of abs))) 'b)))
+  (check-exn (regexp text) (lambda () (((expt D 2) (integral-of abs)) 'b)))
+  (define slope ((D (integral-of abs)) 'b))
+  (check-= (substitute (substitute (substitute slope 'c 1) 'b 2) 'a 1)
+           (definite-integral (lambda (x) (* x (sgn (- (* 2 x) 1)))) 0 2)
+           1e-9))
