@@ -2,13 +2,13 @@
 ;; Writing S-expressions within bounds.
 ;;
 ;; What an expression prints as is an S-expression whose pairs may be shared;
-;; its text can be exponentially longer than it.  So the writer stops after
-;; `print-limit` atoms and says how many it left out, counting them on the
+;; its text can be exponentially longer than it.  So the datum is cut after
+;; `print-limit` atoms, and its text says how many were left out, counted on the
 ;; shared pairs.  Symbols are written without quotes or bars they do not need.
 
 (require "../../error/complain.rkt")
 
-(provide print-limit write-datum datum->text datum->brief-text make-sizer omission)
+(provide print-limit cut-datum omission? write-datum datum->text datum->brief-text make-sizer)
 
 ;; The greatest number of atoms written for one value; #f for no bound.
 (define print-limit
@@ -27,36 +27,47 @@
 (define (datum->brief-text d)
   (parameterize ([print-limit 24]) (datum->text d)))
 
-(define (write-datum d port)
+;; The beginning of a datum, within `print-limit` atoms, where an `omission` stands for what is
+;; beyond; the datum itself where there is no bound.
+(define (cut-datum d)
   (define size (make-sizer))
-  (define budget (or (print-limit) +inf.0))
-  (define (atom! x)
-    (set! budget (- budget 1))
-    (write x port))
-  (define (item! x)
-    (if (pair? x) (list! x) (atom! x)))
-  (define (list! xs)
-    (write-string "(" port)
-    (let loop ([xs xs] [first? #t])
-      (cond [(null? xs) (void)]
-            [(not (pair? xs))
-             (write-string " . " port)
-             (atom! xs)]
-            [(and (<= budget 0) (not first?))
-             (write-string " " port)
-             (write-string (omission (size xs)) port)]
-            [else
-             (unless first? (write-string " " port))
-             (item! (car xs))
-             (loop (cdr xs) #f)]))
-    (write-string ")" port))
-  (item! d))
+  (define left (print-limit))
+  (define (item x)
+    (cond [(pair? x) (cons (item (car x)) (items (cdr x)))]
+          [else (set! left (- left 1))
+                x]))
+  (define (items xs)
+    (cond [(null? xs) '()]
+          [(not (pair? xs)) (item xs)]
+          [(<= left 0) (list (omission (size xs)))]
+          [else (item xs)]))
+  (if left (item d) d))
 
-;; What stands for n atoms left out.
-(define (omission n)
-  (if (< n 1000000000)
-      (format "...~a more" n)
-      (format "...10^~a more" (quotient (* 30103 (integer-length n)) 100000))))
+;; What stands for `count` atoms left out.
+(struct omission (count)
+  #:property prop:custom-write
+  (lambda (o port mode)
+    (define n (omission-count o))
+    (write-string (if (< n 1000000000)
+                      (format "...~a more" n)
+                      (format "...10^~a more" (quotient (* 30103 (integer-length n)) 100000)))
+                  port)))
+
+(define (write-datum d port)
+  (define (write-items xs lead)
+    (cond [(pair? xs)
+           (write-string lead port)
+           (write-item (car xs))
+           (write-items (cdr xs) " ")]
+          [(not (null? xs))
+           (write-string " . " port)
+           (write xs port)]))
+  (define (write-item x)
+    (cond [(pair? x)
+           (write-items x "(")
+           (write-string ")" port)]
+          [else (write x port)]))
+  (write-item (cut-datum d)))
 
 ;; -> (datum -> how many atoms it has, written out), costing each pair once.
 (define (make-sizer)

@@ -35,7 +35,7 @@
           [(number? d) (number->tree d)]
           [(symbol? d) (symbol->tree d w)]
           [(or (string? d) (keyword? d) (boolean? d) (null? d)) (plain (format "~s" d))]
-          [(omitted? d) d]
+          [(omission? d) (omitted (format "~a" d))]
           [else (plain (format "~a" d))]))
   (tree (cut-datum d)))
 
@@ -182,27 +182,3 @@
 
 ;; Is it one letter, with whatever stands around it?
 (define (short-name? t) (memq (parts-sort (name-parts (name-symbol t))) '(letter capital word)))
-
-;; ---------------------------------------------------------------------------
-;; The beginning of a datum, within `print-limit` atoms.  Pairs may be shared, and a tree drawn
-;; from them be exponentially larger than they are; so the datum is cut first, as `write-datum`
-;; cuts it, and says how much was left out.
-
-;; -> the datum, or one in which an `omitted` stands for what is beyond the limit
-(define (cut-datum d)
-  (define size (make-sizer))
-  (define limit (print-limit))
-  (if (or (not limit) (<= (size d) limit)) d (cut d limit size)))
-
-(define (cut d limit size)
-  (define left limit)
-  (define (item x)
-    (cond [(pair? x) (cons (item (car x)) (items (cdr x)))]
-          [else (set! left (- left 1))
-                x]))
-  (define (items xs)
-    (cond [(not (pair? xs)) xs]
-          [(<= left 0) (list (omitted (omission (size xs))))]
-          [else (define first (item (car xs)))
-                (cons first (items (cdr xs)))]))
-  (item d))

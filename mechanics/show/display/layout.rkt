@@ -13,11 +13,11 @@
 ;; layout : datum width [column] -> string, whose first line starts at `column`
 (define (layout d width [column 0])
   (define port (open-output-string))
-  (emit (prepare d) column 0 width port)
+  (emit (datum->item (cut-datum d)) column 0 width port)
   (get-output-string port))
 
 ;; ---------------------------------------------------------------------------
-;; Bounded and measured
+;; Measured
 
 ;; An item is the text of an atom or a block: items, and the width they take on
 ;; one line.
@@ -30,25 +30,12 @@
          (for/fold ([w (+ 1 (max 1 (length items)))]) ([i (in-list items)])
            (+ w (item-width i)))))
 
-;; The item of a datum, cut where the budget ends; shared pairs are counted
-;; without being written out.
-(define (prepare d)
-  (define size (make-sizer))
-  (define budget (or (print-limit) +inf.0))
-  (define (item x)
-    (cond [(pair? x) (make-block (items x))]
-          [else (set! budget (- budget 1))
-                (format "~s" x)]))
+(define (datum->item d)
   (define (items xs)
-    (let loop ([xs xs] [first? #t])
-      (cond [(null? xs) '()]
-            [(not (pair? xs)) (list "." (item xs))]
-            [(and (<= budget 0) (not first?))
-             (list (omission (size xs)))]
-            [else
-             (define first-item (item (car xs)))
-             (cons first-item (loop (cdr xs) #f))])))
-  (item d))
+    (cond [(null? xs) '()]
+          [(pair? xs) (cons (datum->item (car xs)) (items (cdr xs)))]
+          [else (list "." (datum->item xs))]))
+  (if (pair? d) (make-block (items d)) (format "~s" d)))
 
 ;; ---------------------------------------------------------------------------
 ;; Lines
