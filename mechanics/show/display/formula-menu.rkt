@@ -1,10 +1,7 @@
 #lang racket/base
 ;; The menu of a formula in an editor: what can be copied of it.
 
-(require "result-formula.rkt"
-         "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt"
-         "../typesetting/drawn-text.rkt"
-         "../../algebra/notation/infix.rkt"
+(require "formula-text.rkt" "result-formula.rkt"
          racket/class racket/gui/base)
 
 (provide formula-menu formula-copies)
@@ -18,11 +15,12 @@
                            (send event get-time-stamp)))]))
   menu)
 
+(define ((copy-in format) f) (tree-in-format (formula-body f) (formula-width f) format))
+
 ;; (label . (formula -> text))
 (define formula-copies
-  (let ([cut (lambda (f) (fit (formula-body f) (formula-width f)))])
-    (list (cons "Copy as S-Expression" formula-program)
-          (cons "Copy as TeX" (lambda (f) (tree->TeX (cut f))))
-          (cons "Copy as MathML" (lambda (f) (tree->MathML (cut f) #t)))
-          (cons "Copy as One Line" (lambda (f) (tree->line (formula-body f))))
-          (cons "Copy as Text" (lambda (f) (tree->text (cut f)))))))
+  (list (cons "Copy as S-Expression" formula-program)
+        (cons "Copy as TeX" (copy-in 'TeX))
+        (cons "Copy as MathML" (copy-in 'MathML))
+        (cons "Copy as One Line" (copy-in 'infix))
+        (cons "Copy as Text" (copy-in 'text))))

@@ -5,12 +5,8 @@
 ;; before there were styles, with a line that says why.
 
 (require file/convertible
-         "print-shown.rkt" "result-formula.rkt"
-         "../typesetting/MathML.rkt" "../typesetting/TeX.rkt" "../typesetting/break.rkt"
-         "../typesetting/drawn-text.rkt"
-         (only-in "../../algebra/expression/simplifier.rkt" left-unexpanded?)
+         "formula-text.rkt" "note.rkt" "print-shown.rkt" "result-formula.rkt"
          "../../algebra/expression/write.rkt"
-         "../../algebra/notation/formula.rkt" "../../algebra/notation/infix.rkt"
          (only-in "../../algebra/notation/tree.rkt" plain?)
          "../../generic/describe.rkt" "../../generic/kind.rkt" "../../generic/on-demand.rkt"
          "../../generic/value-struct.rkt" "../../generic/value-tree.rkt"
@@ -65,23 +61,13 @@
 ;; Text, and what stands beneath it
 
 (define (styled-text tree notes width manner)
-  (define-values (text comment)
+  (define comment
     (case manner
-      [(infix) (values (tree->line tree) "; ~a")]
-      [(text) (values (tree->text (fit tree width)) "; ~a")]
-      [(TeX) (values (tree->TeX (fit tree width)) "% ~a")]
-      [else (values (tree->MathML (fit tree width) #t) "<!-- ~a -->")]))
-  (apply string-append text
-         (for/list ([n (in-list notes)]) (string-append "\n" (format comment (note->line n))))))
+      [(TeX) "\n% ~a ~a"]
+      [(MathML) "\n<!-- ~a ~a -->"]
+      [else "\n; ~a ~a"]))
+  (define (beneath n)
+    (format comment (note-label n) (tree-in-format (note->tree n) width 'infix)))
+  (apply string-append (tree-in-format tree width manner) (map beneath notes)))
 
-(define (note->remark n) (cons (string-append (note-label n) ":") (note-tree n)))
-
-(define (note->line n) (format "~a ~a" (note-label n) (tree->line (note-tree n))))
-
-(define (note-label n) (if (left-unexpanded? n) "left unexpanded" "assuming"))
-
-;; Of what was left unexpanded as much as makes it known.
-(define (note-tree n)
-  (if (left-unexpanded? n)
-      (parameterize ([print-limit 24]) (plain-datum->tree (cadr n)))
-      (plain-datum->tree n)))
+(define (note->remark n) (cons (note-label n) (note->tree n)))

@@ -2,13 +2,11 @@
 ;; Any value of ours as lines of text: expressions laid out, verdicts as their
 ;; reports.
 
-(require "layout.rkt"
-         (only-in "../../algebra/expression/simplifier.rkt" left-unexpanded?)
-         "../../algebra/expression/write.rkt"
+(require "layout.rkt" "note.rkt"
          "../../generic/describe.rkt"
          "../../verdict/verdict.rkt")
 
-(provide value->lines with-notes note->text)
+(provide value->lines with-notes)
 
 ;; The text of a value; beneath it, as comments, what its simplification took
 ;; for granted and what it left unexpanded.
@@ -22,11 +20,6 @@
 (define (with-notes text notes)
   (apply string-append text
          (for/list ([n (in-list notes)]) (string-append "\n" (note->text n)))))
-
-(define (note->text n)
-  (if (left-unexpanded? n)
-      (format "; left unexpanded: ~a" (datum->brief-text (cadr n)))
-      (format "; assuming ~a" (value->text n))))
 
 ;; The lines of a report, each a label and its content.
 (define (layout-report report width)

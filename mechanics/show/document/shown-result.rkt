@@ -4,10 +4,8 @@
 
 (require file/convertible
          (only-in "../../algebra/expression/expression.rkt" node? symbolic?)
-         (only-in "../../algebra/expression/simplifier.rkt" left-unexpanded?)
-         "../../algebra/notation/formula.rkt" "../../algebra/notation/name.rkt"
-         "../../algebra/notation/tree.rkt"
-         "../display/result.rkt"
+         "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt"
+         "../display/note.rkt" "../display/result.rkt"
          "../../generic/kind.rkt" "../../generic/notation.rkt" "../../generic/on-demand.rkt"
          "../../generic/up-down.rkt" "../../generic/value-tree.rkt"
          (only-in "../../motion/on-demand.rkt" occurrence? occurrence-event occurrence-time
@@ -68,16 +66,13 @@
   (define tree (value->tree value #t))
   (if (plain? tree)
       (shown-text (plain-text tree))
-      (shown-formula tree (map note->tree grounds))))
+      (shown-formula tree (map labelled-note grounds))))
 
 ;; Simplified as at a prompt, or as it is, if that fails -> value, and assumptions
 (define (as-result x)
   (with-handlers ([exn:fail? (lambda (e) (values x '()))]) (shown-throughout x)))
 
-(define (note->tree n)
-  (if (left-unexpanded? n)
-      (row (list (word "left unexpanded: ") (plain-datum->tree (cadr n))))
-      (row (list (word "assuming ") (plain-datum->tree n)))))
+(define (labelled-note n) (row (list (word (string-append (note-label n) " ")) (note->tree n))))
 
 ;; ---------------------------------------------------------------------------
 ;; Tables: of events, and of rows of scalars of one length
