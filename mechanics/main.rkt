@@ -49,30 +49,21 @@
  ;; local tuples
  Gamma ->local literal-Lagrangian-state
  time coordinate velocity acceleration coordinates velocities accelerations
- ;; actions
- Lagrangian-action make-path make-eta parametric-path-action
- linear-interpolants Lagrange-interpolation-function
- ;; integrals, minima and roots
- definite-integral integral-conditions verify-integral
- find-minimum minimum? minimum-argument minimum-value minimum-kind
- minimum-gradient minimum-curvature minimum-evaluations
- minima minimize multidimensional-minimize nelder-mead
- find-root bisect D-numeric
+ ;; actions, energies, frames and variations
+ (all-from-out "lagrangian/on-demand.rkt")
+ ;; integrals, compiled functions, minima and roots
+ (all-from-out "compile/on-demand.rkt" "search/on-demand.rkt")
  ;; elliptic functions
- first-elliptic-integral second-elliptic-integral elliptic-integrals
- third-elliptic-integral
- elliptic-integral-F elliptic-integral-E elliptic-integral-Pi Jacobi-elliptic-functions
- ;; compiled functions
- compile-function compiled-function? compiled-function-reason compiled-function-operations
+ (all-from-out "calculus/on-demand.rkt")
  ;; many motions
  (all-from-out "scale/ensemble/on-demand.rkt")
  ;; systems in other languages
- export-system
+ (all-from-out "scale/export/on-demand.rkt")
  ;; equations of motion
- Lagrange-equations delta
+ Lagrange-equations
  Lagrangian->acceleration Lagrangian->state-derivative
  Lagrange-equations-first-order qv->state-path
- make-Lagrangian Rayleigh-dissipation
+ Rayleigh-dissipation
  ;; constraints
  (all-from-out "constraint/on-demand.rkt")
  ;; particles and the forces on them
@@ -84,8 +75,8 @@
  ;; canonical transformations, with the names of both editions
  (all-from-out "canonical/on-demand.rkt" "reduction/on-demand.rkt" "pendulum/on-demand.rkt")
  (rename-out [F->CH F->CT])
- ;; energies and other integrals of the motion
- Lagrangian->energy Lagrangian->power-loss Noether-integral
+ ;; integrals of the motion
+ Noether-integral
  ;; questions about a system
  (all-from-out "question/on-demand.rkt")
  ;; functions of local tuples
@@ -106,8 +97,7 @@
  (all-from-out "dynamics/on-demand.rkt")
  ;; coordinates
  F->C Gamma-bar osculating-path
- p->r r->p s->r r->s Rx Ry Rz
- rotating->inertial inertial->rotating accelerated->inertial inertial->accelerated
+ p->r r->p s->r r->s
  ;; showing
  print-expression show-expression series:print
  (all-from-out "show/display/output.rkt" "show/display/on-demand.rkt")

@@ -55,7 +55,7 @@
 ;; One sweep back over what f does gives all its derivatives; where that is not possible
 ;; they are taken of f itself.
 (define (compile-with-gradient who f example)
-  (check-scalar-value who f (flvector->structure example (example->flvector who example)))
+  (check-one-number who f (flvector->structure example (example->flvector who example)))
   (define-values (p shape) (trace who f example))
   (define q (and (program? p) (program-with-gradient p)))
   (define code (and q (gradient-code q f)))
@@ -75,7 +75,7 @@
 
 (define ((on-flvector f example) v) (f (flvector->structure example v)))
 
-(define (check-scalar-value who f x)
+(define (check-one-number who f x)
   (define y (f x))
   (unless (= 1 (shape-length y))
     (complain who "a gradient is that of a function whose value is one number\n  value: ~a"
