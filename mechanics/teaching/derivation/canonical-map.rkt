@@ -6,11 +6,13 @@
 ;;
 ;;   {qⁱ, qʲ} = 0,   {pᵢ, pⱼ} = 0,   {qⁱ, pⱼ} = δⁱⱼ.
 
-(require "../../error/complain.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
-         "../../hamiltonian/H-state.rkt" "../../hamiltonian/Poisson-bracket.rkt"
+(require "../../canonical/symplectic-transformation.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../hamiltonian/H-state.rkt"
          "../../lagrangian/generic-state.rkt"
          "../../value/shape.rkt" "../../value/structure.rkt"
+         "../../value/matrix/matrix.rkt"
          "../../verdict/question-domain.rkt" "../../verdict/surveyed-zero.rkt")
 
 (provide verify-canonical-map)
@@ -25,11 +27,10 @@
   (define image (C state))
   (unless (and (tuple? image) (= (shape-length image) (shape-length state)))
     (complain who "its values are to be states like (up t q p)\n  value: ~a" (value->text image)))
-  (define n (quotient (shape-length state) 2))
-  (define (component k) (lambda (s) (list-ref (scalars (C s)) k)))
+  ;; each once, less what it is to be: of J − M J Mᵀ, which is antisymmetric, the lower half
   (define (brackets)
-    (list->up
-     (for*/list ([i (in-range 1 (+ n n 1))] [j (in-range (+ i 1) (+ n n 1))])
-       (g:- ((Poisson-bracket (component i) (component j)) state)
-            (if (= j (+ i n)) 1 0)))))
+    (define excess ((symplectic-transform? C) state))
+    (define size (m:num-rows excess))
+    (list->up (for*/list ([i (in-range size)] [j (in-range (+ i 1) size)])
+                (matrix-ref excess j i))))
   (prove-residual-zero brackets (scalars state) #:domain (lambda () (expressions-of image))))
