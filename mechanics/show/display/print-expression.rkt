@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Printing values on demand, simplified: what the prompt does to results.
 
-(require "display-style.rkt" "layout.rkt" "note.rkt" "print-shown.rkt" "result-receiver.rkt"
-         "result.rkt" "text.rkt"
+(require "display-style.rkt" "layout.rkt" "print-shown.rkt" "result-note.rkt"
+         "result-receiver.rkt" "result.rkt" "text.rkt"
          (only-in "../../error/hint.rkt" quoted-expression?)
          (only-in "../../error/note.rkt" note-once)
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"

@@ -5,7 +5,7 @@
 ;; before there were styles, with a line that says why.
 
 (require file/convertible
-         "formula-text.rkt" "note.rkt" "print-shown.rkt" "result-formula.rkt"
+         "formula-text.rkt" "print-shown.rkt" "result-formula.rkt" "result-note.rkt"
          "../../algebra/expression/write.rkt"
          (only-in "../../algebra/notation/tree.rkt" plain?)
          "../../generic/describe.rkt" "../../generic/kind.rkt" "../../generic/on-demand.rkt"

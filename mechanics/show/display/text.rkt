@@ -2,7 +2,7 @@
 ;; Any value of ours as lines of text: expressions laid out, verdicts as their
 ;; reports.
 
-(require "layout.rkt" "note.rkt"
+(require "layout.rkt" "result-note.rkt"
          "../../generic/describe.rkt"
          "../../verdict/verdict.rkt")
 

@@ -5,7 +5,7 @@
 (require file/convertible
          (only-in "../../algebra/expression/expression.rkt" node? symbolic?)
          "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt"
-         "../display/note.rkt" "../display/result.rkt"
+         "../display/result-note.rkt" "../display/result.rkt"
          "../../generic/kind.rkt" "../../generic/notation.rkt" "../../generic/on-demand.rkt"
          "../../generic/up-down.rkt" "../../generic/value-tree.rkt"
          (only-in "../../motion/on-demand.rkt" occurrence? occurrence-event occurrence-time
