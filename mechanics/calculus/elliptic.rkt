@@ -14,10 +14,10 @@
 ;; Incomplete integrals are Carlson's, and that of the third kind.  Their derivatives are those
 ;; of the integrals that define them.  They are real for |k| ≥ 1, too, up to |k sin φ| = 1.
 
-(require "number-argument.rkt" "perturbed-value.rkt"
+(require "perturbed-value.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt"
-         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/rounding.rkt"
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
+         "../generic/number-argument.rkt" "../generic/on-demand.rkt" "../generic/rounding.rkt"
          "../generic/wrong-argument.rkt"
          "../numeric/constants.rkt"
          (prefix-in carlson: "../numeric/special/elliptic-integrals.rkt"))

@@ -11,12 +11,12 @@
 ;; whose ends move (moving-places.rkt).
 
 (require racket/list
-         "derivative.rkt" "dual.rkt" "gradient-tape.rkt" "Taylor-number.rkt" "number-argument.rkt"
+         "derivative.rkt" "dual.rkt" "gradient-tape.rkt" "Taylor-number.rkt"
          "perturbed-value.rkt"
          "moving-places.rkt" "recorded-number.rkt"
          "../error/note.rkt"
          "../generic/arithmetic.rkt" "../generic/branches.rkt" "../generic/elementary.rkt"
-         "../generic/sums-and-products.rkt"
+         "../generic/number-argument.rkt" "../generic/sums-and-products.rkt"
          "../numeric/quadrature/improper.rkt")
 
 (provide integrate integral-by-components)

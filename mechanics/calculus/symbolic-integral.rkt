@@ -8,7 +8,7 @@
 
 (require racket/list
          "antiderivative.rkt" "expression-function.rkt" "integral.rkt" "integral-conditions.rkt"
-         "number-argument.rkt" "perturbed-value.rkt" "Taylor-number.rkt"
+         "perturbed-value.rkt" "Taylor-number.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt"
                   relation-expression relation-signs with-automatic-assumptions)
          "../algebra/assumption/domain.rkt" "../algebra/assumption/signs.rkt"
@@ -22,7 +22,8 @@
          "../algebra/zero/common-domain.rkt" "../algebra/zero/real-signs.rkt"
          "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt"
          "../error/note.rkt"
-         "../generic/describe.rkt" "../generic/kinks-met.rkt" "../generic/wrong-argument.rkt"
+         "../generic/describe.rkt" "../generic/kinks-met.rkt" "../generic/number-argument.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/assumptions.rkt")
 
 (provide symbolic-integral)

@@ -10,9 +10,9 @@
 (require racket/flonum
          racket/list
          "implicit-root.rkt"
-         "../calculus/derivative.rkt" "../calculus/number-argument.rkt"
+         "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
-         "../generic/define-plain.rkt" "../generic/function.rkt"
+         "../generic/define-plain.rkt" "../generic/function.rkt" "../generic/number-argument.rkt"
          "../numeric/finite-number.rkt" "../numeric/flvector.rkt"
          (only-in "../numeric/linear-algebra/row-matrix.rkt" all-entries?)
          "../numeric/linear-algebra/singular-values.rkt"

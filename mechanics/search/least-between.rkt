@@ -5,8 +5,9 @@
 (require racket/flonum
          "minimum.rkt" "minimum-between.rkt" "minimum-near.rkt" "objective.rkt"
          "varying-minimum.rkt"
-         "../calculus/number-argument.rkt" "../calculus/perturbed-value.rkt"
-         "../error/progress.rkt")
+         "../calculus/perturbed-value.rkt"
+         "../error/progress.rkt"
+         "../generic/number-argument.rkt")
 
 (provide least-between all-between)
 

@@ -5,10 +5,9 @@
 ;; procedures of their names give.  All can be differentiated by what the function depends on.
 
 (require "least-between.rkt" "minimum.rkt" "minimum-near.rkt" "objective.rkt" "varying-minimum.rkt"
-         "../calculus/number-argument.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/wrong-argument.rkt"
+         "../generic/number-argument.rkt" "../generic/wrong-argument.rkt"
          "../numeric/finite-number.rkt" "../error/progress.rkt" "../numeric/checked-arguments.rkt"
          (prefix-in numeric: "../numeric/optimization/brent-minimum.rkt")
          "../numeric/optimization/golden-section.rkt"

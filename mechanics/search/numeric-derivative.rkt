@@ -2,8 +2,8 @@
 ;; Derivatives of functions that only give numbers: measured ones, those that integrate
 ;; a motion.  For all others there is D, which is exact.
 
-(require "../calculus/number-argument.rkt"
-         "../generic/define-plain.rkt" "../generic/wrong-argument.rkt"
+(require "../generic/define-plain.rkt" "../generic/number-argument.rkt"
+         "../generic/wrong-argument.rkt"
          "../numeric/finite-number.rkt" "../numeric/optimization/differences.rkt"
          "../value/shape.rkt")
 

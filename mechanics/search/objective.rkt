@@ -6,10 +6,10 @@
 ;; differentiated: a search goes by their real parts.
 
 (require racket/flonum
-         "../calculus/gradient.rkt" "../calculus/number-argument.rkt"
+         "../calculus/gradient.rkt"
          "../calculus/perturbed-value.rkt"
          "../error/refusal.rkt"
-         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/number-argument.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/shape.rkt")
 
 (provide make-target target-who

@@ -8,9 +8,10 @@
 ;; nearer to the end (J. M. Greene, Journal of Mathematical Physics 20, 1979: the golden circle of
 ;; the standard map is the last, and breaks up at K = 0.971635406).
 
-(require "invariant-circle.rkt" "../map/map-of-the-plane.rkt"
+(require "invariant-circle.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
-         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/function.rkt")
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/number-argument.rkt")
 
 (provide invariant-circle-limit)
 
@@ -49,7 +50,7 @@
                              "standard-map\n  given: ~a")
               (describe-function family))))
 
-(define (parameter who x) (checked-number who x "a real number as the parameter"))
+(define (parameter who x) (finite-number who x "a real number as the parameter"))
 
 ;; The failure says why, and what is known of the circle.
 (define (raise-missing who failure from to)

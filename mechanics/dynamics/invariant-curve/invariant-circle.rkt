@@ -22,7 +22,7 @@
          "circle-equation.rkt" "invariant-curve.rkt" "../map/jacobian.rkt"
          "../map/map-of-the-plane.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
-         "../../generic/define-plain.rkt"
+         "../../generic/define-plain.rkt" "../../generic/number-argument.rkt"
          "../../generic/up-down.rkt" "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/periodic-function.rkt")
@@ -48,7 +48,7 @@
   (define theta (flonum 'invariant-circle angle))
   (up (fl+ theta ((circle-x c) theta)) ((circle-y c) theta)))
 
-(define (flonum who x) (real->double-flonum (checked-number who x)))
+(define (flonum who x) (real->double-flonum (finite-number who x)))
 
 ;; The ordinate of the circle at an abscissa, by the secant method.
 (define (invariant-circle-ordinate c abscissa)

@@ -15,7 +15,7 @@
          "../map/compiled-map.rkt" "../map/map-of-the-plane.rkt"
          "../../error/complain.rkt"
          "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
-         "../../generic/wrong-argument.rkt"
+         "../../generic/number-argument.rkt" "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/whole-turns.rkt"
          "../../search/find-root.rkt")
 

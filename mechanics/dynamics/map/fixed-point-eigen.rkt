@@ -4,7 +4,8 @@
 
 (require "jacobian.rkt" "map-of-the-plane.rkt"
          "../../error/complain.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt")
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/number-argument.rkt")
 
 (provide fixed-point-eigen)
 
@@ -14,7 +15,7 @@
   (define who 'fixed-point-eigen)
   (check-map who map)
   (define-values (x y step)
-    (values (checked-number who xe) (checked-number who ye) (checked-number who eps)))
+    (values (finite-number who xe) (finite-number who ye) (finite-number who eps)))
   (unless (and (procedure? continue) (accepts? continue 6))
     (complain who "expected a procedure of two multipliers, each with a direction~a\n  given: ~a"
               ": (lambda (A dx dy B dx dy) ...)" (describe-with-value continue)))

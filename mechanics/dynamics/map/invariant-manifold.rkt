@@ -14,8 +14,10 @@
          "fixed-points.rkt" "iterated-map.rkt" "jacobian.rkt" "map-of-the-plane.rkt"
          "plane-points.rkt" "unstable-manifold.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/refusal.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/define-plain.rkt"
-         "../../generic/describe.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/compare.rkt"
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/number-argument.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt"
          "../../numeric/whole-turns.rkt"
          "../../search/find-root.rkt"
          (only-in "../../value/structure.rkt" ref))

@@ -9,13 +9,13 @@
          "../../error/complain.rkt" "../../error/hint.rkt" "../../error/refusal.rkt"
          "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
+         "../../generic/number-argument.rkt"
          "../../generic/printed-function.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
-         "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
-         "../../numeric/finite-number.rkt")
+         "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt")
 
 (provide check-map map? map-hint called-energy? energy-hint
-         check-numbers checked-number positive-number check-steps
+         check-numbers check-steps
          image-of image-at image? point-image-at
          point-image-of check-image raise-no-image image-or-none
          image-or-else)
@@ -166,18 +166,7 @@
 ;; names : what each of the xs is called
 (define (check-numbers who xs names)
   (for ([x (in-list xs)] [name (in-list names)])
-    (checked-number who x (string-append "a real number as " name))))
-
-;; Returns the finite number that x is; `expected` is the message's word for it.
-(define (checked-number who x [expected "a real number"])
-  (define number (comparand x))
-  (unless (finite? number) (complain-of-argument who expected x))
-  number)
-
-(define (positive-number who x expected)
-  (define number (checked-number who x expected))
-  (unless (positive? number) (complain-of-argument who expected x))
-  number)
+    (finite-number who x (string-append "a real number as " name))))
 
 (define (check-steps who n)
   (check-argument who exact-positive-integer? n "how many steps of the map, a positive integer"))

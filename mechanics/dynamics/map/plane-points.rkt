@@ -3,9 +3,9 @@
 ;; (SICM 4.3, pp. 308 and 309).
 
 (require racket/flonum
-         "map-of-the-plane.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
+         "../../generic/number-argument.rkt" "../../generic/plane-coordinates.rkt"
          "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
          "../../value/principal-value.rkt")
@@ -16,13 +16,18 @@
 
 (define (make-point x y) (up x y))
 
-(define (abscissa p) (component-of 'abscissa p 0 car))
-(define (ordinate p) (component-of 'ordinate p 1 cdr))
+(define (abscissa p)
+  (define-values (x y) (coordinates-of 'abscissa p))
+  x)
+
+(define (ordinate p)
+  (define-values (x y) (coordinates-of 'ordinate p))
+  y)
 
 ;; Returns both coordinates of the start of an orbit, as flonums.
 (define (start-coordinates who p)
-  (values (start-number who p (component-of who p 0 car))
-          (start-number who p (component-of who p 1 cdr))))
+  (define-values (x y) (coordinates-of who p))
+  (values (start-number who p x) (start-number who p y)))
 
 (define (start-point who p) (call-with-values (lambda () (start-coordinates who p)) flvector))
 
@@ -45,12 +50,9 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; Takes a tuple of two, or a pair made by cons, as pictures do.
-(define (component-of who p k of-pair)
-  (cond [(and (tuple? p) (= (structure-length (adopt p)) 2)) (vector-ref (tuple-elements p) k)]
-        [(and (pair? p) (not (list? p))) (of-pair p)]
-        [else
-         (complain-of-argument who "a point of the plane, such as (make-point x y)" p)]))
+(define (coordinates-of who p)
+  (plane-coordinates
+   p (lambda () (complain-of-argument who "a point of the plane, such as (make-point x y)" p))))
 
 ;; ---------------------------------------------------------------------------
 ;; Nearness, for plot-parametric-fill: are two points closer than eps ...

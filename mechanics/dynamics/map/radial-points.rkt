@@ -4,6 +4,7 @@
 (require "map-of-the-plane.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
+         "../../generic/number-argument.rkt"
          "../../numeric/constants.rkt"
          "../../search/find-root.rkt"
          "../../value/principal-value.rkt")

@@ -9,7 +9,8 @@
          "iterated-map.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
          "../../calculus/perturbed-value.rkt"
          "../../error/complain.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/function.rkt")
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
+         "../../generic/number-argument.rkt")
 
 (provide unstable-manifold)
 
@@ -17,13 +18,13 @@
 (define (unstable-manifold T xe ye dx dy A eps)
   (check-map 'unstable-manifold T)
   (define-values (x y across up stretch nearest)
-    (apply values (map finite-number (list xe ye dx dy A eps))))
+    (apply values (map checked (list xe ye dx dy A eps))))
   (check-stretch stretch A)
   (when (and (zero? across) (zero? up))
     (complain 'unstable-manifold "the direction (dx, dy) is 0; it may be of any length but that"))
   (positive-number 'unstable-manifold eps "a positive distance from the fixed point")
   (unary-function (lambda () (list 'unstable-manifold (value->datum T) xe ye dx dy A eps)) (s)
-    (define n (times-stretched (finite-number (innermost s)) stretch nearest))
+    (define n (times-stretched (checked (innermost s)) stretch nearest))
     (define start (g:/ s (expt stretch n)))
     (image-of 'unstable-manifold (iterated-map T n)
               (g:+ x (g:* across start)) (g:+ y (g:* up start))
@@ -34,7 +35,7 @@
       0
       (max 0 (exact-floor (/ (log (/ (abs s) eps)) (log (abs A)))))))
 
-(define (finite-number x) (checked-number 'unstable-manifold x))
+(define (checked x) (finite-number 'unstable-manifold x))
 
 (define (check-stretch A given)
   (unless (> (abs A) 1)

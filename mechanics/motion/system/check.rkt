@@ -2,13 +2,13 @@
 ;; The arguments of integrations, checked once, where they enter.
 
 (require racket/flonum
-         "../../algebra/expression/constant-value.rkt" "../../algebra/expression/expression.rkt"
+         "../../algebra/expression/expression.rkt"
          "../../algebra/expression/symbols.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
-         "../../generic/function-check.rkt" "../../generic/function.rkt"
-         "../../generic/kind.rkt" "../../generic/printed-function.rkt" "../../generic/scalar.rkt"
-         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/function-check.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
+         "../../generic/number-argument.rkt" "../../generic/printed-function.rkt"
+         "../../generic/scalar.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
          "../../numeric/finite-number.rkt"
          "../../value/shape.rkt")
@@ -25,12 +25,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Numbers
 
-;; x, if it is a number of higher precision than flonums as one of Racket's, exact; if it is
-;; one that π is in, as a flonum.
-(define (real-number x)
-  (cond [(other-number? x) (comparand x)]
-        [(symbolic? x) (or (constant-value x) x)]
-        [else x]))
+;; The number that x stands for, or x.
+(define (real-number x) (or (known-number x) x))
 
 (define (check-real who what x)
   (define r (real-number x))

@@ -4,13 +4,13 @@
 ;; What has no place in the plane, as the logarithm of a negative number has none, is
 ;; left out of the picture: it becomes a NaN.  What is no number is an error.
 
-(require "../../algebra/expression/constant-value.rkt" "../../algebra/expression/expression.rkt"
+(require "../../algebra/expression/expression.rkt"
          "../../algebra/expression/symbols.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt" "../../error/computed-once.rkt"
          "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt"
-         "../../generic/kind.rkt" "../../generic/multiplied-function.rkt"
-         "../../generic/up-down.rkt"
+         "../../generic/multiplied-function.rkt" "../../generic/number-argument.rkt"
+         "../../generic/plane-coordinates.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
          "../../numeric/finite-number.rkt")
 
@@ -19,10 +19,8 @@
 ;; what : a string, such as "y", or a procedure that returns it
 (define (coordinate-of who what x)
   (cond [(flonum? x) x]
-        [(real? x) (real->double-flonum x)]
+        [(known-number x) => real->double-flonum]
         [(number? x) +nan.0]
-        [(other-number? x) (real->double-flonum (comparand x))]
-        [(and (symbolic? x) (constant-value x))]
         [else
          (complain who "~a is no number\n  given: ~a~a"
                    (at-last what) (describe-with-value x) (advice x))]))
@@ -36,16 +34,13 @@
         [(tuple? x) "\n  draw its components one by one, as with (component 0)"]
         [else (multiplied-hint x)]))
 
-;; Returns both coordinates of a tuple of two, or of a pair, as the book makes points by cons.
+;; Returns both coordinates of a point, as flonums.
 (define (plane-point who what p)
   (define-values (x y)
-    (cond [(and (tuple? p) (= (structure-length (adopt p)) 2))
-           (define v (tuple-elements p))
-           (values (vector-ref v 0) (vector-ref v 1))]
-          [(and (pair? p) (not (list? p))) (values (car p) (cdr p))]
-          [else
-           (complain who "~a is no point of the plane, such as (up x y) or (cons x y)\n  given: ~a"
-                     (at-last what) (describe-with-value p))]))
+    (plane-coordinates
+     p (lambda ()
+         (complain who "~a is no point of the plane, such as (up x y) or (cons x y)\n  given: ~a"
+                   (at-last what) (describe-with-value p)))))
   (define ((component which)) (format "~a, its ~a component," (at-last what) which))
   (values (coordinate-of who (component "first") x) (coordinate-of who (component "second") y)))
 
