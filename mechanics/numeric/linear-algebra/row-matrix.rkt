@@ -4,7 +4,7 @@
 (require racket/flonum)
 
 (provide entry greatest-entry all-entries? exact-numbers? row-length
-         rows-map rows-combine rows-transpose symmetric-rows
+         rows-map rows-combine rows-transpose symmetric-rows symmetric?
          beside submatrix unit-rows rows->flvector
          exchange!)
 
@@ -42,6 +42,11 @@
 ;; The mean of a matrix and its transpose
 (define (symmetric-rows rows)
   (rows-combine (lambda (x y) (* 0.5 (+ x y))) rows (rows-transpose rows)))
+
+;; rows : of real numbers
+(define (symmetric? rows)
+  (for*/and ([i (in-range (vector-length rows))] [j (in-range i)])
+    (= (real->double-flonum (entry rows i j)) (real->double-flonum (entry rows j i)))))
 
 ;; The rows of a continued by those of b.
 (define (beside a b)

@@ -20,14 +20,11 @@
 (define (eigenvectors m)
   (define rows (or (square-entries 'eigenvectors m) (raise-no-matrix 'eigenvectors m)))
   (cond [(not (inexact-entries? rows)) (vectors-of-null-spaces rows)]
-        [(symmetric? rows) (vectors-of-symmetric rows)]
+        [(and (all-entries? real? rows) (symmetric? rows)) (vectors-of-symmetric rows)]
         [else (numeric-eigenvectors (rows-map exact->inexact rows))]))
 
 (define (inexact-entries? rows)
   (and (all-entries? number? rows) (not (all-entries? exact? rows))))
-
-(define (symmetric? rows)
-  (and (all-entries? real? rows) (equal? rows (rows-transpose rows))))
 
 ;; The vectors that the matrix less the eigenvalue maps to 0.
 (define (vectors-of-null-spaces rows)

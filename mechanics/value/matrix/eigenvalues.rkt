@@ -103,7 +103,7 @@
   (check-finite m v)
   (cond [(= n 2) (map (lambda (x) (sure x (* epsilon (magnitude x)))) (two-numeric-eigenvalues v))]
         [else
-         (define find (if (symmetric? v n) symmetric-values real-matrix-eigenvalues))
+         (define find (if (symmetric? block) symmetric-values real-matrix-eigenvalues))
          (define found (or (find v n) (raise-not-separate m)))
          (define others (or (find (neighbor v n) n) found))
          (for/list ([x (in-list (sort found before?))])
@@ -139,10 +139,6 @@
       (complain-showing 'eigenvalues "expected a matrix of finite numbers"
                         "entry" x
                         "matrix" m))))
-
-(define (symmetric? m n)
-  (for*/and ([i (in-range n)] [j (in-range i)])
-    (fl= (flvector-ref m (+ (* i n) j)) (flvector-ref m (+ (* j n) i)))))
 
 (define (before? a b)
   (or (< (real-part a) (real-part b))
