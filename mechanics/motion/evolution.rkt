@@ -3,13 +3,13 @@
 
 (require racket/flonum
          "method-names.rkt" "observed-systems.rkt" "integration-plan.rkt" "run-system.rkt"
-         "sample-times.rkt"
          "system/check.rkt" "system/parametric-system.rkt" "system/separable.rkt"
          "system/system.rkt"
          "../calculus/perturbed-value.rkt"
          "../generic/function-check.rkt" "../generic/function.rkt" "../generic/on-demand.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../error/progress.rkt"
+         "../numeric/equal-steps.rkt"
          "../value/shape.rkt")
 
 (require-on-demand ["precise-run.rkt" advance-precisely follow-precisely]
@@ -158,7 +158,7 @@
 
 ;; Shows the states at start + step, start + 2 step ... before the end.
 (define (sampler start end step n show)
-  (define count (sample-count (abs (- end start)) step))
+  (define count (step-count (abs (- end start)) step))
   (define signed-step (if (fl< end start) (fl- 0.0 step) step))
   (define out (make-flvector n))
   (define k 1)

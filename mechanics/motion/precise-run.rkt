@@ -6,11 +6,12 @@
 ;; States between the steps are those that a shorter step leads to.
 
 (require math/bigfloat
-         "integration-plan.rkt" "sample-times.rkt" "partial-result.rkt" "integration-failure.rkt"
+         "integration-plan.rkt" "progress-text.rkt" "partial-result.rkt" "integration-failure.rkt"
          "system/check.rkt" "system/clock.rkt" "system/manifold.rkt"
          "../compile/bigfloat-function.rkt"
          "../error/progress.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"
+         "../numeric/equal-steps.rkt"
          (only-in "../value/bigfloat.rkt" [bigfloat rounded]))
 
 (provide advance-precisely follow-precisely
@@ -148,7 +149,7 @@
   (define m (make-motion p derivative state))
   (check-clock (plan-who p) state (motion-clock? m))
   (define final (inexact->exact end))
-  (define times (sample-times (motion-start m) final (inexact->exact step)))
+  (define times (numbers-between (motion-start m) final (inexact->exact step)))
   (define ((run note!) noted)
     (for/last ([t (in-list times)])
       (define s (motion-follow m t (noted (noting note! p final))))
@@ -167,10 +168,3 @@
     (reached (stretch-to latest) (shown m (stretch-after latest))
              inexact->exact (lambda (t) (shown-time m t)) 'extrapolation))
   (keeping-so-far give (body noted)))
-
-;; From the first to the last one, both included, and backwards if that is earlier.
-(define (sample-times start end step)
-  (define signed-step (if (< end start) (- step) step))
-  (define count (sample-count (abs (- end start)) step))
-  (append (for/list ([k (in-range count)]) (+ start (* k signed-step)))
-          (list end)))

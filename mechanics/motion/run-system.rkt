@@ -3,7 +3,7 @@
 ;; notes of progress; a failure gives the reason and carries the partial result.
 
 (require racket/flonum
-         "integration-plan.rkt" "sample-times.rkt" "partial-result.rkt" "integration-failure.rkt"
+         "integration-plan.rkt" "progress-text.rkt" "partial-result.rkt" "integration-failure.rkt"
          "choose-method.rkt"
          "system/separable.rkt" "system/system.rkt"
          "../error/note.rkt" "../error/progress.rkt"

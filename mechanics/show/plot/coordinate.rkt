@@ -12,7 +12,7 @@
          "../../generic/multiplied-function.rkt" "../../generic/number-argument.rkt"
          "../../generic/plane-coordinates.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
-         "../../numeric/finite-number.rkt")
+         "../../numeric/equal-steps.rkt" "../../numeric/finite-number.rkt")
 
 (provide coordinate-of plane-point check-number check-function check-function-of-state parameters)
 
@@ -66,8 +66,7 @@
 (define (parameters who from to step)
   (unless (> step 0.0)
     (complain-of-argument who "a positive step" step))
-  (define span (- to from))
-  (define steps (ceiling (- (/ (abs span) step) 1e-6)))
+  (define steps (step-count (abs (- to from)) step))
   (unless (<= steps most-parameters)
     (complain-showing who "the step is too short for so long a curve"
                       "step" step
@@ -75,7 +74,4 @@
                       "to" to
                       "steps" steps
                       "at most" most-parameters))
-  (define count (max 1 (inexact->exact steps)))
-  (define signed (if (< span 0.0) (- step) step))
-  (for/list ([k (in-range (+ count 1))])
-    (if (= k count) to (+ from (* k signed)))))
+  (if (< steps 1.0) (list from to) (numbers-between from to step)))

@@ -1,11 +1,7 @@
 #lang racket/base
-;; How many times a monitor is called, and what is said of a long run between them.
+;; What is said of a long run while it lasts.
 
-(provide sample-count progress-text)
-
-;; How many steps it takes to cover the span; a last one that is tiny is rounding.
-(define (sample-count span step)
-  (inexact->exact (ceiling (- (/ span step) 1e-6))))
+(provide progress-text)
 
 ;; "evolve: t = 37.2 of 100.0", to a thousandth of the end.
 (define (progress-text who t end)
