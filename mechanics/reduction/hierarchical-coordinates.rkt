@@ -132,8 +132,7 @@
   (of-bodies who (length ms) (list who (value->datum masses)) (lambda (xs ps) (f ms M xs ps))))
 
 (define (sum-of-products ms xs)
-  (for/fold ([sum (g:* (car ms) (car xs))]) ([m (in-list (cdr ms))] [x (in-list (cdr xs))])
-    (g:+ sum (g:* m x))))
+  (g:for/sum ([m (in-list ms)] [x (in-list xs)]) (g:* m x)))
 
 ;; ---------------------------------------------------------------------------
 ;; The arguments
