@@ -19,7 +19,7 @@
 ;; The greatest distance between the ends of a closed orbit, relative to 1 + |x|.
 (define closure-tolerance 1e-6)
 
-;; Returns the eigenvalues, the largest first, of the derivatives of the state one period later by
+;; -> the eigenvalues, the largest first, of the derivatives of the state one period later by
 ;; the state; a state (up t q p) is differentiated by all components but the time.
 (define-plain (Floquet-multipliers derivative state period #:tolerance [tolerance 1e-12])
   (define who 'Floquet-multipliers)
@@ -39,7 +39,7 @@
       (list-ref column (+ first i))))
   (sort (or (real-matrix-eigenvalues entries n) '()) > #:key magnitude))
 
-;; Returns the final state, and the final values of the unit displacements of all scalars from
+;; -> the final state, and the final values of the unit displacements of all scalars from
 ;; number `first` on.
 (define (displaced who derivative state first duration tolerance)
   (note-followed derivative '() state)

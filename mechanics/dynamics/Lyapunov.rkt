@@ -32,7 +32,7 @@
 (provide-parts Lyapunov? "what Lyapunov-exponents or maximal-Lyapunov-exponent gives"
   Lyapunov-values Lyapunov-history Lyapunov-change)
 
-;; Returns the greatest change of an exponent over the last half of the time.
+;; -> the greatest change of an exponent over the last half of the time
 (define (Lyapunov-change g)
   (define history (Lyapunov-history g))
   (define later (list-tail history (quotient (length history) 2)))
@@ -166,7 +166,7 @@
     (values p (list (flvector-copy v))))
   (collect step p (list v) (->fl interval) (quotient n interval)))
 
-;; Returns a procedure that moves a point p and its displacement v.
+;; -> a procedure that moves a point p and its displacement v
 (define (tangent-stepper who map p)
   (define step! (orbit-stepper map p))
   (define derivatives! (jacobian-runner who map (flvector-ref p 0) (flvector-ref p 1)))

@@ -83,7 +83,7 @@
   (flvector-set! p 2 (fl/ (flvector-ref p 2) length))
   (flvector-set! p 3 (fl/ (flvector-ref p 3) length)))
 
-;; Returns a procedure that makes a step! for one thread, and whether that is compiled.
+;; -> a procedure that makes a step! for one thread, and whether that is compiled
 (define (displacement-stepper who map x y)
   (define (moved p)
     (define-values (to change)

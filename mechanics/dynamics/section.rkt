@@ -26,7 +26,7 @@
 (provide Poincare-map stroboscopic-map)
 
 ;; derivative : state -> its rate
-;; Returns a function from a state to the state at the next event.
+;; -> a function from a state to the state at the next event
 (define-plain (Poincare-map derivative event
                             #:tolerance [tolerance 1e-12]
                             #:longest-step [longest +inf.0]
@@ -63,7 +63,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Where the motion crosses next
 
-;; Returns a function from a state to a finder, compiled once for each shape of state; a finder
+;; -> a function from a state to a finder, compiled once for each shape of state; a finder
 ;; takes a state to the duration until the event and the state there.
 (define (finders derivative e p most)
   (define system-for (system-by-shape 'Poincare-map (lambda () derivative) '()))
@@ -140,7 +140,7 @@
 ;; ---------------------------------------------------------------------------
 ;; A period later
 
-;; Returns a function from a state to the state a period later; a negative period leads back.
+;; -> a function from a state to the state a period later; a negative period leads back
 (define-plain (stroboscopic-map derivative period #:tolerance [tolerance 1e-12])
   (define who 'stroboscopic-map)
   (check-comes-first who (and (not (pointwise? derivative)) (pointwise? period))

@@ -17,7 +17,7 @@
 
 ;; family : parameter -> map of the plane; low, high : parameters with the limit between them
 ;; lowest, highest : ordinates at the angle 0, with the circles between them
-;; Returns (list found missing): the last parameter with a circle, and the first without one.
+;; -> (list found missing): the last parameter with a circle, and the first without one
 (define-plain (invariant-circle-limit family rotation-number low high
                                       #:tolerance [tolerance 1e-3] #:from [lowest #f]
                                       #:to [highest #f] #:most-modes [most 4096])
@@ -37,7 +37,7 @@
           [(missed-at circle-of middle) (narrow found middle)]
           [else (narrow middle missing)])))
 
-;; Returns the failure to find a circle, or #f.
+;; -> the failure to find a circle, or #f
 (define (missed-at circle-of k)
   (with-handlers ([exn:fail:mechanics:not-convergent? values])
     (circle-of k)

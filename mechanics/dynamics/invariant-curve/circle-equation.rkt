@@ -28,7 +28,7 @@
 ;; ---------------------------------------------------------------------------
 ;; A curve to begin with: an orbit near the circle, its points in the order of the rotation's.
 
-;; Returns a function from n to x and y of the curve at n angles, and the greatest difference of y
+;; -> a function from n to x and y of the curve at n angles, and the greatest difference of y
 ;; between neighbours.  The start is no point of the curve: a map of the torus may return to it
 ;; whole turns away.
 (define (curve-of-orbit map y0 omega)
@@ -73,7 +73,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Newton's method
 
-;; Returns x, y and the residual, once that no longer halves.
+;; -> x, y and the residual, once that no longer halves
 (define (solve-circle q start-x start-y)
   (define n (flvector-length start-x))
   (define-values (x0 y0) (both-smoothed start-x start-y))
@@ -125,7 +125,7 @@
     (define size (flmax (flabs u) (flabs v)))
     (if (fl<= size most) most (if (fl< size +inf.0) size +inf.0))))
 
-;; Returns the corrections of x and y.
+;; -> the corrections of x and y
 (define (correction q m x y)
   (define omega (equation-omega q))
   (define n (flvector-length x))

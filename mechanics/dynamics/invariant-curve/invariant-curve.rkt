@@ -23,7 +23,7 @@
          ;; for invariant circles
          curve-between)
 
-;; Returns the action of the curve at the angle theta0.
+;; -> the action of the curve at the angle theta0
 (define (find-invariant-curve map rotation-number theta0 Jmin Jmax eps)
   (curve-between 'find-invariant-curve map rotation-number theta0 Jmin Jmax eps))
 
@@ -46,7 +46,7 @@
             (if (> way 0) "ahead of" "behind") (value->text rotation-number)
             (value->text Jmin) (value->text Jmax) hint))
 
-;; Returns 1 if the orbit from (x0, y0) is ahead of the rotation, -1 if it is behind, 0 if neither
+;; -> 1 if the orbit from (x0, y0) is ahead of the rotation, -1 if it is behind, 0 if neither
 ;; shows within most-steps.
 (define-plain (which-way? rotation-number x0 y0 map [most-steps 20000000])
   (when (ormap map? (list rotation-number x0 y0))

@@ -13,11 +13,11 @@
 
 (provide compile-map orbit-stepper stepper-at)
 
-;; Returns the map as a compiled function from (up x y) to (up x y), or #f.
+;; -> the map as a compiled function from (up x y) to (up x y), or #f
 (define (compile-map map x y)
   (compile-traced (image-at 'map map) (up x y) #:name 'iterated-map))
 
-;; Returns a procedure that moves the point in the flvector p to its image, and returns #f where
+;; -> a procedure that moves the point in the flvector p to its image, and returns #f where
 ;; there is no finite one.  Each orbit needs its own.  who : complains of a map written wrongly
 (define (orbit-stepper map p [who 'map])
   (define code (compile-map map (flvector-ref p 0) (flvector-ref p 1)))

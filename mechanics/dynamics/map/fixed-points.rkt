@@ -40,7 +40,7 @@
   (define-values (p z) (fixed-point-of 'find-fixed-point map m tolerance))
   (or (of-lesser-period map m z tolerance) p))
 
-;; Returns the point z with a lesser period, or #f if its period is the least.
+;; -> the point z with a lesser period, or #f if its period is the least
 (define (of-lesser-period map m z tolerance)
   (define (back? d) (short? d z return-tolerance))
   (define (found k)
@@ -59,7 +59,7 @@
 
 ;; Newton's method for the displacement, the derivatives being exact where the map can be
 ;; differentiated, as those made of motions can.
-;; Returns the fixed point of m, an iterate of the map, and its coordinates as an flvector.
+;; -> the fixed point of m, an iterate of the map, and its coordinates as an flvector
 (define (fixed-point-of who map m tolerance [limit 100])
   (define (less-unit rows) (rows-combine - rows (unit-rows (vector-length rows) 1.0 0.0)))
   (define (search)

@@ -27,14 +27,14 @@
 ;; curve : parameter -> point; points : of (vector s x y), by rising size of s
 (struct branch (curve points))
 
-;; Returns the points of a branch; neighbours are at most `gap` apart.
+;; -> the points of a branch; neighbours are at most `gap` apart
 (define-plain (invariant-manifold map p #:stable? [stable? #f] #:inverse [inverse #f]
                                   #:branch [side 1] #:length [length 5.0] #:gap [gap 0.05])
   (define who 'invariant-manifold)
   (define b (follow who map p stable? inverse side length gap))
   (for/list ([v (in-list (branch-points b))]) (make-point (vector-ref v 1) (vector-ref v 2))))
 
-;; Returns the points where the unstable branch crosses the stable one, within `length` of both.
+;; -> the points where the unstable branch crosses the stable one, within `length` of both
 (define-plain (homoclinic-points map p #:inverse [inverse #f]
                                  #:branch [side 1] #:stable-branch [stable-side side]
                                  #:length [length 5.0] #:gap [gap 0.05])
@@ -69,7 +69,7 @@
 ;; curve, the square of this, shrinks as the curve is stretched; that of rounding along it does not.
 (define straight-distance 3e-5)
 
-;; Returns the multiplier by which the branch is stretched, and its direction x, y.
+;; -> the multiplier by which the branch is stretched, and its direction x, y
 (define (stretched p stable?)
   (define J (fixed-point-matrix p))
   (define-values (greater less) (eigenvalues J))
@@ -128,7 +128,7 @@
     (fl- (fl* x w) (fl* y u)))
   (fl< (fl* (side (piece-from b)) (side (piece-to b))) 0.0))
 
-;; Returns the crossing, or #f where Newton's method finds none between these points.
+;; -> the crossing, or #f where Newton's method finds none between these points
 (define (crossing u s a b angles)
   (define-values (low high) (values (vector-ref (piece-from a) 0) (vector-ref (piece-to a) 0)))
   (define-values (low* high*) (values (vector-ref (piece-from b) 0) (vector-ref (piece-to b) 0)))

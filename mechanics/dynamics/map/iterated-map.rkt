@@ -59,7 +59,7 @@
       (return x y)
       (image-or-else 'iterated-map map x y (lambda (x y) (loop (- n 1) x y)) fail)))
 
-;; Returns the image as an flvector, or #f if a coordinate is not finite.
+;; -> the image as an flvector, or #f if a coordinate is not finite
 (define (compiled-image code n x y)
   (define run! (compiled-function-runner code))
   (let loop ([n n]

@@ -89,7 +89,7 @@
          (values greater
                  (if (= greater 0) greater (/ product greater)))]))
 
-;; Returns a direction x, y that J multiplies by the eigenvalue.  Where every direction is one, the
+;; -> a direction x, y that J multiplies by the eigenvalue.  Where every direction is one, the
 ;; second call, with first? #f, returns another.
 (define (eigenvector J eigenvalue [first? #t])
   (define-values (a b c d) (entries J))
@@ -102,7 +102,7 @@
 ;; ---------------------------------------------------------------------------
 ;; For many points
 
-;; Returns a procedure that stores the derivatives at p in J, both flvectors: those of both
+;; -> a procedure that stores the derivatives at p in J, both flvectors: those of both
 ;; coordinates by x, then by y.  Only one image is checked: compiled code checks none.
 (define (jacobian-runner who map x y)
   (point-image-of who map x y)

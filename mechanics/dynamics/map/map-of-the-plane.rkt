@@ -70,14 +70,14 @@
        (if-raised refusal? #f
          (pointwise? (apply f (for/list ([_ (in-range n)]) 1))))))
 
-;; Returns a function from points to their images, tuples of two.
+;; -> a function from points to their images, tuples of two
 (define ((image-at who map) p) (image-of who map (structure-ref p 0) (structure-ref p 1) up))
 
 ;; The same, checked.
 (define ((point-image-at who map) p)
   (point-image-of who map (structure-ref p 0) (structure-ref p 1)))
 
-;; Returns (up x' y'); the coordinates are real numbers, perhaps with perturbations.
+;; -> (up x' y'); the coordinates are real numbers, perhaps with perturbations
 (define (point-image-of who map x y)
   (define image (image-of who map x y up))
   (check-image who map (vector->list (structure-elements image)))
@@ -90,7 +90,7 @@
       (complain who "the image is not one of real numbers\n  map: ~a\n  in the image: ~a"
                 (value->text map) (describe-with-value x)))))
 
-;; Returns the value of (receive x' y'); complains where the map has no image.
+;; -> the value of (receive x' y'); complains where the map has no image
 (define (image-of who map x y receive)
   (image-or-else who map x y receive (lambda () (raise-no-image who map x y))))
 
@@ -101,7 +101,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Maps that may be written wrongly
 
-;; Returns the value of (receive x' y') with numbers, or #f where the map has no image.
+;; -> the value of (receive x' y') with numbers, or #f where the map has no image
 (define (image-or-none who map x y receive)
   (image-or-else who map x y
                  (lambda (x* y*)
@@ -117,7 +117,7 @@
 
 (define nowhere (string->uninterned-symbol "nowhere"))
 
-;; Returns the value of (receive x' y'), or of (none).  Complains of a map that does not end by
+;; -> the value of (receive x' y'), or of (none).  Complains of a map that does not end by
 ;; calling one of its two procedures once.
 (define (image-or-else who map x y receive none)
   (define calls 0)

@@ -110,7 +110,7 @@
 
 (define (up-of-numbers v) (apply up (flvector->list v)))
 
-;; Returns a list of booleans: the largest set of coordinates that are angles together.  A
+;; -> a list of booleans: the largest set of coordinates that are angles together.  A
 ;; coordinate that moves another one, not an angle, by whole turns is no angle itself.
 (define (angles-of image start)
   (define (at v) (numbers (image (up-of-numbers v))))
@@ -145,7 +145,7 @@
   (for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals 1)])
     (fl+ x (fl/ 0.1 (->fl k)))))
 
-;; Returns the indices where b is whole turns from a, or #f if a difference is no whole turn.
+;; -> the indices where b is whole turns from a, or #f if a difference is no whole turn
 (define (turned a b)
   (let loop ([k 0] [those '()])
     (define off (and (< k (flvector-length a)) (fl- (flvector-ref b k) (flvector-ref a k))))
@@ -157,14 +157,14 @@
 (define (whole-turns? x)
   (and (fl< (flabs x) 1e8) (fl< (flabs (whole-turns-less x)) 1e-6)))
 
-;; Returns the displacement from z to its image.
+;; -> the displacement from z to its image
 (define (displacement m z [image (numbers ((image-by m) (up-of-numbers z)))])
   (for/flvector #:length (flvector-length z)
                 ([a (in-flvector z)] [b (in-flvector image)]
                  [angle? (in-list (map-on-tuples-angles m))])
     (if angle? (whole-turns-less (fl- b a)) (fl- b a))))
 
-;; Returns the proper divisors of the times after which z is back, the least first.
+;; -> the proper divisors of the times after which z is back, the least first.
 ;; back? : displacement -> boolean.  The orbit is followed once for all divisors.
 (define (returns-after m z back?)
   (let loop ([divisors (proper-divisors (map-on-tuples-times m))] [k 0] [p (up-of-numbers z)])
@@ -176,7 +176,7 @@
 (define (proper-divisors n)
   (for/list ([k (in-range 1 n)] #:when (zero? (remainder n k))) k))
 
-;; Returns the derivatives of the image, a vector of rows.
+;; -> the derivatives of the image, a vector of rows
 (define (slopes-of-image m z)
   (columns->rows (flvector-length z)
                  (numbers (derivative-at (image-by m) (up-of-numbers z)))))

@@ -42,14 +42,14 @@
            (define-values (position after) (insert angle before))
            (stream-cons position (positions (stream-rest orbit) after))])))
 
-;; Returns the number of lesser ones, and the sorted list with x in it.
+;; -> the number of lesser ones, and the sorted list with x in it
 (define (insert x sorted)
   (let loop ([count 0] [less '()] [rest sorted])
     (if (and (pair? rest) (< (car rest) x))
         (loop (+ count 1) (cons (car rest) less) (cdr rest))
         (values count (append (reverse less) (cons x rest))))))
 
-;; Returns count plus the number of leading elements that agree, negative if the first other
+;; -> count plus the number of leading elements that agree, negative if the first other
 ;; element is less in the second stream; 0 if a stream ends before.
 (define (compare-streams s1 s2 count)
   (check-stream 'compare-streams s1)

@@ -34,7 +34,7 @@
       (unless (or (not now) (not later) (same? now later))
         (raise-no-period who period derivative s (after s period))))))
 
-;; Returns a list of numbers, or #f where the derivative has no value or no number.
+;; -> a list of numbers, or #f where the derivative has no value or no number
 (define (rates derivative state)
   (if-raised refusal? #f
     (define all (map comparand (scalars (derivative state))))

@@ -32,7 +32,7 @@
           found)))
   (sort all before?))
 
-;; Returns a fixed point, or the refusal of the map or of Newton's method.
+;; -> a fixed point, or the refusal of the map or of Newton's method
 (define (point-near who map n guess)
   (with-handlers ([refusal? values])
     (fixed-point-near who map guess n 1e-13 30)))

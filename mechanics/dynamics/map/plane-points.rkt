@@ -24,7 +24,7 @@
   (define-values (x y) (coordinates-of 'ordinate p))
   y)
 
-;; Returns both coordinates of the start of an orbit, as flonums.
+;; -> both coordinates of the start of an orbit, as flonums
 (define (start-coordinates who p)
   (define-values (x y) (coordinates-of who p))
   (values (start-number who p x) (start-number who p y)))

@@ -11,7 +11,7 @@
 
 (provide radially-mapping-points)
 
-;; Returns the action between Jmin and Jmax at which the map leaves the angle phi.
+;; -> the action between Jmin and Jmax at which the map leaves the angle phi
 (define (radially-mapping-points map Jmin Jmax phi eps)
   (define who 'radially-mapping-points)
   (check-map who map)

@@ -77,7 +77,7 @@
                 (look more apart))]
           [else #f])))
 
-;; Returns turns for each step, the error of that, at least the one of rounding, and the
+;; -> turns for each step, the error of that, at least the one of rounding, and the
 ;; difference between both halves.
 (define (means steps forwards?)
   (define n (flvector-length steps))
@@ -111,7 +111,7 @@
     (if angle? (whole-turns-less d) d))
   (lambda (p) (atan (off p 1 (cadr angles)) (off p 0 (car angles)))))
 
-;; Returns a procedure that moves p to its image and returns the change of the angle, or #f
+;; -> a procedure that moves p to its image and returns the change of the angle, or #f
 ;; where p has no image.
 (define (angle-stepper map p angle)
   (define step! (orbit-stepper map p))

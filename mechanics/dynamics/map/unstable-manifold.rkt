@@ -14,7 +14,7 @@
 
 (provide unstable-manifold)
 
-;; Returns a function parameter -> point; negative parameters belong to the other branch.
+;; -> a function parameter -> point; negative parameters belong to the other branch
 (define (unstable-manifold T xe ye dx dy A eps)
   (check-map 'unstable-manifold T)
   (define-values (x y across up stretch nearest)

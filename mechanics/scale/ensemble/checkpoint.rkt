@@ -97,7 +97,7 @@
                            "left as it is\n  file: ~a\n  another name for #:checkpoint begins anew")
             file))
 
-;; Returns the finished batch, or #f.  The last batch is performed again if its length has changed,
+;; -> the finished batch, or #f.  The last batch is performed again if its length has changed,
 ;; because there are more starts now, or fewer.
 (define (checkpointed c b)
   (define record (hash-ref (checkpoint-found c) (batch-index b) #f))

@@ -12,7 +12,7 @@
 
 (provide watching)
 
-;; Returns a function from system, start and end to the last state, an flvector, and the events.
+;; -> a function from system, start and end to the last state, an flvector, and the events
 (define (watching plan t)
   (define new-watch (watches-for-task t))
   (lambda (s start end)

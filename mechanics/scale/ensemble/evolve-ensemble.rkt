@@ -88,7 +88,7 @@
 
 ;; Puts batches that are finished in any order into the order of the starts.
 ;; fold : value result -> result; value-of : index outcome -> value; on-each : index value -> void
-;; Returns a procedure that adds a finished batch, and one that returns the final result.
+;; -> a procedure that adds a finished batch, and one that returns the final result
 (define (in-order fold from on-each value-of)
   (define made from)
   (define next 0)

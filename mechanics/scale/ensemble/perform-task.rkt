@@ -12,7 +12,7 @@
 
 (provide performer)
 
-;; Returns a function from start and parameters, flvectors, to the outcome.  Code is made once.
+;; -> a function from start and parameters, flvectors, to the outcome.  Code is made once.
 (define (performer who t)
   (define plan (make-plan who (task-tolerance t) (task-method t) #:progress? #f))
   (define system-for (systems t))
@@ -24,13 +24,13 @@
       (define-values (last events) (follow s start (task-end t)))
       (outcome (flvector->vector (collect last)) #f #f events))))
 
-;; Returns a function from system, start and end to the last state and no events.
+;; -> a function from system, start and end to the last state and no events
 (define ((following plan) s start end)
   (define (visit from to interpolant) #t)
   (define last (run-system plan s start (start-time s start) end visit))
   (values (structure->flvector last values) '()))
 
-;; Returns a function from parameters to a system, which remembers the last one.
+;; -> a function from parameters to a system, which remembers the last one
 (define (systems t)
   (define system-of (system-maker t))
   (define last-system #f)
@@ -64,7 +64,7 @@
            (and (tuple? where) (list->vector (scalars where)))
            '()))
 
-;; Returns a function from the last state to the wanted numbers, both flvectors.
+;; -> a function from the last state to the wanted numbers, both flvectors
 (define (collector t)
   (define p (task-collect t))
   (if p

@@ -33,7 +33,7 @@
                      end tolerance method))
           (and collecting (compiled-function-value-shape collecting))))
 
-;; Returns the watches, or #f if the function of an event has no code.
+;; -> the watches, or #f if the function of an event has no code
 (define (watches-of who events example)
   (define codes
     (for/list ([e (in-list events)])
@@ -51,7 +51,7 @@
       (compile-traced (derivative-for maker '()) example #:name who)
       (compile-traced rates (up example (apply up parameters)) #:name who)))
 
-;; Returns a function from start and parameters to the outcome, by the generic arithmetic.
+;; -> a function from start and parameters to the outcome, by the generic arithmetic.
 ;; example, parameters : for their shapes.  collect is not applied.
 (define (generically who maker example parameters events collect end tolerance method)
   (define shapes (apply up parameters))

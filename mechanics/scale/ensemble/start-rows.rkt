@@ -37,7 +37,7 @@
   (when (or (not (sequence? x)) (tuple? x) (number? x) (string? x) (bytes? x) (hash? x))
     (complain who "~a\n  given: ~a" expected (describe-with-value x))))
 
-;; Returns the first state and its parameters, and the rows from that one on.
+;; -> the first state and its parameters, and the rows from that one on
 (define (first-row next)
   (define row (next 0))
   (unless row (complain who "there are no starts"))
@@ -59,7 +59,7 @@
   (define all (apply up ps))
   (structure->list (flvector->structure all (structure->flvector all values))))
 
-;; Returns a procedure that returns the next batch, or #f.
+;; -> a procedure that returns the next batch, or #f
 (define (batches next example parameters size note!)
   (define k 0)
   (define shape (apply up parameters))

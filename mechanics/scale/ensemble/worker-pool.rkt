@@ -57,7 +57,7 @@
                             (wrap-evt (worker-out w) (lambda (_) w)))))
     (run-pool pool (if (receive-outcome! pool w) full (remq w full)) jobs t)))
 
-;; Returns the workers and new ones, as many as there are jobs and batches.
+;; -> the workers and new ones, as many as there are jobs and batches
 (define (start-workers pool workers jobs t)
   (define b (and (< (length workers) jobs) (take-batch! pool)))
   (cond [b (define w (start-worker t))
@@ -75,7 +75,7 @@
   (set-worker-handed! w (append (worker-handed w) (list b)))
   (say! w b))
 
-;; Returns #f if the worker has died.
+;; -> #f if the worker has died
 (define (receive-outcome! pool w)
   (define f (receive (worker-out w)))
   (cond [(eof-object? f) (return-batches! pool w) #f]

@@ -51,7 +51,7 @@
         [(>= share 1.0) (schedule-to s)]
         [else (+ (schedule-start s) (* (schedule-span s) share))]))
 
-;; Returns t if it is a time within the schedule; else complains.
+;; -> t if it is a time within the schedule; else complains
 (define (check-time-within who s t)
   (define x (check-number who "the time" t))
   (define-values (low high)

@@ -26,11 +26,11 @@
     now)
   (gif-end gif))
 
-;; Returns the first 2, 4, 8 ... colors, as GIF wants, up to the last that an index names.
+;; -> the first 2, 4, 8 ... colors, as GIF wants, up to the last that an index names.
 (define (used-colors colors indices)
   (take colors (expt 2 (integer-length (for/fold ([m 1]) ([i (in-bytes indices)]) (max m i))))))
 
-;; Returns the ARGB bytes of a picture on white paper.
+;; -> the ARGB bytes of a picture on white paper
 (define (pixels-of picture width height)
   (define bitmap (make-object bitmap% width height #f #f))
   (define canvas (new bitmap-dc% [bitmap bitmap]))
@@ -44,7 +44,7 @@
 ;; What changes
 
 ;; Finds the smallest rectangle, of one pixel at least, outside of which both are equal.
-;; Returns left, top, right, bottom; the last two are just beyond it.
+;; -> left, top, right, bottom; the last two are just beyond it
 (define (changed before now width height)
   (cond [(not before) (values 0 0 width height)]
         [else

@@ -130,7 +130,7 @@
   (make-font #:size (* share (lettering-size s)) #:size-in-pixels? #t #:family 'roman
              #:style (if (lettering-italic? s) 'italic 'normal)))
 
-;; Returns the offset from the point to the upper left corner of the text.
+;; -> the offset from the point to the upper left corner of the text
 (define (corner-of anchor width height)
   (case anchor
     [(left) (values (- (+ width gap)) (* -0.5 height))]

@@ -49,7 +49,7 @@
   (define v (vector-ref (tuple-elements (adopt state)) 2))
   (and (tuple? v) (down? v)))
 
-;; Returns a vector of two flonums.
+;; -> a vector of two flonums
 (define (plane-point-at p who state)
   (define (number f axis)
     (coordinate-of who (lambda () (format "the ~a of the phase portrait" axis)) (f state)))

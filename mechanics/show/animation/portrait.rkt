@@ -33,7 +33,7 @@
                   #:fill (cadr accents) #:color #f))
       '()))
 
-;; Returns the range of the numbers with a margin; never an empty interval.
+;; -> the range of the numbers with a margin; never an empty interval
 (define (range-of xs)
   (define-values (low high)
     (if (null? xs) (values 0.0 0.0) (values (apply min xs) (apply max xs))))

@@ -33,7 +33,7 @@
   (define mechanism (mechanism-panel f))
   (scenery f (if (film-plane f) (list mechanism (portrait-panel f)) (list mechanism))))
 
-;; Returns the whole picture at time t.
+;; -> the whole picture at time t
 (define (scenery->pict s t)
   (define pictures
     (for/list ([p (in-list (scenery-panels s))])
@@ -45,7 +45,7 @@
 
 (define gap 10)
 
-;; Returns width and height of all pictures, exact integers.
+;; -> width and height of all pictures, exact integers
 (define (scenery-size s)
   (define panels (scenery-panels s))
   (values (exact-ceiling (+ (* gap (- (length panels) 1)) (apply + (map panel-width panels))))
@@ -101,7 +101,7 @@
                                                        [part (in-vector (list-ref all i))])
           part))))
 
-;; Returns the indices of the first and the last visible point of the trails at time t.
+;; -> the indices of the first and the last visible point of the trails at time t
 (define (trail-range f t)
   (define s (film-schedule f))
   (define last (- (detailed s) 1))

@@ -11,7 +11,7 @@
 (provide read-state slot-components)
 
 ;; counts : list of allowed numbers of coordinates, or #f for any number
-;; Returns the time, a flonum, and the coordinates, a vector of flonums.
+;; -> the time, a flonum, and the coordinates, a vector of flonums
 (define (read-state who state counts)
   (unless (local-tuple? state)
     (complain who "expected a state, such as (up t q v)\n  given: ~a~a"

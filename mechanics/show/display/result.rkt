@@ -52,7 +52,7 @@
       shown
       (laid-out (with-notes (format "~v" shown) notes))))
 
-;; Returns the text with its remarks, and without them.
+;; -> the text with its remarks, and without them
 (define (result-text x width see)
   (define text (format "~v" (expression-result x width see)))
   (values text
@@ -63,7 +63,7 @@
 
 (struct seen (value notes) #:authentic)
 
-;; Returns a function from a value in our notation to its `seen`, computed once.
+;; -> a function from a value in our notation to its `seen`, computed once
 (define (seen-once)
   (define known (make-hasheq))
   (lambda (x)
@@ -72,7 +72,7 @@
       (seen shown notes))
     (hash-ref! known x look)))
 
-;; Returns the value with all elements simplified, and the notes of all.  Where there is a width,
+;; -> the value with all elements simplified, and the notes of all.  Where there is a width,
 ;; procedures that Racket would print by their names alone are laid out.
 (define (shown-throughout x [see (seen-once)] [width #f])
   (define (each xs)

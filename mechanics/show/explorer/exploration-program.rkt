@@ -16,7 +16,7 @@
 
 (define modules '(mechanics mechanics/book mechanics/plot))
 
-;; Returns a list of symbols, or a string, as unknown-names does.
+;; -> a list of symbols, or a string, as unknown-names does
 (define (names-missing source namespace)
   (if source (unknown-names source modules namespace) '()))
 
@@ -79,7 +79,7 @@
 
 ;; source : a datum; modules : what the program requires, besides racket/base
 ;; namespace : where these modules are loaded or can be
-;; Returns a sorted list of symbols, or a string that says why the source is no expression.
+;; -> a sorted list of symbols, or a string that says why the source is no expression
 (define (unknown-names source modules namespace)
   (let look ([found '()])
     (define next (first-unknown source modules namespace found))

@@ -54,7 +54,7 @@
   (set-exploration-orbits! e (cons (traced o (make-points)) (exploration-orbits e)))
   o)
 
-;; Returns #f if the orbit has been removed meanwhile.
+;; -> #f if the orbit has been removed meanwhile
 (define (add-points! e o xs ys count)
   (define t (findf (lambda (t) (eq? o (traced-orbit t))) (exploration-orbits e)))
   (when t

@@ -56,7 +56,7 @@
 ;; ---------------------------------------------------------------------------
 
 ;; missing : as write-exploration takes it (exploration-program.rkt)
-;; Returns a text: the files that were written, or the reason of the failure.
+;; -> a text: the files that were written, or the reason of the failure
 (define (save e v source missing picture)
   (define name (free-name 1))
   (define-values (image program) (values (string-append name ".png") (string-append name ".rkt")))

@@ -117,7 +117,7 @@
                 (if (= first 0) x-min (edge (at first) (at (- first 1))))
                 (if (= last 200) x-max (edge (at last) (at (+ last 1))))))))
 
-;; Returns the middles of equal parts of the frame, (list across up) of them.
+;; -> the middles of equal parts of the frame, (list across up) of them
 (define (grid-starts who f grid)
   (check-grid who grid)
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))

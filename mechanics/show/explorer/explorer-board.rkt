@@ -76,7 +76,7 @@
   (mark! (drawn-pixels b) xs ys count (->pen-color color))
   (changed! b))
 
-;; Returns a bitmap of the whole canvas.
+;; -> a bitmap of the whole canvas
 (define (board-picture b)
   (define-values (width height) (send (board-canvas b) get-client-size))
   (define all (make-bitmap width height))

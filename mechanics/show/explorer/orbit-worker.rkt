@@ -52,7 +52,7 @@
 (define turn 30.0)               ; milliseconds
 (define most 8192)               ; points in a turn
 
-;; Returns the rest of the job, or #f.  An exception raised by the reader's map ends its orbit.
+;; -> the rest of the job, or #f.  An exception raised by the reader's map ends its orbit.
 (define (take-turn map j receive)
   (define o (job-orbit j))
   (define-values (xs ys) (values (make-flvector most) (make-flvector most)))
@@ -75,13 +75,13 @@
            (finish (and ended? "no further image")
                    (and (> left 0) (not ended?) (not (orbit-stopped? o)) (job o left)))])))
 
-;; Returns step!, or #f if the map has no image of the start.
+;; -> step!, or #f if the map has no image of the start
 (define (begin-orbit map o)
   (define step! (stepper-at 'explore-map map (car (orbit-start o)) (cdr (orbit-start o))))
   (set-orbit-step!! o step!)
   step!)
 
-;; Returns the number of points left when the turn is over, and whether the orbit has ended.
+;; -> the number of points left when the turn is over, and whether the orbit has ended
 (define (advance o step! n add!)
   (define end (+ (current-inexact-milliseconds) turn))
   (let loop ([left n] [room (- most 1)])

@@ -13,7 +13,7 @@
 (provide chaos-map)
 
 ;; n : steps of each orbit; samples : number of starts to a side, or (list across up)
-;; Returns the frame.
+;; -> the frame
 (define (chaos-map f map [n 1000] #:samples [samples 200])
   (define who 'chaos-map)
   (check-open who f)
@@ -36,7 +36,7 @@
          (complain-of-argument
           who "how many starts to a side, from 1 to 5000, or a list of two such numbers" samples)]))
 
-;; Returns the middles of n equal parts of the interval.
+;; -> the middles of n equal parts of the interval
 (define (middles from to n)
   (for/flvector #:length n ([k (in-range n)]) (part-middle from to k n)))
 

@@ -33,7 +33,7 @@
     (for/vector #:length n ([x (in-list xs)])
       (coordinate-of who (lambda () (format "the value at ~a, ~a" x y)) (function x y)))))
 
-;; Returns n numbers from one to another, at equal distances.
+;; -> n numbers from one to another, at equal distances
 (define (nodes low high n)
   (for/list ([k (in-range n)])
     (if (= k (- n 1)) high (+ low (* (- high low) (/ k (- n 1.0)))))))

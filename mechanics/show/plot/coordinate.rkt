@@ -34,7 +34,7 @@
         [(tuple? x) "\n  draw its components one by one, as with (component 0)"]
         [else (multiplied-hint x)]))
 
-;; Returns both coordinates of a point, as flonums.
+;; -> both coordinates of a point, as flonums
 (define (plane-point who what p)
   (define-values (x y)
     (plane-coordinates
@@ -62,7 +62,7 @@
 ;; More parameters come from a slip in the step, and would fill the memory.
 (define most-parameters 10000000)
 
-;; Returns the numbers from one to another in steps; the last step may be shorter.
+;; -> the numbers from one to another in steps; the last step may be shorter
 (define (parameters who from to step)
   (unless (> step 0.0)
     (complain-of-argument who "a positive step" step))

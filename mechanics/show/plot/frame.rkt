@@ -121,7 +121,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The present picture
 
-;; Returns the layers, the lowest first; later drawing does not change them.  No lock is needed.
+;; -> the layers, the lowest first; later drawing does not change them.  No lock is needed.
 (define (frame-now f) (layers-now (reverse (frame-layers f))))
 
 (define-plain (frame-points f)

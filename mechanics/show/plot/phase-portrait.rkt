@@ -127,7 +127,7 @@
    (compile-function (lambda (v) (up (slope v) (derivative-at slope v))) (middle-of bounds)
                      #:name who)))
 
-;; Returns the place of rest that Newton's method finds from (q, p), or #f.
+;; -> the place of rest that Newton's method finds from (q, p), or #f
 (define (rest-near slopes! h q p)
   (define s (make-flvector 6))
   (define (slopes at)
@@ -153,7 +153,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Energies
 
-;; Returns n energies that divide the frame into n + 1 strips of equal areas.
+;; -> n energies that divide the frame into n + 1 strips of equal areas
 (define (levels-between h bounds n)
   (define-values (q-min q-max p-min p-max) (apply values bounds))
   (define energies

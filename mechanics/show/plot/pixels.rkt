@@ -16,13 +16,13 @@
 (define (make-pixels bounds width height)
   (pixels bounds width height (make-bytes (* 4 width height) 0)))
 
-;; Returns the point in the middle of a pixel.
+;; -> the point in the middle of a pixel
 (define (pixel->point p i j)
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
   (values (+ x-min (* (- x-max x-min) (/ (+ i 0.5) (pixels-width p))))
           (- y-max (* (- y-max y-min) (/ (+ j 0.5) (pixels-height p))))))
 
-;; Returns the pixel of a point, perhaps outside of the picture.
+;; -> the pixel of a point, perhaps outside of the picture
 (define (point->pixel p x y)
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
   (values (exact-floor (* (pixels-width p) (/ (- x x-min) (- x-max x-min))))
@@ -49,7 +49,7 @@
         (dot! (unsafe-fx+ i 1) (unsafe-fx+ j 1)))
       (loop (unsafe-fx+ k 1)))))
 
-;; Returns a procedure that marks pixel i, j, unless it is to the right of the picture or below.
+;; -> a procedure that marks pixel i, j, unless it is to the right of the picture or below
 (define (dot-marker p color)
   (define-values (red green blue) (apply values color))
   (define-values (width height bytes) (values (pixels-width p) (pixels-height p) (pixels-bytes p)))

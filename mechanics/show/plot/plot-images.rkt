@@ -43,7 +43,7 @@
              (colorize (filled-rectangle (pict-width p) (pict-height p) #:draw-border? #f)
                        "white")))
 
-;; Returns x and y of the upper left corner, width and height of the area between the axes.
+;; -> x and y of the upper left corner, width and height of the area between the axes
 (define (plot-area p bounds)
   (define-values (x-min x-max y-min y-max) (apply values bounds))
   (define place (plot-pict-plot->dc p))
