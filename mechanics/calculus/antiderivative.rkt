@@ -144,7 +144,7 @@
      (rebuild op:+ (for/list ([u (in-list (terms-of e x A))]) (term-integral u x)))
      A)))
 
-;; Raised by what is no sum of waves, or has no integral that is one.
+;; Raised if an expression is no sum of waves, or its integral is none.
 (struct no-sum-of-waves ())
 (define (fail) (raise (no-sum-of-waves)))
 

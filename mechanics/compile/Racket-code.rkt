@@ -53,8 +53,8 @@
 ;; Instructions whose places are from `start` on and before `end`.
 (struct section (start end) #:authentic)
 
-;; Racket interprets procedures of more than 10,000 symbols, numbers and ends of lists; and fails
-;; where such a one takes a sine.
+;; Racket interprets a procedure of more than 10,000 symbols, numbers and ends of lists, and fails
+;; if there is a sine in it.
 (define longest-form 7500)
 
 ;; -> list of sections and, between them, places of systems

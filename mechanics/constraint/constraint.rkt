@@ -125,7 +125,8 @@
               (value->text c) (describe-with-value value)))
   value)
 
-;; One value for each constraint, as one value.
+;; values : one for each constraint
+;; -> the value of the set: a single constraint's own value, or a tuple of the values of all
 (define (shape-values cs values)
   (if (constraint-set-single? cs) (car values) (apply up values)))
 

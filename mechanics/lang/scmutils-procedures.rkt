@@ -2,7 +2,7 @@
 ;; Procedures of scmutils for which `mechanics` has others.
 
 (require "../error/complain.rkt"
-         "../generic/on-demand.rkt"
+         "../generic/on-demand.rkt" "../generic/wrong-argument.rkt"
          (only-in "../lagrangian/local-tuple.rkt" coordinate)
          "../value/structure.rkt"
          "../value/matrix/matrix.rkt")
@@ -31,8 +31,7 @@
 
 ;; A matrix of symbols: row i and column j hold name^i_j.
 (define (literal-matrix name rows columns)
-  (unless (symbol? name)
-    (raise-argument-error 'literal-matrix "a quoted name, such as 'A" name))
+  (check-argument 'literal-matrix symbol? name "a quoted name, such as 'A")
   (unless (andmap exact-positive-integer? (list rows columns))
     (complain 'literal-matrix "expected a number of rows and one of columns; given ~s and ~s"
               rows columns))

@@ -28,8 +28,8 @@
   (define local ((Gamma q (+ n 2)) t))
   (append (expressions-of (coordinate local)) (values-along (list L force) local)))
 
-;; Where a velocity is missing the path has a kink; so of a kink it is not asked what L makes of
-;; velocities, but what it makes of coordinates.
+;; At a kink the path has coordinates and no velocity.  So whether the Lagrangian has a value there
+;; is asked at the path's coordinates, with unknowns for the velocities.
 (define (domain-beside-velocities L q n force t)
   (define local ((Gamma q (+ n 2)) t))
   (define rates (map unknowns-like (cddr (structure->list local))))

@@ -107,8 +107,9 @@
 ;; ---------------------------------------------------------------------------
 ;; Matrices of derivatives
 
-;; Of f at an argument; value : the same from flvector x to flvector.  An f that has a value
-;; at numbers and refuses dual numbers is left to differences; one that fails fails there.
+;; The derivatives of f at an argument; x and value : the argument and f as an flvector and as a
+;; function between flvectors.  If f refuses dual numbers, differences of values take their place;
+;; if it refuses numbers as well, it refuses there.
 (define (jacobian-at f value argument x)
   (with-handlers ([refusal? (lambda (e) (difference-rows value x 6e-6))])
     (define slopes (plain (derivative-at f argument)))

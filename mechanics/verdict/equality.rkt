@@ -62,7 +62,7 @@
         [(and (function? x) (function? y)) (note-functions) #f]
         [else #f]))
 
-;; The same of x and what is zero as it is.
+;; The same for x and zero: pairs of an expression in x and 0.
 (define (open-zeros x found)
   (define c (comparand x))
   (define (all-open xs found)

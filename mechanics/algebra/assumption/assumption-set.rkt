@@ -100,8 +100,8 @@
                    k
                    (from-table A s n k limits)))))
 
-;; What is known of numbers that are not real, of roots and logarithms of what is
-;; negative, and of what they occur in: nothing.
+;; What is known of a number that is not real, of a root or logarithm of an expression that is
+;; never positive, and of an expression that contains one of these: no sign is excluded.
 (define not-real (because-of any-sign))
 
 (define (part-not-real n)

@@ -2,13 +2,13 @@
 ;; The reference point of a question: where a sign that nothing decides is looked up.
 ;;
 ;; √(u²) is u or -u.  If domain, declarations and the real numbers leave that open, the
-;; sign of u at one fixed point is taken, and told as an assumption.  Signs of one answer
-;; are all taken at one point, where the question has a value and what was declared
-;; holds: so no two of them contradict each other, or what was declared.
+;; sign of u at one fixed point is taken, and told as an assumption.  All signs of one answer
+;; are taken at one point, where the question has a value and the declarations hold: so no
+;; sign contradicts another, or a declaration.
 ;;
 ;; The first point tried gives numbers between 1 and π/2 to all symbols, the first of the
 ;; alphabet the greatest: lengths and masses are positive there, and sines and cosines of
-;; angles.  Then come others, positive ones first, always the same ones.
+;; angles.  Then others are tried, points with positive numbers first, always in one order.
 
 (require racket/list
          "assumption-set.rkt" "interval.rkt" "leaf-bounds.rkt" "signs.rkt"

@@ -52,8 +52,8 @@
       (settle-logarithm! c (car entry) parts (cdr entry) several?))
     (unless (null? met) (loop #t))))
 
-;; Squares of what occurs with one sign elsewhere are those of that: beside
-;; log(1 - a), log (a - 1)² is 2 log(1 - a).
+;; (a - 1)² and (1 - a)² are the same.  If 1 - a stands in another logarithm, the square
+;; is written with it: beside log(1 - a), log (a - 1)² is 2 log(1 - a).
 (define (alike-squares c all-parts)
   (define single
     (for*/hash ([parts (in-list all-parts)] [p (in-list parts)] #:unless (even-power? p))

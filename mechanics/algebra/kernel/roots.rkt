@@ -9,8 +9,8 @@
 ;;
 ;;     (u^(1/q))^k = w ∏ (uᵢ^(1/qᵢ))^mᵢ,
 ;;
-;; if no element of the basis is negative.  One that is stands in it as its
-;; opposite, which shows in the exponents of -1.
+;; if no element of the basis is negative.  A negative element is replaced by its
+;; opposite, and the exponents of -1 keep its sign.
 
 (require racket/list
          "lattice.rkt"

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The tree of a formula: what stands beside, above and below what.
+;; The tree of a formula: how its parts stand beside, above and below each other.
 ;;
 ;; It is made at one place (formula.rkt for S-expressions, a kind's own layout for other
 ;; values) and drawn in several ways: on one line, in lines of text, as TeX, as MathML, as a

@@ -10,7 +10,7 @@
 
 (provide question-about domain-assumptions neutral-workspace)
 
-;; For what is asked of no one question; it takes no sign for granted.
+;; A workspace for expressions that belong to no question; it takes no sign for granted.
 (define (neutral-workspace)
   (make-workspace (with-automatic-assumptions no-assumptions #f) (question '() #f)))
 

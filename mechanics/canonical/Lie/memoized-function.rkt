@@ -2,7 +2,7 @@
 ;; A function of the state that is called once, at a state of symbols, and evaluated by the
 ;; simplified expression from then on.
 ;;
-;; Brackets of brackets run the functions below them anew, twice as often at each level; settled
+;; Brackets of brackets run the functions below them anew, twice as often at each level; memoized
 ;; functions do not.  A function that fails at symbols is called at each state.
 
 (require "../../algebra/expression/expression.rkt"

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; A map of the plane, compiled.
 ;;
-;; What is done often is compiled, if that is possible: a map that takes no decision is
-;; arithmetic on two numbers.  Otherwise the map itself is called.
+;; A map that takes no decision is arithmetic on two numbers, and is compiled.  A map that takes
+;; decisions is called itself.
 
 (require racket/flonum
          "map-of-the-plane.rkt"

@@ -1,9 +1,8 @@
 #lang racket/base
 ;; A map of the plane, done again and again (SICM 4.3, p. 308).
 ;;
-;; What is done often is compiled, if that is possible: a map that takes no decision is
-;; arithmetic on two numbers.  Otherwise, and where the numbers stop being real, the map
-;; itself is called.
+;; A map that takes no decision is arithmetic on two numbers; if it is to be done often it is
+;; compiled.  The map itself is called otherwise, and where the numbers stop being real.
 
 (require racket/flonum
          "compiled-map.rkt" "map-of-the-plane.rkt"

@@ -30,7 +30,8 @@
         (append (map car (entry-names e)) (names-mentioned body))
         (distinct-words body)))
 
-;; The cards of one name as one: the text of the first, and the signatures of all.
+;; Joins the cards of one name: the text of the first with the signatures, words and related names
+;; of all.
 (define (join same)
   (define c (car same))
   (struct-copy card c

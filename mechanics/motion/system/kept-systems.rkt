@@ -1,13 +1,13 @@
 #lang racket/base
 ;; Systems kept with the state derivatives that they were made of.
 ;;
-;; To evolve a system again costs the integration alone: the code that was compiled for a state
-;; derivative is found with it as long as somebody holds it.  The data of the derivative may have
-;; changed, though: a mass that was set anew, a table that was filled.  So its values at two points
-;; are kept as well, and must be the same to the last digit; for a Lagrangian's state derivative
-;; the values of the Lagrangian's gradient, which take less time; for a constrained one those of
-;; the constraints as well.  A derivative that decides by numbers is not kept, since two points may
-;; not show a change in its decisions.
+;; To evolve a system again costs the integration alone: the code compiled for a state derivative
+;; is kept as long as the program holds that derivative.  The data of the derivative may have
+;; changed, though: a mass was set anew, a table was filled.  So its values at two points are kept
+;; as well, and must be the same to the last digit.  For the state derivative of a Lagrangian they
+;; are values of the Lagrangian's gradient, which takes less time; for a constrained system there
+;; are those of the constraints as well.  The system of a derivative that decides by numbers is not
+;; kept, since its values at two points may not show that its decisions have changed.
 
 (require racket/list
          "../../calculus/gradient.rkt"

@@ -32,7 +32,8 @@
                 #:limit (lambda () (limit-of r))
                 #:moved! (lambda () (forget! r))))
 
-;; The one that f! has worked with before, if that will do, or a new one.
+;; The run that f! kept from its last integration, if that is over and had the same tolerance, or
+;; a new run; it begins at y0.
 (define (run-from-start f! y0 tolerated)
   (define tolerance (term-tolerance tolerated))
   (define r (take-work! f! (lambda (r) (fl= tolerance (run-tolerance r)))

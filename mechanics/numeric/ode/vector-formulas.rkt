@@ -17,7 +17,7 @@
 (define-syntax-rule (define-vectors n id ...)
   (begin (define id (make-flvector n)) ...))
 
-;; So many vectors in a vector, and names for those of such a vector, from the first one on.
+;; A vector of `count` flvectors of length n; define-elements names its first elements, in order.
 (define (make-vectors count n) (build-vector count (lambda (_) (make-flvector n))))
 
 (define-syntax-rule (define-elements vectors id ...)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Word of what the prompt is doing, where it takes longer than one waits without asking.
+;; A remark that says what the prompt is doing, printed if that takes long.
 
 (provide call-announced announcement-delay)
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; How results are shown: what the reader chose, and what that is where they go.
+;; How results are shown: the style that the reader chose, and the form it takes on this output.
 ;;
 ;; Nothing is asked of a terminal.  A port that takes pictures belongs to an editor of
 ;; Racket's, as DrRacket's do, or to something else that will show what can be converted to a

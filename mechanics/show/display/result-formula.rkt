@@ -28,7 +28,7 @@
                     (report (for/list ([r (in-list remarks)])
                               (report-line 0 (car r) (list (cdr r)))))))))
 
-;; Numbers, names and words in a tree, those of a part that is shared as often as it is drawn.
+;; The number of numbers, names and words in a tree; a shared part counts as often as it is drawn.
 (define (formula-size tree)
   (define known (make-hasheq))
   (let size ([t tree])

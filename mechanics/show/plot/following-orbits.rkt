@@ -1,10 +1,10 @@
 #lang racket/base
-;; What follows an orbit of a map and shows its points: a *collector* (SICM 6.7, p. 456).
+;; A *collector* follows an orbit of a map and shows its points (SICM 6.7, p. 456).
 ;;
-;; It is called like a map, with two coordinates, and with what is to be called with the last ones
-;; and what where there is no image.  explore-map takes one in place of a map where it is given #f
-;; for the number of points.  The coordinates may be anything that the map takes: states, where
-;; the map has to keep more of a motion than is shown of it.
+;; It is called like a map, with two coordinates and two procedures: the first receives the last
+;; coordinates, the second is called where there is no image.  explore-map takes a collector in
+;; place of a map if the number of points is #f.  The coordinates may be any values that the map
+;; takes, such as states, if the map has to keep more of a motion than it shows.
 
 (require "draw.rkt"
          "../../error/complain.rkt"

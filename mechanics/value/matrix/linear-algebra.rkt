@@ -196,7 +196,8 @@
   (unless (and columns (tuple? b)) (raise-mismatch who A (s:ref A 0) b))
   (solve-columns who (map scalar-vector columns) (scalar-vector b) A (part-places A b)))
 
-;; What multiplies A, nested as parts like this one are in it.
+;; The shape of the unknown that multiplies A, with 0 for each part of A of the shape of `like`:
+;; it is nested as A is outside of these parts.
 (define (part-places A like)
   (let place ([part A])
     (if (same-shape? part like) 0 (structure-map place (flip-outer part)))))

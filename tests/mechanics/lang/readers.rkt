@@ -297,6 +297,8 @@
     (check-true (apply >= values-found))))
 
 (says
+ [(literal-matrix "A" 2 2)
+  "literal-matrix: expected a quoted name, such as 'A\n  given: the string \"A\""]
  [(literal-matrix 'A 2 0)
   "literal-matrix: expected a number of rows and one of columns; given 2 and 0"]
  [(column-matrix->vector (row-matrix 1 2))
