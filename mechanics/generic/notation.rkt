@@ -23,7 +23,7 @@
   [column tree:column] [across tree:across] [grid tree:grid] [listing tree:listing]
   [word tree:word] [row tree:row] [relation tree:relation]
   [report tree:report] [report-line tree:report-line] [application tree:application]]
- ["../algebra/notation/combine.rkt" [sum-of tree:sum] [product-of tree:product]]
+ ["../algebra/notation/tree-arithmetic.rkt" [sum-of tree:sum] [product-of tree:product]]
  ["../algebra/notation/formula.rkt" [plain-datum->tree tree:datum]])
 
 ;; ---------------------------------------------------------------------------

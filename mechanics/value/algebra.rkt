@@ -7,7 +7,7 @@
 (require "../generic/on-demand.rkt")
 
 (provide-on-demand
- ["../algebra/assumption/reference.rkt" at-common-reference]
+ ["../algebra/assumption/reference-point.rkt" at-common-reference]
  ["../algebra/elimination/characteristic.rkt" characteristic-coefficients characteristic-determinant
                                          adjugate-times]
  ["../algebra/elimination/elimination.rkt" eliminated-determinant eliminated-solutions
@@ -18,7 +18,7 @@
  ["../algebra/rewriting/expand.rkt" expand-expression]
  ["../algebra/rewriting/factor.rkt" factored-expression]
  ["../algebra/rewriting/together.rkt" together-expression numerator-and-denominator]
- ["../algebra/simplify/declare.rkt" declare-relations with-relations declared-relations
+ ["../algebra/simplify/declare-relations.rkt" declare-relations with-relations declared-relations
                                     without-relations
                                     exn:algebra:contradiction?
                                     exn:algebra:contradiction-because]
@@ -27,7 +27,7 @@
  ["../algebra/zero/vanishing-factors.rkt" same-equations? symbol-alone?]
  ["../algebra/zero/common-domain.rkt" domain-expressions in-place-of somewhere-real?
                                      part-without-value]
- ["../algebra/zero/decimals.rkt" too-many-to-read? reading-decimal reading-expression]
+ ["../algebra/zero/decimal-readings.rkt" too-many-to-read? reading-decimal reading-expression]
  ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations
                              kink-solved? kink-family?]
  ["../algebra/zero/nondegeneracy.rkt" make-meaning meaning-with meaningful? independent-equations

@@ -34,7 +34,7 @@
 ;; relations : in the order of declaration    table : normalized terms -> known
 ;; sums : keys of the table that have several terms, from relations
 ;; automatic? : may simplification assume more by itself?
-;; reference : #f, or -> the point at which it does so (reference.rkt), or #f
+;; reference : #f, or -> the point at which it does so (reference-point.rkt), or #f
 ;; domain : expressions that are to have a real value wherever something is asked
 (struct assumptions (relations table sums automatic? reference domain) #:authentic)
 

@@ -9,7 +9,7 @@
 (require racket/list
          (only-in racket/math infinite?)
          "assumption-set.rkt" "interval.rkt" "leaf-bounds.rkt" "polynomial-range.rkt"
-         "range.rkt" "reference.rkt"
+         "range.rkt" "reference-point.rkt"
          "../expression/expression.rkt" "../expression/pi.rkt")
 
 (provide impossible-among)

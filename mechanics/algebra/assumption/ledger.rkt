@@ -4,7 +4,7 @@
 ;;
 ;; A sign is known by declarations, by what real numbers are (cos x is less than 2), and by
 ;; the question's domain: where √(1 - x) has a value, x is at most 1.  What is not known is
-;; the sign at the question's reference point (reference.rkt), if signs may be taken for
+;; the sign at the question's reference point (reference-point.rkt), if signs may be taken for
 ;; granted.
 ;;
 ;; The assumptions are the same from beginning to end, so that the order in which
@@ -15,7 +15,7 @@
 ;; All signs are asked of a simplifier, which has the ledger they are noted in.
 
 (require racket/promise
-         "assumption-set.rkt" "narrowing.rkt" "range.rkt" "reference.rkt" "signs.rkt"
+         "assumption-set.rkt" "narrowing.rkt" "range.rkt" "reference-point.rkt" "signs.rkt"
          "../expression/expression.rkt" "../expression/simplifier.rkt")
 
 (provide make-ledger (struct-out question)

@@ -5,7 +5,7 @@
 ;;
 ;; Every answer is #f where the attempt was given up as too large.
 
-(require "bareiss.rkt" "block-form.rkt" "entries.rkt"
+(require "bareiss.rkt" "block-form.rkt" "exact-coefficients.rkt"
          "../assumption/assumption-set.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt")
 

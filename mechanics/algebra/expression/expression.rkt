@@ -15,7 +15,7 @@
 ;; elements and flatten short sums and products.  Everything dearer is
 ;; simplification.
 
-(require "constant-range.rkt" "operation.rkt" "list-length-bound.rkt" "write.rkt"
+(require "constant-range.rkt" "operation.rkt" "short-list.rkt" "write.rkt"
          "../../error/complain.rkt")
 
 (provide

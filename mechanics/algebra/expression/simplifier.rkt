@@ -2,7 +2,7 @@
 ;; The simplifier, as the rooms below it know it.
 ;;
 ;; Kernels are found with their arguments simplified, and signs by the terms and
-;; factors of an expression: work of the simplifier (simplify/workspace.rkt), which
+;; factors of an expression: work of the simplifier (simplify/simplifier-workspace.rkt), which
 ;; stands above both.  It hands itself down, with its methods in one record.
 
 (provide (struct-out simplifier) (struct-out methods) left-unexpanded?
@@ -10,7 +10,7 @@
          simplifier-factors simplifier-irreducible-factors simplifier-split-root)
 
 ;; ledger : what the work rests on (assumption/ledger.rkt)
-;; fuel : what it may cost altogether (field/bounds.rkt)
+;; fuel : what it may cost altogether (field/work-bounds.rkt)
 (struct simplifier (methods ledger fuel) #:authentic)
 
 ;; Procedures that take the simplifier first.

@@ -4,7 +4,7 @@
 ;; Circles need nothing but their own kernels.  Of a root and an absolute value the relation
 ;; holds the value of an expression in kernels known before: so inner ones come first.
 
-(require (only-in "bounds.rkt" fuel-meter) "field.rkt" "walk.rkt"
+(require (only-in "work-bounds.rkt" fuel-meter) "field.rkt" "expression-value.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/simplifier.rkt"
          "../kernel/circle.rkt" "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"

@@ -11,9 +11,9 @@
 ;; Relations form a tower, each over the kernels of those before it; reducing
 ;; from the top once suffices.
 
-(require "bounds.rkt"
+(require "work-bounds.rkt"
          "../assumption/ledger.rkt"
-         "../expression/list-length-bound.rkt" "../expression/simplifier.rkt"
+         "../expression/short-list.rkt" "../expression/simplifier.rkt"
          "../kernel/circle.rkt" "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/monomial.rkt" "../polynomial/polynomial.rkt"
          "../polynomial/ring.rkt" "../polynomial/term-list.rkt")
@@ -153,7 +153,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Operations
 
-;; Each is a step of the walk (walk.rkt), which may cost so much and no more.
+;; Each is a step of the walk (expression-value.rkt), which may cost so much and no more.
 
 (define (field-variable F k)
   (fraction-from-poly (field-ring F) (poly-variable (field-ring F) (kernel-index k))))

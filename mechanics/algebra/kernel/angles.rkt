@@ -12,7 +12,7 @@
 ;;
 ;; and so do multiples of π (turns.rkt).
 
-(require "circle.rkt" "collector.rkt" "exponentials.rkt" "kernel.rkt" "lattice.rkt" "turns.rkt"
+(require "circle.rkt" "kernel-collector.rkt" "exponentials.rkt" "kernel.rkt" "integer-lattice.rkt" "turns.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/simplifier.rkt")
 

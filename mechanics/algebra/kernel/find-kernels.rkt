@@ -10,7 +10,7 @@
 ;; Arguments of kernels are simplified first, by the simplifier above.
 
 (require racket/list
-         "angles.rkt" (only-in "circle.rkt" signed-angle) "collector.rkt" "exponentials.rkt"
+         "angles.rkt" (only-in "circle.rkt" signed-angle) "kernel-collector.rkt" "exponentials.rkt"
          "kernel.rkt" "logarithms.rkt" "turns.rkt"
          (only-in "../assumption/ledger.rkt" strict-sign)
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"

@@ -13,7 +13,7 @@
 ;; opposite, and the exponents of -1 keep its sign.
 
 (require racket/list
-         "lattice.rkt"
+         "integer-lattice.rkt"
          "../expression/exact-numbers.rkt"
          "../polynomial/coprime-basis.rkt" "../polynomial/fraction.rkt"
          "../polynomial/polynomial.rkt")

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The words and signs of a formula on one line.
 
-(require "line-name.rkt" (only-in "name.rkt" letter))
+(require "one-line-name.rkt" (only-in "name.rkt" letter))
 
 (provide tokens (struct-out token))
 

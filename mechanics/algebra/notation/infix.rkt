@@ -6,7 +6,7 @@
 ;; an application without; a quotient holds all that stands before the slash in its product,
 ;; and one factor behind it.
 
-(require "line-name.rkt" "tree.rkt"
+(require "one-line-name.rkt" "tree.rkt"
          (only-in racket/string string-join))
 
 (provide tree->line)

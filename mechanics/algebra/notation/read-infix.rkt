@@ -8,7 +8,7 @@
 ;;
 ;; The signs * and ^ (or **) are not written by infix.rkt where it can do without, but by people.
 
-(require "formula-tokens.rkt" "line-name.rkt" "read-terms.rkt"
+(require "formula-tokens.rkt" "one-line-name.rkt" "read-terms.rkt"
          "../../error/complain.rkt")
 
 (provide infix->datum)

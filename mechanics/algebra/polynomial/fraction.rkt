@@ -15,7 +15,7 @@
 
 (require racket/list
          "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "division.rkt" "gcd.rkt"
-         "inspect.rkt" "gcd-splitting.rkt" "power.rkt" "ring-change.rkt"
+         "polynomial-parts.rkt" "gcd-splitting.rkt" "power.rkt" "ring-change.rkt"
          "../../error/complain.rkt")
 
 (provide

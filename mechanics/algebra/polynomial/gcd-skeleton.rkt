@@ -17,7 +17,7 @@
 
 (require racket/fixnum
          racket/list
-         "arithmetic.rkt" "inspect.rkt" "interpolation.rkt" "modular-terms.rkt" "modular.rkt"
+         "arithmetic.rkt" "polynomial-parts.rkt" "interpolation.rkt" "modular-terms.rkt" "modular.rkt"
          "monomial.rkt" "ring.rkt" "term-list.rkt")
 
 (provide make-skeleton skeleton-terms skeleton-count skeleton-coefficients

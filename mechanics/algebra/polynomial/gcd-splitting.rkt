@@ -9,7 +9,7 @@
 ;; every variable separates the sets.
 
 (require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "division.rkt" "gcd.rkt"
-         "inspect.rkt" "power.rkt" "square-free.rkt" "term-list.rkt")
+         "polynomial-parts.rkt" "power.rkt" "square-free.rkt" "term-list.rkt")
 
 (provide poly-parts product-parts)
 

@@ -12,7 +12,7 @@
 ;; come last, so the answer is always right and always comes.
 
 (require "arithmetic.rkt" "content.rkt" "division.rkt" "heuristic-gcd.rkt" "univariate-images.rkt"
-         "inspect.rkt" "modular.rkt" "remainder-gcd.rkt" "ring-change.rkt" "ring.rkt"
+         "polynomial-parts.rkt" "modular.rkt" "remainder-gcd.rkt" "ring-change.rkt" "ring.rkt"
          "sparse-gcd.rkt"
          "term-list.rkt")
 

@@ -12,7 +12,7 @@
 ;; until it is seen to divide p and q.  The integers have some
 ;; log ξ · ∏ (1 + degree) digits: right for few variables, hopeless for many.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "inspect.rkt" "modular.rkt" "ring.rkt"
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "polynomial-parts.rkt" "modular.rkt" "ring.rkt"
          "term-list.rkt")
 
 (provide heuristic-divisor heuristic-size)

@@ -10,7 +10,7 @@
 ;; p but l^(n-1) p(x/l) is treated.
 
 (require (only-in racket/list argmin)
-         "arithmetic.rkt" "content.rkt" "dense.rkt" "division.rkt" "gcd.rkt" "inspect.rkt"
+         "arithmetic.rkt" "content.rkt" "dense.rkt" "division.rkt" "gcd.rkt" "polynomial-parts.rkt"
          "integer-factor.rkt" "lifting.rkt" "recombination.rkt" "ring-change.rkt" "ring.rkt"
          "term-list.rkt")
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Square-free decomposition, by Yun's algorithm one variable after the other.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "gcd.rkt" "inspect.rkt" "power.rkt")
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "gcd.rkt" "polynomial-parts.rkt" "power.rkt")
 
 (provide poly-square-free)
 

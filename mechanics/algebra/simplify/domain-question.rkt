@@ -3,7 +3,7 @@
 
 (require racket/list
          racket/promise
-         "workspace.rkt"
+         "simplifier-workspace.rkt"
          "../assumption/assumption-set.rkt" "../assumption/domain.rkt"
          "../assumption/ledger.rkt" "../assumption/narrowing.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/symbols.rkt")

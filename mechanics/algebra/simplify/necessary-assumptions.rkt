@@ -14,9 +14,9 @@
 ;; what is large nothing is asked.
 
 (require (only-in racket/list remove-duplicates)
-         "declare.rkt" "simplify-expression.rkt"
+         "declare-relations.rkt" "simplify-expression.rkt"
          "../../error/computed-once.rkt"
-         "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/reference-point.rkt"
          "../assumption/relation.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          (only-in "../expression/simplifier.rkt" left-unexpanded?)

@@ -9,8 +9,8 @@
          "../assumption/ledger.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/simplifier.rkt"
-         "../field/bounds.rkt" "../field/field-extension.rkt" "../field/field.rkt"
-         "../field/rationalize.rkt" "../field/walk.rkt"
+         "../field/work-bounds.rkt" "../field/field-extension.rkt" "../field/field.rkt"
+         "../field/rationalize.rkt" "../field/expression-value.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt")

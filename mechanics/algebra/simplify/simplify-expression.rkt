@@ -3,11 +3,11 @@
 ;; under assumptions about signs.
 
 (require (only-in "normalize.rkt" normal-field normal-fraction) "domain-question.rkt"
-         "workspace.rkt"
+         "simplifier-workspace.rkt"
          "../assumption/assumption-set.rkt"
          (only-in "../assumption/ledger.rkt" question simplifier-grounds simplifier-revision)
          "../expression/expression.rkt"
-         "../field/bounds.rkt")
+         "../field/work-bounds.rkt")
 
 (provide simplify-expression simplify-expression/assumptions simplify-where
          normal-form normal-form+simplified)
@@ -47,7 +47,7 @@
   (values (car result) (append grounds (cdr result))))
 
 ;; -> the field of the expression's kernels, its value there, what that rests on.
-;; fuel : what it may cost (field/bounds.rkt)
+;; fuel : what it may cost (field/work-bounds.rkt)
 (define (normal-form e [A no-assumptions] [fuel (make-fuel)])
   (define-values (result grounds)
     (work-under A e

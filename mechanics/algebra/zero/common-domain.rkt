@@ -9,7 +9,7 @@
 
 (require racket/list
          "existence.rkt"
-         "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/reference-point.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt" "../expression/substitute.rkt")
 

@@ -10,7 +10,7 @@
 ;; along sin ωt, cos ωt, t ... do: each may give an equation.
 
 (require racket/list
-         "equation.rkt"
+         "readable-equation.rkt"
          "../expression/read.rkt" "../expression/substitute.rkt"
          "../field/field.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"

@@ -7,7 +7,7 @@
 
 (require "assignment.rkt" "../ball/ball-tape.rkt" "point-value.rkt"
          (only-in "../assumption/assumption-set.rkt" assumptions-domain assumptions-relations)
-         (only-in "../assumption/reference.rkt" find-reference)
+         (only-in "../assumption/reference-point.rkt" find-reference)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt" "../expression/symbols.rkt")
 

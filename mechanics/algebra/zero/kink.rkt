@@ -8,7 +8,7 @@
 ;; through a pole.  Ends and poles count only of what must have a value, a path; a potential
 ;; may have them; and so do branches on (= u v).
 ;;
-;; Where u is never negative and its zeros are no surface (surface.rkt), √u is a distance:
+;; Where u is never negative and its zeros are no surface (zero-surface.rkt), √u is a distance:
 ;; √(x² + y²) is 0 at a collision, where a potential has no value, or where it has a kink at one
 ;; point; so nothing is said of it.  A path that leads there has a kink, unless a potential has no
 ;; value there.
@@ -21,14 +21,14 @@
 ;; the cut of an angle.
 
 (require racket/list
-         "kink-place.rkt" "surface.rkt"
+         "kink-place.rkt" "zero-surface.rkt"
          "../assumption/assumption-set.rkt" "../assumption/domain.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/read.rkt" "../expression/substitute.rkt" "../expression/symbols.rkt"
          (only-in "../field/field.rkt" field-atlas)
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
          "../solve/factors.rkt" (only-in "../solve/nonzero-conditions.rkt" not-zero)
-         "../simplify/declare.rkt" "../simplify/known-sign.rkt"
+         "../simplify/declare-relations.rkt" "../simplify/known-sign.rkt"
          "../simplify/simplify-expression.rkt"
          "../../error/computed-once.rkt" "../../error/refusal.rkt")
 

@@ -9,7 +9,7 @@
 ;; An equation that cannot be solved for anything is taken to be harmless.
 
 (require racket/list
-         "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/reference-point.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt" "../expression/read.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt"

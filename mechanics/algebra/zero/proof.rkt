@@ -3,14 +3,14 @@
 ;;
 ;; Each rests on a normal form that is 0: that of the expression as it stands, tried
 ;; briefly; that of an expression it is a special case of, long parts being symbols
-;; (abstraction.rkt); that with sines and cosines as exponentials
+;; (abstracted-parts.rkt); that with sines and cosines as exponentials
 ;; (in-exponentials.rkt).  Whoever finds no proof here may still look at the normal
 ;; form for as long as is bearable.
 
-(require "abstraction.rkt" "in-exponentials.rkt"
+(require "abstracted-parts.rkt" "in-exponentials.rkt"
          "../assumption/assumption-set.rkt"
          "../expression/flat-graph.rkt"
-         "../field/bounds.rkt"
+         "../field/work-bounds.rkt"
          "../polynomial/fraction.rkt"
          "../simplify/simplify-expression.rkt")
 

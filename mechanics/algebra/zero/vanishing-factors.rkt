@@ -9,7 +9,7 @@
 ;; Which of them make sense is another matter (nondegeneracy.rkt).
 
 (require racket/list
-         "equation.rkt" "nondegeneracy.rkt"
+         "readable-equation.rkt" "nondegeneracy.rkt"
          "../expression/expression.rkt"
          "../field/field.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"

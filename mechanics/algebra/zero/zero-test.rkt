@@ -2,7 +2,7 @@
 ;; Is an expression zero?  Proved, refuted, or undecided.
 ;;
 ;; *Proved* rests on the canonical form being 0, whatever numbers stand in place of
-;; the flonums (flonums.rkt).  *Refuted* rests on a point where the value is proved not
+;; the flonums (flonum-independence.rkt).  *Refuted* rests on a point where the value is proved not
 ;; to be zero (witness.rkt): small integers, or fractions, for the symbols and for the
 ;; literal functions applied, which a person can put in by hand; all assumptions hold
 ;; there.  Otherwise the test is *undecided* and says at how many points it found zero,
@@ -15,15 +15,15 @@
 ;; roots there are those of positive numbers: under assumptions they decide nothing.
 
 (require racket/list
-         "vanishing-factors.rkt" "condition.rkt" "decimals.rkt" "equation.rkt"
-         "existence.rkt" "fingerprint.rkt" "flonums.rkt" "proof.rkt"
+         "vanishing-factors.rkt" "condition.rkt" "decimal-readings.rkt" "readable-equation.rkt"
+         "existence.rkt" "fingerprint.rkt" "flonum-independence.rkt" "proof.rkt"
          "real-proof.rkt" "region.rkt" "witness.rkt"
-         "../assumption/assumption-set.rkt" "../assumption/reference.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/reference-point.rkt"
          "../assumption/relation.rkt"
          (only-in "../assumption/signs.rkt" signs-within? zero)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt" (only-in "../expression/simplifier.rkt" left-unexpanded?)
-         "../field/bounds.rkt" (only-in "../field/field.rkt" field-atlas)
+         "../field/work-bounds.rkt" (only-in "../field/field.rkt" field-atlas)
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
          "../polynomial/fraction.rkt"
          "../simplify/necessary-assumptions.rkt" "../simplify/simplify-expression.rkt"
@@ -44,7 +44,7 @@
 ;; reason : why it is undecided: 'nowhere if no point was found where it has a value,
 ;; 'decimals if it vanishes but for these, 'rounding for a flonum as small as rounding
 ;; leaves; or #f
-;; decimals : readings (decimals.rkt): those a proof rests on, those that stand in the way
+;; decimals : readings (decimal-readings.rkt): those a proof rests on, those that stand in the way
 ;; form : a form, or what makes it
 (struct zero-test (status witness value bound points reason decimals form)
   #:name zero-test-result

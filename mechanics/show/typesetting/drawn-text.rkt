@@ -2,7 +2,7 @@
 ;; Trees as text in two dimensions: fractions with their bars, roots with their roofs.
 
 (require "renderer.rkt" "text-box.rkt" "visible.rkt"
-         "../../algebra/notation/infix.rkt" "../../algebra/notation/line-name.rkt"
+         "../../algebra/notation/infix.rkt" "../../algebra/notation/one-line-name.rkt"
          "../../algebra/notation/tree.rkt"
          racket/class
          (only-in racket/list add-between))

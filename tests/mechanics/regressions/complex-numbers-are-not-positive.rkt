@@ -6,7 +6,7 @@
 (require mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/expression
          mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/zero/proof
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/expression/read

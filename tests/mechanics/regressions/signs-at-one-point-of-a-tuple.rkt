@@ -4,7 +4,7 @@
 
 (require mechanics
          (only-in mechanics/value/simplify simplify/assumptions)
-         (only-in mechanics/algebra/assumption/reference find-reference)
+         (only-in mechanics/algebra/assumption/reference-point find-reference)
          (only-in mechanics/algebra/assumption/assumption-set no-assumptions)
          "../support/checks.rkt")
 

@@ -4,8 +4,8 @@
 
 (require racket/list
          mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/assumption/reference
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/assumption/reference-point
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/assumption/relation

@@ -3,7 +3,7 @@
 ;; simplification makes of it, and what it says it rests on.
 
 (require mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/expression/expression
          mechanics/algebra/assumption/relation
          mechanics/algebra/simplify/simplify-expression

@@ -4,8 +4,8 @@
 (require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/read
          mechanics/algebra/expression/substitute
-         mechanics/algebra/simplify/declare
-         mechanics/algebra/assumption/reference
+         mechanics/algebra/simplify/declare-relations
+         mechanics/algebra/assumption/reference-point
          "../../support/checks.rkt")
 
 (define (because relations)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Sums and products of polynomials are a ring, in few variables and in many.
 
-(require (only-in mechanics/algebra/polynomial/inspect poly-hash poly-substitute)
+(require (only-in mechanics/algebra/polynomial/polynomial-parts poly-hash poly-substitute)
          mechanics/algebra/polynomial/polynomial
          "../../support/checks.rkt" "../../support/random.rkt"
          "../../support/laws/law.rkt" "../../support/laws/ring.rkt"

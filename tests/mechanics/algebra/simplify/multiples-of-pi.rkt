@@ -7,7 +7,7 @@
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/read
          mechanics/algebra/expression/symbols
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/fingerprint
          mechanics/algebra/zero/vanishing

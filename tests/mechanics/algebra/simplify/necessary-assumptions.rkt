@@ -3,10 +3,10 @@
 ;; it is not said to assume it does not need: it is right with either sign.
 
 (require mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/assumption/reference
+         mechanics/algebra/assumption/reference-point
          mechanics/algebra/assumption/relation
          mechanics/algebra/expression/read
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/simplify/necessary-assumptions
          mechanics/algebra/simplify/simplify-expression
          mechanics/error/computed-once

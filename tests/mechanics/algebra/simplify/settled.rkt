@@ -4,10 +4,10 @@
 
 (require racket/list
          mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/assumption/reference
+         mechanics/algebra/assumption/reference-point
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/read
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/simplify/simplify-expression
          "../../support/checks.rkt" "../../support/property/expressions.rkt")
 

@@ -4,7 +4,7 @@
 (require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/expression/read
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/zero/existence
          "../../support/checks.rkt")
 

@@ -3,7 +3,7 @@
 
 (require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/read
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/zero/kink
          "../../support/checks.rkt")
 

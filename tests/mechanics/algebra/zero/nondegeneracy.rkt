@@ -4,7 +4,7 @@
 (require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/read
          mechanics/algebra/expression/substitute
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/vanishing-factors
          mechanics/algebra/zero/nondegeneracy

@@ -4,7 +4,7 @@
 (require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/flat-graph
-         mechanics/algebra/zero/abstraction
+         mechanics/algebra/zero/abstracted-parts
          mechanics/algebra/zero/in-exponentials
          mechanics/algebra/zero/proof
          mechanics/algebra/simplify/simplify-expression

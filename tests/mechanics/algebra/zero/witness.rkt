@@ -4,7 +4,7 @@
 (require (only-in mechanics/algebra/assumption/assumption-set no-assumptions)
          mechanics/algebra/expression/flat-graph
          mechanics/algebra/expression/read
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/zero/region
          mechanics/algebra/zero/witness
          "../../support/checks.rkt" "../../support/random.rkt"

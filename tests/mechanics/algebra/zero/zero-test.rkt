@@ -2,11 +2,11 @@
 ;; Verdicts: what is proved, refuted, left undecided, and what they carry.
 
 (require mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/simplify/declare
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/assumption/relation
-         mechanics/algebra/zero/decimals
+         mechanics/algebra/zero/decimal-readings
          mechanics/algebra/zero/zero-test
          mechanics/algebra/expression/read
          "../../support/checks.rkt" "../../support/evaluate.rkt")

@@ -26,16 +26,16 @@
    "(fraction-expt R (relation-radicand r) j)"
    "(relation-radicand r)"]
   ;; angles
-  ["cos(a + b) = cos a cos b + sin a sin b" "field/walk.rkt"
+  ["cos(a + b) = cos a cos b + sin a sin b" "field/expression-value.rkt"
    "(constant F sign) (product (cdr t) (cdr u))"
    "(constant F (- sign)) (product (cdr t) (cdr u))"]
-  ["sin(a + b) = sin a cos b + sin a sin b" "field/walk.rkt"
+  ["sin(a + b) = sin a cos b + sin a sin b" "field/expression-value.rkt"
    "(field-sum F (product (cdr t) (car u)) (product (car t) (cdr u)))"
    "(field-sum F (product (cdr t) (car u)) (product (cdr t) (cdr u)))"]
-  ["sin(-a) = sin a" "field/walk.rkt"
+  ["sin(-a) = sin a" "field/expression-value.rkt"
    "(if (negative? n) (field-product F (constant F -1) sine) sine)"
    "sine"]
-  ["tan = cos / sin" "field/walk.rkt"
+  ["tan = cos / sin" "field/expression-value.rkt"
    "[else (field-quotient (walk-field w) (cdr t) (car t))]"
    "[else (field-quotient (walk-field w) (car t) (cdr t))]"]
   ["cos(asin u) = 1 - u²" "kernel/angles.rkt"
@@ -47,7 +47,7 @@
   ["cos(a - b) is taken for cos(a + b)" "presentation/contract.rkt"
    "(if cosine? (- alike) alike)"
    "alike"]
-  ["a lattice with a coordinate wrong" "kernel/lattice.rkt"
+  ["a lattice with a coordinate wrong" "kernel/integer-lattice.rkt"
    "(cons position (* d (coordinate v k)))"
    "(cons position (abs (* d (coordinate v k))))"]
   ;; sines and cosines shown
@@ -94,7 +94,7 @@
   ["the sign of what may be 0 is strict" "assumption/ledger.rkt"
    "(cond [(signs-within? signs positive) 1]"
    "(cond [(signs-within? signs nonnegative) 1]"]
-  ["a sign that is looked up is the other" "assumption/reference.rkt"
+  ["a sign that is looked up is the other" "assumption/reference-point.rkt"
    "[(> x distinct) 1]"
    "[(> x distinct) -1]"]
   ["a sine is less than one half" "assumption/interval.rkt"
@@ -112,7 +112,7 @@
   ["what is nowhere defined is proved" "zero/existence.rkt"
    "(not (symbol? (value t number precision))))"
    "#t)"]
-  ["a decimal is read at a distance" "zero/decimals.rkt"
+  ["a decimal is read at a distance" "zero/decimal-readings.rkt"
    "(define unit (expt 2 -52))"
    "(define unit (expt 2 -40))"]
   ["√(x³) = x √(x²)" "simplify/radicand.rkt"
@@ -193,7 +193,7 @@
   ["a sign is known where a ball holds 0" "ball/ball.rkt"
    "(define (ball-positive? b) (> (ball-middle b) (ball-radius b)))"
    "(define (ball-positive? b) (> (ball-middle b) 0))"]
-  ["flonums are proved" "zero/flonums.rkt"
+  ["flonums are proved" "zero/flonum-independence.rkt"
    "(and (number? e) (not (exact? e)))"
    "#f"]
   ;; expressions
@@ -207,7 +207,7 @@
    "(e:expt (car (node-args b)) (* n (cadr (node-args b))))"
    "(e:expt (car (node-args b)) (+ n (cadr (node-args b))))"]
   ;; decimals, and what witnesses name
-  ["different decimals are read as one number" "zero/decimals.rkt"
+  ["different decimals are read as one number" "zero/decimal-readings.rkt"
    "(eqv? size (hash-ref! sizes"
    "(real? (hash-ref! sizes"]
   ["a witness is silent on what cancels" "zero/existence.rkt"
@@ -220,16 +220,16 @@
    "(> (denominator x) most-scale)"
    "#f"]
   ;; kinks and domains
-  ["1 - cos x stands once" "zero/surface.rkt"
+  ["1 - cos x stands once" "zero/zero-surface.rkt"
    "(andmap (lambda (g) (eqv? 1 (cdr g))) parts)"
    "#t"]
-  ["1 + cos x is never 0" "zero/surface.rkt"
+  ["1 + cos x is never 0" "zero/zero-surface.rkt"
    "(* -1 (cdr f) (degree (car f) (stand-in-symbol t) A))"
    "0"]
-  ["x and sin x are independent" "zero/surface.rkt"
+  ["x and sin x are independent" "zero/zero-surface.rkt"
    "[(= (length own) (length all)) #t]"
    "[#t #t]"]
-  ["at every value of a parameter a distance is one" "zero/surface.rkt"
+  ["at every value of a parameter a distance is one" "zero/zero-surface.rkt"
    "#:when (square-where-0? u f A)"
    "#:when #f"]
   ["functions that agree on both sides are smooth" "zero/kink.rkt"
@@ -241,7 +241,7 @@
   ["inside the domain is outside" "zero/kink.rkt"
    "(and sign (not (signs-within? (number-signs sign) (relation-signs r))))"
    "(and sign #t)"]
-  ["a reference point need not be in the domain" "assumption/reference.rkt"
+  ["a reference point need not be in the domain" "assumption/reference-point.rkt"
    "(all-real? domain lookup)"
    "#t"]
   ["a witness need not be in the domain" "zero/region.rkt"

@@ -3,7 +3,7 @@
 ;; class, nothing shrunk, until something fails; and a few sums by name.
 
 (require (only-in mechanics/algebra/assumption/assumption-set no-assumptions with-domain)
-         (only-in mechanics/algebra/simplify/declare
+         (only-in mechanics/algebra/simplify/declare-relations
                   declare-relations exn:algebra:contradiction?)
          mechanics/algebra/simplify/simplify-expression
          (only-in mechanics/algebra/ball/ball

@@ -8,7 +8,7 @@
 ;; alone make of each other, as 2 · 4.9 does of 9.8, is Racket's arithmetic and is done
 ;; before an expression is made; so expressions without a symbol prove nothing.
 
-(require "decimals.rkt" "proof.rkt"
+(require "decimal-readings.rkt" "proof.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/symbols.rkt")
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Lattice bases: every vector is an integer combination of the basis.
 
-(require mechanics/algebra/kernel/lattice "../../support/checks.rkt")
+(require mechanics/algebra/kernel/integer-lattice "../../support/checks.rkt")
 
 (define (combination basis coordinates)
   (for/fold ([sum '()]) ([entry (in-list coordinates)])

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Degrees, terms, coefficients along a variable, derivatives, substitution.
 
-(require (only-in mechanics/algebra/polynomial/inspect poly-derivative poly-substitute)
+(require (only-in mechanics/algebra/polynomial/polynomial-parts poly-derivative poly-substitute)
          mechanics/algebra/polynomial/polynomial
          (only-in mechanics/algebra/polynomial/ring monomial-factors)
          "../../support/checks.rkt" "../../support/random.rkt"

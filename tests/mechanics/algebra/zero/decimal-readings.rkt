@@ -2,11 +2,11 @@
 ;; What decimals are read as, and when they are not read.
 
 (require (only-in math/flonum epsilon.0 flstep)
-         mechanics/algebra/assumption/reference
+         mechanics/algebra/assumption/reference-point
          mechanics/algebra/expression/expression
          mechanics/algebra/expression/read
          mechanics/algebra/simplify/simplify-expression
-         mechanics/algebra/zero/decimals
+         mechanics/algebra/zero/decimal-readings
          mechanics/algebra/zero/zero-test
          "../../support/checks.rkt")
 

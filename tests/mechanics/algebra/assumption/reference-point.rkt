@@ -3,7 +3,7 @@
 ;; for.
 
 (require mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/assumption/reference
+         mechanics/algebra/assumption/reference-point
          mechanics/algebra/expression/read
          "../../support/checks.rkt")
 
