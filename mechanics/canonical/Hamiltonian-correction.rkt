@@ -9,7 +9,7 @@
 ;;
 ;; no equations are solved; what is integrated is closed, as M is symplectic at all times.
 
-(require "canonical.rkt" "closed-form.rkt"
+(require "canonical.rkt" "closed-differential.rkt"
          "symplectic-transformation.rkt" "transformation.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/message-words.rkt"
          "../error/note.rkt"

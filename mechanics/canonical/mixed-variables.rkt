@@ -4,7 +4,7 @@
 ;;
 ;; Where the derivatives of f have no inverse x is not determined; their determinant is 0 then.
 
-(require "solution-formula.rkt"
+(require "inverse-formula.rkt"
          "../error/failure.rkt"
          "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../hamiltonian/equation-solver.rkt"

@@ -23,7 +23,7 @@
  ["Lie/Baker-Campbell-Hausdorff.rkt" Baker-Campbell-Hausdorff]
  ["Hamilton-Jacobi.rkt" Hamilton-Jacobi-residual verify-Hamilton-Jacobi]
  ["perturbation/perturbation.rkt" perturbation-series]
- ["perturbation/found-perturbation.rkt"
+ ["perturbation/perturbation-results.rkt"
   perturbation? perturbation-Hamiltonian perturbation-generators
   perturbation-divisors perturbation-resonances]
  ["perturbation/perturbed-motion.rkt"

@@ -3,10 +3,10 @@
 ;;
 ;; In the variables x, y of a generating function, one old and one new, the other two are
 ;; functions a(x, y), b(x, y), found from C; if C is canonical, a dx + b dy is closed, and F is
-;; the function of which it is the differential (closed-form.rkt).
+;; the function of which it is the differential (closed-differential.rkt).
 
 (require racket/string
-         "closed-form.rkt" "mixed-variables.rkt"
+         "closed-differential.rkt" "mixed-variables.rkt"
          "generating-function.rkt" "transformation.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt"

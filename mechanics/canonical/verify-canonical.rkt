@@ -7,7 +7,7 @@
 ;; Hamilton's, with H' = H∘C/λ, and the verdict, a refutation, says so.
 
 (require racket/list
-         "canonical.rkt" "exponent-conditions.rkt" "symplectic-transformation.rkt"
+         "canonical.rkt" "required-exponents.rkt" "symplectic-transformation.rkt"
          "transformation.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"

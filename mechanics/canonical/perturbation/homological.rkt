@@ -23,7 +23,7 @@
      (g:* i omega))))
 
 ;; h : a Poisson series; resonant? : k -> is it to be kept?; number : an expression -> the same
-;; with its decimals (named-decimals.rkt), which tell whether it vanishes
+;; with its decimals (symbols-for-decimals.rkt), which tell whether it vanishes
 ;; -> W, the series kept, the list of what was removed
 (define (solve-homological h frequencies resonant? number)
   (define none (zero-series (length frequencies)))

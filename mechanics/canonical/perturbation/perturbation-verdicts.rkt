@@ -12,7 +12,7 @@
 ;;                      of the formulas
 
 (require racket/list
-         "found-perturbation.rkt" "perturbed-motion.rkt"
+         "perturbation-results.rkt" "perturbed-motion.rkt"
          "../Lie/Lie-derivative.rkt" "../Lie/Lie-triangle.rkt"
          "../../calculus/derivative.rkt"
          "../../error/computed-once.rkt"

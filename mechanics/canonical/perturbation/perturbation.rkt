@@ -6,8 +6,8 @@
 ;; removed, or is not to be, stays: resonances.  All divisors are kept with the answer, for where
 ;; one is small the answer is worth nothing.
 
-(require "../Lie/Lie-triangle.rkt" "Poisson-series.rkt" "found-perturbation.rkt" "homological.rkt"
-         "named-decimals.rkt" "unperturbed.rkt"
+(require "../Lie/Lie-triangle.rkt" "Poisson-series.rkt" "perturbation-results.rkt" "homological.rkt"
+         "symbols-for-decimals.rkt" "unperturbed.rkt"
          "../../algebra/expression/symbols.rkt"
          "../../calculus/expression-function.rkt"
          "../../error/complain.rkt"

@@ -2,7 +2,7 @@
 ;; Perturbation theory as a procedure: what is removed, what stays, what is divided by.
 
 (require mechanics
-         (prefix-in found: mechanics/canonical/perturbation/found-perturbation)
+         (prefix-in found: mechanics/canonical/perturbation/perturbation-results)
          (only-in mechanics/canonical/perturbation/Poisson-series series-scale)
          "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")

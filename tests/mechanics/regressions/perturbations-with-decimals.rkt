@@ -3,7 +3,7 @@
 ;; from the second on was proved, after ten times as long as with exact numbers.
 
 (require mechanics
-         (prefix-in found: mechanics/canonical/perturbation/found-perturbation)
+         (prefix-in found: mechanics/canonical/perturbation/perturbation-results)
          (only-in mechanics/canonical/perturbation/Poisson-series series-scale)
          "../support/checks.rkt" "../support/close.rkt")
 

@@ -7,7 +7,7 @@
 
 (require racket/list
          "../Lie/Lie-derivative.rkt"
-         "Poisson-series.rkt" "homological.rkt" "named-decimals.rkt"
+         "Poisson-series.rkt" "homological.rkt" "symbols-for-decimals.rkt"
          "../../calculus/expression-function.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt"
@@ -26,7 +26,7 @@
 
 ;; state : of symbols; given : functions H₀, H₁, …; terms, Ws : Poisson series, of H' and
 ;; the Wₙ; removals : for each order the list of what was removed; decimals : the symbols that
-;; stand for decimals in terms, Ws and removals, and these (named-decimals.rkt)
+;; stand for decimals in terms, Ws and removals, and these (symbols-for-decimals.rkt)
 (value-struct perturbation (state given parameter terms Ws removals decimals)
   #:text perturbation->text)
 
