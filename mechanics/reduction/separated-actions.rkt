@@ -7,13 +7,13 @@
 ;;     Jᵢ = 1/2π ∮ pᵢ dqⁱ = 1/π ∫ √R dq,     ∂Jᵢ/∂α = 1/π ∫ (∂R/∂α)/(2 √R) dq.
 ;;
 ;; With q as far from an end as the width times sin² v/2 both integrands are smooth and even about
-;; the ends in v, however steep √R is there (half-turn.rkt).
+;; the ends in v, however steep √R is there (half-turn-average.rkt).
 ;;
 ;; A coordinate that does not occur in H is an angle of 2π: its action is its momentum.
 ;; The frequencies are ∂E/∂Jᵢ, the row of the energy in the inverse of ∂J/∂α.
 
 (require (only-in racket/math sqr)
-         "ends-of-swing.rkt" "half-turn.rkt" "momentum-by-energy.rkt" "separation.rkt"
+         "turning-point.rkt" "half-turn-average.rkt" "momentum-by-energy.rkt" "separation.rkt"
          "separated-equation.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"
