@@ -8,7 +8,7 @@
 ;; in expressions.
 
 (require racket/flonum
-         "dispatch.rkt" "function.rkt" "kind.rkt" "naming.rkt" "record.rkt" "up-down.rkt"
+         "dispatch.rkt" "function.rkt" "kind.rkt" "naming.rkt" "operation-record.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt")
 
 ;; What is taken apart here has just been recognized, and the kind of a carrier is a

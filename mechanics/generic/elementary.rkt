@@ -8,7 +8,7 @@
 (require (for-syntax racket/base "../operation/operation-table.rkt")
          racket/flonum
          "arithmetic.rkt" "branches.rkt" "compare.rkt" "dispatch.rkt" "kind.rkt" "naming.rkt"
-         "record.rkt"
+         "operation-record.rkt"
          "kinks-met.rkt" "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/pi.rkt"

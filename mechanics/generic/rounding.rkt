@@ -9,7 +9,7 @@
 
 (require "arithmetic.rkt" "branches.rkt" "compare.rkt" "describe.rkt" "dispatch.rkt"
          "elementary.rkt" "kind.rkt"
-         "naming.rkt" "on-demand.rkt" "record.rkt" "singular-derivative.rkt" "up-down.rkt"
+         "naming.rkt" "on-demand.rkt" "operation-record.rkt" "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          (only-in "../algebra/expression/substitute.rkt" rebuild)
          "../error/complain.rkt")

@@ -6,7 +6,7 @@
 
 (require (for-syntax racket/base
                      "written-form.rkt")
-         "../generic/naming.rkt" "../generic/truth.rkt")
+         "../generic/naming.rkt" "../generic/no-truth-value.rkt")
 
 (provide (rename-out [asking-if if] [asking-cond cond] [asking-and and] [asking-or or]
                      [asking-not not] [asking-when when] [asking-unless unless]))

@@ -25,7 +25,7 @@
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
          "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
-         "../generic/truth.rkt"
+         "../generic/no-truth-value.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/generic-state.rkt" "../lagrangian/Lagrange-equations.rkt"

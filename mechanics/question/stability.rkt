@@ -22,7 +22,7 @@
          "../algebra/simplify/simplify-expression.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/truth.rkt" "../generic/value-struct.rkt"
+         "../generic/no-truth-value.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/Lagrange-equations.rkt"

@@ -4,7 +4,7 @@
 (require racket/list
          "report.rkt"
          "../algebra/expression/expression.rkt"
-         "../generic/truth.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/no-truth-value.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
          "../value/algebra.rkt"
          "../value/matrix/matrix.rkt"
