@@ -15,7 +15,7 @@
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" list->up ref)
          "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/smoothness.rkt" "../verdict/verdict.rkt")
+         "../verdict/prove-zero.rkt" "../verdict/derivative-survey.rkt" "../verdict/verdict.rkt")
 
 (provide reduce-by-substitution reduction?)
 

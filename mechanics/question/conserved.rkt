@@ -31,7 +31,7 @@
          "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/structure.rkt"
          (only-in "../value/matrix/matrix.rkt" matrix-by-rows)
-         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/smoothness.rkt"
+         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/derivative-survey.rkt"
          "../verdict/verdict.rkt")
 
 (provide rate-of-change verify-conserved)

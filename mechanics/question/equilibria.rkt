@@ -19,7 +19,7 @@
          "../search/find-root.rkt"
          "../value/algebra.rkt" "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/simplify.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/smoothness.rkt"
+         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/derivative-survey.rkt"
          "../verdict/verdict.rkt")
 
 (provide verify-equilibrium equilibria find-equilibrium

@@ -10,7 +10,7 @@
          "../hamiltonian/Poisson-bracket.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/shape.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/smoothness.rkt"
+         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/derivative-survey.rkt"
          "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
 
 (provide verify-Hamiltonian-solution

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Is a residual zero that is made by differentiating?
 
-(require "prove-zero.rkt" "smoothness.rkt")
+(require "prove-zero.rkt" "derivative-survey.rkt")
 
 (provide prove-residual-zero)
 
@@ -9,7 +9,7 @@
 ;; names : the symbols by which it differentiates, which no condition may speak of
 ;; beside : further surveys
 ;; within : as domain, but without values of derivatives; where that has no value is no kink
-;; functions, order : those that it differentiates, and how often (smoothness.rkt)
+;; functions, order : those that it differentiates, and how often (derivative-survey.rkt)
 ;; The other keywords are those of prove-zero.
 (define (prove-residual-zero find-residual names #:beside [surveys '()]
                              #:domain [domain (lambda () '())] #:within [within domain]
