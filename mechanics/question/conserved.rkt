@@ -14,7 +14,7 @@
 ;; Without an inverse of M several w may do, with rates that agree along motions only: if
 ;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
 
-(require "argument-order.rkt" "phase-space.rkt" "regular-masses.rkt" "remarks.rkt"
+(require "argument-order.rkt" "Hamiltonian-questions.rkt" "regular-masses.rkt" "question-remarks.rkt"
          "question-meaning.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"

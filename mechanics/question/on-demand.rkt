@@ -10,7 +10,7 @@
  ["equivalence.rkt" verify-equivalent-Lagrangians compare-Lagrangians equivalence?
                     equivalence-kind equivalence-factor equivalence-gauge equivalence-verdict]
  ["gauge.rkt" verify-total-time-derivative gauge-function]
- ["phase-space.rkt" verify-Hamiltonian-solution]
+ ["Hamiltonian-questions.rkt" verify-Hamiltonian-solution]
  ["stability.rkt" equilibrium-stability stability? stability-kind stability-conditions]
  ["impose.rkt" impose]
  ["ignorable.rkt" verify-ignorable ignorable-coordinates conserved-momenta]

@@ -3,7 +3,7 @@
 ;; and is a quantity conserved?  Brackets decide: Q̇ = {Q, H} + ∂₀Q, and + ∂₂Q F with a force F
 ;; outside H.
 
-(require "argument-order.rkt" "remarks.rkt" "kink-survey.rkt" "question-meaning.rkt"
+(require "argument-order.rkt" "question-remarks.rkt" "kink-survey.rkt" "question-meaning.rkt"
          "../generic/define-plain.rkt" "../generic/function-check.rkt"
          "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
