@@ -10,7 +10,7 @@
 ;;
 ;; With slopes given too: Newton's divided differences, each point taken twice.
 
-(require "data.rkt"
+(require "interpolation-data.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/function.rkt"
          "../../generic/sums-and-products.rkt")
 

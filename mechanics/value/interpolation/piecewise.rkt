@@ -16,7 +16,7 @@
 ;; harmonic means of the δ beside them, or 0 where these are of different signs
 ;; (Fritsch and Butland 1984).
 
-(require "data.rkt" "tridiagonal-system.rkt"
+(require "interpolation-data.rkt" "tridiagonal-system.rkt"
          "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"

@@ -14,8 +14,8 @@
 ;; Results are graphs that share what they are made of, not simplified.
 
 (require racket/list
-         "division-free.rkt" "open-system.rkt" "perturbed-system.rkt" "row-products.rkt"
-         "singular.rkt"
+         "division-free.rkt" "traced-linear-system.rkt" "perturbed-system.rkt" "row-products.rkt"
+         "singular-matrix.rkt"
          "../algebra.rkt"
          "../../algebra/expression/expression.rkt"
          "../../algebra/elimination/block-form.rkt"
