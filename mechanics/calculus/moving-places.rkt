@@ -8,7 +8,7 @@
 ;; integrands, and moving ends; so |x − a| is right to any order, too.
 ;;
 ;; Places are found from the choices made at points in between (generic/branches.rkt), by
-;; halving (turning-points.rkt says how two between the same points are); and c as a perturbed
+;; halving (branch-turning-points.rkt says how two between the same points are); and c as a perturbed
 ;; value from the number s that is chosen by, which is 0 there,
 ;;
 ;;     c ← c − s(c, a)/s',
@@ -19,7 +19,7 @@
 ;; Of an integral within the integrand of another, s(x, y, a) = 0 may leave the range of y as x
 ;; goes on.  So the choices at the ends of its range are told to the one around it.
 
-(require "branch-points.rkt" "perturbed-value.rkt" "turning-points.rkt"
+(require "branch-points.rkt" "perturbed-value.rkt" "branch-turning-points.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/branches.rkt")
 
