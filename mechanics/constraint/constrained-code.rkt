@@ -16,7 +16,7 @@
 
 (require (only-in racket/list append-map make-list range split-at)
          (only-in racket/vector vector-append vector-copy)
-         "constrained-solution.rkt" "linearized.rkt"
+         "constrained-solution.rkt" "constraint-jacobian.rkt"
          "../compile/program-builder.rkt" "../compile/compile-function.rkt" "../compile/program.rkt"
          "../compile/derivative-sweep.rkt"
          "../generic/up-down.rkt"

@@ -13,7 +13,7 @@
 
 (require racket/flonum
          "accelerations.rkt" "constrained-code.rkt" "constraint.rkt" "dependence.rkt"
-         "linearized.rkt"
+         "constraint-jacobian.rkt"
          "../calculus/gradient.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"

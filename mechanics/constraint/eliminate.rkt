@@ -8,7 +8,7 @@
 ;; the residual that is left is that of the Lagrangian in these coordinates.
 
 (require (only-in racket/list list-set)
-         "constraint.rkt" "linearized.rkt"
+         "constraint.rkt" "constraint-jacobian.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"

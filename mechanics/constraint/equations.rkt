@@ -7,7 +7,7 @@
 ;; For holonomic constraints these are Lagrange's equations of the augmented Lagrangian
 ;; L + λ G, in which the multipliers are coordinates without velocities.
 
-(require "constraint.rkt" "linearized.rkt"
+(require "constraint.rkt" "constraint-jacobian.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"

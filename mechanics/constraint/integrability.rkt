@@ -11,7 +11,7 @@
 ;; coordinate x: of these, (log μ)' = (∂_i ω_x − ∂_x ω_i)/ω_i has to be a function of x.
 
 (require (only-in racket/vector vector-append vector-drop)
-         "constraint.rkt" "linearized.rkt"
+         "constraint.rkt" "constraint-jacobian.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../calculus/antiderivative.rkt" "../calculus/expression-function.rkt"

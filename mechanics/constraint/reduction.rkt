@@ -6,7 +6,7 @@
 ;; way may still be right for one system.  So the true motion, found with multipliers, is put
 ;; into the equations of the substituted Lagrangian.
 
-(require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "linearized.rkt"
+(require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "constraint-jacobian.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"

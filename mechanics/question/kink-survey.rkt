@@ -17,7 +17,7 @@
 
 (require-on-demand
  ["../constraint/constraint.rkt" gather]
- ["../constraint/linearized.rkt" jacobian-rows])
+ ["../constraint/constraint-jacobian.rkt" jacobian-rows])
 
 (provide surveys-of-solution surveys-of-states domain-of-solution domain-of-states)
 

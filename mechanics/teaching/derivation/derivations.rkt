@@ -5,7 +5,7 @@
 (require "step-by-step.rkt"
          "../../calculus/derivative.rkt"
          "../../constraint/accelerations.rkt" "../../constraint/constraint.rkt"
-         "../../constraint/linearized.rkt"
+         "../../constraint/constraint-jacobian.rkt"
          "../../error/complain.rkt"
          "../../force/displacement.rkt" "../../force/generalized-force.rkt"
          "../../force/particles.rkt"
