@@ -5,7 +5,7 @@
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
          "../generic/function.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
-         "../lagrangian/name-hints.rkt")
+         "../lagrangian/function-name-hints.rkt")
 
 (provide make-Hamiltonian check-Hamiltonian check-Hamiltonian-and-state
          called-Lagrangian-only? raise-called-Lagrangian

@@ -6,7 +6,7 @@
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/describe.rkt" "../generic/function-check.rkt" "../generic/function.rkt"
          "../generic/on-demand.rkt" "../generic/up-down.rkt"
-         "../lagrangian/name-hints.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/function-name-hints.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          (only-in "../value/structure.rkt" flip))
 

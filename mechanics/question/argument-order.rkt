@@ -11,7 +11,7 @@
          "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/function-check.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/known-Hamiltonians.rkt"
-         "../lagrangian/name-hints.rkt" "../lagrangian/Lagrange-equations.rkt"
+         "../lagrangian/function-name-hints.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../value/shape.rkt")
 
 (provide check-order-of-arguments check-Hamiltonian-first call-with-quantity-last

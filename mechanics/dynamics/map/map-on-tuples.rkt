@@ -15,7 +15,7 @@
          "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/function-check.rkt" "../../generic/function.rkt"
          "../../generic/scalar.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
-         "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
+         "../../lagrangian/function-name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
          "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
          "../../numeric/flvector.rkt"
          "../../numeric/whole-turns.rkt"

@@ -16,7 +16,7 @@
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/hint.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
-         (only-in "../../lagrangian/name-hints.rkt" called-Lagrangian?)
+         (only-in "../../lagrangian/function-name-hints.rkt" called-Lagrangian?)
          "../../numeric/finite-number.rkt" "../../numeric/optimization/newton.rkt"
          (only-in "../../value/structure.rkt" ref))
 
