@@ -5,7 +5,7 @@
 ;; displacement δr = ∂₁r δq is what a change of the coordinates does at a fixed time:
 ;; if the constraint moves, no motion need go that way.
 
-(require "particles.rkt" "several-arguments.rkt"
+(require "particles.rkt" "self-describing-function.rkt"
          "../generic/printed-function.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt")
 

@@ -2,7 +2,7 @@
 ;; Forces on particles: functions F(t, positions, velocities) whose value is like the
 ;; positions.  0 is no force, on a particle or on all.
 
-(require "particles.rkt" "several-arguments.rkt"
+(require "particles.rkt" "self-describing-function.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"

@@ -8,7 +8,7 @@
 ;;
 ;; A system at rest stays so if its forces do no work in any virtual displacement.
 
-(require "force.rkt" "particles.rkt" "several-arguments.rkt"
+(require "force.rkt" "particles.rkt" "self-describing-function.rkt"
          "../generic/arithmetic.rkt" "../generic/printed-function.rkt"
          "../calculus/derivative.rkt"
          "../lagrangian/local-tuple.rkt")
