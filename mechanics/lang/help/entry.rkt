@@ -6,7 +6,7 @@
 (require racket/list
          racket/string
          "card.rkt"
-         (only-in "../redefinition/heads.rkt" [head-name-in name-at-head]))
+         (only-in "../redefinition/definition-head.rkt" [head-name-in name-at-head]))
 
 (provide entry-signatures)
 

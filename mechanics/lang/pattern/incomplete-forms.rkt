@@ -4,7 +4,7 @@
 
 (require (only-in racket/list append-map first flatten last)
          "../written-form.rkt"
-         "../paper-notation/operation-sign.rkt" "../redefinition/heads.rkt")
+         "../paper-notation/operation-sign.rkt" "../redefinition/definition-head.rkt")
 
 (provide check-complete-definition check-complete-procedure check-names)
 

@@ -8,7 +8,7 @@
          "count-message.rkt" "error-location.rkt" "marked-line.rkt"
          "../written-form.rkt"
          "../help/card.rkt"
-         "../redefinition/heads.rkt" "../redefinition/prompt.rkt"
+         "../redefinition/definition-head.rkt" "../redefinition/prompt.rkt"
          "../unknown-name/known-name.rkt")
 
 (provide own-count-hint tuple-hint-of-library head->text)

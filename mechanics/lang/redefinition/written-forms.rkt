@@ -2,7 +2,7 @@
 ;; Forms as they are written, before they are expanded: which define, which make procedures, which
 ;; bind.  A keyword is recognized by its binding, not by its spelling.
 
-(require "heads.rkt"
+(require "definition-head.rkt"
          (only-in "../pattern/pattern-syntax.rkt" head-name)
          (for-template racket/base (prefix-in pattern: "../pattern/pattern.rkt")))
 
