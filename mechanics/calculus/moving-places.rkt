@@ -19,7 +19,7 @@
 ;; Of an integral within the integrand of another, s(x, y, a) = 0 may leave the range of y as x
 ;; goes on.  So the choices at the ends of its range are told to the one around it.
 
-(require "branch-points.rkt" "perturbed-value.rkt" "branch-turning-points.rkt"
+(require "branch-points.rkt" "branch-turning-points.rkt" "perturbed-value.rkt"
          "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/branches.rkt")
 

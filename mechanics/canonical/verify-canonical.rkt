@@ -18,7 +18,8 @@
          (only-in "../value/algebra.rkt" make-meaning)
          "../value/shape.rkt" "../value/simplify.rkt"
          "../value/matrix/matrix.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/derivative-survey.rkt"
+         "../verdict/derivative-survey.rkt" "../verdict/prove-zero.rkt"
+         "../verdict/question-domain.rkt"
          "../verdict/verdict.rkt")
 
 (provide verify-canonical verify-symplectic)

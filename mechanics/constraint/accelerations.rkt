@@ -14,7 +14,7 @@
 ;; there may be inertia in all directions that are left: then both are solved together.
 
 (require (only-in racket/vector vector-append vector-drop vector-take)
-         "constraint.rkt" "dependence.rkt" "constraint-jacobian.rkt"
+         "constraint.rkt" "constraint-jacobian.rkt" "dependence.rkt"
          "../calculus/derivative.rkt"
          "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/function.rkt"

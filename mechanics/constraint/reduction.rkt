@@ -6,7 +6,7 @@
 ;; way may still be right for one system.  So the true motion, found with multipliers, is put
 ;; into the equations of the substituted Lagrangian.
 
-(require "accelerations.rkt" "constraint.rkt" "integrability.rkt" "constraint-jacobian.rkt"
+(require "accelerations.rkt" "constraint.rkt" "constraint-jacobian.rkt" "integrability.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function-check.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
@@ -15,7 +15,7 @@
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" list->up ref)
          "../value/matrix/row-products.rkt" "../value/matrix/row-systems.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/derivative-survey.rkt" "../verdict/verdict.rkt")
+         "../verdict/derivative-survey.rkt" "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
 (provide reduce-by-substitution reduction?)
 

@@ -3,14 +3,15 @@
 ;; and is a quantity conserved?  Brackets decide: Q̇ = {Q, H} + ∂₀Q, and + ∂₂Q F with a force F
 ;; outside H.
 
-(require "argument-order.rkt" "question-remarks.rkt" "kink-survey.rkt" "question-meaning.rkt"
+(require "argument-order.rkt" "kink-survey.rkt" "question-meaning.rkt" "question-remarks.rkt"
          "../generic/define-plain.rkt" "../generic/function-check.rkt"
          "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../hamiltonian/Poisson-bracket.rkt"
          "../lagrangian/generic-state.rkt"
          "../value/shape.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/derivative-survey.rkt"
+         "../verdict/derivative-survey.rkt" "../verdict/prove-zero.rkt"
+         "../verdict/question-domain.rkt"
          "../verdict/surveyed-zero.rkt" "../verdict/verdict.rkt")
 
 (provide verify-Hamiltonian-solution

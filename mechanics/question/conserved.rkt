@@ -14,7 +14,8 @@
 ;; Without an inverse of M several w may do, with rates that agree along motions only: if
 ;; one of the rates vanishes, Q is conserved; if none does, nothing is refuted.
 
-(require "argument-order.rkt" "Hamiltonian-questions.rkt" "regular-masses.rkt" "question-remarks.rkt"
+(require "argument-order.rkt" "Hamiltonian-questions.rkt" "question-remarks.rkt"
+         "regular-masses.rkt"
          "question-meaning.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
@@ -31,7 +32,8 @@
          "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/structure.rkt"
          (only-in "../value/matrix/matrix.rkt" matrix-by-rows)
-         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/derivative-survey.rkt"
+         "../verdict/derivative-survey.rkt" "../verdict/prove-zero.rkt"
+         "../verdict/question-domain.rkt"
          "../verdict/verdict.rkt")
 
 (provide rate-of-change verify-conserved)

@@ -19,7 +19,8 @@
          "../search/find-root.rkt"
          "../value/algebra.rkt" "../value/assumptions.rkt" "../value/shape.rkt"
          "../value/simplify.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/derivative-survey.rkt"
+         "../verdict/derivative-survey.rkt" "../verdict/prove-zero.rkt"
+         "../verdict/question-domain.rkt"
          "../verdict/verdict.rkt")
 
 (provide verify-equilibrium equilibria find-equilibrium

@@ -34,7 +34,8 @@
          "../value/simplify.rkt" "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/matrix/matrix.rkt"
          "../value/matrix/row-products.rkt"
-         "../verdict/prove-zero.rkt" "../verdict/question-domain.rkt" "../verdict/derivative-survey.rkt"
+         "../verdict/derivative-survey.rkt" "../verdict/prove-zero.rkt"
+         "../verdict/question-domain.rkt"
          "../verdict/verdict.rkt")
 
 (provide verify-equivalent-Lagrangians compare-Lagrangians

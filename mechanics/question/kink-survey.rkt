@@ -13,7 +13,7 @@
          (only-in "../hamiltonian/H-state.rkt" state->qp)
          "../lagrangian/local-tuple.rkt" "../lagrangian/total-derivative.rkt"
          "../value/shape.rkt" (only-in "../value/structure.rkt" structure->list)
-         "../verdict/question-domain.rkt" "../verdict/derivative-survey.rkt")
+         "../verdict/derivative-survey.rkt" "../verdict/question-domain.rkt")
 
 (require-on-demand
  ["../constraint/constraint.rkt" gather]

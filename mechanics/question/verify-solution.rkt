@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
-(require "question-remarks.rkt" "kink-survey.rkt" "question-meaning.rkt"
+(require "kink-survey.rkt" "question-meaning.rkt" "question-remarks.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/on-demand.rkt"
          "../hamiltonian/as-Lagrangian.rkt"

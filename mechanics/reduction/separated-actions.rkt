@@ -13,7 +13,7 @@
 ;; The frequencies are ∂E/∂Jᵢ, the row of the energy in the inverse of ∂J/∂α.
 
 (require (only-in racket/math sqr)
-         "turning-point.rkt" "half-turn-average.rkt" "momentum-by-energy.rkt" "separation.rkt"
+         "half-turn-average.rkt" "momentum-by-energy.rkt" "separation.rkt" "turning-point.rkt"
          "separated-equation.rkt"
          "../algebra/expression/symbols.rkt"
          "../calculus/expression-function.rkt"

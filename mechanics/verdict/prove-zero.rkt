@@ -5,7 +5,7 @@
 ;; A function is judged by its value at symbolic arguments.
 
 (require racket/list
-         "residual-remarks.rkt" "derivative-survey.rkt" "verdict.rkt" "vanishing-conditions.rkt"
+         "derivative-survey.rkt" "residual-remarks.rkt" "vanishing-conditions.rkt" "verdict.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt"
          "../algebra/expression/read.rkt" "../algebra/expression/substitute.rkt"

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Is a residual zero that is made by differentiating?
 
-(require "prove-zero.rkt" "derivative-survey.rkt")
+(require "derivative-survey.rkt" "prove-zero.rkt")
 
 (provide prove-residual-zero)
 

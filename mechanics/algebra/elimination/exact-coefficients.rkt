@@ -13,11 +13,12 @@
          (only-in "../assumption/ledger.rkt" simplifier-grounds)
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt"
-         "../field/field-extension.rkt" "../field/field.rkt" "../field/expression-value.rkt"
+         "../field/expression-value.rkt" "../field/field.rkt" "../field/field-extension.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt"
-         "../simplify/normalize.rkt" "../simplify/domain-question.rkt" "../simplify/simplifier-workspace.rkt"
+         "../simplify/domain-question.rkt" "../simplify/normalize.rkt"
+         "../simplify/simplifier-workspace.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt")
 
 (provide (struct-out coefficients) (struct-out ratio) call-with-coefficients)

@@ -4,7 +4,7 @@
 ;; Sines and cosines of angles that are combinations of basic ones come from powers of
 ;; cos θ + i sin θ (cosh u + j sinh u with j² = 1).
 
-(require "work-bounds.rkt" "field.rkt"
+(require "field.rkt" "work-bounds.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"

@@ -12,7 +12,8 @@
 ;;
 ;; and so do multiples of π (turns.rkt).
 
-(require "circle.rkt" "kernel-collector.rkt" "exponentials.rkt" "kernel.rkt" "integer-lattice.rkt" "turns.rkt"
+(require "circle.rkt" "exponentials.rkt" "integer-lattice.rkt" "kernel.rkt" "kernel-collector.rkt"
+         "turns.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/simplifier.rkt")
 

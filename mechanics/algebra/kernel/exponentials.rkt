@@ -12,7 +12,7 @@
 ;; of exponentials; then they are written as exponentials.
 
 (require racket/list
-         "circle.rkt" "kernel-collector.rkt" "kernel.rkt" "integer-lattice.rkt" "turns.rkt"
+         "circle.rkt" "integer-lattice.rkt" "kernel.rkt" "kernel-collector.rkt" "turns.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/simplifier.rkt"
          "../expression/substitute.rkt")

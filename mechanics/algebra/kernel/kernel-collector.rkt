@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What finding kernels keeps, and what it finds.
 
-(require "kernel.rkt" "integer-lattice.rkt"
+(require "integer-lattice.rkt" "kernel.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/simplifier.rkt")
 

@@ -13,7 +13,7 @@
 ;; |c x²y| = |c| x² |y|, and |y|² = y²; |y| is y or -y if the sign of y is known.
 
 (require racket/list
-         "kernel-collector.rkt" "kernel.rkt"
+         "kernel.rkt" "kernel-collector.rkt"
          "../assumption/ledger.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/simplifier.rkt"

@@ -2,7 +2,7 @@
 ;; S-expressions as trees: what an expression, an operator or a relation prints as, in the
 ;; notation of a physics book.
 
-(require "tree-arithmetic.rkt" "formula-style.rkt" "name.rkt" "numeral.rkt" "tree.rkt"
+(require "formula-style.rkt" "name.rkt" "numeral.rkt" "tree.rkt" "tree-arithmetic.rkt"
          "../expression/operation.rkt" "../expression/pi.rkt" "../expression/write.rkt")
 
 (provide datum->tree plain-datum->tree (struct-out way) current-way)

@@ -10,7 +10,7 @@
 ;; and inserts the three anew; degrees fall, so it ends.  Exponents may be of
 ;; any kind that `add` adds, so that one pass can follow two products at once.
 
-(require "division.rkt" "gcd.rkt" "polynomial-parts.rkt" "monomial.rkt" "power.rkt" "term-list.rkt")
+(require "division.rkt" "gcd.rkt" "monomial.rkt" "polynomial-parts.rkt" "power.rkt" "term-list.rkt")
 
 (provide basis-insert basis-sort basis=?)
 

@@ -6,7 +6,8 @@
 ;; it is irreducible if it is linear in one.  A homogeneous polynomial is factored
 ;; with one variable set to 1, which takes nothing away.
 
-(require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "polynomial-parts.rkt" "integer-factor.rkt"
+(require "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "integer-factor.rkt"
+         "polynomial-parts.rkt"
          "lifted-factor.rkt" "monomial.rkt" "gcd-splitting.rkt" "power.rkt" "ring.rkt"
          "term-list.rkt")
 

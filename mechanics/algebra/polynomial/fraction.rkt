@@ -15,7 +15,7 @@
 
 (require racket/list
          "arithmetic.rkt" "content.rkt" "coprime-basis.rkt" "division.rkt" "gcd.rkt"
-         "polynomial-parts.rkt" "gcd-splitting.rkt" "power.rkt" "ring-change.rkt"
+         "gcd-splitting.rkt" "polynomial-parts.rkt" "power.rkt" "ring-change.rkt"
          "../../error/complain.rkt")
 
 (provide

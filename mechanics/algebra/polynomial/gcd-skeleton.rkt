@@ -17,7 +17,8 @@
 
 (require racket/fixnum
          racket/list
-         "arithmetic.rkt" "polynomial-parts.rkt" "interpolation.rkt" "modular-terms.rkt" "modular.rkt"
+         "arithmetic.rkt" "interpolation.rkt" "modular.rkt" "modular-terms.rkt"
+         "polynomial-parts.rkt"
          "monomial.rkt" "ring.rkt" "term-list.rkt")
 
 (provide make-skeleton skeleton-terms skeleton-count skeleton-coefficients

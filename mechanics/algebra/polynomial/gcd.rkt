@@ -12,7 +12,7 @@
 ;; come last, so the answer is always right and always comes.
 
 (require "arithmetic.rkt" "content.rkt" "division.rkt" "heuristic-gcd.rkt" "univariate-images.rkt"
-         "polynomial-parts.rkt" "modular.rkt" "remainder-gcd.rkt" "ring-change.rkt" "ring.rkt"
+         "modular.rkt" "polynomial-parts.rkt" "remainder-gcd.rkt" "ring.rkt" "ring-change.rkt"
          "sparse-gcd.rkt"
          "term-list.rkt")
 

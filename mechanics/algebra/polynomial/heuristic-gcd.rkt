@@ -12,7 +12,8 @@
 ;; until it is seen to divide p and q.  The integers have some
 ;; log ξ · ∏ (1 + degree) digits: right for few variables, hopeless for many.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "polynomial-parts.rkt" "modular.rkt" "ring.rkt"
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "modular.rkt" "polynomial-parts.rkt"
+         "ring.rkt"
          "term-list.rkt")
 
 (provide heuristic-divisor heuristic-size)

@@ -12,7 +12,7 @@
 ;; p that has the image g₀, if there is one: no other polynomial could be it.
 ;; Coefficients are residues modulo a prime above twice those a factor can have.
 
-(require "arithmetic.rkt" "dense.rkt" "polynomial-parts.rkt" "modular.rkt" "monomial.rkt" "ring.rkt"
+(require "arithmetic.rkt" "dense.rkt" "modular.rkt" "monomial.rkt" "polynomial-parts.rkt" "ring.rkt"
          "term-list.rkt")
 
 (provide lift-factor)

@@ -3,7 +3,7 @@
 ;; residues for coefficients.
 
 (require racket/fixnum
-         "arithmetic.rkt" "polynomial-parts.rkt" "modular.rkt" "ring.rkt" "term-list.rkt")
+         "arithmetic.rkt" "modular.rkt" "polynomial-parts.rkt" "ring.rkt" "term-list.rkt")
 
 (provide terms-mod put-mod monomial-value)
 

@@ -5,7 +5,8 @@
 ;; result whose total degree would pass the ring's bound raises
 ;; exn:algebra:degree-overflow.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "gcd.rkt" "polynomial-parts.rkt" "work-budget.rkt"
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "gcd.rkt" "polynomial-parts.rkt"
+         "work-budget.rkt"
          "gcd-splitting.rkt" "power.rkt" "ring.rkt" "term-list.rkt")
 
 (provide

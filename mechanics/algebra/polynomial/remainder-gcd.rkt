@@ -9,7 +9,8 @@
 ;; p, q, r, ....  Pseudo-remainders have higher degrees than p and q in the
 ;; other variables, hence a wider ring for each.
 
-(require "arithmetic.rkt" "content.rkt" "division.rkt" "polynomial-parts.rkt" "ring-change.rkt" "ring.rkt"
+(require "arithmetic.rkt" "content.rkt" "division.rkt" "polynomial-parts.rkt" "ring.rkt"
+         "ring-change.rkt"
          "term-list.rkt")
 
 (provide remainder-gcd)

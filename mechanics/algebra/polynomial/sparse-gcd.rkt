@@ -18,7 +18,7 @@
 
 (require racket/fixnum
          (only-in racket/list argmin)
-         "arithmetic.rkt" "content.rkt" "division.rkt" "polynomial-parts.rkt" "interpolation.rkt"
+         "arithmetic.rkt" "content.rkt" "division.rkt" "interpolation.rkt" "polynomial-parts.rkt"
          "modular-terms.rkt" "modular.rkt" "monomial.rkt" "ring.rkt" "gcd-skeleton.rkt"
          "term-list.rkt")
 

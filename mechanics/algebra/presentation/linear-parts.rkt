@@ -19,7 +19,7 @@
 (require racket/list
          "present.rkt"
          "../expression/exact-numbers.rkt" "../expression/simplifier.rkt"
-         "../field/work-bounds.rkt" "../field/field.rkt" "../field/partial-fractions.rkt"
+         "../field/field.rkt" "../field/partial-fractions.rkt" "../field/work-bounds.rkt"
          "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 

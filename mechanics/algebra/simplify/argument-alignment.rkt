@@ -15,7 +15,7 @@
 (require "normalize.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/simplifier.rkt" "../expression/substitute.rkt"
-         "../field/work-bounds.rkt" "../field/field.rkt"
+         "../field/field.rkt" "../field/work-bounds.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 

@@ -9,8 +9,8 @@
          "../assumption/ledger.rkt"
          "../expression/expression.rkt" "../expression/operation.rkt"
          "../expression/simplifier.rkt"
-         "../field/work-bounds.rkt" "../field/field-extension.rkt" "../field/field.rkt"
-         "../field/rationalize.rkt" "../field/expression-value.rkt"
+         "../field/field.rkt" "../field/field-extension.rkt" "../field/work-bounds.rkt"
+         "../field/expression-value.rkt" "../field/rationalize.rkt"
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"
          "../presentation/present.rkt")

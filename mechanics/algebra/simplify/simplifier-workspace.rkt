@@ -10,7 +10,7 @@
          (only-in "../assumption/ledger.rkt" make-ledger)
          "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/pi.rkt" "../expression/simplifier.rkt" "../expression/size.rkt"
-         "../field/work-bounds.rkt" "../field/field.rkt"
+         "../field/field.rkt" "../field/work-bounds.rkt"
          "../presentation/linear-parts.rkt" "../presentation/present.rkt")
 
 (provide make-workspace workspace-left workspace-simplify workspace-normal)

@@ -4,7 +4,8 @@
 ;; A try is where the numbers for leaves come from, and a finding what came of it: the values
 ;; of the expression as it is given, and of a simpler one that should agree.
 
-(require "assignment.rkt" "../ball/ball-tape.rkt" "existence.rkt" "flonum-independence.rkt" "point-value.rkt"
+(require "assignment.rkt" "../ball/ball-tape.rkt" "existence.rkt" "flonum-independence.rkt"
+         "point-value.rkt"
          "region.rkt")
 
 (provide make-question question-e question-residual question-certain?

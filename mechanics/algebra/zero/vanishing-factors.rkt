@@ -9,7 +9,7 @@
 ;; Which of them make sense is another matter (nondegeneracy.rkt).
 
 (require racket/list
-         "readable-equation.rkt" "nondegeneracy.rkt"
+         "nondegeneracy.rkt" "readable-equation.rkt"
          "../expression/expression.rkt"
          "../field/field.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"

@@ -15,7 +15,7 @@
 ;; roots there are those of positive numbers: under assumptions they decide nothing.
 
 (require racket/list
-         "vanishing-factors.rkt" "condition.rkt" "decimal-readings.rkt" "readable-equation.rkt"
+         "condition.rkt" "decimal-readings.rkt" "readable-equation.rkt" "vanishing-factors.rkt"
          "existence.rkt" "fingerprint.rkt" "flonum-independence.rkt" "proof.rkt"
          "real-proof.rkt" "region.rkt" "witness.rkt"
          "../assumption/assumption-set.rkt" "../assumption/reference-point.rkt"

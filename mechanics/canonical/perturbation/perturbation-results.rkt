@@ -7,7 +7,7 @@
 
 (require racket/list
          "../Lie/Lie-derivative.rkt"
-         "Poisson-series.rkt" "homological.rkt" "symbols-for-decimals.rkt"
+         "homological.rkt" "Poisson-series.rkt" "symbols-for-decimals.rkt"
          "../../calculus/expression-function.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt"

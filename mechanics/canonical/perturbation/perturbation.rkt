@@ -6,7 +6,7 @@
 ;; removed, or is not to be, stays: resonances.  All divisors are kept with the answer, for where
 ;; one is small the answer is worth nothing.
 
-(require "../Lie/Lie-triangle.rkt" "Poisson-series.rkt" "perturbation-results.rkt" "homological.rkt"
+(require "../Lie/Lie-triangle.rkt" "homological.rkt" "perturbation-results.rkt" "Poisson-series.rkt"
          "symbols-for-decimals.rkt" "unperturbed.rkt"
          "../../algebra/expression/symbols.rkt"
          "../../calculus/expression-function.rkt"

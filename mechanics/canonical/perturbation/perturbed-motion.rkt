@@ -5,7 +5,7 @@
 ;; by the exponentials that transform the Hamiltonian.  In the new state the actions rest and
 ;; the angles turn at the frequencies of the new Hamiltonian: forth, on, and back is the solution.
 
-(require "../Lie/Lie-triangle.rkt" "Poisson-series.rkt" "perturbation-results.rkt"
+(require "../Lie/Lie-triangle.rkt" "perturbation-results.rkt" "Poisson-series.rkt"
          "../../calculus/expression-function.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"

@@ -9,7 +9,7 @@
 
 (require racket/list
          "card.rkt" "page.rkt"
-         "../redefinition/written-forms.rkt" "../redefinition/names-used.rkt")
+         "../redefinition/names-used.rkt" "../redefinition/written-forms.rkt")
 
 (provide choose-example)
 

@@ -6,10 +6,11 @@
 ;; `require` defines: here it does, so that the procedure need not be defined again.
 
 (require (for-syntax racket/base
-                     "written-forms.rkt" "definition-head.rkt" "specification.rkt" "../imported-name.rkt"
+                     "definition-head.rkt" "specification.rkt" "written-forms.rkt"
+                     "../imported-name.rkt"
                      (only-in "../paper-notation/typographic.rkt" tell-curly-quotes))
          (only-in racket/list partition)
-         "../imported-name.rkt" "import-clash.rkt" "definition-head.rkt"
+         "../imported-name.rkt" "definition-head.rkt" "import-clash.rkt"
          (only-in "../../algebra/expression/expression.rkt" node?)
          (only-in "../../error/note.rkt" note-once)
          (only-in "../../generic/up-down.rkt" tuple?))

@@ -13,7 +13,7 @@
 ;; A determinant is the product of the pivots of elimination, chosen by their values; where
 ;; one but the last is 0 the division fails, though there may be a derivative.
 
-(require "traced-linear-system.rkt" "row-products.rkt"
+(require "row-products.rkt" "traced-linear-system.rkt"
          "../../algebra/expression/expression.rkt"
          "../../generic/arithmetic.rkt" "../../generic/kind.rkt" "../../generic/scalar.rkt"
          "../../generic/tracing.rkt"

@@ -14,7 +14,7 @@
 ;; Results are graphs that share what they are made of, not simplified.
 
 (require racket/list
-         "division-free.rkt" "traced-linear-system.rkt" "perturbed-system.rkt" "row-products.rkt"
+         "division-free.rkt" "perturbed-system.rkt" "row-products.rkt" "traced-linear-system.rkt"
          "singular-matrix.rkt"
          "../algebra.rkt"
          "../../algebra/expression/expression.rkt"

@@ -2,7 +2,7 @@
 ;; Series as they are typeset: a₀ + a₁ + ⋯, and a power series as the function
 ;; x ↦ a₀ + a₁ x + a₂ x² + ⋯ of a variable that its coefficients have not.
 
-(require "../../algebra/notation/tree-arithmetic.rkt" "../../algebra/notation/tree.rkt")
+(require "../../algebra/notation/tree.rkt" "../../algebra/notation/tree-arithmetic.rkt")
 
 (provide series-notation)
 
