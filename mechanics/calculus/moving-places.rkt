@@ -8,8 +8,8 @@
 ;; integrands, and moving ends; so |x − a| is right to any order, too.
 ;;
 ;; Places are found from the choices made at points in between (generic/branches.rkt), by
-;; halving (branch-turning-points.rkt says how two between the same points are); and c as a perturbed
-;; value from the number s that is chosen by, which is 0 there,
+;; halving (branch-turning-points.rkt says how two between the same points are); and c as a
+;; perturbed value from the number s that is chosen by, which is 0 there,
 ;;
 ;;     c ← c − s(c, a)/s',
 ;;

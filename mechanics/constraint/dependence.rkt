@@ -5,7 +5,8 @@
 (require "../error/failure.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
          "../value/simplify.rkt"
-         "../value/matrix/row-systems.rkt" (only-in "../value/matrix/singular-matrix.rkt" last-by-others))
+         "../value/matrix/row-systems.rkt"
+         (only-in "../value/matrix/singular-matrix.rkt" last-by-others))
 
 (provide raise-undetermined independent-rows dependences dependences->text)
 

@@ -9,7 +9,7 @@
 
 (require racket/list
          "card.rkt" "page.rkt"
-         "../redefinition/names-used.rkt" "../redefinition/written-forms.rkt")
+         "../redefinition/binding-forms.rkt" "../redefinition/names-used.rkt")
 
 (provide choose-example)
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The definitions of one module, while its forms are expanded one after another.
 
-(require "module-survey.rkt" "written-forms.rkt" "../written-form.rkt")
+(require "binding-forms.rkt" "module-survey.rkt" "../written-form.rkt")
 
 (provide make-definitions
          defined? add-variable! add-macro!

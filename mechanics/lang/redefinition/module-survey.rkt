@@ -8,7 +8,7 @@
 
 (require (only-in racket/list append* append-map remove-duplicates)
          (for-template racket/base)
-         "names-used.rkt" "written-forms.rkt")
+         "binding-forms.rkt" "names-used.rkt")
 
 (provide (struct-out survey) survey-forms all-early lines-of-repeated
          same-name?)

@@ -15,7 +15,7 @@
 
 (require (prefix-in core: '#%kernel)
          (for-syntax racket/base
-                     "definitions.rkt" "imports.rkt" "module-survey.rkt" "written-forms.rkt"
+                     "binding-forms.rkt" "definitions.rkt" "imports.rkt" "module-survey.rkt"
                      "../imported-name.rkt" "../paper-notation/program-lines.rkt"
                      (only-in "../paper-notation/typographic.rkt" tell-curly-quotes))
          "../wrong-call/marked-line.rkt"

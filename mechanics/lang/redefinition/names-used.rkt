@@ -4,7 +4,7 @@
 ;; `let` and definitions inside bodies.  Names are compared by their spelling.
 
 (require (for-template racket/base)
-         "written-forms.rkt"
+         "binding-forms.rkt"
          (only-in "../pattern/pattern-syntax.rkt" argument-lists fold-formals))
 
 (provide names-in)

@@ -6,7 +6,7 @@
 ;; `require` defines: here it does, so that the procedure need not be defined again.
 
 (require (for-syntax racket/base
-                     "definition-head.rkt" "specification.rkt" "written-forms.rkt"
+                     "binding-forms.rkt" "definition-head.rkt" "specification.rkt"
                      "../imported-name.rkt"
                      (only-in "../paper-notation/typographic.rkt" tell-curly-quotes))
          (only-in racket/list partition)
