@@ -29,8 +29,8 @@
 
 ;; y : the value at x; values-only? : may the function not be differentiated?
 (define (look t x y [values-only? #f])
-  (define g (and (not values-only?) (finite-or-false (target-gradient t x))))
-  (define second (and g (finite-or-false (target-second-derivatives t x))))
+  (define g (and (not values-only?) (finite-or-false (objective-gradient t x))))
+  (define second (and g (finite-or-false (objective-second-derivatives t x))))
   (if second (look-exactly t x y g second) (look-at-values t x y)))
 
 (define (finite-or-false v) (and v (flvector-finite? v) v))
@@ -72,7 +72,7 @@
   (define least (least-curvature c))
   (define (less? s)
     (define there (and (<= 1e-300 (abs s) (* 1e-2 (size x)))
-                       (target-curvature-along t (along x s v) v)))
+                       (objective-curvature-along t (along x s v) v)))
     (and there (< there (* 0.2 least))))
   (define step (* 3.0 (dot p v)))
   (define rounding (* 1.5e-8 (greatest x)))
@@ -125,7 +125,7 @@
 
 ;; The user did not ask for the value there: an error may be due to the point.
 (define (value-beside t x)
-  (define y (with-handlers ([refusal? (lambda (e) +nan.0)]) (target-value t x)))
+  (define y (with-handlers ([refusal? (lambda (e) +nan.0)]) (objective-value t x)))
   (if (< y +inf.0) y +inf.0))
 
 (define ((value-at t) x) (value-beside t x))

@@ -35,7 +35,7 @@
 ;; found : as minimum-between.rkt has it
 (define (described who f low high found judge?)
   (define x (found-x found))
-  (define t (make-target who f x))
+  (define t (make-objective who f x))
   (define count (if judge? (found-evaluations found) (found-steps found)))
   (define (plain kind) (minimum x (found-y found) kind #f #f count))
   (case (found-kind found)
@@ -54,11 +54,11 @@
   (define end (if (eq? (found-kind found) 'low) low high))
   (define other (if (eq? (found-kind found) 'low) high low))
   (define x (minimum-argument m))
-  (define g (and (or judge? (varying? (f end))) (target-gradient t (flvector x))))
+  (define g (and (or judge? (varying? (f end))) (objective-gradient t (flvector x))))
   (define slope (and g (flvector-ref g 0)))
   (define (m-with argument value)
     (minimum argument value 'end (and slope (abs slope)) #f (minimum-evaluations m)))
   (cond
     [(not (varying? (f end))) (m-with x (minimum-value m))]
     [(and slope (> (* slope (- (innermost other) (innermost end))) 0.0)) (m-with end (f end))]
-    [else (raise-kind (target-who t) 'end x)]))
+    [else (raise-kind (objective-who t) 'end x)]))

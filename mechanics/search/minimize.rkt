@@ -100,9 +100,9 @@
   (report (minimum-argument m) (minimum-value m) (minimum-gradient m) (minimum-evaluations m)))
 
 (define (least-near who f start method tolerance observe progress?)
-  (define t (make-target who f start))
+  (define t (make-objective who f start))
   (define (search note!)
-    (define (show x y) (observe (target-argument t x) y))
+    (define (show x y) (observe (objective-argument t x) y))
     (minimum-near t method tolerance (counting-search note! who show)))
   (define-values (m x) (call-with-progress progress? search))
   (varying-minimum t m x))
@@ -116,11 +116,11 @@
   (when step (check-argument who positive-finite? step "a positive step"))
   (check-tolerance who tolerance)
   (check-argument who exact-positive-integer? limit "a number of evaluations, a positive integer")
-  (define t (make-target who f start))
-  (define (argument x) (target-argument t x))
+  (define t (make-objective who f start))
+  (define (argument x) (objective-argument t x))
   (define (search note!)
     (define watch (counting-search note! who (lambda (x y) (observe (argument x) y))))
-    (numeric:nelder-mead (lambda (x) (target-value t x)) (target-start t)
+    (numeric:nelder-mead (lambda (x) (objective-value t x)) (objective-start t)
                          #:step step #:tolerance tolerance #:limit limit #:name who
                          #:stop-at-limit? #t
                          #:observe watch #:argument argument))

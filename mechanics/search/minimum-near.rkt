@@ -22,7 +22,7 @@
 ;; method : 'quasi-newton, 'nelder-mead or #f; watch : called with each point reached and the
 ;; value there -> minimum, and the same point as flvector
 (define (minimum-near t method tolerance watch)
-  (let loop ([x (target-start t)] [method* method] [metric #f] [best #f] [count 0] [round 0])
+  (let loop ([x (objective-start t)] [method* method] [metric #f] [best #f] [count 0] [round 0])
     (define e (search t x method* tolerance watch metric))
     (define all (+ count (end-count e)))
     (define better? (or (not best) (< (end-y e) (end-y best))))
@@ -53,7 +53,7 @@
         (polished t (end-x e) (end-y e) (outlook-gradient o) (outlook-curvatures o))
         (values (end-x e) (end-y e) (outlook-gradient o))))
   (define c (outlook-curvatures o))
-  (values (minimum (target-argument t x) y kind
+  (values (minimum (objective-argument t x) y kind
                    (and g (not (eq? kind 'kink)) (norm g))
                    (and c (not (eq? kind 'kink)) (least-curvature c))
                    count)
@@ -62,7 +62,7 @@
 ;; Takes Newton's steps, with the second derivatives at the first point, while the gradient shrinks.
 (define (polished t x y g c [left 3])
   (define next (along x 1.0 (downward-step c g)))
-  (define-values (y* g*) (target-value-and-gradient t next))
+  (define-values (y* g*) (objective-value-and-gradient t next))
   (if (and (> left 0) (< (norm g*) (norm g)) (<= y* (+ y (* 1e-12 (abs y)))))
       (polished t next y* g* c (- left 1))
       (values x y g)))
@@ -73,7 +73,7 @@
   (case method
     [(quasi-newton) (by-gradient t x tolerance watch metric void)]
     [(nelder-mead) (by-values t x tolerance watch)]
-    [else (if (target-gradient t x)
+    [else (if (objective-gradient t x)
               (by-either t x tolerance watch metric)
               (by-values t x tolerance watch))]))
 
@@ -82,16 +82,16 @@
 
 (define (by-gradient t x tolerance watch metric stuck)
   (define-values (found y slope count)
-    (quasi-newton (lambda (x) (target-value-and-gradient t x)) x
-                  #:tolerance (max tolerance finest) #:name (target-who t) #:observe watch
-                  #:argument (lambda (x) (target-argument t x)) #:stuck stuck #:metric metric))
+    (quasi-newton (lambda (x) (objective-value-and-gradient t x)) x
+                  #:tolerance (max tolerance finest) #:name (objective-who t) #:observe watch
+                  #:argument (lambda (x) (objective-argument t x)) #:stuck stuck #:metric metric))
   (end found y count))
 
 (define (by-values t x tolerance watch)
   (define-values (found y count)
-    (numeric:nelder-mead (lambda (x) (target-value t x)) x
-                         #:tolerance tolerance #:name (target-who t) #:observe watch
-                         #:argument (lambda (x) (target-argument t x))))
+    (numeric:nelder-mead (lambda (x) (objective-value t x)) x
+                         #:tolerance tolerance #:name (objective-who t) #:observe watch
+                         #:argument (lambda (x) (objective-argument t x))))
   (end found y count))
 
 ;; Searches by the gradient, then by values from the point where it leads no further.

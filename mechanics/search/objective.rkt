@@ -12,68 +12,68 @@
          "../generic/number-argument.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/shape.rkt")
 
-(provide make-target target-who
-         target-start target-argument target-value target-value-and-gradient
-         target-gradient target-second-derivatives target-curvature-along
-         target-tuple-function target-structure tuple-like)
+(provide make-objective objective-who
+         objective-start objective-argument objective-value objective-value-and-gradient
+         objective-gradient objective-second-derivatives objective-curvature-along
+         objective-tuple-function objective-structure tuple-like)
 
 ;; given : where the search starts, as the user has it; shape : the same as a tuple or a number
-(struct target (who f given shape) #:authentic)
+(struct objective (who f given shape) #:authentic)
 
-(define (make-target who f start) (target who f start (list->tuple who start)))
+(define (make-objective who f start) (objective who f start (list->tuple who start)))
 
-(define (target-start t)
-  (define who (target-who t))
-  (structure->flvector (target-shape t) (lambda (x) (number-beneath who x))))
+(define (objective-start t)
+  (define who (objective-who t))
+  (structure->flvector (objective-shape t) (lambda (x) (number-beneath who x))))
 
 ;; The user's form of a point, and its form as a tuple or a number.
-(define (target-argument t x) (tuple-like (target-given t) (target-structure t x)))
-(define (target-structure t x) (flvector->structure (target-shape t) x))
+(define (objective-argument t x) (tuple-like (objective-given t) (objective-structure t x)))
+(define (objective-structure t x) (flvector->structure (objective-shape t) x))
 
 ;; The user's function, of a tuple or a number
-(define ((target-tuple-function t) s) ((target-f t) (tuple-like (target-given t) s)))
+(define ((objective-tuple-function t) s) ((objective-f t) (tuple-like (objective-given t) s)))
 
-(define (target-value t x)
-  (value-or-nan (target-who t) ((target-f t) (target-argument t x))))
+(define (objective-value t x)
+  (value-or-nan (objective-who t) ((objective-f t) (objective-argument t x))))
 
 ;; -> value, flvector
-(define (target-value-and-gradient t x)
-  (define who (target-who t))
+(define (objective-value-and-gradient t x)
+  (define who (objective-who t))
   (define-values (y slopes)
-    (value-and-derivatives-at who (target-tuple-function t) (target-structure t x)))
+    (value-and-derivatives-at who (objective-tuple-function t) (objective-structure t x)))
   (values (value-or-nan who y)
           (for/flvector #:length (flvector-length x) ([slope (in-vector slopes)])
             (value-or-nan who slope))))
 
 ;; The gradient at x, or #f where the function refuses to be differentiated
-(define (target-gradient t x)
+(define (objective-gradient t x)
   (if-raised refusal? #f
-    (define-values (y slope) (target-value-and-gradient t x))
+    (define-values (y slope) (objective-value-and-gradient t x))
     slope))
 
 ;; The n² second derivatives row by row, exact; #f where the function refuses them.  A column
 ;; is the derivative of the gradient along an axis.
-(define (target-second-derivatives t x)
+(define (objective-second-derivatives t x)
   (define n (flvector-length x))
-  (define along (Hessian-vector-product (target-tuple-function t)))
-  (define s (target-structure t x))
+  (define along (Hessian-vector-product (objective-tuple-function t)))
+  (define s (objective-structure t x))
   (define all (make-flvector (* n n)))
   (define (fill-column! j)
     (define axis (scalars->structure s (lambda (k) (if (= k j) 1.0 0.0))))
     (for ([y (in-list (scalars (along s axis)))] [i (in-naturals)])
-      (flvector-set! all (+ (* i n) j) (value-or-nan (target-who t) y))))
+      (flvector-set! all (+ (* i n) j) (value-or-nan (objective-who t) y))))
   (if-raised refusal? #f
     (for ([j (in-range n)]) (fill-column! j))
     all))
 
 ;; v·Hv at x, by one product of the second derivatives with v; #f where these are refused.
-(define (target-curvature-along t x v)
-  (define s (target-structure t x))
+(define (objective-curvature-along t x v)
+  (define s (objective-structure t x))
   (if-raised refusal? #f
     (define product
-      ((Hessian-vector-product (target-tuple-function t)) s (flvector->structure s v)))
+      ((Hessian-vector-product (objective-tuple-function t)) s (flvector->structure s v)))
     (for/fold ([sum 0.0]) ([y (in-list (scalars product))] [a (in-flvector v)])
-      (fl+ sum (fl* a (value-or-nan (target-who t) y))))))
+      (fl+ sum (fl* a (value-or-nan (objective-who t) y))))))
 
 ;; Outside of its domain a function may be complex.
 (define (value-or-nan who y)

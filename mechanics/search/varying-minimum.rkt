@@ -20,20 +20,20 @@
 ;; make : -> a minimum and the flvector where it is
 ;; -> this minimum as it varies; #f if it does not vary
 (define (if-varying t x make)
-  (and (varying? ((target-tuple-function t) (target-structure t x)))
+  (and (varying? ((objective-tuple-function t) (objective-structure t x)))
        (let-values ([(m x) (make)]) (varying-minimum t m x))))
 
 ;; m : a minimum of the target's function, found at the flvector x -> the same with argument
 ;; and value as they vary
 (define (varying-minimum t m x)
-  (define f (target-tuple-function t))
-  (define at (target-structure t x))
-  (define who (target-who t))
+  (define f (objective-tuple-function t))
+  (define at (objective-structure t x))
+  (define who (objective-who t))
   (cond
     [(not (varying? (f at))) m]
     [else
-     (unless (minimum-proper? m) (raise-kind who (minimum-kind m) (target-argument t x)))
-     (define (rows) (second-rows who (target-second-derivatives t x) (flvector-length x) at))
+     (unless (minimum-proper? m) (raise-kind who (minimum-kind m) (objective-argument t x)))
+     (define (rows) (second-rows who (objective-second-derivatives t x) (flvector-length x) at))
      (define moving
        (varying-root who (lambda (s) (derivative-at f s)) at rows #:what no-inverse))
      (minimum (tuple-like (minimum-argument m) moving) (f moving) (minimum-kind m)

@@ -27,7 +27,7 @@
   (define bracket
     (cond [(and (operator? A) (operator? B)) commutator]
           [(and (pointwise? A) (accepts? A 1) (pointwise? B) (accepts? B 1))
-           (lambda (f g) (settled 'Baker-Campbell-Hausdorff (Poisson-bracket g f)))]
+           (lambda (f g) (memoized-function 'Baker-Campbell-Hausdorff (Poisson-bracket g f)))]
           [else
            (complain 'Baker-Campbell-Hausdorff
                      "expected two operators, or two Hamiltonians; given ~a and ~a"

@@ -13,12 +13,12 @@
 
 (require-on-demand ["../../calculus/expression-function.rkt" evaluate-at])
 
-(provide settled)
+(provide memoized-function)
 
 ;; place : a state of symbols; value : that of the function there, or #f where it is no expression
 (struct worked-out (place value) #:authentic)
 
-(define (settled who F)
+(define (memoized-function who F)
   (define work-out-once (by-shape (lambda (state) (work-out F state))))
   (unary-function (lambda () (value->datum F)) (state)
     (check-H-state who state)
