@@ -1,6 +1,6 @@
 #lang racket/base
 ;; The meaning of a question about a Lagrangian: the Lagrangian, its mass matrix, the path or the
-;; quantity (algebra/zero/nondegeneracy.rkt).  No condition is named under which the question would
+;; quantity (algebra/zero/kept-meaning.rkt).  No condition is named under which the question would
 ;; be about nothing.
 
 (require (only-in racket/list split-at)

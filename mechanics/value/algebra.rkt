@@ -30,7 +30,7 @@
  ["../algebra/zero/decimal-readings.rkt" too-many-to-read? reading-decimal reading-expression]
  ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations
                              kink-solved? kink-family?]
- ["../algebra/zero/nondegeneracy.rkt" make-meaning meaning-with meaningful? independent-equations
+ ["../algebra/zero/kept-meaning.rkt" make-meaning meaning-with meaningful? independent-equations
                                 solutions replaced]
  ["../algebra/zero/vanishing.rkt" vanishes?]
  ["../algebra/zero/zero-test.rkt"

@@ -6,10 +6,10 @@
 ;; of its own factors.  So there are several *ways*, each a list of equations that hold
 ;; together: Ω x² − g x is zero with Ω = 0, g = 0, and with no less.
 ;;
-;; Which of them make sense is another matter (nondegeneracy.rkt).
+;; Which of them make sense is another matter (kept-meaning.rkt).
 
 (require racket/list
-         "nondegeneracy.rkt" "readable-equation.rkt"
+         "kept-meaning.rkt" "readable-equation.rkt"
          "../expression/expression.rkt"
          "../field/field.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt"

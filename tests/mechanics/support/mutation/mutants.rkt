@@ -103,7 +103,7 @@
   ["a box that is not looked at is empty" "assumption/emptiness.rkt"
    "[(or (eqv? left 0) (null? relations)) #f]"
    "[(or (eqv? left 0) (null? relations)) #t]"]
-  ["a condition may leave the mass matrix singular" "zero/nondegeneracy.rkt"
+  ["a condition may leave the mass matrix singular" "zero/kept-meaning.rkt"
    "(= (rank (meaning-matrix n) after) (rank (meaning-matrix m) before))"
    "#t"]
   ["of several equations that must hold one is enough" "zero/vanishing-factors.rkt"

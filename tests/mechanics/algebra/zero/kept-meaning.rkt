@@ -7,7 +7,7 @@
          mechanics/algebra/simplify/declare-relations
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/zero/vanishing-factors
-         mechanics/algebra/zero/nondegeneracy
+         mechanics/algebra/zero/kept-meaning
          mechanics/algebra/zero/zero-test
          "../../support/checks.rkt")
 
