@@ -298,7 +298,7 @@
 
 (says
  [(literal-matrix "A" 2 2)
-  "literal-matrix: expected a quoted name, such as 'A\n  given: the string \"A\""]
+  "literal-matrix: expected a quoted name, such as 'A\n  given: \"A\", a string"]
  [(literal-matrix 'A 2 0)
   "literal-matrix: expected a number of rows and one of columns; given 2 and 0"]
  [(column-matrix->vector (row-matrix 1 2))
