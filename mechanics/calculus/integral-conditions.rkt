@@ -30,7 +30,7 @@
          (only-in "../algebra/expression/simplifier.rkt" left-unexpanded?)
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../algebra/solve/nonzero-conditions.rkt"
-         "../algebra/simplify/declare.rkt" "../algebra/simplify/known-sign.rkt"
+         "../algebra/simplify/declare-relations.rkt" "../algebra/simplify/known-sign.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../algebra/zero/zero-test.rkt" "../error/failure.rkt")
 

@@ -16,7 +16,7 @@
          (only-in "../algebra/expression/simplifier.rkt" left-unexpanded?)
          "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
-         "../algebra/simplify/declare.rkt" "../algebra/simplify/domain-question.rkt"
+         "../algebra/simplify/declare-relations.rkt" "../algebra/simplify/domain-question.rkt"
          "../algebra/simplify/necessary-assumptions.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../algebra/zero/common-domain.rkt" "../algebra/zero/real-signs.rkt"

@@ -12,7 +12,7 @@
          "../../generic/number-argument.rkt"
          "../../generic/printed-function.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
-         "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt")
+         "../../lagrangian/function-name-hints.rkt" "../../lagrangian/function-of-momenta.rkt")
 
 (provide check-map map? map-hint called-energy? energy-hint
          check-numbers check-steps

@@ -9,7 +9,7 @@
          "../../generic/function-check.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
          "../../generic/number-argument.rkt" "../../generic/printed-function.rkt"
          "../../generic/scalar.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
-         "../../lagrangian/name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
+         "../../lagrangian/function-name-hints.rkt" "../../lagrangian/function-of-momenta.rkt"
          "../../numeric/finite-number.rkt"
          "../../value/shape.rkt")
 

@@ -9,7 +9,7 @@
          (only-in mechanics/algebra/ball/ball
                   ball/ ball-lower ball-upper ball-scale ball-positive? exact->ball make-ball)
          mechanics/algebra/zero/kink
-         (only-in mechanics/algebra/zero/nondegeneracy make-meaning meaningful?)
+         (only-in mechanics/algebra/zero/kept-meaning make-meaning meaningful?)
          mechanics/algebra/zero/real-proof
          mechanics/algebra/zero/zero-test
          mechanics/algebra/zero/fingerprint
