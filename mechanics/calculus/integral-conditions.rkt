@@ -106,7 +106,8 @@
 (define (with-logarithms-of F stays? real)
   (node-fold F values
              (lambda (n args)
-               (define new (if (and (headed? n op:log) (not (stays? (car args)))) (map real args) args))
+               (define change? (and (headed? n op:log) (not (stays? (car args)))))
+               (define new (if change? (map real args) args))
                (cond [(andmap eq? new (node-args n)) n]
                      [(eq? new args) (rebuild (node-head n) new)]
                      [else (e:apply op:log (car new))]))))
@@ -158,7 +159,7 @@
   (with-handlers ([no-value? (lambda (_) #f)])
     (simplify-expression (at e p zero) (path-A p))))
 
-;; Has e a sign of x, or an |u| divided by u, that makes it jump between the ends, as far as is known?
+;; Has e a sign of x, or |u| divided by u, so that it may jump between the ends?
 (define (jumps-between? e x low high A)
   (define p (make-path x low high A))
   (define simple (simplify-expression e (with-automatic-assumptions A #f)))

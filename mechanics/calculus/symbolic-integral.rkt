@@ -70,8 +70,8 @@
       (+ (if (jet? y) (jet-order y) 1) (order-of-perturbation ((parts-value (parts-of y)) y)))
       0))
 
-;; The place of a jump may move with what is perturbed, which derivatives of e, the integrand at x, do
-;; not show.
+;; The place of a jump may move with what is perturbed, which derivatives of e, the integrand at x,
+;; do not show.
 (define (check-without-jumps who e x low high)
   (when (and (expression? e) (jumps-between? e x low high (assumptions-in-force)))
     (raise-no-answer who
