@@ -7,8 +7,7 @@
 ;;
 ;; of which P does not depend on the sign of the root, and Q changes with it.
 
-(require racket/list
-         "expression.rkt" "nodes.rkt" "operation.rkt"
+(require "expression.rkt" "nodes.rkt" "operation.rkt"
          "substitute.rkt")
 
 (provide roots-in conjugate parts-by-root applications-of)

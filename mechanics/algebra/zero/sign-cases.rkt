@@ -5,8 +5,7 @@
 ;; it is there, if u is a line in it.  Nothing is concluded from values beside u = 0, since
 ;; something else may jump there, as sgn(u²), or there may be no values beside it.
 
-(require racket/list
-         "in-exponentials.rkt" "real-signs.rkt"
+(require "in-exponentials.rkt" "real-signs.rkt"
          "../assumption/assumption-set.rkt" "../assumption/narrowing.rkt"
          "../assumption/signs.rkt"
          "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/operation.rkt"

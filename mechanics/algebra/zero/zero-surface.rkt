@@ -215,7 +215,8 @@
     (for/or ([x (in-list (symbols-in u))]) (solve-equations (list u) (list x) A)))
   (or (not roots)
       (for/or ([r (in-list roots)])
-        (define there (if-raised divided-by-zero? #f (substitute-expression (surface-zero f) (car r))))
+        (define there
+          (if-raised divided-by-zero? #f (substitute-expression (surface-zero f) (car r))))
         (and there
              (for/or ([g (in-list (surfaces there (surface-variables f) A))])
                (even? (surface-power g)))))))

@@ -153,8 +153,8 @@ declaration is not told.
 that has none;
 @racket['kinks]; @racket['too-large] to be multiplied out; the endless terms of a
 @racket['series]; or @racket['beyond-the-algebra], an identity that the library does not
-know. Symbols are real numbers, never whole ones: that @formula{cos πn = (−1)ⁿ} for whole n is out of
-reach.
+know. Symbols are real numbers, never whole ones: that @formula{cos πn = (−1)ⁿ} for whole n is
+out of reach.
 
 @section{Answers that say little}
 

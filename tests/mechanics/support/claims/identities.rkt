@@ -6,8 +6,8 @@
 ;; conditions of its own, as its fourth element and after.  Letters are real.
 ;;
 ;; Sources: NIST's Digital Library of Mathematical Functions, chapter 4 (4.8, 4.21, 4.24, 4.28,
-;; 4.35, 4.38); Abramowitz and Stegun, chapters 3 and 4; Hardy, Pure Mathematics; Landau and Lifshitz,
-;; Mechanics; Goldstein, Classical Mechanics; the exercises of school and of the first year.
+;; 4.35, 4.38); Abramowitz and Stegun, chapters 3 and 4; Hardy, Pure Mathematics; Landau and
+;; Lifshitz, Mechanics; Goldstein, Classical Mechanics; exercises of school and of the first year.
 
 (provide identities)
 
