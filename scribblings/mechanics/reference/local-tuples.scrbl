@@ -175,7 +175,7 @@ derivative includes the term of its motion (Leibniz' rule), also in integrals wi
 Where symbols are in an end or in the integrand, the result is a formula, if an antiderivative
 is found: of polynomials, sines, cosines, exponentials and their products, of powers with symbolic
 exponents, of a line over a quadratic polynomial or its root, of such a root over x, of partial
-fractions, of single functions and their usual quotients, of @formula{e^(−kx²)} with a positive k,
+fractions, of single functions and their usual quotients, of e@superscript{−kx²} with a positive k,
 and of absolute values and signs of lines. The conditions under which it
 holds, that k is not 0, or a denominator does not vanish on the way, are among the
 @racket[assumptions] used, and said in a note, but for those that are declared or known;
