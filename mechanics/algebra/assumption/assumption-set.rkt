@@ -100,7 +100,7 @@
                    k
                    (from-table A s n k limits)))))
 
-;; What is known of a number that is not real, of a root or logarithm of an expression that is
+;; Knowledge of a number that is not real, of a root or logarithm of an expression that is
 ;; never positive, and of an expression that contains one of these: no sign is excluded.
 (define not-real (because-of any-sign))
 

@@ -82,7 +82,7 @@
     (for ([d (in-list (known-because k))]) (note! l d)))
   branch)
 
-;; What find gives.  A relation may hold sgn u or |u|: then the sign of u is asked for while it is
+;; Result of find.  A relation may hold sgn u or |u|: then the sign of u is asked for while it is
 ;; looked for, and the answer is `unknown`.
 (define (asked-once A s e find unknown)
   (define l (simplifier-ledger s))

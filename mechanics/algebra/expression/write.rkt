@@ -43,7 +43,7 @@
           [else (item xs)]))
   (if left (item d) d))
 
-;; What stands for `count` atoms left out.
+;; A sign in place of `count` atoms left out.
 (struct omission (count)
   #:property prop:custom-write
   (lambda (o port mode)

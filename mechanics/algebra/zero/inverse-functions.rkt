@@ -17,7 +17,8 @@
          "in-exponentials.rkt" "real-signs.rkt"
          "../assumption/assumption-set.rkt" "../assumption/interval.rkt"
          "../assumption/leaf-bounds.rkt" "../assumption/range.rkt" "../assumption/signs.rkt"
-         "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/operation.rkt"
+         "../expression/conjugate.rkt" "../expression/expression.rkt" "../expression/nodes.rkt"
+         "../expression/operation.rkt"
          "../expression/substitute.rkt"
          "../simplify/simplify-expression.rkt"
          (only-in "../../numeric/finite-number.rkt" exact-rational?))
@@ -125,17 +126,13 @@
 ;; -> an expression that is zero where e is; #f if e is no sum of logarithms
 (define (product-of-logarithms e A)
   (define logs (applications-of op:log e))
-  (define s (and (pair? logs) (andmap (lambda (f) (not (holds-any? (car (node-args f)) logs))) logs)
-                 (sum-of e logs A)))
+  (define (log? n) (headed? n op:log))
+  (define (nested? f) (some-node? log? (car (node-args f))))
+  (define s (and (pair? logs) (not (ormap nested? logs)) (sum-of e logs A)))
   (and s
        (let ([product
               (product-over s (lambda (f) (car (node-args f))) 1 e:* (lambda (u) (e:/ 1 u)))])
          (e:- (e:* product (e:exp (whole-sum-rest s))) 1))))
-
-(define (holds-any? e nodes)
-  (and (node? e)
-       (or (and (memq e nodes) #t)
-           (ormap (lambda (a) (holds-any? a nodes)) (node-args e)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Arcs

@@ -144,7 +144,7 @@
 ;; Relations that hold where e has a value
 (define (needs-of e) (append-map node-relations (nodes-in e)))
 
-;; Those of roots and logarithms that were met.  A derivative of uⁿ meets uⁿ⁻¹, which may have no
+;; Relations of roots and logarithms met.  A derivative of uⁿ meets uⁿ⁻¹, which may have no
 ;; value at an end of uⁿ.
 (define (needs-met operations)
   (for*/list ([o (in-list operations)]
@@ -154,7 +154,7 @@
         (struct-copy relation r [signs nonnegative])
         r)))
 
-;; What they say of signs, as datums, with places put in.  It costs nothing, and says nothing of
+;; Signs that they tell, as datums, with places put in.  It costs nothing, and says nothing of
 ;; ends themselves.
 (define (facts-of needs places)
   (remove-duplicates

@@ -73,7 +73,7 @@
     (and (relation? n)
          (signs-within? (real-signs (relation-expression n) A 0) (relation-signs n)))))
 
-;; What the operations of e need to have a value: relations, and nodes of which none tells
+;; Needs of the operations of e for a value: relations, and nodes of which none tells
 (define (needs-of e)
   (append-map (lambda (n) (if (untold? n) (list n) (node-relations n))) (nodes-in e)))
 

@@ -10,7 +10,7 @@
 ;; real throughout.  The last one or two eigenvalues separate after two or three steps
 ;; each, and what remains is a smaller matrix (Francis 1961; Golub and Van Loan, 7.5).
 ;;
-;; What is below the diagonal counts as zero by the rule of Ahues and Tisseur (LAPACK
+;; An entry below the diagonal counts as zero by the rule of Ahues and Tisseur (LAPACK
 ;; Working Note 122, 1997), which keeps small eigenvalues beside large ones.
 
 (require racket/flonum
