@@ -3,7 +3,7 @@
 ;; their order; definitions between them stay with the teacher.
 
 (require (for-syntax racket/base racket/file
-                     "../error/spelling.rkt" "../teaching/worksheet/clause-names.rkt")
+                     "../error/spelling.rkt" "../teaching/worksheet/exercise-clauses.rkt")
          (prefix-in m: "redefinition/module.rkt")
          "../error/complain.rkt"
          "../generic/describe.rkt"

@@ -4,7 +4,7 @@
 
 (require racket/flonum
          racket/list
-         "method-names.rkt" "observed-systems.rkt" "integration-plan.rkt" "recording.rkt"
+         "method-names.rkt" "observed-systems.rkt" "integration-plan.rkt" "trajectory-recording.rkt"
          "run-system.rkt" "partial-result.rkt"
          "choose-method.rkt" "trajectory.rkt"
          "event/event.rkt" "event/event-watch.rkt" "event/within-step.rkt"

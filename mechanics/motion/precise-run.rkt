@@ -7,7 +7,7 @@
 
 (require math/bigfloat
          "integration-plan.rkt" "progress-text.rkt" "partial-result.rkt" "integration-failure.rkt"
-         "system/check.rkt" "system/clock.rkt" "system/manifold.rkt"
+         "system/check.rkt" "system/time-component.rkt" "system/manifold.rkt"
          "../compile/bigfloat-function.rkt"
          "../error/progress.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/extrapolation.rkt"

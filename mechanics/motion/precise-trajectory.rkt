@@ -2,7 +2,7 @@
 ;; Trajectories in numbers of higher precision, as trajectory.rkt makes them of flonums.
 
 (require racket/list
-         "integration-plan.rkt" "precise-event.rkt" "precise-run.rkt" "recording.rkt"
+         "integration-plan.rkt" "precise-event.rkt" "precise-run.rkt" "trajectory-recording.rkt"
          "partial-result.rkt"
          "event/event.rkt"
          "../error/progress.rkt")

@@ -17,7 +17,7 @@
          "../generic/function.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/by-shape.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/memoized-by-shape.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          "../value/structure.rkt")
 
 (provide reduced-Hamiltonian state->reduced-state)

@@ -19,7 +19,7 @@
          "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamilton-equations.rkt"
          "../../hamiltonian/Hamiltonian.rkt" "../../hamiltonian/Poisson-bracket.rkt"
-         "../../value/by-shape.rkt" "../../value/operator.rkt" "../../value/shape.rkt"
+         "../../value/memoized-by-shape.rkt" "../../value/operator.rkt" "../../value/shape.rkt"
          "../../value/simplify.rkt")
 
 (require-on-demand ["../../calculus/expression-function.rkt" evaluate-at])

@@ -9,7 +9,7 @@
          "../../error/refusal.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/on-demand.rkt"
          "../../hamiltonian/H-state.rkt"
-         "../../value/by-shape.rkt" "../../value/shape.rkt" "../../value/simplify.rkt")
+         "../../value/memoized-by-shape.rkt" "../../value/shape.rkt" "../../value/simplify.rkt")
 
 (require-on-demand ["../../calculus/expression-function.rkt" evaluate-at])
 

@@ -2,11 +2,11 @@
 ;; Programs made ready for Taylor coefficients: sums of products of as few quantities as
 ;; there may be.
 ;;
-;; The values of instructions are forms (jet-forms.rkt), linear combinations of nodes
+;; The values of instructions are forms (jet-linear-combinations.rkt), linear combinations of nodes
 ;; (jet-nodes.rkt); at the end there are the nodes that the outputs need, by their ids, those of the
 ;; inputs first.
 
-(require "jet-forms.rkt" "jet-nodes.rkt" "../program.rkt"
+(require "jet-linear-combinations.rkt" "jet-nodes.rkt" "../program.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
          "../../algebra/expression/pi.rkt"
          "../../generic/elementary.rkt" "../../generic/kind.rkt"

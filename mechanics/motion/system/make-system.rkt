@@ -2,7 +2,7 @@
 ;; From a state derivative to a system: compiled, its first value checked.
 
 (require racket/flonum
-         "check.rkt" "clock.rkt" "kept-systems.rkt" "Lagrangian-code.rkt" "manifold.rkt"
+         "check.rkt" "time-component.rkt" "kept-systems.rkt" "Lagrangian-code.rkt" "manifold.rkt"
          "rates-code.rkt" "system.rkt"
          "../../compile/compile-function.rkt"
          "../../error/complain.rkt" "../../error/computed-once.rkt"

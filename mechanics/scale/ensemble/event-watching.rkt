@@ -5,7 +5,7 @@
          "task.rkt"
          "../../compile/compile-function.rkt"
          "../../motion/event/event.rkt" "../../motion/event/event-watch.rkt"
-         "../../motion/recording.rkt"
+         "../../motion/trajectory-recording.rkt"
          "../../motion/run-system.rkt" "../../motion/system/system.rkt"
          "../../motion/event/within-step.rkt"
          "../../value/shape.rkt")

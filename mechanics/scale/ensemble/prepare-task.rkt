@@ -8,7 +8,7 @@
          "../../error/failure.rkt"
          "../../generic/up-down.rkt"
          "../../motion/event/event.rkt" "../../motion/evolve-trajectory.rkt"
-         "../../motion/system/clock.rkt" "../../motion/system/parametric-system.rkt"
+         "../../motion/system/time-component.rkt" "../../motion/system/parametric-system.rkt"
          "../../motion/trajectory.rkt"
          "../../value/shape.rkt" (only-in "../../value/structure.rkt" ref structure->list))
 

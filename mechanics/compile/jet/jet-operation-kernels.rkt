@@ -2,7 +2,7 @@
 ;; Kernels of operations that have equations (generic/operation-equations.rkt).
 
 (require racket/flonum
-         "../flonum-functions.rkt" "jet-rows.rkt"
+         "../flonum-functions.rkt" "jet-coefficient-rows.rkt"
          "../../generic/operation-equations.rkt"
          "../../numeric/Taylor/kernels.rkt")
 

@@ -4,7 +4,7 @@
 
 (require racket/flonum
          racket/list
-         "jet-graph.rkt" "jet-nodes.rkt" "jet-rows.rkt"
+         "jet-graph.rkt" "jet-nodes.rkt" "jet-coefficient-rows.rkt"
          "../../numeric/Taylor/kernels.rkt")
 
 (provide sole-uses factor-groups emit-sum! emit-product!)
