@@ -18,6 +18,7 @@
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function-check.rkt" "../generic/function.rkt" "../generic/printed-function.rkt"
          "../generic/up-down.rkt"
+         (only-in "../lagrangian/external-force.rkt" external-force)
          "../lagrangian/Lagrange-equations.rkt" "../lagrangian/local-tuple.rkt"
          (only-in "../lagrangian/state-derivative.rkt" directions->text)
          "../value/structure.rkt" "../value/matrix/linear-algebra.rkt")
@@ -69,40 +70,56 @@
 ;;
 ;; With P = ∂R/∂ẋ, of which the sign is that of −L, Lagrange's equations for x are
 ;;
-;;   ∂P/∂ẋ ẍ = ∂R/∂x − ∂₀P − ∂P/∂x ẋ − ∂P/∂y ẏ − ∂P/∂p_y ṗ_y,
+;;   ∂P/∂ẋ ẍ = ∂R/∂x + ∂F/∂ẋ − ∂₀P − ∂P/∂x ẋ − ∂P/∂y ẏ − ∂P/∂p_y ṗ_y,
 ;;
-;; where ẏ = ∂R/∂p_y and ṗ_y = −∂R/∂y.
+;; where ẏ = ∂R/∂p_y and ṗ_y = −∂R/∂y − ∂F/∂ẏ.  The dissipation F is a function of the time,
+;; coordinates and velocities.
 
 ;; (Routhian->acceleration R) : state ↦ ẍ
-(define-printed (Routhian->acceleration R)
-  (check-Routhian 'Routhian->acceleration R)
-  (lambda (state)
-    (define-values (acceleration y-rate p-rate) (rates-at 'Routhian->acceleration R state))
+(define (Routhian->acceleration R [F #f])
+  (define rates (rates-of 'Routhian->acceleration R F))
+  (unary-function (call 'Routhian->acceleration R F) (state)
+    (define-values (acceleration y-rate p-rate) (rates state))
     acceleration))
 
 ;; (Routhian->state-derivative R) : state ↦ (1, (ẋ, ẏ), (ẍ, ṗ_y))
-(define-printed (Routhian->state-derivative R)
-  (check-Routhian 'Routhian->state-derivative R)
-  (lambda (state)
-    (define-values (acceleration y-rate p-rate) (rates-at 'Routhian->state-derivative R state))
+(define (Routhian->state-derivative R [F #f])
+  (define rates (rates-of 'Routhian->state-derivative R F))
+  (unary-function (call 'Routhian->state-derivative R F) (state)
+    (define-values (acceleration y-rate p-rate) (rates state))
     (up 1
         (up (ref state 2 0) y-rate)
         (up acceleration p-rate))))
 
-;; -> ẍ, ẏ and ṗ_y
-(define (rates-at who R state)
-  (check-Routhian-state who state)
+(define (call who R F) (apply call-datum who R (if F (list F) '())))
+
+;; -> state ↦ ẍ, ẏ and ṗ_y
+(define (rates-of who R F)
+  (check-Routhian who R)
+  (define force (external-force who #f F))
+  (lambda (state)
+    (check-Routhian-state who state)
+    (rates-at R force state)))
+
+(define (rates-at R force state)
   (define y-rate (((partial 2 1) R) state))
-  (define p-rate (g:negate (((partial 1 1) R) state)))
-  (define P ((partial 2 0) R))
   (define vx (ref state 2 0))
+  (define-values (x-force y-force)
+    (forces-on force (up (time state) (coordinate state) (up vx y-rate))))
+  (define p-rate (g:- y-force (((partial 1 1) R) state)))
+  (define P ((partial 2 0) R))
   (define-values (momenta drift)
     (value-and-derivative-along P state (up 1 (up vx y-rate) (up (g:* 0 vx) p-rate))))
   (define mass (((partial 2 0) P) state))
   (define acceleration
     (with-handlers ([exn:fail:mechanics:singular:matrix? (lambda (e) (raise-no-inertia mass e))])
-      (solve-linear-left mass (g:- (((partial 1 0) R) state) drift))))
+      (solve-linear-left mass (g:- (g:- (((partial 1 0) R) state) x-force) drift))))
   (values acceleration y-rate p-rate))
+
+;; force : local tuple -> a force, or #f
+(define (forces-on force local)
+  (define Q (if force (force local) (down 0 0)))
+  (values (ref Q 0) (ref Q 1)))
 
 (define (raise-no-inertia mass e)
   (raise-without-inverse

@@ -21,7 +21,7 @@
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          (only-in "../value/compose.rkt" compose))
 
-(provide Lagrange-equations equations-of-either
+(provide Lagrange-equations
          equations? equations-Lagrangian equations-force equations-order
          check-Lagrangian check-order scalar-valued)
 
@@ -32,14 +32,10 @@
              #:arity (lambda (e) 2)))
 
 ;; A function of paths that keeps its Lagrangian, force and order, for derivations.
-;; of-local : Lagrangian, local tuple -> the residual there; #f if only paths are taken
-(value-struct equations (Lagrangian force order of-local)
+(value-struct equations (Lagrangian force order)
   #:kind kind:equations
   #:property prop:procedure
-  (case-lambda [(e q)
-                (if (and (equations-of-local e) (local? q))
-                    ((equations-of-local e) (equations-Lagrangian e) q)
-                    (residual-along e q))]
+  (case-lambda [(e q) (residual-along e q)]
                [(e . arguments) (raise-one-path e arguments)]))
 
 (define (equations->datum e)
@@ -51,17 +47,7 @@
 (define (Lagrange-equations L [dissipation #f] #:force [Q #f] #:order [n 1])
   (check-Lagrangian 'Lagrange-equations L)
   (check-order 'Lagrange-equations n)
-  (equations L (external-force 'Lagrange-equations Q dissipation) n #f))
-
-;; The equations of order n, for paths and, by of-local, for local tuples
-(define (equations-of-either L n of-local)
-  (check-Lagrangian 'generalized-LE L)
-  (check-order 'generalized-LE n)
-  (equations L #f n of-local))
-
-;; Is q a local tuple and no path?  Then its first component is a time.
-(define (local? q)
-  (and (local-tuple? q) (scalar? (time q))))
+  (equations L (external-force 'Lagrange-equations Q dissipation) n))
 
 (define (check-order who n)
   (check-argument who exact-positive-integer? n "an order, a positive integer"))

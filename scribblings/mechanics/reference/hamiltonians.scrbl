@@ -334,15 +334,23 @@ That of x has the sign that R has, which is the opposite of L's.
 
 @sicm{3.4.1}}
 
-@deftogether[(@defproc[(Routhian->acceleration [R procedure?]) procedure?]
-              @defproc[(Routhian->state-derivative [R procedure?]) procedure?])]{
+@deftogether[(@defproc[(Routhian->acceleration [R procedure?]
+                                              [dissipation (or/c #f procedure?) #f])
+                       procedure?]
+              @defproc[(Routhian->state-derivative [R procedure?]
+                                                   [dissipation (or/c #f procedure?) #f])
+                       procedure?])]{
 
 The accelerations of x, and the derivative of the state (t, (x, y), (v@subscript{x},
-p@subscript{y})).
+p@subscript{y})). The dissipation function is one of the local tuple (t, (x, y),
+(v@subscript{x}, v@subscript{y})), as for @racket[Lagrangian->state-derivative]: its derivatives
+by the velocities are subtracted from the forces.
 
 @examples[#:eval session
 ((Routhian->acceleration R) (up 't (up 'x 'y) (up 'v_x 'p_y)))
-((Routhian->state-derivative R) (up 't (up 'x 'y) (up 'v_x 'p_y)))]}
+((Routhian->state-derivative R) (up 't (up 'x 'y) (up 'v_x 'p_y)))
+((Routhian->state-derivative R (Rayleigh-dissipation 'c))
+ (up 't (up 'x 'y) (up 'v_x 'p_y)))]}
 
 @deftogether[(@defproc[((Lagrangian-state->Routhian-state [L Lagrangian]
                                                           [#:momenta places any #f])

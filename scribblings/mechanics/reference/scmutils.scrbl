@@ -160,9 +160,10 @@ The number of degrees of freedom: the number of scalars in the coordinates.
 @defproc[(generalized-LE [L procedure?] [#:order n exact-positive-integer? 2])
          procedure?]{
 
-Of a path it is @racket[Lagrange-equations], of order 2 if no order is given. Of a local tuple
-with 4, 6, … components, up to the acceleration, the fourth derivative, …, it is the residual
-there, of order 1, 2, ….
+The residual of a path, of order 2 if no order is given, or of a local tuple with 4, 6, …
+components, up to the acceleration, the fourth derivative, …, of order 1, 2, …. The derivative of
+the highest order counts as positive, as in scmutils: for even orders the sign is the opposite of
+that of @racket[Lagrange-equations].
 
 @examples[#:eval session
 (define ((L-acceleration m k) (up t q v a))

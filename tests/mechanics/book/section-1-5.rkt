@@ -103,7 +103,6 @@
   (define (L (up t q v a)) (- (* -1/2 'm q a) (* 1/2 'k (square q))))
   (define expected '(+ (* k (x t)) (* m (((expt D 2) x) t))))
   (check-prints (((Lagrange-equations L #:order 2) x) 't) expected)
-  (check-prints (((generalized-LE L) x) 't) expected)
   (define any (literal-function 'L (-> (UP Real Real Real Real) Real)))
   (define along (Gamma x 4))
   (check-identity (((Lagrange-equations any #:order 2) x) 't)

@@ -51,6 +51,28 @@
   (check-identity (ref ((Routhian->state-derivative R) state) 2 1)
                   (ref (((partial 1) L) back) 1)))
 
+;; Lagrange's equations for the same forces, of which p_y = ∂L/∂v_y follows by the chain rule.
+(test-case "dissipation acts on both parts as on the Lagrangian's coordinates"
+  (define (L s)
+    (define-values (q v) (values (coordinate s) (velocity s)))
+    (- (* 1/2 'm (+ (square v) (* (ref q 0) (ref v 0) (ref v 1))))
+       (* 1/2 'k (square (- (ref q 0) (ref q 1))))))
+  (define (F s) (* 1/2 'c (square (+ (* 2 (ref (velocity s) 0)) (ref (velocity s) 1)))))
+  (define R (Lagrangian->Routhian L))
+  (define state (up 't (up 'x 'y) (up 'vx 'p_y)))
+  (define back ((Routhian-state->Lagrangian-state R) state))
+  (define a ((Lagrangian->acceleration L F) back))
+  (check-identity ((Routhian->acceleration R F) state) (ref a 0))
+  (check-identity (ref ((Routhian->state-derivative R F) state) 2 1)
+                  (- (((partial 1 1) L) back) (((partial 2 1) F) back)))
+  (check-equal? (format "~a" (Routhian->acceleration (literal-function 'R)
+                                                     (Rayleigh-dissipation 'c)))
+                "(Routhian->acceleration R (Rayleigh-dissipation c))")
+  (check-message
+   (string-append "Routhian->state-derivative: expected a dissipation function: a function of the "
+                  "local tuple\n  given: the number 3")
+   (Routhian->state-derivative R 3)))
+
 (test-case "coordinates in two parts are given as before"
   (define (L-parted s) (top (up (time s) (flat (coordinate s)) (flat (velocity s)))))
   (define (flat q) (up (ref q 0) (ref q 1 0) (ref q 1 1)))

@@ -77,7 +77,7 @@
  [((generalized-LE (L 'm 'k)) (up 't 'x 'v 'a)) (+ (* a m) (* k x))]
  [((generalized-LE (L 'm 'k)) (up 't (up 'x 'y) (up 'u 'v) (up 'a 'b)))
   (down (+ (* a m) (* k x)) (+ (* b m) (* k y)))]
- [((generalized-LE (lambda (s) (* 1/2 (square (acceleration s))))) (up 't 'x 'v 'a 'j 's)) (* -1 s)]
+ [((generalized-LE (lambda (s) (* 1/2 (square (acceleration s))))) (up 't 'x 'v 'a 'j 's)) s]
  [(((generalized-LE (L 'm 'k) #:order 1) x) 't) (+ (* k (x t)) (* m (((expt D 2) x) t)))]
  [(polar->rectangular (up 'r 'phi)) (up (* r (cos phi)) (* r (sin phi)))]
  [(p->r (up 't (up 'r 'phi) (up 'rdot 'phidot))) (up (* r (cos phi)) (* r (sin phi)))]
