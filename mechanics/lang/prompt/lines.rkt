@@ -15,8 +15,11 @@
          ;; for tests
          earlier-entries note-entry)
 
-;; next : prompt -> string or eof; remember : text of an entry -> void
-(struct line-source (next remember))
+;; next : prompt -> string or eof; remember : text of an entry -> void; who : reads the lines, for
+;; messages; number : -> that of the next line
+(struct line-source (next remember who number))
+
+(define (prompt-lines next remember) (line-source next remember 'prompt (lambda () 1)))
 
 ;; -> the best source there is; and whether libedit alone is missing for a better one
 (define (lines-at-hand)
@@ -38,14 +41,14 @@
 
 (define (edited-lines)
   (for-each recall! (earlier-entries))
-  (line-source edit-line
+  (prompt-lines edit-line
                (lambda (text)
                  (define entry (one-line text))
                  (recall! entry)
                  (note-entry entry))))
 
 (define (plain-lines)
-  (line-source (lambda (prompt)
+  (prompt-lines (lambda (prompt)
                  (write-string prompt)
                  (flush-output)
                  (read-line (current-input-port) 'any))

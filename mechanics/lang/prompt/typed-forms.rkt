@@ -7,9 +7,11 @@
 (provide forms-in one-line)
 
 ;; -> list of syntaxes, or an error of the reader, exn:fail:read:eof if the text ends inside a form
-(define (forms-in text)
+;; line : the number of the first line
+(define (forms-in text [line 1])
   (define port (open-input-string text))
   (port-count-lines! port)
+  (set-port-next-location! port line 0 1)
   (parameterize ([read-accept-reader #t])
     (port->list (lambda (port) (read-syntax 'prompt port)) port)))
 
