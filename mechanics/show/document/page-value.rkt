@@ -16,7 +16,7 @@
          "../typesetting/MathML.rkt" "../typesetting/break.rkt"
          "shown-result.rkt")
 
-(provide shown->xexprs tree->xexprs inline-xexprs visible raw)
+(provide shown->xexprs tree->xexprs inline-xexprs inline-formula visible raw)
 
 (define wide 80)
 (define narrow 40)
@@ -65,13 +65,18 @@
                 ,@(append-map (lambda (part) (cons " " (inline-xexprs part)))
                               (report-line-parts l))))))
 
+;; tree -> element: a formula within a line
+(define inline-formula
+  (make-parameter
+   (lambda (t) `(span ([class "inline"]) ,(raw (tree->MathML (fit t wide) #f))))))
+
 ;; Words stand in the font of the text, and so does a comma after a formula.
 (define (inline-xexprs t)
   (cond [(word? t) (list (visible (word-text t)))]
         [(plain? t) (list `(code ,(visible (plain-text t))))]
         [(and (row? t) (ormap word? (row-items t))) (append-map inline-xexprs (row-items t))]
         [(report? t) (list (report->xexpr t))]
-        [else (list `(span ([class "inline"]) ,(raw (tree->MathML (fit t wide) #f))))]))
+        [else (list ((inline-formula) t))]))
 
 (define (report-class t)
   (define lines (report-lines t))

@@ -1,0 +1,101 @@
+#lang racket/base
+;; A cell: lines of a session, which are evaluated as a prompt evaluates them, with its commands,
+;; hints and notes.
+;;
+;; A cell of which a part cannot be read evaluates nothing.  Where a form fails, the values before
+;; it have been shown, and the failure names its line.
+
+(require racket/list
+         racket/string
+         "../error/complain.rkt"
+         "../lang/prompt/entry.rkt" "../lang/prompt/lines.rkt" "../lang/prompt/typed-forms.rkt")
+
+(provide evaluate-cell cell-completeness
+         (struct-out failure))
+
+;; message : in the session's words; line : of the form that failed, or #f where all of the cell
+;; was refused; interrupted? : by a break
+(struct failure (message line interrupted?))
+
+;; show! : value -> void, for each value but void; -> #f, or a failure
+(define (evaluate-cell text show!)
+  (define line #f)
+  (define (note-line! form) (set! line (or (syntax-line form) line)))
+  (with-handlers* ([exn:break? (lambda (e) (failure "interrupted" line #t))]
+                   [(lambda (e) #t) (lambda (e) (failure (told e) line #f))])
+    (define entries (read-entries text))
+    (for* ([e (in-list entries)] [form (in-list (forms-of e))])
+      (note-line! form)
+      (evaluate form show!))
+    #f))
+
+;; At a prompt end of file leaves the session; a notebook has a menu for that.
+(define (forms-of e)
+  (define forms (entry-forms e))
+  (if (eof-object? forms)
+      (complain 'cell "a notebook is left by closing it, and the kernel ended in its menu Kernel")
+      forms))
+
+(define (evaluate form show!)
+  (check-kind form)
+  (call-with-continuation-prompt
+   (lambda ()
+     (call-with-values
+      (lambda ()
+        ((current-eval)
+         (namespace-syntax-introduce (datum->syntax #f (cons '#%top-interaction form) form))))
+      (lambda results
+        (for ([x (in-list results)] #:unless (void? x)) (show! x)))))
+   (default-continuation-prompt-tag)
+   (lambda (thunk) (thunk))))
+
+;; ---------------------------------------------------------------------------
+;; Reading
+
+(define (read-entries text)
+  (define lines (cell-lines text))
+  (let loop ()
+    (define e (read-entry lines))
+    (if (eof-object? e) '() (cons e (loop)))))
+
+;; -> line-source
+(define (cell-lines text)
+  (define rest (regexp-split #rx"\r\n|\n|\r" text))
+  (define number 1)
+  (define (next prompt)
+    (cond [(null? rest) eof]
+          [else
+           (define line (car rest))
+           (when (regexp-match? #px"^#lang\\b" line) (refuse-language))
+           (set! rest (cdr rest))
+           (set! number (add1 number))
+           line]))
+  (line-source next void 'cell (lambda () number)))
+
+(define (refuse-language)
+  (complain 'cell
+            (string-append "a notebook has one language, this one; leave the line #lang out\n"
+                           "  a program of another language is a file: (require \"file.rkt\")")))
+
+;; Submodules are parts of a file.
+(define (check-kind form)
+  (define head (and (pair? (syntax-e form)) (syntax->datum (car (syntax-e form)))))
+  (when (memq head '(module module* module+))
+    (complain 'cell "(~a ...) is part of a file; in a cell its forms stand by themselves" head)))
+
+;; -> "complete", "incomplete" or "invalid", as the front end asks when Return is pressed
+(define (cell-completeness text)
+  (with-handlers ([exn:fail:read:eof? (lambda (e) "incomplete")]
+                  [exn:fail:read? (lambda (e) "invalid")])
+    (forms-in text)
+    "complete"))
+
+;; ---------------------------------------------------------------------------
+;; Failures
+
+;; The text that a prompt would print.
+(define (told e)
+  (define text (open-output-string))
+  (parameterize ([current-error-port text])
+    ((error-display-handler) (if (exn? e) (exn-message e) (format "uncaught: ~e" e)) e))
+  (string-trim (get-output-string text) "\n"))

@@ -1,0 +1,165 @@
+#lang racket/base
+;; The process behind a notebook's kernel: racket -l racket/base -l mechanics/notebook/kernel IN OUT,
+;; with the descriptors of its protocol (protocol.rkt).
+;;
+;;   to it                                   from it
+;;   cell (id, code)                         stream, shown, progress, input; at last done
+;;   complete, describe (id, code, cursor)   done
+;;   completeness (id, code)                 done
+;;   input (text)                            where it was asked for
+;;   break (id)                              of a cell; where it has ended, nothing happens
+;;
+;; One thread reads, so that a break comes through; the main thread evaluates.  At end of file the
+;; process ends, whatever it is doing.
+
+(require ffi/unsafe
+         ffi/unsafe/port
+         "cell-input.rkt" "cell.rkt" "mime-bundle.rkt" "names-at-cursor.rkt" "protocol.rkt"
+         "text-stream.rkt"
+         "../error/progress.rkt"
+         "../lang/session-start.rkt"
+         "../show/display/result-receiver.rkt")
+
+(define-namespace-anchor here)
+
+;; send : message -> void; output, errors : text streams; input : cell-input
+(struct kernel (send output errors input))
+
+;; The id of the cell that is evaluated, or #f; and of the last that is to be broken, which may not
+;; have begun.  Both threads look at them in turn.
+(define running (box #f))
+(define to-break (box #f))
+(define turn (make-semaphore 1))
+
+(define (serve in out)
+  (define send (make-sender out))
+  (define (stream name)
+    (make-text-stream (lambda (text) (send (hasheq 'kind "stream" 'name name 'text text)))))
+  (define k
+    (kernel send (stream "stdout") (stream "stderr")
+            (make-cell-input (lambda () (send (hasheq 'kind "input"))))))
+  (define evaluator (current-thread))
+  (define end (exit-handler))
+  (thread (lambda () (read-requests k in evaluator end)))
+  (parameterize ([current-namespace (namespace-anchor->empty-namespace here)]
+                 [current-input-port (cell-input-port (kernel-input k))]
+                 [current-output-port (text-stream-port (kernel-output k))]
+                 [current-error-port (text-stream-port (kernel-errors k))])
+    (start! k)
+    (let loop ()
+      (answer k (thread-receive))
+      (loop))))
+
+;; A session as at a prompt, whose results are sent.
+(define (start! k)
+  (namespace-require 'mechanics)
+  (error-display-handler (lambda (message e) (write-string message (current-error-port))))
+  (current-print (output-receiver (lambda (x) (show! k x)) (current-output-port)))
+  (current-reporter (reporter (progress-port (kernel-send k)) current-inexact-milliseconds))
+  (exit-handler refuse-exit)
+  (start-session!)
+  ((kernel-send k) (hasheq 'kind "ready")))
+
+(define (refuse-exit code)
+  (raise-user-error 'exit "a notebook is left by closing it, and its kernel ended in the menu Kernel"))
+
+;; ---------------------------------------------------------------------------
+;; Requests
+
+(define (read-requests k in evaluator end)
+  (define m (read-message in))
+  (cond [(eof-object? m) (end 0)]
+        [else
+         (case (hash-ref m 'do)
+           [("break") (break-cell (hash-ref m 'id) evaluator)]
+           [("input") (give-input! (kernel-input k) (hash-ref m 'text))]
+           [else (thread-send evaluator m)])
+         (read-requests k in evaluator end)]))
+
+(define (break-cell id evaluator)
+  (in-turn (lambda ()
+             (set-box! to-break id)
+             (when (equal? id (unbox running)) (break-thread evaluator)))))
+
+(define (in-turn f) (parameterize-break #f (call-with-semaphore turn f)))
+
+(define (answer k m)
+  (define (code) (hash-ref m 'code))
+  (define (cursor) (hash-ref m 'cursor))
+  (define fields
+    (case (hash-ref m 'do)
+      [("cell") (run-cell k (hash-ref m 'id) (code))]
+      [("complete") (completion (code) (cursor))]
+      [("describe") (description (code) (cursor))]
+      [else (hasheq 'status (cell-completeness (code)))]))
+  ((kernel-send k) (hash-set* fields 'kind "done" 'id (hash-ref m 'id))))
+
+;; ---------------------------------------------------------------------------
+;; Cells
+
+;; Breaks are for the cell alone: one that comes as it ends is forgotten.
+(define (run-cell k id code)
+  (for-each begin-cell! (list (kernel-output k) (kernel-errors k)))
+  (define failed
+    (parameterize-break #f
+      (in-turn (lambda ()
+                 (set-box! running id)
+                 (when (equal? id (unbox to-break)) (break-thread (current-thread)))))
+      (begin0 (evaluate-breakably code (lambda (x) ((current-print) x)))
+              (in-turn (lambda () (set-box! running #f)))
+              (forget-break))))
+  (flush-C-output)
+  (send-output! k)
+  (send-left-out k)
+  (if failed
+      (hasheq 'status "error" 'message (failure-message failed) 'line (or (failure-line failed) 'null)
+              'interrupted (failure-interrupted? failed))
+      (hasheq 'status "ok")))
+
+(define (evaluate-breakably code show!)
+  (with-handlers ([exn:break? (lambda (e) (failure "interrupted" #f #t))])
+    (parameterize-break #t (evaluate-cell code show!))))
+
+(define (forget-break)
+  (with-handlers ([exn:break? void]) (parameterize-break #t (sleep 0))))
+
+(define (send-output! k)
+  (send-rest! (kernel-output k))
+  (send-rest! (kernel-errors k)))
+
+(define (send-left-out k)
+  (define n (+ (left-out (kernel-output k)) (left-out (kernel-errors k))))
+  (when (positive? n)
+    ((kernel-send k)
+     (hasheq 'kind "stream" 'name "stderr"
+             'text (format "\n; ~a more bytes of output are left out; write them to a file\n" n)))))
+
+;; Output of libraries in C waits in buffers of their own.
+(define (flush-C-output)
+  (define flush (get-ffi-obj 'fflush #f (_fun _pointer -> _int) (lambda () void)))
+  (flush #f))
+
+(define (show! k x)
+  (unless (void? x)
+    (define bundle (value->bundle x))
+    (send-output! k)
+    ((kernel-send k) (hasheq 'kind "shown" 'data bundle))))
+
+;; ---------------------------------------------------------------------------
+
+;; A port for lines of progress (error/progress.rkt), each of which takes the place of the last.
+(define (progress-port send)
+  (make-output-port
+   'progress always-evt
+   (lambda (bytes start end buffered? enable-break?)
+     (define text (bytes->string/utf-8 (subbytes bytes start end) #\?))
+     (unless (string=? text "")
+       (send (hasheq 'kind "progress" 'text (regexp-replace* #rx"\r|\e\\[K" text ""))))
+     (- end start))
+   void))
+
+(module+ main
+  (define (descriptor text name) (unsafe-file-descriptor->port (string->number text) name '(read)))
+  (define arguments (current-command-line-arguments))
+  (serve (descriptor (vector-ref arguments 0) 'requests)
+         (unsafe-file-descriptor->port (string->number (vector-ref arguments 1)) 'answers '(write))))

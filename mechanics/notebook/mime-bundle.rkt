@@ -1,0 +1,66 @@
+#lang racket/base
+;; Results as a front end takes them: a hash from MIME types to texts, of which it shows the richest
+;; that it knows.
+;;
+;; A formula is TeX, and the expression that `read-expression` takes; a report and a table are
+;; elements of a page without scripts, with formulas in TeX; a picture SVG and PNG.
+
+(require net/base64
+         racket/list
+         racket/string
+         (only-in xml xexpr->string)
+         "../algebra/notation/tree.rkt"
+         "../show/display/display-style.rkt" "../show/display/result.rkt"
+         "../show/document/page-value.rkt" "../show/document/shown-result.rkt"
+         "../show/typesetting/TeX.rkt" "../show/typesetting/break.rkt")
+
+(provide value->bundle)
+
+;; columns : that fit into a cell
+(define (value->bundle x [columns 80])
+  (define text (printed x columns))
+  (define s (if (eq? (display-style) 'automatic) (value->shown x) (shown-text text)))
+  (for/fold ([bundle (hasheq (string->symbol "text/plain") text)])
+            ([part (in-list (shown->parts s columns))])
+    (hash-set bundle (string->symbol (car part)) (cdr part))))
+
+;; As a prompt prints it.
+(define (printed x columns)
+  (define manner (if (eq? (display-style) 'automatic) 'expression (manner-here)))
+  (format "~v" (simplified-result x columns manner)))
+
+;; -> list of pairs of MIME type and text
+(define (shown->parts s columns)
+  (cond [(shown-text? s) '()]
+        [(shown-picture? s) (picture->parts s)]
+        [(and (shown-formula? s) (not (holds-report? (shown-formula-tree s))))
+         (list (cons "text/latex" (formula->TeX s columns)))]
+        [else (list (cons "text/html" (shown->markup s)))]))
+
+(define (holds-report? t)
+  (or (report? t) (and (listing? t) (ormap report? (listing-items t)))))
+
+(define (formula->TeX s columns)
+  (string-join
+   (cons (format "$\\displaystyle ~a$" (tree->TeX (fit (shown-formula-tree s) columns)))
+         (for/list ([n (in-list (shown-formula-notes s))]) (format "$~a$" (tree->TeX n))))
+   "\n\n"))
+
+;; Where the picture cannot be drawn there is its text.
+(define (picture->parts s)
+  (define (part type bytes encode) (if bytes (list (cons type (encode bytes))) '()))
+  (append (part "image/svg+xml" (shown-picture-svg s)
+                (lambda (b) (regexp-replace #rx"^.*?(?=<svg)" (bytes->string/utf-8 b #\?) "")))
+          (part "image/png" (shown-picture-png s)
+                (lambda (b) (bytes->string/latin-1 (base64-encode b #""))))))
+
+;; MathJax looks for TeX in the formulas alone, not in what a program wrote.
+(define (shown->markup s)
+  (define elements
+    (parameterize ([inline-formula formula->xexpr])
+      (shown->xexprs s (lambda () 0))))
+  (xexpr->string `(div ([class "mechanics mathjax_ignore tex2jax_ignore"]) ,@elements)))
+
+(define (formula->xexpr t)
+  `(span ([class "mathjax_process tex2jax_process"])
+         ,(format "\\(\\displaystyle ~a\\)" (tree->TeX (fit t 80)))))

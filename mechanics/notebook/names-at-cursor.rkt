@@ -1,0 +1,47 @@
+#lang racket/base
+;; The name at the cursor of a cell: names that go on from it, and what is known of it.
+
+(require racket/string
+         "../lang/prompt/lines.rkt"
+         (only-in "../lang/redefinition/prompt.rkt" head-at-prompt)
+         "../show/display/result-receiver.rkt")
+
+(provide completion description)
+
+;; code : text of the cell; cursor : in characters -> message
+(define (completion code cursor)
+  (define-values (start end) (name-around code cursor))
+  (define beginning (substring code start cursor))
+  (define matches (if (string=? beginning "") '() (completions beginning)))
+  (hasheq 'status "ok" 'start start 'end cursor 'matches (list-at-most 200 matches)))
+
+(define (list-at-most n xs) (for/list ([x (in-list xs)] [_ (in-range n)]) x))
+
+;; What (help name) says.
+(define (description code cursor)
+  (define-values (start end) (name-around code cursor))
+  (define name (substring code start end))
+  (define text (if (string=? name "") "" (help-on (string->symbol name))))
+  (hasheq 'status "ok" 'found (not (string=? text ""))
+          'data (hasheq (string->symbol "text/plain") text)))
+
+(define (help-on name)
+  (define out (open-output-string))
+  (with-handlers ([exn:fail? void])
+    (parameterize ([current-output-port out] [current-error-port out]
+                   [current-print (result-receiver void)])
+      (eval `(#%top-interaction . (help ,name)))))
+  (get-output-string out))
+
+;; -> start and end of the name that the cursor is in or behind
+(define (name-around code cursor)
+  (define (name-character? i)
+    (not (or (char-whitespace? (string-ref code i)) (memv (string-ref code i) (string->list delimiters)))))
+  (define start
+    (let loop ([i cursor]) (if (and (> i 0) (name-character? (sub1 i))) (loop (sub1 i)) i)))
+  (define end
+    (let loop ([i cursor])
+      (if (and (< i (string-length code)) (name-character? i)) (loop (add1 i)) i)))
+  (values start end))
+
+(define delimiters "()[]{}\"',`;#")

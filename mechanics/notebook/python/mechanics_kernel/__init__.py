@@ -1,0 +1,1 @@
+"""A Jupyter kernel for mechanics: passes messages to the Racket process that evaluates cells."""

@@ -1,0 +1,242 @@
+"""The kernel: requests of a front end, answered by the Racket process.
+
+Output is published by the thread that reads it, under the cell that was run last, so that what a
+thread of a program writes later is shown as well.  Coroutines only wait.
+"""
+
+import asyncio
+import itertools
+import threading
+import zmq
+
+from ipykernel.kernelbase import Kernel
+
+from .child import Child
+
+PATIENCE = 3.0
+
+DEAF = ("; the computation does not stop yet: it may be in a library in C\n"
+        "; interrupted once more, its process is ended, with all definitions\n")
+LOST = "; a new one is there, without the definitions: run their cells again"
+
+
+class Cell:
+    """A cell that is run.  Events come from other threads: (kind, ...)."""
+
+    def __init__(self, number, parent, ident, code):
+        self.number, self.parent, self.ident, self.code = number, parent, ident, code
+        self.loop = asyncio.get_running_loop()
+        self.events = asyncio.Queue()
+        self.interrupts = 0
+        self.deaf = threading.Event()
+        self.processes = set()
+
+    def put(self, *event):
+        self.loop.call_soon_threadsafe(self.events.put_nowait, event)
+
+
+class MechanicsKernel(Kernel):
+    implementation = "mechanics"
+    implementation_version = "0.3"
+    banner = "mechanics: classical mechanics in the language of SICM"
+    language_info = {"name": "racket", "mimetype": "text/x-racket", "file_extension": ".rkt",
+                     "codemirror_mode": "scheme", "pygments_lexer": "racket"}
+
+    def __init__(self, **settings):
+        super().__init__(**settings)
+        self.numbers = itertools.count(1)
+        self.asked = {}
+        self.cell = None
+        self.last_request = {}
+        self.progress_shown = None
+        self.shutting_down = False
+        self.start_child()
+
+    def start_child(self):
+        self.child = Child(self.receive, self.write, self.child_ended)
+
+    # From the Racket process, on threads of its own
+
+    def receive(self, message):
+        kind = message.pop("kind")
+        if kind == "stream":
+            self.write(message["name"], message["text"])
+        elif kind == "shown":
+            self.show(message["data"], message.get("display"), message.get("update", False))
+        elif kind == "progress":
+            self.show_progress(message["text"])
+        elif kind == "input" and self.cell:
+            self.cell.put("input")
+        elif kind == "done":
+            self.answer(message.pop("id"), message)
+
+    def answer(self, number, message):
+        if self.cell and number == self.cell.number:
+            self.cell.put("done", message)
+        elif number in self.asked:
+            loop, future = self.asked.pop(number)
+            loop.call_soon_threadsafe(lambda: future.done() or future.set_result(message))
+
+    def child_ended(self, words):
+        if self.shutting_down:
+            return
+        self.start_child()
+        for number in list(self.asked):
+            self.answer(number, {"status": "error"})
+        if self.cell:
+            self.cell.put("ended", words)
+        else:
+            self.write("stderr", f"; {words}\n{LOST}\n")
+
+    def publish(self, kind, content):
+        self.session.send(self.iopub_socket, kind, content, parent=self.last_request,
+                          ident=self._topic(kind))
+
+    def write(self, name, text):
+        self.publish("stream", {"name": name, "text": text})
+
+    def show(self, data, display=None, update=False):
+        content = {"data": data, "metadata": {}}
+        if display:
+            content["transient"] = {"display_id": display}
+        self.publish("update_display_data" if update else "display_data", content)
+
+    def show_progress(self, text):
+        """One line, which changes."""
+        first = self.progress_shown is None
+        if first and not text:
+            return
+        if first:
+            self.progress_shown = f"progress-{next(self.numbers)}"
+        self.show({"text/plain": text}, self.progress_shown, not first)
+        if not text:
+            self.progress_shown = None
+
+    # Cells
+
+    async def do_execute(self, code, silent, store_history=True, user_expressions=None,
+                         allow_stdin=False):
+        cell = Cell(next(self.numbers), self.get_parent("shell"), self._parent_ident["shell"], code)
+        self.last_request = cell.parent
+        cell.processes = self.child.started()
+        self.cell = cell
+        try:
+            self.child.send(do="cell", id=cell.number, code=code)
+            return await self.follow(cell, allow_stdin, silent)
+        finally:
+            self.cell = None
+
+    async def follow(self, cell, allow_stdin, silent):
+        while True:
+            kind, *rest = await cell.events.get()
+            if kind == "input":
+                line = await self.read_line(cell) if allow_stdin else None
+                if line is None and not cell.interrupts:
+                    self.write("stderr", "; this front end has no lines to read\n")
+                    self.child.send(do="break", id=cell.number)
+                elif line is not None:
+                    self.child.send(do="input", text=line)
+            elif kind == "ended":
+                return self.failed(cell, {"message": f"{rest[0]}\n{LOST}", "line": None}, silent)
+            else:
+                if cell.interrupts:
+                    self.child.end_started(cell.processes)
+                if rest[0]["status"] == "ok":
+                    return {"status": "ok", "execution_count": self.execution_count,
+                            "payload": [], "user_expressions": {}}
+                return self.failed(cell, rest[0], silent)
+
+    def failed(self, cell, failure, silent):
+        message, line = failure["message"], failure["line"]
+        name = "interrupted" if failure.get("interrupted") else "error"
+        content = {"ename": name, "evalue": message, "traceback": marked(message, line, cell.code)}
+        if not silent:
+            self.publish("error", content)
+        return {"status": "error", "execution_count": self.execution_count, **content}
+
+    async def read_line(self, cell):
+        """A line that is typed, or None if the cell is interrupted."""
+        self.drop_old_lines()
+        self.session.send(self.stdin_socket, "input_request", {"prompt": "", "password": False},
+                          parent=cell.parent, ident=cell.ident)
+        while not cell.interrupts:
+            try:
+                _, reply = self.session.recv(self.stdin_socket, mode=zmq.NOBLOCK)
+            except Exception:
+                reply = None
+            if reply:
+                return reply["content"]["value"]
+            await asyncio.sleep(0.02)
+        return None
+
+    def drop_old_lines(self):
+        try:
+            while True:
+                self.stdin_socket.recv_multipart(zmq.NOBLOCK)
+        except zmq.ZMQError:
+            pass
+
+    # Interrupts come on the thread of the control channel
+
+    async def interrupt_request(self, stream, ident, parent):
+        cell = self.cell
+        if cell:
+            cell.interrupts += 1
+            if cell.interrupts > 1 and cell.deaf.is_set():
+                self.child.kill("the process that evaluates cells was ended")
+            else:
+                self.child.send(do="break", id=cell.number)
+                self.watch_interrupt(cell)
+        self.session.send(stream, "interrupt_reply", {"status": "ok"}, parent, ident=ident)
+
+    def watch_interrupt(self, cell):
+        def tell():
+            if self.cell is cell:
+                cell.deaf.set()
+                self.write("stderr", DEAF)
+
+        timer = threading.Timer(PATIENCE, tell)
+        timer.daemon = True
+        timer.start()
+
+    async def do_shutdown(self, restart):
+        self.shutting_down = True
+        self.child.end()
+        return {"status": "ok", "restart": restart}
+
+    # Questions of an editor
+
+    async def ask(self, **question):
+        number = next(self.numbers)
+        future = asyncio.get_running_loop().create_future()
+        self.asked[number] = (asyncio.get_running_loop(), future)
+        if not self.child.send(id=number, **question):
+            self.asked.pop(number, None)
+            return {"status": "error"}
+        return await future
+
+    async def do_complete(self, code, cursor_pos):
+        found = await self.ask(do="complete", code=code, cursor=cursor_pos)
+        return {"status": "ok", "matches": found.get("matches", []),
+                "cursor_start": found.get("start", cursor_pos),
+                "cursor_end": found.get("end", cursor_pos),
+                "metadata": found.get("metadata", {})}
+
+    async def do_inspect(self, code, cursor_pos, detail_level=0, omit_sections=()):
+        found = await self.ask(do="describe", code=code, cursor=cursor_pos)
+        return {"status": "ok", "found": found.get("found", False),
+                "data": found.get("data", {}), "metadata": {}}
+
+    async def do_is_complete(self, code):
+        found = await self.ask(do="completeness", code=code)
+        status = found.get("status", "unknown")
+        return {"status": status, **({"indent": "  "} if status == "incomplete" else {})}
+
+
+def marked(message, line, code):
+    """The message, and beneath it the line of the cell that failed, where it has several."""
+    lines = code.splitlines()
+    traceback = [f"\x1b[31m{message}\x1b[0m"]
+    if line and len(lines) > 1 and line <= len(lines):
+        traceback.append(f"\x1b[2min line {line}:\x1b[0m  {lines[line - 1].strip()}")
+    return traceback
