@@ -24,14 +24,15 @@ unexport PLT_COMPILED_FILE_CHECK
 MANUAL = scribblings/mechanics/mechanics.scrbl
 
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
-.PHONY: help demo repl run show tex export attack lint lint-texts install uninstall \
-        test tests test-quick test-manual test-figures test-export \
+.PHONY: help demo repl lab run show tex export attack lint lint-texts install uninstall \
+        test tests test-quick test-manual test-figures test-export test-lab \
         elsewhere bench peers export-python docs pictures clean \
         racket writable libraries editing compile begin-tests known-docs
 
 help:
 	@echo 'make demo    a tour in five screens: Lagrange equations, proposed paths, verdicts'
 	@echo 'make repl    a prompt with history, completion and help'
+	@echo 'make lab     notebooks: JupyterLab with our kernel, in build/lab (installs it there first)'
 	@echo 'make run     run a file            (FILE=my-system.rkt, ARGS="..." for what it is told)'
 	@echo 'make compile compiles the library, which all of these do as well'
 	@echo 'make install mechanics in your Racket, in some four minutes    (DOCS=no: one, without it)'
@@ -47,6 +48,7 @@ help:
 	@echo 'make test-quick    those that a change concerns: compiles it, and tests for up to a minute'
 	@echo 'make test-manual   every example of the manual; make test-figures, the pictures of the book'
 	@echo 'make test-export    exported systems in Python, over Dask and with JAX (installs them in build/export)'
+	@echo 'make test-lab     the kernel of notebooks, and notebooks in a browser (installs them in build/lab)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make lint    requires of which no name is used, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one)'
@@ -66,6 +68,13 @@ try-to-compile = $(RACO) make $(1) 2>/dev/null || :
 
 repl: compile editing
 	@$(RACKET) -l mechanics/lang/prompt/start
+
+# JupyterLab with our kernel, in build/lab; ARGS is for JupyterLab.
+lab: compile
+	@.ci/lab.sh start $(ARGS)
+
+test-lab: compile
+	@.ci/lab.sh test
 
 # Racket is to find the package where it is installed, not here.
 with-own-collections = env $(if $(own-collections),PLTCOLLECTS='$(own-collections)',-u PLTCOLLECTS)

@@ -5,12 +5,12 @@
 ;; A cell of which a part cannot be read evaluates nothing.  Where a form fails, the values before
 ;; it have been shown, and the failure names its line.
 
-(require racket/list
-         racket/string
+(require (only-in racket/string string-trim)
          "../error/complain.rkt"
-         "../lang/prompt/entry.rkt" "../lang/prompt/lines.rkt" "../lang/prompt/typed-forms.rkt")
+         "../lang/prompt/lines.rkt" "../lang/prompt/session-entry.rkt"
+         "../lang/prompt/typed-forms.rkt")
 
-(provide evaluate-cell cell-completeness
+(provide evaluate-cell cell-completeness end-in-menu
          (struct-out failure))
 
 ;; message : in the session's words; line : of the form that failed, or #f where all of the cell
@@ -33,8 +33,10 @@
 (define (forms-of e)
   (define forms (entry-forms e))
   (if (eof-object? forms)
-      (complain 'cell "a notebook is left by closing it, and the kernel ended in its menu Kernel")
+      (complain 'cell end-in-menu)
       forms))
+
+(define end-in-menu "a notebook is left by closing it, and its kernel ended in the menu Kernel")
 
 (define (evaluate form show!)
   (check-kind form)

@@ -6,8 +6,7 @@
 ;; elements of a page without scripts, with formulas in TeX; a picture SVG and PNG.
 
 (require net/base64
-         racket/list
-         racket/string
+         (only-in racket/string string-join)
          (only-in xml xexpr->string)
          "../algebra/notation/tree.rkt"
          "../show/display/display-style.rkt" "../show/display/result.rkt"

@@ -1,9 +1,7 @@
 #lang racket/base
 ;; The name at the cursor of a cell: names that go on from it, and what is known of it.
 
-(require racket/string
-         "../lang/prompt/lines.rkt"
-         (only-in "../lang/redefinition/prompt.rkt" head-at-prompt)
+(require "../lang/prompt/lines.rkt"
          "../show/display/result-receiver.rkt")
 
 (provide completion description)
@@ -36,7 +34,8 @@
 ;; -> start and end of the name that the cursor is in or behind
 (define (name-around code cursor)
   (define (name-character? i)
-    (not (or (char-whitespace? (string-ref code i)) (memv (string-ref code i) (string->list delimiters)))))
+    (define c (string-ref code i))
+    (not (or (char-whitespace? c) (memv c delimiters))))
   (define start
     (let loop ([i cursor]) (if (and (> i 0) (name-character? (sub1 i))) (loop (sub1 i)) i)))
   (define end
@@ -44,4 +43,4 @@
       (if (and (< i (string-length code)) (name-character? i)) (loop (add1 i)) i)))
   (values start end))
 
-(define delimiters "()[]{}\"',`;#")
+(define delimiters (string->list "()[]{}\"',`;"))

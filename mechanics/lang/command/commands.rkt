@@ -9,6 +9,7 @@
                    ["worksheet-files.rkt" worksheet-command handout-command new-command]
                    ["check-answers-of.rkt" check-command]
                    ["export-program.rkt" export-command]
+                   ["jupyter-kernel.rkt" jupyter-command]
                    ["../help/help-answer.rkt" help-about]
                    ["../help/cards.rkt" card-of])
 
@@ -40,6 +41,8 @@
                                     "[--all] [--list] [--derivatives] [--replace]")
             "the systems of a program, as programs in C, in Python or for JAX"
             export-command)
+   (command "jupyter" "[--python FILE] [--prefix FOLDER] [--remove]"
+            "makes this library known to Jupyter, as a kernel for notebooks" jupyter-command)
    (command "repl" "" "a prompt with history, completion and help"
             (lambda (arguments) (start-prompt arguments)))
    (command "help" "[NAME]" "this list; what a command does; what is known of a name"

@@ -3,7 +3,7 @@
 ;;
 ;; Racket's loop of reading, evaluating and printing, with lines from lines.rkt.
 
-(require "entry.rkt" "lines.rkt"
+(require "session-entry.rkt" "lines.rkt"
          "../session-start.rkt")
 
 (define-namespace-anchor here)

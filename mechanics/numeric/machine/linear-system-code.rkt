@@ -19,8 +19,9 @@
 (provide most-unknowns system-room solution-place entry-place
          write-elimination! definite-solution write-margin-tests!)
 
-;; For more unknowns the room would be a great part of a small stack.
-(define most-unknowns 40)
+;; The code of a symmetric system grows as n³: for more unknowns it takes longer to write than it
+;; saves in a usual run.
+(define most-unknowns 16)
 
 ;; How many flonums the room of an instruction takes.
 (define (system-room i)

@@ -14,7 +14,7 @@ import time
 
 import psutil
 
-MAIN = "(require (submod mechanics/notebook/kernel main))"
+MAIN = "(require (submod mechanics/notebook/cell-process main))"
 MEGABYTE = 1 << 20
 
 

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The process behind a notebook's kernel: racket -l racket/base -l mechanics/notebook/kernel IN OUT,
-;; with the descriptors of its protocol (protocol.rkt).
+;; The process behind a notebook's kernel.  Its arguments are the two descriptors of its protocol
+;; (protocol.rkt).
 ;;
 ;;   to it                                   from it
 ;;   cell (id, code)                         stream, shown, progress, input; at last done
@@ -16,7 +16,7 @@
          ffi/unsafe/port
          "cell-input.rkt" "cell.rkt" "mime-bundle.rkt" "names-at-cursor.rkt" "protocol.rkt"
          "text-stream.rkt"
-         "../error/progress.rkt"
+         "../error/complain.rkt" "../error/progress.rkt"
          "../lang/session-start.rkt"
          "../show/display/result-receiver.rkt")
 
@@ -61,7 +61,7 @@
   ((kernel-send k) (hasheq 'kind "ready")))
 
 (define (refuse-exit code)
-  (raise-user-error 'exit "a notebook is left by closing it, and its kernel ended in the menu Kernel"))
+  (complain 'exit end-in-menu))
 
 ;; ---------------------------------------------------------------------------
 ;; Requests
@@ -112,7 +112,8 @@
   (send-output! k)
   (send-left-out k)
   (if failed
-      (hasheq 'status "error" 'message (failure-message failed) 'line (or (failure-line failed) 'null)
+      (hasheq 'status "error" 'message (failure-message failed)
+              'line (or (failure-line failed) 'null)
               'interrupted (failure-interrupted? failed))
       (hasheq 'status "ok")))
 
@@ -159,7 +160,7 @@
    void))
 
 (module+ main
-  (define (descriptor text name) (unsafe-file-descriptor->port (string->number text) name '(read)))
-  (define arguments (current-command-line-arguments))
-  (serve (descriptor (vector-ref arguments 0) 'requests)
-         (unsafe-file-descriptor->port (string->number (vector-ref arguments 1)) 'answers '(write))))
+  (define (descriptor k mode)
+    (define number (string->number (vector-ref (current-command-line-arguments) k)))
+    (unsafe-file-descriptor->port number 'protocol (list mode)))
+  (serve (descriptor 0 'read) (descriptor 1 'write)))

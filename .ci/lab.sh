@@ -1,0 +1,80 @@
+#!/bin/sh
+# JupyterLab with our kernel, in a Python environment of its own:
+#
+#     lab.sh install    makes the environment build/lab, if it is not there
+#     lab.sh start      and opens JupyterLab in it, at the notebooks of the examples
+#     lab.sh test       and runs the tests of the kernel in it
+#
+# Versions are those of requirements.txt.  Python's part for environments is installed on Debian and
+# Ubuntu, as Racket is; elsewhere it says what to install.
+
+set -eu
+cd "$(dirname "$0")/.."
+
+lab=build/lab
+python=${PYTHON:-python3}
+wanted=mechanics/notebook/python/requirements.txt
+
+say() { printf '%s\n' "$*" >&2; }
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then env DEBIAN_FRONTEND=noninteractive "$@"
+    elif [ -t 0 ]; then sudo env DEBIAN_FRONTEND=noninteractive "$@"
+    else sudo -n env DEBIAN_FRONTEND=noninteractive "$@"
+    fi
+}
+
+environments() { "$python" -c 'import ensurepip, venv' >/dev/null 2>&1; }
+
+ensure_python() {
+    environments && return
+    if command -v apt-get >/dev/null 2>&1; then
+        say 'Installing python3-venv ...'
+        { as_root apt-get update -qq && as_root apt-get install -y -qq python3-venv; } >&2 || :
+    fi
+    environments && return
+    say "Notebooks need Python 3.9 or later with its module venv:
+  Debian, Ubuntu   apt-get install python3-venv
+  Fedora           dnf install python3
+  macOS            brew install python
+Then run the same make command again."
+    exit 1
+}
+
+install() {
+    if ! cmp -s "$wanted" "$lab/installed.txt"; then
+        ensure_python
+        say "Installing JupyterLab in $lab: some 200 MB, about a minute ..."
+        rm -rf "$lab"
+        mkdir -p build
+        "$python" -m venv "$lab"
+        "$lab/bin/pip" install -q --disable-pip-version-check -r "$wanted" >&2 || {
+            say 'The packages could not be installed; is the package index within reach?'
+            exit 1
+        }
+        cp "$wanted" "$lab/installed.txt"
+    fi
+    "${RACKET:-racket}" -l- mechanics/lang/command/raco jupyter \
+        --prefix "$lab" --python "$PWD/$lab/bin/python" >/dev/null
+}
+
+# Bound to this machine alone, with a token.
+start() {
+    say 'JupyterLab opens in the browser; without one, its address is below.  Ctrl-C twice ends it.'
+    exec env JUPYTER_CONFIG_DIR="$PWD/$lab/config" "$lab/bin/jupyter" lab --ServerApp.ip=127.0.0.1 \
+        --ServerApp.root_dir="$PWD/examples/mechanics/notebooks" \
+        ${ROOT:+--allow-root} "$@"
+}
+
+case ${1:-} in
+    install) install ;;
+    start)   install
+             [ "$(id -u)" -ne 0 ] || ROOT=yes
+             shift
+             start "$@" ;;
+    test)    install
+             "$lab/bin/pip" install -q --disable-pip-version-check \
+                 -r tests/mechanics/notebook/lab/requirements.txt >&2
+             exec "$lab/bin/python" tests/mechanics/notebook/lab/run.py ;;
+    *)       say 'lab.sh install, start or test'; exit 2 ;;
+esac
