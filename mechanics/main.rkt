@@ -14,6 +14,7 @@
          "canonical/on-demand.rkt" "reduction/on-demand.rkt" "pendulum/on-demand.rkt"
          "show/display/on-demand.rkt" "show/display/output.rkt" "show/display/print-expression.rkt"
          (only-in "show/display/display-style.rkt" display-style)
+         "show/interact/interact.rkt"
          "scale/ensemble/on-demand.rkt"
          "scale/export/on-demand.rkt"
          "force/on-demand.rkt"
@@ -99,7 +100,7 @@
  F->C Gamma-bar osculating-path
  p->r r->p s->r r->s
  ;; showing
- print-expression show-expression series:print
+ print-expression show-expression series:print interact
  (all-from-out "show/display/output.rkt" "show/display/on-demand.rkt")
  display-style derivative-style suppress-arguments)
 

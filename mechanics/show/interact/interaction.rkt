@@ -1,0 +1,85 @@
+#lang racket/base
+;; Interactions: a value that depends on controls, for a reader to move them.
+;;
+;; An interaction computes nothing when it is made.  Each host (a window, a page, a notebook) shows
+;; its controls, asks for the value where they are moved to, and shows that: a value as a prompt
+;; would, what the body raises in words in its place.  Everything that a host needs is here.
+
+(require file/convertible
+         "control.rkt"
+         "../../error/complain.rkt" "../../error/computed-once.rkt" "../../error/message-words.rkt"
+         "../../error/refusal.rkt"
+         "../../generic/describe.rkt" "../../generic/on-demand.rkt"
+         "../../generic/value-struct.rkt")
+
+(require-on-demand ["result-picture.rkt" convert-outcome])
+
+(provide make-interaction interaction? interaction-controls
+         interaction-result interaction-outcome interaction-first
+         (struct-out failed)
+         start-values check-values)
+
+;; body : procedure of the values of the controls, in their order; source : data, the body as it
+;; is written; first : -> the outcome at the start, computed once
+(value-struct interaction (controls body source first)
+  #:text (lambda (i) (interaction->text i))
+  #:constructor-name new-interaction
+  #:omit-define-syntaxes
+  #:property prop:convertible
+  (lambda (i request default)
+    (if (eq? request 'text)
+        (interaction->text i)
+        (convert-outcome ((interaction-first i)) request default))))
+
+(define (make-interaction controls body source)
+  (define i
+    (new-interaction controls body source
+                     (once (lambda () (interaction-outcome i (start-values i))))))
+  i)
+
+(define (start-values i) (map control-start (interaction-controls i)))
+
+;; The values of the controls for those from outside (control.rkt), in the order of the controls.
+(define (check-values i given)
+  (define controls (interaction-controls i))
+  (unless (and (list? given) (= (length given) (length controls)))
+    (complain-of-datum 'interact (format "a list of ~a" (counted (length controls) "value")) given))
+  (map value-from-outside controls given))
+
+;; ---------------------------------------------------------------------------
+;; Values of the body
+
+;; -> the value of the body; what the body raises is raised
+(define (interaction-result i values)
+  (call-with-values
+   (lambda () (apply (interaction-body i) values))
+   (case-lambda
+     [(x) (if (void? x) (raise-nothing) x)]
+     [() (raise-nothing)]
+     [xs (complain 'interact "the body returns ~a values, and one is shown; ~a"
+                   (length xs) "(list ...) makes one of them")])))
+
+(define (raise-nothing)
+  (complain 'interact "the body returns nothing to be shown\n  ~a"
+            "it ends with a value, such as the frame in which it has drawn"))
+
+;; text : of the error, in place of a value
+(struct failed (text) #:transparent)
+
+;; -> the value, or a `failed`; a break is raised
+(define (interaction-outcome i values)
+  (with-handlers ([raised? (lambda (e) (failed (raised->text e)))])
+    (interaction-result i values)))
+
+(define (raised->text e)
+  (if (exn? e) (exn-message e) (format "the body raises ~a" (value->text e))))
+
+;; ---------------------------------------------------------------------------
+
+(define (interaction->text i)
+  (format "(interact (~a)~a)"
+          (joined (map control-text (interaction-controls i)) " ")
+          (apply string-append (map body-text (interaction-source i)))))
+
+(define (body-text form)
+  (parameterize ([print-reader-abbreviations #t]) (format " ~s" form)))

@@ -1,0 +1,3 @@
+#lang racket/base
+(provide convert-outcome)
+(define (convert-outcome o request default) default)
