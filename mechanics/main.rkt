@@ -15,6 +15,7 @@
          "show/display/on-demand.rkt" "show/display/output.rkt" "show/display/print-expression.rkt"
          (only-in "show/display/display-style.rkt" display-style)
          "show/interact/interact.rkt"
+         (only-in "show/interact/on-demand.rkt" interaction-show)
          "scale/ensemble/on-demand.rkt"
          "scale/export/on-demand.rkt"
          "force/on-demand.rkt"
@@ -100,7 +101,7 @@
  F->C Gamma-bar osculating-path
  p->r r->p s->r r->s
  ;; showing
- print-expression show-expression series:print interact
+ print-expression show-expression series:print interact interaction-show
  (all-from-out "show/display/output.rkt" "show/display/on-demand.rkt")
  display-style derivative-style suppress-arguments)
 

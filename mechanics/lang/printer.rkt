@@ -13,6 +13,7 @@
          "../show/display/picture-advice.rkt" "../show/display/display-style.rkt"
          "../show/display/print-shown.rkt"
          "../show/display/result-receiver.rkt" "../show/display/result.rkt"
+         (only-in "../show/interact/live-result.rkt" live?)
          "../error/message-words.rkt" "../error/note.rkt"
          (only-in "../generic/cyclic-data.rkt" cyclic?)
          (only-in "../generic/on-demand.rkt" require-on-demand)
@@ -20,7 +21,8 @@
          (only-in "../algebra/expression/expression.rkt" symbolic?)
          (only-in "../verdict/residual-remarks.rkt" remarks-on-pi))
 
-(require-on-demand [racket/pretty pretty-print-columns])
+(require-on-demand [racket/pretty pretty-print-columns]
+                   ["../show/interact/interaction-show.rkt" printed-interaction])
 
 (provide install-printer! print-result print-more print-last
          ;; for tests
@@ -36,12 +38,14 @@
   (lambda (printer x)
     (unless (void? x) (set-session-printer-last! printer x))
     (define other (session-printer-other printer))
-    (define shown (simplify-interruptibly x))
+    (define-values (y remark) (present x #f))
+    (define shown (simplify-interruptibly y))
     (cond [(screen?)
            (print-screen printer (printed other shown))
-           (print-advice x)]
+           (print-advice y)]
           [else (print-shown shown other)])
-    (note-more x)))
+    (print-remark remark)
+    (note-more y)))
 
 ;; Makes the current printer ours, unless it takes results as they are.  Idempotent.
 (define (install-printer! [how-to-go-on "(print-expression ...) prints all of it"])
@@ -55,10 +59,21 @@
   (define printer (current-print))
   (cond [(result-receiver? printer) (printer x)]
         [else
-         (print-shown (simplify-or-say-why x)
+         (define-values (y remark) (present x #t))
+         (print-shown (simplify-or-say-why y)
                       (if (session-printer? printer) (session-printer-other printer) printer))
-         (when (screen?) (print-advice x))
-         (note-more x)]))
+         (when (screen?) (print-advice y))
+         (print-remark remark)
+         (note-more y)]))
+
+;; An interaction opens its window, if it may; program? : then the program waits for it at its end.
+;; -> the value to be printed, and a remark beneath it, or #f
+(define (present x program?)
+  (if (live? x)
+      (printed-interaction x (or (screen?) (eq? 'snip (manner-here))) (and program? (screen?)))
+      (values x #f)))
+
+(define (print-remark text) (when text (printf "; ~a\n" text)))
 
 ;; Notes, once in a session: on a symbol in a result that may be meant for a number, and on texts
 ;; of several lines.
@@ -125,8 +140,7 @@
   (not (void? last)))
 
 (define (print-advice x)
-  (define text (advice x))
-  (when text (printf "; ~a\n" text)))
+  (print-remark (advice x)))
 
 ;; ---------------------------------------------------------------------------
 ;; Simplification that cannot take the prompt down

@@ -94,8 +94,8 @@
 (define (check-range name from to)
   (cond [(= from to) (complain who "the range of ~a is empty: from ~a to ~a" name from to)]
         [(> from to)
-         (complain who "the range of ~a goes down, from ~a to ~a\n  the lesser number stands first: [~a ~a ~a]"
-                   name from to name to from)]))
+         (complain who "the range of ~a goes down, from ~a to ~a\n  ~a: [~a ~a ~a]"
+                   name from to "the lesser number stands first" name to from)]))
 
 (define (check-step name from to step)
   (unless (and (real? step) (finite? step) (> step 0))
@@ -116,7 +116,7 @@
 (define (value-control name x start)
   (cond [(pair? x) (choice-control name x (if start (start) (car x)))]
         [(null? x) (complain who "the list of choices of ~a is empty" name)]
-        [start (complain who "~a has its start in place of a list; #:start is for ~a\n  given: ~a"
+        [start (complain who "~a starts with what stands in place of a list; #:start is for ~a\n  given: ~a"
                          name "numbers and choices" (describe-with-value x))]
         [(boolean? x) (control name 'boolean (vector #f #t) x #f)]
         [(string? x) (control name 'text #f x #f)]

@@ -6,17 +6,12 @@
 ;; would, what the body raises in words in its place.  Everything that a host needs is here.
 
 (require file/convertible
-         "control.rkt"
+         "control.rkt" "live-result.rkt" "outcome.rkt" "pictures-on-demand.rkt"
          "../../error/complain.rkt" "../../error/computed-once.rkt" "../../error/message-words.rkt"
-         "../../error/refusal.rkt"
-         "../../generic/describe.rkt" "../../generic/on-demand.rkt"
          "../../generic/value-struct.rkt")
-
-(require-on-demand ["result-picture.rkt" convert-outcome])
 
 (provide make-interaction interaction? interaction-controls
          interaction-result interaction-outcome interaction-first
-         (struct-out failed)
          start-values check-values)
 
 ;; body : procedure of the values of the controls, in their order; source : data, the body as it
@@ -25,6 +20,7 @@
   #:text (lambda (i) (interaction->text i))
   #:constructor-name new-interaction
   #:omit-define-syntaxes
+  #:property prop:live #t
   #:property prop:convertible
   (lambda (i request default)
     (if (eq? request 'text)
@@ -63,16 +59,9 @@
   (complain 'interact "the body returns nothing to be shown\n  ~a"
             "it ends with a value, such as the frame in which it has drawn"))
 
-;; text : of the error, in place of a value
-(struct failed (text) #:transparent)
-
-;; -> the value, or a `failed`; a break is raised
+;; -> the value, or a `failed` (outcome.rkt); a break is raised
 (define (interaction-outcome i values)
-  (with-handlers ([raised? (lambda (e) (failed (raised->text e)))])
-    (interaction-result i values)))
-
-(define (raised->text e)
-  (if (exn? e) (exn-message e) (format "the body raises ~a" (value->text e))))
+  (outcome-of (lambda () (interaction-result i values))))
 
 ;; ---------------------------------------------------------------------------
 

@@ -5,4 +5,5 @@
 
 (provide-on-demand
  ["control.rkt" number-control value-control]
- ["interaction.rkt" make-interaction])
+ ["interaction.rkt" make-interaction]
+ ["interaction-show.rkt" interaction-show])

@@ -1,0 +1,60 @@
+#lang racket/base
+;; Interactions on the screen, where there is one.  The window and the libraries for it are loaded
+;; when the first is opened.
+
+(require "control.rkt" "interaction.rkt" "outcome.rkt" "pictures-on-demand.rkt"
+         "../plot/window-screen.rkt"
+         "../../error/message-words.rkt"
+         "../../generic/describe.rkt" "../../generic/define-plain.rkt" "../../generic/on-demand.rkt"
+         "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt")
+
+(require-on-demand #:in-this-thread
+                   ["interaction-window.rkt" loaded? open-interaction-window wait-until-closed])
+
+(provide interaction-show printed-interaction
+         ;; for tests: -> the session
+         interaction-window)
+
+;; wait? : until the reader closes the window
+(define-plain (interaction-show i #:wait? [wait? #f])
+  (define session (interaction-window i))
+  (when wait? (wait-until-closed session)))
+
+(define (interaction-window i)
+  (define who 'interaction-show)
+  (check-argument who interaction? i "an interaction, such as (interact ([k 1 10]) k)")
+  (check-screen who loaded? "raco mechanics show FILE" "a page with its sliders is made by ")
+  (open-interaction-window i (joined (map name-of (interaction-controls i)))))
+
+(define (name-of c) (symbol->string (control-name c)))
+
+;; ---------------------------------------------------------------------------
+;; As a result
+
+;; screen? : may windows be opened?  stay? : does a program that ends wait for them?
+;; -> a value to be printed in place of i, and a remark beneath it, or #f
+(define (printed-interaction i screen? stay?)
+  (define session (and screen? (with-handlers ([exn:fail:unsupported? (lambda (e) #f)])
+                                 (interaction-window i))))
+  (cond [session
+         (when stay? (stay-until-closed session))
+         (values (words (value->text i)) #f)]
+        [else (values ((interaction-first i)) (remark i))]))
+
+;; The text is what is printed.
+(value-struct words (text)
+  #:text (lambda (w) (words-text w)))
+
+(define (remark i)
+  (format "at ~a; ~a"
+          (joined (for/list ([c (in-list (interaction-controls i))])
+                    (format "~a = ~a" (name-of c) (value->label (control-start c)))))
+          "they are moved in a window, which needs a display, and on a page (raco mechanics show)"))
+
+;; The program ends when its windows are closed.
+(define (stay-until-closed session)
+  (define before (executable-yield-handler))
+  (executable-yield-handler
+   (lambda (status)
+     (wait-until-closed session)
+     (before status))))
