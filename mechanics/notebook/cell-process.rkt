@@ -3,7 +3,9 @@
 ;; (protocol.rkt).
 ;;
 ;;   to it                                   from it
-;;   cell (id, code)                         stream, shown, progress, input; at last done
+;;   cell (id, code)                         stream, shown, interaction, progress, input;
+;;                                           at last done
+;;   frame (id, number, values)              done: of an interaction that was shown
 ;;   complete, describe (id, code, cursor)   done
 ;;   completeness (id, code)                 done
 ;;   input (text)                            where it was asked for
@@ -17,8 +19,12 @@
          "cell-input.rkt" "cell.rkt" "mime-bundle.rkt" "names-at-cursor.rkt" "protocol.rkt"
          "text-stream.rkt"
          "../error/complain.rkt" "../error/progress.rkt"
+         "../generic/on-demand.rkt"
          "../lang/session-start.rkt"
-         "../show/display/result-receiver.rkt")
+         "../show/display/result-receiver.rkt"
+         "../show/interact/live-result.rkt")
+
+(require-on-demand ["live-interaction.rkt" interaction-message frame-bundle])
 
 (define-namespace-anchor here)
 
@@ -89,6 +95,7 @@
   (define fields
     (case (hash-ref m 'do)
       [("cell") (run-cell k (hash-ref m 'id) (code))]
+      [("frame") (run-frame k (hash-ref m 'id) (hash-ref m 'number) (hash-ref m 'values))]
       [("complete") (completion (code) (cursor))]
       [("describe") (description (code) (cursor))]
       [else (hasheq 'status (cell-completeness (code)))]))
@@ -97,17 +104,12 @@
 ;; ---------------------------------------------------------------------------
 ;; Cells
 
-;; Breaks are for the cell alone: one that comes as it ends is forgotten.
 (define (run-cell k id code)
   (for-each begin-cell! (list (kernel-output k) (kernel-errors k)))
   (define failed
-    (parameterize-break #f
-      (in-turn (lambda ()
-                 (set-box! running id)
-                 (when (equal? id (unbox to-break)) (break-thread (current-thread)))))
-      (begin0 (evaluate-breakably code (lambda (x) ((current-print) x)))
-              (in-turn (lambda () (set-box! running #f)))
-              (forget-break))))
+    (call-breakably id
+                    (lambda () (evaluate-cell code (lambda (x) ((current-print) x))))
+                    (lambda () (failure "interrupted" #f #t))))
   (flush-C-output)
   (send-output! k)
   (send-left-out k)
@@ -117,9 +119,21 @@
               'interrupted (failure-interrupted? failed))
       (hasheq 'status "ok")))
 
-(define (evaluate-breakably code show!)
-  (with-handlers ([exn:break? (lambda (e) (failure "interrupted" #f #t))])
-    (parameterize-break #t (evaluate-cell code show!))))
+(define (run-frame k id number values)
+  (define data (call-breakably id (lambda () (frame-bundle number values)) (lambda () 'null)))
+  (send-output! k)
+  (hasheq 'status "ok" 'data data))
+
+;; Breaks are for the work of this id alone: one that comes as it ends is forgotten.
+(define (call-breakably id work otherwise)
+  (parameterize-break #f
+    (in-turn (lambda ()
+               (set-box! running id)
+               (when (equal? id (unbox to-break)) (break-thread (current-thread)))))
+    (begin0 (with-handlers ([exn:break? (lambda (e) (otherwise))])
+              (parameterize-break #t (work)))
+            (in-turn (lambda () (set-box! running #f)))
+            (forget-break))))
 
 (define (forget-break)
   (with-handlers ([exn:break? void]) (parameterize-break #t (sleep 0))))
@@ -142,9 +156,10 @@
 
 (define (show! k x)
   (unless (void? x)
-    (define bundle (value->bundle x))
+    (define m
+      (if (live? x) (interaction-message x) (hasheq 'kind "shown" 'data (value->bundle x))))
     (send-output! k)
-    ((kernel-send k) (hasheq 'kind "shown" 'data bundle))))
+    ((kernel-send k) m)))
 
 ;; ---------------------------------------------------------------------------
 

@@ -13,15 +13,21 @@
          "../show/document/page-value.rkt" "../show/document/shown-result.rkt"
          "../show/typesetting/TeX.rkt" "../show/typesetting/break.rkt")
 
-(provide value->bundle)
+(provide value->bundle words->bundle)
 
-;; columns : that fit into a cell
-(define (value->bundle x [columns 80])
+;; formats : of a picture; columns : that fit into a cell
+(define (value->bundle x [formats '(svg-bytes png-bytes)] #:columns [columns 80])
   (define text (printed x columns))
-  (define s (if (eq? (display-style) 'automatic) (value->shown x) (shown-text text)))
+  (define s (if (eq? (display-style) 'automatic) (value->shown x formats) (shown-text text)))
   (for/fold ([bundle (hasheq (string->symbol "text/plain") text)])
             ([part (in-list (shown->parts s columns))])
     (hash-set bundle (string->symbol (car part)) (cdr part))))
+
+;; The words of an error, in the place of a value
+(define (words->bundle text)
+  (define style "color: #b00020; white-space: pre-wrap")
+  (hasheq (string->symbol "text/plain") text
+          (string->symbol "text/html") (xexpr->string `(pre ([style ,style]) ,text))))
 
 ;; As a prompt prints it.
 (define (printed x columns)

@@ -22,17 +22,19 @@
 (struct shown-formula (tree notes) #:transparent)
 ;; header : strings, or #f; rows : lists of trees
 (struct shown-table (header rows) #:transparent)
-;; bytes, or #f where the picture cannot be had in that format; text : in place of it
+;; bytes, or #f where the picture was not asked for in that format or cannot be had in it;
+;; text : in place of it
 (struct shown-picture (svg png pdf text) #:transparent)
 (struct shown-text (text) #:transparent)
 
 (define text-width 79)
 
-(define (value->shown x)
+;; formats : those in which a picture is wanted
+(define (value->shown x [formats '(svg-bytes png-bytes pdf-bytes)])
   (cond [(cyclic? x) (shown-text (printed x))]
         [(table-of x) => values]
         [(typeset? x) (formula x)]
-        [(convertible? x) (picture x)]
+        [(convertible? x) (picture x formats)]
         [else (shown-text (printed (simplified-result x text-width)))]))
 
 (define (printed x)
@@ -113,8 +115,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Pictures
 
-(define (picture x)
-  (define (in-format format) (convert x format #f))
+(define (picture x formats)
+  (define (in-format format) (and (memq format formats) (convert x format #f)))
   (define svg (in-format 'svg-bytes))
   (define png (in-format 'png-bytes))
   (define text (printed x))

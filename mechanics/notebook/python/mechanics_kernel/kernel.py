@@ -5,10 +5,14 @@ thread of a program writes later is shown as well.  Coroutines only wait.
 """
 
 import asyncio
+import concurrent.futures
+import functools
 import itertools
 import threading
-import zmq
 
+import comm
+import ipykernel.ipkernel  # makes comm's messages those of the kernel
+import zmq
 from ipykernel.kernelbase import Kernel
 
 from .child import Child
@@ -46,10 +50,13 @@ class MechanicsKernel(Kernel):
         super().__init__(**settings)
         self.numbers = itertools.count(1)
         self.asked = {}
-        self.cell = None
+        self.cell = self.frame = None
         self.last_request = {}
         self.progress_shown = None
         self.shutting_down = False
+        comms = comm.get_comm_manager()
+        for kind in ("comm_open", "comm_msg", "comm_close"):
+            self.shell_handlers[kind] = getattr(comms, kind)
         self.start_child()
 
     def start_child(self):
@@ -63,6 +70,8 @@ class MechanicsKernel(Kernel):
             self.write(message["name"], message["text"])
         elif kind == "shown":
             self.show(message["data"], message.get("display"), message.get("update", False))
+        elif kind == "interaction":
+            self.show_interaction(message)
         elif kind == "progress":
             self.show_progress(message["text"])
         elif kind == "input" and self.cell:
@@ -73,9 +82,10 @@ class MechanicsKernel(Kernel):
     def answer(self, number, message):
         if self.cell and number == self.cell.number:
             self.cell.put("done", message)
-        elif number in self.asked:
-            loop, future = self.asked.pop(number)
-            loop.call_soon_threadsafe(lambda: future.done() or future.set_result(message))
+        else:
+            future = self.asked.pop(number, None)
+            if future:
+                future.set_result(message)
 
     def child_ended(self, words):
         if self.shutting_down:
@@ -111,6 +121,26 @@ class MechanicsKernel(Kernel):
         self.show({"text/plain": text}, self.progress_shown, not first)
         if not text:
             self.progress_shown = None
+
+    # Interactions
+
+    def show_interaction(self, message):
+        """Widgets are loaded with the first one."""
+        from .interaction import Interaction
+
+        shown = Interaction(message, self.worker)
+        self.show(shown.bundle(message["data"]))
+
+    @functools.cached_property
+    def worker(self):
+        from .interaction import Worker
+
+        def ask(number, values, id):
+            self.frame = id
+            return self.asking(id, do="frame", number=number, values=values)
+
+        return Worker(ask, lambda id: self.child.send(do="break", id=id),
+                      lambda: next(self.numbers))
 
     # Cells
 
@@ -187,6 +217,8 @@ class MechanicsKernel(Kernel):
             else:
                 self.child.send(do="break", id=cell.number)
                 self.watch_interrupt(cell)
+        elif self.frame:
+            self.child.send(do="break", id=self.frame)
         self.session.send(stream, "interrupt_reply", {"status": "ok"}, parent, ident=ident)
 
     def watch_interrupt(self, cell):
@@ -206,14 +238,15 @@ class MechanicsKernel(Kernel):
 
     # Questions of an editor
 
-    async def ask(self, **question):
-        number = next(self.numbers)
-        future = asyncio.get_running_loop().create_future()
-        self.asked[number] = (asyncio.get_running_loop(), future)
+    def asking(self, number, **question):
+        """A future of the answer."""
+        future = self.asked[number] = concurrent.futures.Future()
         if not self.child.send(id=number, **question):
-            self.asked.pop(number, None)
-            return {"status": "error"}
-        return await future
+            self.answer(number, {"status": "error"})
+        return future
+
+    async def ask(self, **question):
+        return await asyncio.wrap_future(self.asking(next(self.numbers), **question))
 
     async def do_complete(self, code, cursor_pos):
         found = await self.ask(do="complete", code=code, cursor=cursor_pos)
