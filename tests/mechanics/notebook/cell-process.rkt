@@ -165,6 +165,54 @@
   (check-equal? (outcome (run "(sleep 0.2)")) 'ok))
 
 ;; ---------------------------------------------------------------------------
+;; Interactions
+
+;; -> the message that shows the value of the code
+(define (interaction-of code)
+  (define m (run code))
+  (check-equal? (outcome m) 'ok)
+  (findf (lambda (x) (equal? (hash-ref x 'kind) "interaction")) m))
+
+;; The value in plain text, where the controls of the interaction are at the values
+(define (moved-to interaction . values)
+  (define a (answers-to c "frame" 'number (hash-ref interaction 'number) 'values values))
+  (hash-ref (hash-ref a 'data) 'text/plain))
+
+(test-case "an interaction tells its controls and its first value; values follow where it is moved"
+  (define i
+    (interaction-of
+     "(interact ([k 0 1 #:step 1/2] [n (list 'a 'b) #:start 'b] [d? #t] [s \"x\"]) (list k n d? s))"))
+  (check-equal? (for/list ([x (hash-ref i 'controls)]) (hash-ref x 'kind))
+                '("number" "choice" "boolean" "text"))
+  (check-equal? (for/list ([x (hash-ref i 'controls)]) (hash-ref x 'labels))
+                '(("0" "1/2" "1") ("a" "b") ("#f" "#t") ()))
+  (check-equal? (for/list ([x (hash-ref i 'controls)]) (hash-ref x 'start)) '(0 1 1 "x"))
+  (check-equal? (hash-ref (hash-ref i 'data) 'text/plain) "'(0 b #t \"x\")")
+  (check-equal? (moved-to i 0.5 0 #f "y") "'(1/2 a #f \"y\")"))
+
+(test-case "a value that fails is words in its place, and the next one comes"
+  (define i (interaction-of "(interact ([k 0 9]) (/ 'a k))"))
+  (check-equal? (hash-ref (hash-ref i 'data) 'text/plain) "/: division by zero\n  in: (/ a 0)")
+  (check-equal? (moved-to i 2) "(* 1/2 a)"))
+
+(test-case "one that takes long is broken, and the next one comes"
+  (define i (interaction-of "(interact ([k 0 9]) (if (= k 3) (let loop () (loop)) k))"))
+  (send-to c 'do "frame" 'id 900 'number (hash-ref i 'number) 'values '(3))
+  (sleep 0.2)
+  (send-to c 'do "break" 'id 900)
+  (check-equal? (hash-ref (receive-from c) 'data) 'null)
+  (check-equal? (moved-to i 4) "4"))
+
+(test-case "an interaction of a process that is gone"
+  (define a (answers-to c "frame" 'number 999 'values '(1)))
+  (check-equal? (hash-ref (hash-ref a 'data) 'text/plain)
+                "the definitions that this rests on are gone: run its cell again"))
+
+(test-case "bad controls are answered in words"
+  (check-true (string-prefix? (car (outcome (run "(interact ([k 2 2]) k)")))
+                              "interact: the range of k is empty")))
+
+;; ---------------------------------------------------------------------------
 ;; Questions of an editor
 
 (test-case "names are completed, the reader's own as well"

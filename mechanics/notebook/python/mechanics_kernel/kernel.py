@@ -238,7 +238,7 @@ class MechanicsKernel(Kernel):
 
     # Questions of an editor
 
-    def asking(self, number, **question):
+    def asking(self, number, /, **question):
         """A future of the answer."""
         future = self.asked[number] = concurrent.futures.Future()
         if not self.child.send(id=number, **question):
