@@ -1,7 +1,10 @@
 #lang racket/base
 ;; The name at the cursor of a cell: names that go on from it, and what is known of it.
 
-(require "../lang/prompt/lines.rkt"
+(require "../error/message-words.rkt"
+         "../lang/help/card-lines.rkt" "../lang/help/card.rkt" "../lang/help/cards.rkt"
+         "../lang/prompt/lines.rkt"
+         (only-in "../lang/redefinition/prompt.rkt" head-at-prompt)
          "../show/display/result-receiver.rkt")
 
 (provide completion description)
@@ -10,10 +13,22 @@
 (define (completion code cursor)
   (define-values (start end) (name-around code cursor))
   (define beginning (substring code start cursor))
-  (define matches (if (string=? beginning "") '() (completions beginning)))
-  (hasheq 'status "ok" 'start start 'end cursor 'matches (list-at-most 200 matches)))
+  (define matches
+    (for/list ([name (in-list (if (string=? beginning "") '() (completions beginning)))]
+               [_ (in-range most-matches)])
+      name))
+  (hasheq 'status "ok" 'start start 'end cursor 'matches matches
+          'signatures (for/list ([name (in-list matches)]) (signature-text (string->symbol name)))))
 
-(define (list-at-most n xs) (for/list ([x (in-list xs)] [_ (in-range n)]) x))
+(define most-matches 200)
+
+;; How the name is called, as its definition at the prompt or the manual says; "" of others
+(define (signature-text name)
+  (define head (head-at-prompt name))
+  (define c (and (not head) (card-of name)))
+  (cond [(pair? head) (format "~a" head)]
+        [c (joined (call-lines (car (card-signatures c)) 500) " ")]
+        [else ""]))
 
 ;; What (help name) says.
 (define (description code cursor)

@@ -221,6 +221,14 @@
   (check-equal? (hash-ref a 'matches) '("Lagrangian-of-mine"))
   (check-equal? (list (hash-ref a 'start) (hash-ref a 'end)) '(4 16)))
 
+(test-case "names come with the way they are called"
+  (run "(define ((L-of-mine m) local) 1)")
+  (define (signature-of code)
+    (hash-ref (answers-to c "complete" 'code code 'cursor (string-length code)) 'signatures))
+  (check-equal? (signature-of "L-of-m") '("((L-of-mine m) local)"))
+  (check-equal? (signature-of "Gamma-ba") '("(Gamma-bar f)  → function"))
+  (check-equal? (signature-of ":pi") '("")))
+
 (test-case "what is known of the name at the cursor"
   (define a (answers-to c "describe" 'code "(Gamma q)" 'cursor 3))
   (check-true (hash-ref a 'found))

@@ -253,7 +253,10 @@ class MechanicsKernel(Kernel):
         return {"status": "ok", "matches": found.get("matches", []),
                 "cursor_start": found.get("start", cursor_pos),
                 "cursor_end": found.get("end", cursor_pos),
-                "metadata": found.get("metadata", {})}
+                "metadata": {"_jupyter_types_experimental": [
+                    {"text": name, "signature": signature, "start": found["start"],
+                     "end": found["end"], "type": "function" if signature else ""}
+                    for name, signature in zip(found.get("matches", ()), found.get("signatures", ()))]}}
 
     async def do_inspect(self, code, cursor_pos, detail_level=0, omit_sections=()):
         found = await self.ask(do="describe", code=code, cursor=cursor_pos)

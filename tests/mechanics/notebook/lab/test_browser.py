@@ -1,0 +1,105 @@
+"""What a reader sees, in a real Chromium."""
+
+import os
+import time
+import unittest
+
+import browser
+from browser import Lab, median
+
+CELLS = [
+    "(define ((L m k) (up t x v)) (- (* 1/2 m (square v)) (* 1/2 k (square x))))\n"
+    "(((Lagrange-equations (L 'm 'k)) (literal-function 'x)) 't)",
+    "(for/sum ([k 14]) (* (expt 'x k) ((literal-function 'f) k)))",
+    "(verify-solution (L 'm 'k) (lambda (t) (* 'A (cos t))))",
+    "(require mechanics/plot)\n(interact ([k 1 10 #:step 1/10])\n  (define f (frame 0 10 -1 1))\n"
+    "  (plot-function f (lambda (x) (sin (* k x))) 0 10 0.05)\n  f)",
+    "(interact ([n 0 5]) (/ 'a n))",
+    "(display \"so far\")\n(car 5)",
+]
+
+
+@unittest.skipUnless(browser.CHROMIUM, "there is no Chromium")
+class Browser(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.lab = Lab()
+        cls.lab.open("cells.ipynb", CELLS)
+        cls.lab.run_all()
+        cls.lab.cell(5).locator(".jp-OutputArea-output").first.wait_for(timeout=120_000)
+        time.sleep(1)
+        if os.environ.get("MECHANICS_LAB_PICTURE"):
+            cls.lab.page.screenshot(path=os.environ["MECHANICS_LAB_PICTURE"])
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.lab.close()
+
+    def test_formulas_are_typeset_within_their_cells(self):
+        for number in (0, 1):
+            formula = self.lab.cell(number).locator("mjx-container").first
+            area = self.lab.cell(number).locator(".jp-OutputArea").first
+            self.assertGreater(formula.bounding_box()["width"], 40)
+            self.assertLessEqual(formula.bounding_box()["width"], area.bounding_box()["width"])
+
+    def test_verdict_has_words_and_formulas(self):
+        output = self.lab.cell(2).locator(".jp-OutputArea-output").first
+        self.assertIn("refuted: the residual is not zero", output.inner_text())
+        self.assertGreaterEqual(output.locator("mjx-container").count(), 5)
+
+    def test_error_is_marked(self):
+        text = self.lab.cell(5).inner_text()
+        self.assertIn("so far", text)
+        self.assertIn("in line 2:", text)
+
+    def picture(self):
+        return self.lab.cell(3).locator("img").first.get_attribute("src")
+
+    def test_slider_changes_the_picture(self):
+        page, seconds = self.lab.page, []
+        self.lab.cell(3).locator(".noUi-handle").first.focus()
+        for _ in range(20):
+            before, began = self.picture(), time.monotonic()
+            page.keyboard.press("ArrowRight")
+            while self.picture() == before:
+                self.assertLess(time.monotonic() - began, 30, "the picture did not change")
+                time.sleep(0.002)
+            seconds.append(time.monotonic() - began)
+        print(f"\n  a slider's move: median {1000 * median(seconds):.0f} ms ", end="", flush=True)
+
+    def test_error_of_a_body_stands_in_its_place(self):
+        cell = self.lab.cell(4)
+        self.assertIn("division by zero", cell.inner_text())
+        cell.locator(".noUi-handle").first.focus()
+        self.lab.page.keyboard.press("ArrowRight")
+        cell.locator("mjx-container").first.wait_for(timeout=60_000)
+        self.assertNotIn("division by zero", cell.inner_text())
+
+    def test_cell_that_is_typed(self):
+        page = self.lab.page
+        last = self.lab.cell(len(CELLS) - 1)
+        last.locator(".cm-content").click()
+        page.keyboard.press("Escape")
+        page.keyboard.press("b")
+        page.keyboard.press("Enter")
+        page.keyboard.type("(sqrt (square 'm))", delay=5)
+        page.keyboard.press("Shift+Enter")
+        formula = self.lab.cell(len(CELLS)).locator("mjx-container").first
+        formula.wait_for(timeout=60_000)
+
+
+@unittest.skipUnless(browser.CHROMIUM, "there is no Chromium")
+class Restart(unittest.TestCase):
+    def test_restart_and_run_again(self):
+        lab = Lab()
+        try:
+            lab.open("restart.ipynb", ["(define k 2)\n(* k 'a)"])
+            lab.run_all()
+            lab.cell(0).locator("mjx-container").first.wait_for(timeout=60_000)
+            lab.menu("Kernel", "Restart Kernel and Clear Outputs of All Cells…")
+            lab.page.click(".jp-Dialog button.jp-mod-warn")
+            lab.cell(0).locator("mjx-container").first.wait_for(state="detached", timeout=60_000)
+            lab.run_all()
+            lab.cell(0).locator("mjx-container").first.wait_for(timeout=60_000)
+        finally:
+            lab.close()
