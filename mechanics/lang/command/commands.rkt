@@ -10,6 +10,7 @@
                    ["check-answers-of.rkt" check-command]
                    ["export-program.rkt" export-command]
                    ["jupyter-kernel.rkt" jupyter-command]
+                   ["notebook-files.rkt" notebook-command program-command]
                    ["../help/help-answer.rkt" help-about]
                    ["../help/cards.rkt" card-of])
 
@@ -41,6 +42,9 @@
                                     "[--all] [--list] [--derivatives] [--replace]")
             "the systems of a program, as programs in C, in Python or for JAX"
             export-command)
+   (command "notebook" "FILE.rkt [-o notebook.ipynb] [--run]"
+            "a program as a notebook of Jupyter, with --run with its results" notebook-command)
+   (command "program" "FILE.ipynb [-o program.rkt]" "the program of a notebook" program-command)
    (command "jupyter" "[--python FILE] [--prefix FOLDER] [--remove]"
             "makes this library known to Jupyter, as a kernel for notebooks" jupyter-command)
    (command "repl" "" "a prompt with history, completion and help"

@@ -1,0 +1,51 @@
+#lang racket/base
+;; `raco mechanics notebook FILE.rkt` and `raco mechanics program FILE.ipynb`: a program as a
+;; notebook, and back.
+
+(require racket/file
+         racket/path
+         "written-files.rkt"
+         "../program-file.rkt"
+         "../../error/complain.rkt"
+         "../../notebook/notebook-file.rkt" "../../notebook/program-cells.rkt"
+         "../../show/plot/picture-file.rkt"
+         "../../generic/on-demand.rkt")
+
+(require-on-demand ["../../notebook/run-cells.rkt" run-cells]
+                   ["../../notebook/cell.rkt" failure-message])
+
+(provide notebook-command program-command)
+
+;; arguments : strings -> status
+(define (notebook-command arguments)
+  (define-values (from to option) (files 'notebook arguments #".ipynb" '("--run")))
+  (define name (path->string (short-path from)))
+  (check-program 'notebook name from)
+  (define-values (header cells) (program->cells 'notebook (file->bytes from)))
+  (define-values (outputs failed)
+    (if (option "--run")
+        (parameterize ([current-directory (path-only from)]) (run-cells cells))
+        (values (map (lambda (_) '()) cells) #f)))
+  (write-file 'notebook to (notebook->bytes header cells outputs))
+  (print-paths (list to))
+  (cond [failed
+         (eprintf "~a did not run to its end:\n~a\n" name (failure-message failed))
+         1]
+        [else 0]))
+
+(define (program-command arguments)
+  (define-values (from to option) (files 'program arguments #".rkt" '()))
+  (unless (file-exists? from) (complain 'program "there is no file ~a" (short-path from)))
+  (define-values (header cells)
+    (bytes->notebook 'program (short-path from) (file->bytes from)))
+  (write-text 'program to (cells->program header cells))
+  (print-paths (list to))
+  0)
+
+;; -> the file, the file to write, and the values of options
+(define (files who arguments extension switches)
+  (define-values (file option) (read-arguments who arguments #:switches switches))
+  (define from (simple-form-path file))
+  (define to (simple-form-path (or (option "-o") (path-replace-extension from extension))))
+  (check-new-file who to from extension)
+  (values from to option))

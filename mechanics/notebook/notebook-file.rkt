@@ -1,0 +1,81 @@
+#lang racket/base
+;; Notebooks as files: cells in Jupyter's format, version 4.5, a cell a line.
+;;
+;; What a program has beyond the sources of its cells is in their metadata, under `mechanics`: the
+;; text as it stands in the program, and what follows it.  Outputs are written where a notebook is
+;; run as it is made; they are not read.
+
+(require json
+         racket/list
+         racket/match
+         racket/string
+         "program-cells.rkt"
+         "../error/complain.rkt")
+
+(provide notebook->bytes bytes->notebook)
+
+;; outputs : a list for each cell, of those that were run, or '()
+(define (notebook->bytes header cells [outputs (map (lambda (_) '()) cells)])
+  (define parts
+    (for/list ([c (in-list cells)] [k (in-naturals 1)] [o (in-list outputs)])
+      (jsexpr->bytes (cell->json c k o (= k (length cells))))))
+  (define metadata
+    (hasheq 'kernelspec (hasheq 'name "mechanics" 'display_name "mechanics" 'language "racket")
+            'language_info (hasheq 'name "racket" 'file_extension ".rkt")
+            'mechanics (hasheq 'header header)))
+  (bytes-append #"{\"cells\": [\n" (join-bytes parts #",\n") #"\n],\n\"metadata\": "
+                (jsexpr->bytes metadata) #",\n\"nbformat\": 4,\n\"nbformat_minor\": 5\n}\n"))
+
+(define (join-bytes parts between) (apply bytes-append (add-between parts between)))
+
+(define (cell->json c k outputs last?)
+  (define kind (cell-kind c))
+  (define usual-after (if last? "\n" usual-gap))
+  (define-values (text after) (values (cell-text c) (cell-after c)))
+  (define kept
+    (for/hasheq ([key (in-list '(text after))]
+                 [value (in-list (list (and (not (equal? text (cell-source c))) text)
+                                       (and (not (equal? after usual-after)) after)))]
+                 #:when value)
+      (values key value)))
+  (define fields
+    (hasheq 'id (format "cell-~a" k)
+            'cell_type (symbol->string kind)
+            'metadata (if (hash-empty? kept) (hasheq) (hasheq 'mechanics kept))
+            'source (cell-source c)))
+  (if (eq? kind 'code) (hash-set* fields 'execution_count 'null 'outputs outputs) fields))
+
+;; ---------------------------------------------------------------------------
+;; Reading
+
+;; -> header and cells.  name : of the file, for messages
+(define (bytes->notebook who name text)
+  (define x (with-handlers ([exn:fail? (lambda (e) #f)]) (bytes->jsexpr text)))
+  (define cells (and (hash? x) (hash-ref x 'cells #f)))
+  (unless (and (list? cells) (andmap hash? cells))
+    (complain who "~a is no notebook of Jupyter, in its format 4" name))
+  (values (text-at x '(metadata mechanics header) usual-header)
+          (for/list ([c (in-list cells)]) (json->cell who c))))
+
+(define (json->cell who c)
+  (define kind
+    (match (hash-ref c 'cell_type #f)
+      ["code" 'code]
+      ["markdown" 'markdown]
+      ["raw" 'raw]
+      [other (complain who "a cell of an unknown kind: ~s" other)]))
+  (define source (source->text who (hash-ref c 'source "")))
+  (cell kind source
+        (text-at c '(metadata mechanics text) source)
+        (text-at c '(metadata mechanics after) #f)))
+
+;; A text, or its lines
+(define (source->text who x)
+  (cond [(string? x) x]
+        [(and (list? x) (andmap string? x)) (string-append* x)]
+        [else (complain who "the source of a cell is a text or a list of lines")]))
+
+(define (text-at x keys otherwise)
+  (cond [(null? keys) (if (string? x) x otherwise)]
+        [(hash? x) (text-at (hash-ref x (car keys) #f) (cdr keys) otherwise)]
+        [else otherwise]))

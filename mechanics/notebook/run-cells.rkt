@@ -1,0 +1,52 @@
+#lang racket/base
+;; The cells of a notebook run in this process, for a notebook that is written with its results.
+
+(require "cell.rkt" "mime-bundle.rkt" "program-cells.rkt"
+         "../lang/session-start.rkt"
+         "../show/display/result-receiver.rkt")
+
+(provide run-cells)
+
+(define-namespace-anchor here)
+
+;; Runs cells until one fails -> for each cell its outputs as Jupyter has them; and the failure or #f
+(define (run-cells cells)
+  (parameterize ([current-namespace (namespace-anchor->empty-namespace here)]
+                 [current-input-port (open-input-string "")]
+                 [exit-handler (lambda (code) (error 'exit "the program ends itself"))]
+                 [error-display-handler
+                  (lambda (message e) (write-string message (current-error-port)))])
+    (namespace-require 'mechanics)
+    (for/fold ([outputs '()] [failed #f] #:result (values (reverse outputs) failed))
+              ([c (in-list cells)])
+      (define-values (found why)
+        (if (and (eq? (cell-kind c) 'code) (not failed))
+            (run-cell (cell-source c))
+            (values '() failed)))
+      (values (cons found outputs) why))))
+
+(define (run-cell code)
+  (define outputs '())
+  (define written (open-output-string))
+  (define (add! output) (set! outputs (cons output outputs)))
+  (define (add-text!)
+    (define text (get-output-string written))
+    (unless (string=? text "")
+      (get-output-bytes written #t)     ; empties it
+      (add! (hasheq 'output_type "stream" 'name "stdout" 'text text))))
+  (define (show! x)
+    (unless (void? x)
+      (add-text!)
+      (add! (hasheq 'output_type "display_data" 'metadata (hasheq) 'data (value->bundle x)))))
+  (define failed
+    (parameterize ([current-output-port written] [current-error-port written]
+                   [current-print (output-receiver show! written)])
+      (start-session!)
+      (evaluate-cell code (lambda (x) ((current-print) x)))))
+  (add-text!)
+  (when failed (add! (failure->output failed)))
+  (values (reverse outputs) failed))
+
+(define (failure->output f)
+  (hasheq 'output_type "error" 'ename "error" 'evalue (failure-message f)
+          'traceback (list (failure-message f))))
