@@ -7,7 +7,8 @@
 (require "program-file.rkt"
          (only-in "unknown-name/unknown-names.rkt" install-hints!)
          "../error/machine-limits.rkt"
-         "../error/note.rkt")
+         "../error/note.rkt"
+         (only-in "../show/display/program-end.rkt" start-program!))
 
 (provide run-file)
 
@@ -20,6 +21,7 @@
   (parameterize ([current-command-line-arguments (list->vector arguments)])
     (with-handlers ([exn:fail:read? (lambda (e) (raise-unreadable 'run name e))])
       (if (marked? file) (declare-marked file) (module-declared? file #t)))
+    (start-program!)
     (require-submodule file 'configure-runtime)
     (dynamic-require file #f)
     (require-submodule file 'main)))

@@ -5,7 +5,8 @@
          (only-in "unknown-name/unknown-names.rkt" #%top note-entry!)
          "redefinition/prompt.rkt"
          "session-start.rkt"
-         (only-in "../error/progress.rkt" current-reporter terminal-reporter))
+         (only-in "../error/progress.rkt" current-reporter terminal-reporter)
+         (only-in "../show/display/program-end.rkt" leave-program!))
 
 (provide (rename-out [top-interaction #%top-interaction])
          #%top)
@@ -20,5 +21,6 @@
 
 (define (begin-entry! form)
   (set-handlers!)
+  (leave-program!)
   (note-entry! form)
   (current-reporter (terminal-reporter)))

@@ -5,19 +5,21 @@
 (require (only-in racket/math exact-ceiling exact-round)
          "animation.rkt" "drawing.rkt" "film.rkt" "pictures-on-demand.rkt"
          "../../generic/on-demand.rkt"
+         "../display/program-end.rkt"
          "../plot/window-screen.rkt")
 
-(require-on-demand #:in-this-thread ["player.rkt" loaded? open-player make-performance])
+(require-on-demand #:in-this-thread ["player.rkt" loaded? open-player make-performance]
+                   ["../plot/window.rkt" wait-until])
 
 (provide animation-show
          ;; for tests: -> the window
          animation-window)
 
-;; wait? : until the reader closes the window
-(define (animation-show a #:wait? [wait? #f])
+;; wait? : until the reader closes the window; 'at-end : at the end of the program
+(define (animation-show a #:wait? [wait? 'at-end])
   (define closed (make-semaphore))
   (animation-window a (lambda () (semaphore-post closed)))
-  (when wait? (semaphore-wait/enable-break closed)))
+  (stay-open! wait? (semaphore-peek-evt closed) wait-until))
 
 (define (animation-window a [closed void])
   (define who 'animation-show)

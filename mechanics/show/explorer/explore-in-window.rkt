@@ -37,9 +37,11 @@
                      (save e v source (missing) picture)))
                  (lambda (e) (draw-explored who e f))))
 
+;; The reader has seen the points.
 (define (draw-explored who e f)
   (exploration->dots
-   e (lambda (color x y) (add-dot! who f (make-style who 'points color 1.0 'solid #f) x y))))
+   e (lambda (color x y) (add-dot! who f (make-style who 'points color 1.0 'solid #f) x y)))
+  (seen f))
 
 ;; Draws the earlier contents of the frame in grey.
 (define ((background f) dc point->pixel)

@@ -97,10 +97,9 @@
   (closed (explorer-exploration it))
   (semaphore-post (explorer-closed it)))
 
-;; In the thread that handles the events of an eventspace these go on.
 (define (wait-until-closed it)
   (with-handlers ([exn:break? (lambda (b) (close-explorer it) (raise b))])
-    (void (yield (explorer-closed it)))))
+    (wait-until (explorer-closed it))))
 
 ;; ---------------------------------------------------------------------------
 ;; Points from the worker

@@ -11,11 +11,13 @@
 
 (require file/convertible
          racket/serialize
-         "picture-layer.rkt" "on-demand.rkt" "points.rkt" "view.rkt"
+         "picture-layer.rkt" "on-demand.rkt" "points.rkt" "view.rkt" "window-screen.rkt"
          "../../error/complain.rkt"
-         "../display/picture-advice.rkt"
-         "../../generic/define-plain.rkt" "../../generic/value-struct.rkt"
-         "../../generic/wrong-argument.rkt")
+         "../display/picture-advice.rkt" "../display/program-end.rkt"
+         "../../generic/define-plain.rkt" "../../generic/on-demand.rkt"
+         "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt")
+
+(require-on-demand #:in-this-thread ["window.rkt" loaded? open-window wait-until])
 
 (provide
  frame frame?
@@ -24,24 +26,25 @@
  ;; for drawing
  check-frame check-open frame-bounds add-dot! add-line! add-layer!
  ;; for showing
- frame-view frame-now frame-version frame-on-close set-frame-on-close! frame->bytes)
+ frame-view frame-now frame->bytes show-frame seen
+ ;; for tests
+ frame-window)
 
-;; layers : latest first; version : number of changes; on-close : -> any, or #f
+;; layers : latest first; version : number of changes; window : of window.rkt, or #f
 (value-struct frame (view lock [layers #:mutable] [closed? #:mutable]
-                          [version #:mutable] [on-close #:mutable])
+                          [version #:mutable] [window #:mutable])
   #:text frame->text
   #:constructor-name new-frame
   #:omit-define-syntaxes
   #:property prop:advice
-  (lambda (f)
-    "to see a frame f: (graphics-show f), or (graphics-save f \"picture.png\")")
+  (lambda (f) (string-append "to see a frame f: (graphics-show f), or " how-to-save))
   #:property prop:convertible
   (lambda (f request default)
     (cond [(eq? request 'text) (frame->text f)]
           [(can-draw?) (frame->bytes f request default)]
           [else default]))
   #:property prop:serializable
-  (make-serialize-info (lambda (f) (stored-frame f)) #'frame-deserialize-info #f
+  (make-serialize-info (lambda (f) (stored-frame (seen f))) #'frame-deserialize-info #f
                        (or (current-load-relative-directory) (current-directory))))
 
 (define-plain (frame x-min x-max y-min y-max
@@ -80,7 +83,9 @@
                         body ...
                         (set-frame-version! f (+ 1 (frame-version f)))
                         #t]))))
-      (raise-closed who f))))
+      (raise-closed who f))
+    (when (eqv? 1 (frame-version f))
+      (note-unseen! f (lambda () (show-frame f 'at-end)) (lambda () (unseen-remark f))))))
 
 (define-plain (graphics-clear f)
   (change! 'graphics-clear f (set-frame-layers! f '())))
@@ -89,9 +94,8 @@
 (define-plain (graphics-close f)
   (check-frame 'graphics-close f)
   (set-frame-closed?! f #t)
-  (define on-close (frame-on-close f))
-  (set-frame-on-close! f #f)
-  (when on-close (on-close)))
+  (define close (frame-window f))
+  (when close (close)))
 
 (define (add-layer! who f style data)
   (change! who f (set-frame-layers! f (cons (layer style data) (frame-layers f)))))
@@ -126,13 +130,13 @@
 
 (define-plain (frame-points f)
   (check-frame 'frame-points f)
-  (for*/list ([l (in-list (frame-now f))] #:when (eq? (layer-kind l) 'points)
+  (for*/list ([l (in-list (frame-now (seen f)))] #:when (eq? (layer-kind l) 'points)
               [v (in-list (snapshot->vectors (layer-data l)))])
     v))
 
 (define-plain (frame-curves f)
   (check-frame 'frame-curves f)
-  (for*/list ([l (in-list (frame-now f))] #:when (memq (layer-kind l) '(curve lines))
+  (for*/list ([l (in-list (frame-now (seen f)))] #:when (memq (layer-kind l) '(curve lines))
               [c (in-list (snapshot->curves (layer-data l)))])
     c))
 
@@ -142,7 +146,41 @@
           x-min x-max y-min y-max (layers->text (frame-now f))))
 
 (define (frame->bytes f format [default #f])
-  (picture-bytes (frame-view f) (frame-now f) format default))
+  (picture-bytes (frame-view f) (frame-now (seen f)) format default))
+
+;; ---------------------------------------------------------------------------
+;; What the end of the program is to show (program-end.rkt)
+
+(define how-to-save "(graphics-save f \"picture.png\")")
+
+(define (unseen-remark f)
+  (define title (view-title (frame-view f)))
+  (format "never shown: ~a~a; ~a writes it to a file"
+          (frame->text f) (if title (format ", ~s" title) "") how-to-save))
+
+;; -> f, of which somebody has the picture or the numbers
+(define (seen f)
+  (note-seen! f)
+  f)
+
+;; ---------------------------------------------------------------------------
+;; On the screen
+
+;; Opens a window, unless there is one.
+(define (show-frame f wait?)
+  (unless (frame-window f)
+    (check-screen 'graphics-show loaded? "(graphics-save frame \"picture.png\")")
+    (define v (frame-view (seen f)))
+    (set-frame-window!
+     f
+     (open-window (or (view-title v) "mechanics")
+                  (view-width v) (view-height v)
+                  (lambda () (frame-version f))
+                  (lambda (width height)
+                    (make-picture (struct-copy view v [width width] [height height])
+                                  (frame-now f)))
+                  (lambda () (set-frame-window! f #f)))))
+  (stay-open! wait? (frame-window f) wait-until))
 
 ;; ---------------------------------------------------------------------------
 ;; Frames in files

@@ -10,7 +10,7 @@
          racket/gui/base
          (only-in pict draw-pict))
 
-(provide loaded? open-window
+(provide loaded? open-window wait-until
          ;; for other windows
          titled-window show-at-size)
 
@@ -20,15 +20,19 @@
 (define least-pause 40)          ; milliseconds between two looks
 
 ;; version : -> number, of changes; picture : width height -> pict, of that size
-;; closed : -> any, called when the reader closes the window.
-;; -> a procedure that closes it
+;; closed : -> any, called when the window is closed
+;; -> the window: a procedure that closes it, and an event, that it is closed
 (define (open-window title width height version picture closed)
   (define space (make-eventspace))
+  (define over (make-semaphore))
+  (define (finish)
+    (semaphore-post over)
+    (closed))
   (parameterize ([current-eventspace space])
     (define window
       (titled-window title (lambda ()
                              (send timer stop)
-                             (closed))))
+                             (finish))))
     (define canvas (new picture-canvas% [parent window] [picture picture]))
     (define shown #f)
     (define (look)
@@ -39,12 +43,18 @@
     (define timer (new timer% [notify-callback look]))
     (show-at-size window canvas width height)
     (queue-callback look)
-    (lambda ()
+    (define (close)
+      (finish)
       (parameterize ([current-eventspace space])
         (queue-callback
          (lambda ()
            (send timer stop)
-           (send window show #f)))))))
+           (send window show #f)))))
+    (picture-window close (semaphore-peek-evt over))))
+
+(struct picture-window (close closed)
+  #:property prop:procedure (struct-field-index close)
+  #:property prop:evt (struct-field-index closed))
 
 ;; closed : -> any, called when the reader closes the window
 (define (titled-window title closed)
@@ -59,6 +69,9 @@
   (send window show #t)
   (send canvas min-client-width 100)
   (send canvas min-client-height 100))
+
+;; Waits for an event, in the thread that handles those of an eventspace as well.
+(define (wait-until closed) (void (yield closed)))
 
 (define picture-canvas%
   (class canvas%

@@ -24,15 +24,17 @@ in it.
 (plot-point win :pi 0 #:size 6)
 win]
 
-Nothing else happens: no window opens, nothing waits for one to be closed, and no display
-is needed. So the same program runs at a prompt, on a server, and in a test. A file gets
+Nothing else happens while it is drawn: no window opens, and no display is needed. So the same
+program runs at a prompt, on a server, and in a test. A file gets
 the picture with
 
 @racketblock[(graphics-save win "sines.pdf")]
 
 in the format that its name says: @filepath{.png}, @filepath{.svg} or @filepath{.pdf}.
 Where there is a screen, @racket[graphics-show] opens a window that follows what is drawn
-from then on, while the program goes on.
+from then on, while the program goes on. A program from a file, run by @exec{racket} or
+@exec{make run}, waits at its end until its windows are closed; a frame in which it drew and which
+it neither showed nor saved is shown then, or named in a line where there is no screen.
 
 @section{A minimization, step by step}
 

@@ -80,13 +80,14 @@ least; the speed is kept.
 @examples[#:eval session
 (eval:error (animation-save (animate swing (draw-pendulum)) "motion.avi"))]}
 
-@defproc[(animation-show [a animation?] [#:wait? wait? any/c #f]) void?]{
+@defproc[(animation-show [a animation?] [#:wait? wait? (or/c boolean? 'at-end) 'at-end])
+         void?]{
 
 Opens a window that plays it, with a button, a slider and speeds; the space bar stops and
 starts it, arrows go to the next picture, Home and End to the first and the last. The
-program goes on meanwhile, unless it is to wait until the reader closes the window; a program
-that ends takes its windows with it. Where no window can be opened, @racket[exn:fail] is
-raised.}
+program goes on, and a program from a file waits at its end until the reader closes the
+window; @racket[wait?] is as in @racket[graphics-show]. Where no window can be opened,
+@racket[exn:fail] is raised.}
 
 @defproc[(phase-plane [x (-> any real?)] [y (-> any real?)]
                       [#:x-label x-label string? "x"] [#:y-label y-label string? "y"])

@@ -351,12 +351,20 @@ replaced when the new file is complete. For very many points PNG is the smallest
 @examples[#:eval session
 (eval:error (graphics-save f "picture.gif"))]}
 
-@defproc[(graphics-show [f frame?]) void?]{
+@defproc[(graphics-show [f frame?] [#:wait? wait? (or/c boolean? 'at-end) 'at-end]) void?]{
 
 Opens a window with the picture, which follows what is drawn. It is drawn again a while
 after something has changed, not for each change, so that drawing never waits.
-@racket[graphics-close] or the reader closes it. A program that ends takes its windows
-with it. Where no window can be opened, @racket[exn:fail] is raised.}
+@racket[graphics-close] or the reader closes it.
+
+The program goes on, and a program from a file waits at its end until the window is closed, or
+until a break. With @racket[#t] the call waits; with @racket[#f] nothing does, and a program that
+ends takes the window with it. At a prompt, and in DrRacket, nothing waits at an end, for there
+windows stay by themselves. Where no window can be opened, @racket[exn:fail] is raised.
+
+A program that ends without an error also shows the frames that it drew in and that nobody has
+seen: it neither showed nor saved nor printed them as pictures, nor asked for their points or
+curves. Without a display it names each of these in a line.}
 
 @defproc[(frame->pict [f frame?]) any/c]{
 

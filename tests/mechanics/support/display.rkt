@@ -13,7 +13,7 @@
  environment-with    ; (environment-with display) -> environment variables
  call-with-display   ; (call-with-display use) : (use display); the file SCREEN_FILE has its pixels
  display-server      ; -> path or #f
- test-windows)       ; (test-windows name program expected)
+ test-windows)       ; (test-windows name program expected argument ...)
 
 (define (run-program program environment . arguments)
   (parameterize ([current-environment-variables environment]
@@ -58,11 +58,12 @@
 ;; The program says the expected lines, all of them and in this order, where there is a
 ;; display; libraries may complain in between, as they do where there is no home to keep
 ;; their settings in.
-(define (test-windows name program expected)
+(define (test-windows name program expected . arguments)
   (skip-unless (display-server)
                "Xvfb (Debian: apt install xvfb) is not installed: windows are not opened"
     (define output
-      (call-with-display (lambda (display) (run-program program (environment-with display)))))
+      (call-with-display
+       (lambda (display) (apply run-program program (environment-with display) arguments))))
     (define (said) (filter (lambda (line) (member line expected)) (string-split output "\n")))
     (skip-unless (not (regexp-match? #rx"ffi-lib: " output))
                  "the shared libraries of racket/gui are not installed: windows are not opened"
