@@ -84,7 +84,7 @@
                         (set-frame-version! f (+ 1 (frame-version f)))
                         #t]))))
       (raise-closed who f))
-    (when (eqv? 1 (frame-version f))
+    (when (and (eqv? 1 (frame-version f)) (not (frame-window f)))
       (note-unseen! f (lambda () (show-frame f 'at-end)) (lambda () (unseen-remark f))))))
 
 (define-plain (graphics-clear f)
@@ -149,7 +149,7 @@
   (picture-bytes (frame-view f) (frame-now (seen f)) format default))
 
 ;; ---------------------------------------------------------------------------
-;; What the end of the program is to show (program-end.rkt)
+;; What the end of the program is to show (display/program-end.rkt)
 
 (define how-to-save "(graphics-save f \"picture.png\")")
 

@@ -27,7 +27,7 @@
    (list graphics-clear (list f) "1 argument" '())
    (list graphics-close (list f) "1 argument" '())
    (list graphics-save (list f "f.png") "2 arguments" '())
-   (list graphics-show (list f) "1 argument" '())
+   (list graphics-show (list f) "1 argument" '(#:wait?))
    (list frame-points (list f) "1 argument" '())
    (list frame-curves (list f) "1 argument" '())
    (list frame->pict (list f) "1 argument" '())))
