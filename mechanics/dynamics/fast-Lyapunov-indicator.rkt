@@ -12,6 +12,7 @@
          "map/jacobian.rkt" "map/compiled-map.rkt" "map/map-of-the-plane.rkt" "map/plane-points.rkt"
          "../calculus/derivative.rkt"
          "../compile/compile-function.rkt"
+         (only-in "../error/progress.rkt" call-counting)
          "../generic/up-down.rkt"
          (only-in "../numeric/flvector.rkt" flvector-finite?)
          (only-in "../value/structure.rkt" ref))
@@ -39,19 +40,24 @@
   (define (row! step! j)
     (for ([x (in-flvector xs)] [i (in-naturals)])
       (flvector-set! all (+ i (* j columns)) (indicator step! x (flvector-ref ys j) n))))
-  (on-cores (if compiled? (processor-count) 1) (flvector-length ys) make-step! row!)
+  (call-counting
+   who "rows" (flvector-length ys)
+   (lambda (count!)
+     (on-cores (if compiled? (processor-count) 1) (flvector-length ys) make-step! row! count!)))
   all)
 
 ;; Core c takes the rows c, c + cores, ..., so that all have the same work.  The user's procedure,
 ;; which is not compiled, is called on one core: in a future it would block.
-(define (on-cores most rows make-step! row!)
+(define (on-cores most rows make-step! row! count!)
   (define cores (min rows most))
   (define others
     (for/list ([core (in-range 1 cores)])
       (define step! (make-step!))
       (future (lambda () (for ([j (in-range core rows cores)]) (row! step! j))))))
   (define step! (make-step!))
-  (for ([j (in-range 0 rows cores)]) (row! step! j))
+  (for ([j (in-range 0 rows cores)])
+    (count! j)
+    (row! step! j))
   (for-each touch others))
 
 ;; ---------------------------------------------------------------------------

@@ -8,7 +8,7 @@
 ;; it is.
 
 (provide report-progress call-with-progress note-progress
-         counting-search counted-values
+         call-counting counting-search counted-values
          ;; for the prompt
          (struct-out reporter) current-reporter terminal-reporter)
 
@@ -61,6 +61,16 @@
 (define (write-line port text)
   (write-string (string-append "\r" text "\e[K") port)
   (flush-output port))
+
+;; Calls (body count!); (count! k) reports that k of `total` things, named by `noun`, are done.
+;; total : #f where it is not known
+(define (call-counting who noun total body)
+  (call-with-progress
+   (report-progress)
+   (lambda (note!)
+     (body (lambda (k)
+             (note-progress note! (format "~a: ~a~a ~a" who k
+                                          (if total (format " of ~a" total) "") noun)))))))
 
 ;; -> a procedure that a search calls with each point reached and the value there: it reports the
 ;; count of points, and calls `observe`

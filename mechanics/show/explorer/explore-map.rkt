@@ -3,7 +3,7 @@
 
 (require racket/flonum
          "../plot/coordinate.rkt" "../plot/frame.rkt" "../plot/style.rkt"
-         "../../error/complain.rkt"
+         "../../error/complain.rkt" (only-in "../../error/progress.rkt" call-counting)
          "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/on-demand.rkt"
          "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../dynamics/map/map-of-the-plane.rkt"
@@ -22,7 +22,7 @@
 ;; source : the expression of the map, for the program that a window saves
 ;; -> the frame
 (define-plain (explore-map f map [n 1000] #:starts [given-starts #f] #:grid [grid #f]
-                     #:size [size 1.0] #:color [color 0]
+                     #:size [size #f] #:color [color 0]
                      #:window? [window? (not (or given-starts grid))] #:source [source #f])
   (define who 'explore-map)
   (check-exploration who f map (or n 0))
@@ -34,8 +34,7 @@
          (for ([p (in-list given)]) (check-image who f map (car p) (cdr p)))
          (if window?
              (explore-in-window who f map n starts source)
-             (for ([p (in-list starts)] [k (in-naturals color)])
-               (draw-orbit who f map n (car p) (cdr p) k size)))])
+             (draw-orbits who f map n starts color size))])
   f)
 
 ;; A collector complains of given starts without an image; starts of a grid may have none.
@@ -45,9 +44,13 @@
               (string-append "a collector follows its orbits by itself, from starts that are "
                              "given, not in a window\n  "
                              "(explore-map f collector #f #:starts (list (up x y) ...)), or #:grid (list 5 5)")))
-  (for ([p (in-list given)])
-    (collector (car p) (cdr p) void (lambda () (raise-no-image who collector (car p) (cdr p)))))
-  (for ([p (in-list grid)]) (collector (car p) (cdr p) void void)))
+  (call-counting
+   who "orbits" (+ (length given) (length grid))
+   (lambda (count!)
+     (for ([p (in-list (append given grid))] [k (in-naturals)])
+       (define (none) (when (< k (length given)) (raise-no-image who collector (car p) (cdr p))))
+       (count! k)
+       (collector (car p) (cdr p) void none)))))
 
 ;; One orbit, by the convention of scmutils.
 (define (display-map f map x y n)
@@ -56,11 +59,21 @@
     (values (check-number 'display-map "the abscissa" x)
             (check-number 'display-map "the ordinate" y)))
   (check-image 'display-map f map x0 y0)
-  (draw-orbit 'display-map f map n x0 y0 0 1.0)
+  (draw-orbits 'display-map f map n (list (cons x0 y0)) 0 #f)
   f)
 
-;; The start is drawn as well.  It ends early where there is no image.
-(define (draw-orbit who f map n x y color size)
+;; starts : pairs; color : of the first orbit
+(define (draw-orbits who f map n starts color size)
+  (call-counting
+   who "points" (* (+ n 1) (length starts))
+   (lambda (count!)
+     (for ([p (in-list starts)] [k (in-naturals)])
+       (draw-orbit who f map n (car p) (cdr p) (+ color k) size
+                   (lambda (left) (count! (- (* (+ n 1) (+ k 1)) left))))))))
+
+;; The start is drawn as well.  It ends early where there is no image.  left! : number -> any,
+;; how many points are left
+(define (draw-orbit who f map n x y color size left!)
   (define p (flvector x y))
   (define step! (stepper-at who map x y))
   (define style (make-style who 'points color size 'solid #f))
@@ -68,6 +81,7 @@
   (when step!
     (draw)
     (let loop ([n n])
+      (left! n)
       (when (and (> n 0) (step! p))
         (draw)
         (loop (- n 1))))))

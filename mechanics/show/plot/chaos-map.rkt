@@ -45,7 +45,7 @@
 
 ;; The indicator of a regular orbit is about log n; three times that is chaos beyond doubt.
 (define (colored indicators n)
-  (define regular (log n 10))
+  (define regular (log (max n 2) 10))
   (define bytes (make-bytes (* 4 (flvector-length indicators)) 255))
   (for ([value (in-flvector indicators)] [k (in-naturals)])
     (define color (color-between (/ (- value (* 0.5 regular)) (* 2.5 regular))))

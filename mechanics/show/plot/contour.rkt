@@ -3,6 +3,7 @@
 ;; effective potential, orbits in phase space as levels of the energy.
 
 (require "coordinate.rkt" "frame.rkt" "picture-layer.rkt" "style.rkt"
+         (only-in "../../error/progress.rkt" call-counting)
          "../../generic/define-plain.rkt" "../../generic/wrong-argument.rkt")
 
 (provide plot-contours nodes)
@@ -29,9 +30,13 @@
 (define (sample who function bounds n)
   (define-values (x-min x-max y-min y-max) (apply values bounds))
   (define xs (nodes x-min x-max n))
-  (for/vector #:length n ([y (in-list (nodes y-min y-max n))])
-    (for/vector #:length n ([x (in-list xs)])
-      (coordinate-of who (lambda () (format "the value at ~a, ~a" x y)) (function x y)))))
+  (call-counting
+   who "rows" n
+   (lambda (count!)
+     (for/vector #:length n ([y (in-list (nodes y-min y-max n))] [k (in-naturals)])
+       (count! k)
+       (for/vector #:length n ([x (in-list xs)])
+         (coordinate-of who (lambda () (format "the value at ~a, ~a" x y)) (function x y)))))))
 
 ;; -> n numbers from one to another, at equal distances
 (define (nodes low high n)

@@ -3,14 +3,14 @@
 
 (require racket/flonum
          "coordinate.rkt" "frame.rkt" "points.rkt" "style.rkt"
-         "../../error/complain.rkt"
+         "../../error/complain.rkt" (only-in "../../error/progress.rkt" call-counting)
          "../../generic/define-plain.rkt" "../../generic/describe.rkt")
 
 (provide plot-point plot-line plot-function plot-parametric plot-parametric-fill
          ;; for the curves of motions
          define-line draw-curve)
 
-(define-plain (plot-point f x y #:color [color 0] #:size [size 1.5] #:label [label #f])
+(define-plain (plot-point f x y #:color [color 0] #:size [size #f] #:label [label #f])
   (define who 'plot-point)
   (check-frame who f)
   (add-dot! who f (make-style who 'points color size 'solid label)
@@ -56,9 +56,13 @@
 (define (draw-curve who f style numbers at)
   (check-open who f)
   (define points (make-points))
-  (for ([t (in-list numbers)])
-    (define-values (x y) (at t (lambda () (format "the value at ~a" t))))
-    (add-point! points x y))
+  (call-counting
+   who "points" (length numbers)
+   (lambda (count!)
+     (for ([t (in-list numbers)] [k (in-naturals)])
+       (count! k)
+       (define-values (x y) (at t (lambda () (format "the value at ~a" t))))
+       (add-point! points x y))))
   (add-layer! who f style points))
 
 ;; ---------------------------------------------------------------------------
@@ -72,17 +76,22 @@
   (check-function who curve 1)
   (check-function who near? 2)
   (define style (make-style who 'points color size 'solid label))
+  (define-values (a b)
+    (values (check-number who "the start" from) (check-number who "the end" to)))
+  (call-counting who "points" #f
+                 (lambda (count!) (draw-near who f style curve near? a b count!))))
+
+(define (draw-near who f style curve near? a b count!)
   (define drawn 0)
   (define (at t)
     (define point (curve t))
     (define-values (x y) (plane-point who (lambda () (format "the value at ~a" t)) point))
     (set! drawn (+ drawn 1))
+    (count! drawn)
     (when (> drawn most-points) (raise-never-near who near?))
     (add-dot! who f style x y)
     (and (rational? x) (rational? y) point))
   (define (together? p q) (if (and p q) (near? p q) (eq? p q)))    ; nothing is near nothing
-  (define a (check-number who "the start" from))
-  (define b (check-number who "the end" to))
   (let fill ([a a] [at-a (at a)] [b b] [at-b (at b)])
     (define m (fl* 0.5 (fl+ a b)))
     (unless (or (fl= m a) (fl= m b))

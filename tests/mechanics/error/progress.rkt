@@ -2,7 +2,9 @@
 ;; Word of progress on long runs: when it is given, where, and that it goes away.
 
 (require mechanics
+         mechanics/book
          mechanics/error/progress
+         mechanics/plot
          "../support/checks.rkt")
 
 ;; A reporter whose clock goes on by `tick` ms each time it is read.
@@ -118,3 +120,23 @@
   (check-regexp-match #px"^multidimensional-minimize: \\d+ steps, value " (car (lines text2)))
   (define-values (text3 m) (shown #:tick 1500 (lambda () (minimize cos 1. 5.))))
   (check-regexp-match #px"^minimize: \\d+ steps, value " (car (lines text3))))
+
+(test-case "pictures of many points say how many there are"
+  (define f (frame 0 :2pi 0 :2pi))
+  (define T (standard-map 0.6))
+  (define (said draw) (let-values ([(text value) (shown draw)]) (lines text)))
+  (define (check-said pattern draw)
+    (define all (filter (lambda (line) (not (equal? line ""))) (said draw)))
+    (check-true (pair? all))
+    (for ([line all]) (check-regexp-match pattern line)))
+  (check-said #px"^explore-map: \\d+ of 202 points$"
+              (lambda () (explore-map f T 100 #:starts (list (up 1 1) (up 2 2)))))
+  (check-said #px"^display-map: \\d+ of 101 points$" (lambda () (display-map f T 1 1 100)))
+  (check-said #px"^explore-map: \\d+ of 49 orbits$"
+              (lambda () (explore-map f (lambda (x y done fail) (done x y)) #f #:grid '(7 7))))
+  (check-said #px"^chaos-map: \\d+ of 200 rows$"
+              (lambda () (chaos-map f (lambda (x y done fail) (done x y)) 1 #:samples '(1 200))))
+  (check-said #px"^plot-function: \\d+ of 501 points$" (lambda () (plot-function f sin 0 1)))
+  (check-said #px"^plot-contours: \\d+ of 101 rows$" (lambda () (plot-contours f * 1)))
+  (check-said #px"^plot-parametric-fill: \\d+ points$"
+              (lambda () (plot-parametric-fill f (lambda (t) (up t t)) 0 6))))
