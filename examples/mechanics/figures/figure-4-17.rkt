@@ -12,7 +12,7 @@
           (for*/list ([sign '(1 -1)] [p '(0.6 1.6 2.6 3.6 4.6 6. 8.)]) (list 0. (* sign p)))
           '((0.05 12.8) (0.05 -12.8))))
 (define section
-  (explore-map win rotor-map 250 #:size 1.5
+  (explore-map win rotor-map 250
                #:starts (map (lambda (start) (apply up start)) starts)))
 
 win

@@ -8,7 +8,7 @@
 
 (define win (frame :-pi :pi 3 6 #:x-label "θ" #:y-label "p_θ"))
 (define section
-  (explore-map win rotor-map 500 #:size 1.5
+  (explore-map win rotor-map 500
                #:starts (append (for/list ([p '(3.94 3.97 4. 4.03)]) (up :pi p))
                               (for/list ([p '(3.6 3.9 4.2 4.5 4.65 4.8 5.2 5.5 5.8)]) (up 0. p)))))
 

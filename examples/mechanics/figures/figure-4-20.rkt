@@ -12,7 +12,7 @@
 (define sea
   (explore-map win T 8000 #:starts (list (up 0.1 0.1)) #:color 1))
 (define curve
-  (explore-map win T 4000 #:starts (list (up 0. ordinate)) #:color 0 #:size 1.5))
+  (explore-map win T 4000 #:starts (list (up 0. ordinate)) #:color 0))
 
 win
 

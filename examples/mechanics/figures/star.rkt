@@ -13,7 +13,7 @@
 (define (star-section E starts n)
   (define win (frame -0.5 0.7 -0.6 0.6 #:x-label "y" #:y-label "p_y"))
   (plot-contours win (energy-curve E) '(0) #:color 'gray)
-  (explore-map win (star-map E) n #:size 1.5
+  (explore-map win (star-map E) n
                #:starts (map (lambda (start) (apply up start)) starts)))
 
 (define ((energy-curve E) y p)

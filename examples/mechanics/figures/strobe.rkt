@@ -15,7 +15,7 @@
 ;; starts : lists (θ p)
 (define (strobe-section A ratio p-max starts n)
   (define win (frame :-pi :pi (- p-max) p-max #:x-label "θ" #:y-label "p_θ"))
-  (explore-map win (strobe-map A ratio) n #:size 1.5
+  (explore-map win (strobe-map A ratio) n
                #:starts (map (lambda (start) (apply up start)) starts)))
 
 ;; Points of a manifold, each joined to the next but where the angle passes ±π.

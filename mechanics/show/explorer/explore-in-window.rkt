@@ -40,7 +40,7 @@
 ;; The reader has seen the points.
 (define (draw-explored who e f)
   (exploration->dots
-   e (lambda (color x y) (add-dot! who f (make-style who 'points color 1.0 'solid #f) x y)))
+   e (lambda (color x y) (add-dot! who f (make-style who 'points color #f 'solid #f) x y)))
   (seen f))
 
 ;; Draws the earlier contents of the frame in grey.

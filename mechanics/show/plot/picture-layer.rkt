@@ -10,7 +10,7 @@
          stored-layer restored-layer)
 
 ;; kind : 'points, 'lines (segments apart), 'curve, 'level or 'image
-;; size : diameter of points or width of lines, in pixels
+;; size : diameter of points or width of lines, in pixels; #f for points whose number decides
 ;; dash, label : of a line, as plot has them; what the legend says, or #f
 (struct style (kind color size dash label) #:prefab)
 

@@ -16,7 +16,8 @@
 (define (color-name? name) (and (named-color name) #t))
 
 ;; -> pict
-(define (make-picture v layers)
+(define (make-picture v given-layers)
+  (define layers (sized v given-layers))
   (define dense (filter dense? layers))
   (define images (filter image? layers))
   (if (and (null? dense) (null? images))
@@ -58,6 +59,27 @@
   (define with-points (if (null? dense) drawn (with-dense-points drawn bounds dense)))
   (if (null? images) with-points (with-images-beneath with-points bounds images)))
 
+;; ---------------------------------------------------------------------------
+;; The size of points
+
+;; Points that do not say how large they are cover a twentieth of the picture together, but none is
+;; larger than 5 pixels or smaller than 2; where that would cover it twice they are smaller.
+(define (size-of-points count area)
+  (define (covering share) (sqrt (/ (* share area) (max 1 count))))
+  (max 1.0 (min 5.0 (covering 0.05)) (min 2.0 (covering 2.0))))
+
+(define (sized v layers)
+  (define (unsized? l) (not (style-size (layer-style l))))
+  (define count
+    (for/sum ([l (in-list layers)] #:when (unsized? l)) (snapshot-count (layer-data l))))
+  (define size (size-of-points count (* (view-width v) (view-height v))))
+  (for/list ([l (in-list layers)])
+    (if (unsized? l)
+        (struct-copy layer l [style (struct-copy style (layer-style l) [size size])])
+        l)))
+
+;; ---------------------------------------------------------------------------
+
 (define (image? l) (eq? (layer-kind l) 'image))
 
 ;; A layer with more points is drawn as an image, not point by point.
@@ -78,9 +100,9 @@
   (define data (layer-data l))
   (case (layer-kind l)
     [(points)
-     ;; plot's dots are half as wide as their size says
+     ;; plot's dots are a quarter as wide as their size says
      (points (snapshot->vectors data)
-             #:sym 'dot #:size (* 2 (style-size s)) #:color (style-color s)
+             #:sym 'dot #:size (* 4 (style-size s)) #:color (style-color s)
              #:label (style-label s))]
     [(image)
      (define-values (x-min x-max y-min y-max) (apply values bounds))

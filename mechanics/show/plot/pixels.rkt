@@ -28,33 +28,31 @@
   (values (exact-floor (* (pixels-width p) (/ (- x x-min) (- x-max x-min))))
           (exact-floor (* (pixels-height p) (/ (- y-max y) (- y-max y-min))))))
 
-;; Marks the first `count` points of two flvectors, in a colour of three bytes.  A dot is two
-;; pixels wide.
-(define (mark! p xs ys count color)
+;; Marks the first `count` points of two flvectors, in a colour of three bytes; dots are squares.
+(define (mark! p xs ys count color [wide 2])
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
   (define-values (width height) (values (pixels-width p) (pixels-height p)))
   (define-values (x-scale y-scale)
     (values (/ width (- x-max x-min)) (/ height (- y-max y-min))))
   (define dot! (dot-marker p color))
+  (define back (unsafe-fxquotient (unsafe-fx- wide 1) 2))
   (let loop ([k 0])
     (when (unsafe-fx< k count)
       (define-values (x y) (values (unsafe-flvector-ref xs k) (unsafe-flvector-ref ys k)))
       (when (and (unsafe-fl<= x-min x) (unsafe-fl<= x x-max)
                  (unsafe-fl<= y-min y) (unsafe-fl<= y y-max))
-        (define i (unsafe-fl->fx (unsafe-fl* x-scale (unsafe-fl- x x-min))))
-        (define j (unsafe-fl->fx (unsafe-fl* y-scale (unsafe-fl- y-max y))))
-        (dot! i j)
-        (dot! (unsafe-fx+ i 1) j)
-        (dot! i (unsafe-fx+ j 1))
-        (dot! (unsafe-fx+ i 1) (unsafe-fx+ j 1)))
+        (define i (unsafe-fx- (unsafe-fl->fx (unsafe-fl* x-scale (unsafe-fl- x x-min))) back))
+        (define j (unsafe-fx- (unsafe-fl->fx (unsafe-fl* y-scale (unsafe-fl- y-max y))) back))
+        (for* ([b (in-range j (unsafe-fx+ j wide))] [a (in-range i (unsafe-fx+ i wide))])
+          (dot! a b)))
       (loop (unsafe-fx+ k 1)))))
 
-;; -> a procedure that marks pixel i, j, unless it is to the right of the picture or below
+;; -> a procedure that marks pixel i, j, if the picture has it
 (define (dot-marker p color)
   (define-values (red green blue) (apply values color))
   (define-values (width height bytes) (values (pixels-width p) (pixels-height p) (pixels-bytes p)))
   (lambda (i j)
-    (when (and (unsafe-fx< i width) (unsafe-fx< j height))
+    (when (and (unsafe-fx<= 0 i) (unsafe-fx< i width) (unsafe-fx<= 0 j) (unsafe-fx< j height))
       (define k (unsafe-fx* 4 (unsafe-fx+ i (unsafe-fx* j width))))
       (unsafe-bytes-set! bytes k 255)
       (unsafe-bytes-set! bytes (unsafe-fx+ k 1) red)

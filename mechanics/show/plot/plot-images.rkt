@@ -23,7 +23,8 @@
   (for ([l (in-list layers)])
     (define s (layer-data l))
     (mark! image (snapshot-xs s) (snapshot-ys s) (snapshot-count s)
-           (color->bytes (style-color (layer-style l)))))
+           (color->bytes (style-color (layer-style l)))
+           (pixels-along (style-size (layer-style l)))))
   (pin-over p x y
             (scale (bytes->pict (pixels-width image) (pixels-height image) (pixels-bytes image))
                    (/ 1.0 fineness))))

@@ -10,7 +10,7 @@
   (unless (color? color)
     (complain-of-argument
      who "a color: a name such as 'red, a small integer, or a list of three bytes" color))
-  (unless (and (real? size) (<= 0 size 1000))
+  (unless (or (and (real? size) (<= 0 size 1000)) (and (not size) (eq? kind 'points)))
     (complain-of-argument who "a size in pixels, from 0 to 1000" size))
   (check-dash who dash)
   (unless (or (not label) (string? label))

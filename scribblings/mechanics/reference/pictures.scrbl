@@ -25,7 +25,8 @@ These keywords are common to what draws:
 integer, for one of @racketmodname[plot #:indirect]'s colors, in which 0 is black;
 or a list of three
 bytes, red, green and blue.}
-@item{@racket[#:size], of points: their diameter in pixels.}
+@item{@racket[#:size], of points: their diameter in pixels. With @racket[#f] it follows the number
+of points in the picture: 5 where they are few, 2 where they are many.}
 @item{@racket[#:width] and @racket[#:style], of lines: the width in pixels, and
 @racket['solid], @racket['dot], @racket['long-dash], @racket['short-dash] or
 @racket['dot-dash].}
@@ -84,7 +85,7 @@ f]
 @section{Drawing}
 
 @deftogether[(@defproc[(plot-point [f frame?] [x real?] [y real?]
-                                   [#:color color any/c 0] [#:size size real? 1.5]
+                                   [#:color color any/c 0] [#:size size (or/c real? #f) #f]
                                    [#:label label (or/c string? #f) #f])
                        void?]
               @defproc[(plot-line [f frame?] [x1 real?] [y1 real?] [x2 real?] [y2 real?]
@@ -231,7 +232,7 @@ starts. An energy that depends on the time is an error, and so is what is called
                       [#:grid grid
                               (or/c (list/c exact-positive-integer? exact-positive-integer?) #f)
                               #f]
-                      [#:size size real? 1.0]
+                      [#:size size (or/c real? #f) #f]
                       [#:color color exact-nonnegative-integer? 0]
                       [#:window? window? any/c (not (or starts grid))]
                       [#:source source any/c #f])

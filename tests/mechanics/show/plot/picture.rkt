@@ -5,6 +5,7 @@
          mechanics/plot
          (only-in mechanics/show/plot/on-demand why-not)
          (only-in pict pict-width pict-height)
+         (only-in racket/class dynamic-send)
          racket/file
          racket/string
          "../../support/checks.rkt" "../../support/folder.rkt"
@@ -30,7 +31,40 @@
   (check-equal? (subbytes bytes 12 16) #"IHDR")
   (list (integer-bytes->integer bytes #f #t 16 20) (integer-bytes->integer bytes #f #t 20 24)))
 
+;; How many pixels are red, and no paler than half
+(define (red-pixels png)
+  (define (draw-library name) (dynamic-require 'racket/draw name))
+  (define picture ((draw-library 'read-bitmap) (open-input-bytes png)))
+  (define (call name . arguments) (apply dynamic-send picture name arguments))
+  (define-values (width height) (values (call 'get-width) (call 'get-height)))
+  (define bytes (make-bytes (* 4 width height)))
+  (call 'get-argb-pixels 0 0 width height bytes)
+  (for/sum ([k (in-range 0 (bytes-length bytes) 4)])
+    (if (and (> (bytes-ref bytes (+ k 1)) 200) (< (bytes-ref bytes (+ k 2)) 128)) 1 0)))
+
 (skip-unless drawable? no-drawing
+
+  (test-case "points are as bold as they can be; the more there are, the smaller"
+    (define (pixels-each n . size)
+      (define f (frame 0 1 0 1))
+      (define state (make-pseudo-random-generator))
+      (parameterize ([current-pseudo-random-generator state])
+        (random-seed 1)
+        (for ([_ (in-range n)])
+          (keyword-apply plot-point (map (lambda (s) '#:size) size) size (list f (random) (random))
+                         #:color '(255 0 0))))
+      (/ (red-pixels (convert f 'png-bytes)) n 1.0))
+    (define-values (few more many)
+      (values (pixels-each 30) (pixels-each 1000) (pixels-each 4000)))
+    (check-true (> few 15.0) (format "~a" few))
+    (check-true (> few more many) (format "~a, ~a, ~a" few more many))
+    (check-true (> many 2.0) (format "~a" many))
+    (check-true (> (pixels-each 21000 5) (pixels-each 21000))))
+
+  (test-case "the size of a point is its diameter in pixels"
+    (define f (frame 0 1 0 1))
+    (plot-point f 1/2 1/2 #:size 20 #:color 'red)
+    (check-true (< 300 (red-pixels (convert f 'png-bytes)) 330)))
 
   (test-case "formats"
     (define f (drawn))
