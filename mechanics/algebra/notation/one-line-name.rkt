@@ -5,9 +5,9 @@
 ;; the number π.  So each text is read as the one symbol that it was written from.
 
 (require "name.rkt"
-         "../expression/operation.rkt")
+         "../expression/operation.rkt" "../expression/pi.rkt")
 
-(provide line-name dotted-line-name line-name->symbol known-word?
+(provide line-name dotted-line-name letters-of-name line-name->symbol known-word?
          superscript->text raised-text small-fraction->number quotient->small-fraction)
 
 ;; ---------------------------------------------------------------------------
@@ -22,6 +22,18 @@
       text))
 
 (define (dotted-line-name s n) (regular-text (dotted-parts s n)))
+
+;; The name under so many dots, for text that is not read back: without bars where only a Greek
+;; letter, typed as such, asks for them.  #f of other names between bars.
+(define (letters-of-name s dots)
+  (define p (name-parts s))
+  (define text (regular-text p))
+  (define read (line-name->symbol text))
+  (and (or (eq? s read)
+           (and (not (eq? read exact-pi)) (equal? p (name-parts read))))
+       (not (eq? (parts-sort p) 'odd))
+       (not (reserved? text))
+       (if (= dots 0) text (dotted-line-name s dots))))
 
 (define (regular-text p)
   (string-append

@@ -44,7 +44,12 @@
     (super-new)
     (inherit draw)
     (define/override (draw-leaf t)
-      (text-box (if (name? t) (shown-name (name-symbol t)) (tree->line t))))
+      (cond [(name? t) (text-box (shown-name (name-symbol t)))]
+            [(dotted? t) (draw-dotted (dotted-base t) (dotted-dots t))]
+            [else (text-box (tree->line t))]))
+    (define/private (draw-dotted base dots)
+      (define text (letters-of-name (name-symbol base) dots))
+      (if text (text-box text) (draw-derivative (list (mark #f dots)) base)))
     (define/override (draw-derivative marks function)
       (define operator (text-box (tree->line (derivative marks #f))))
       (if function (beside operator (draw function)) operator))
@@ -63,9 +68,7 @@
           (beside (text-box "√") box)
           (with-roof box)))))
 
-(define (shown-name s)
-  (define text (line-name s))
-  (if (regexp-match? #rx"^[|]" text) (visible (symbol->string s)) text))
+(define (shown-name s) (or (letters-of-name s 0) (visible (symbol->string s))))
 
 ;; ---------------------------------------------------------------------------
 ;; Tables

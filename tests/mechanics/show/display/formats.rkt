@@ -111,8 +111,17 @@
   (check-equal? (->infix 'θ) "|θ|")
   (check-eq? (read-infix (->infix 'θ)) 'θ)
   (check-equal? (->infix (* ':pi 'pi)) "π |pi|")
+  (check-equal? (->text (* ':pi 'pi)) "π pi")
   (for ([s (in-list attacks)])
     (check-equal? (read-infix (->infix s)) s)))
+
+(test-case "a Greek letter that was typed as such looks in text as its name does, with dots as well"
+  (for ([name '(theta_1 omega xdot theta)] [letters '(θ_1 ω ẋ θ)])
+    (check-equal? (->text letters) (->text name)))
+  (define (second s) (->text (((expt D 2) (literal-function s)) 't)))
+  (for ([name '(theta_1 omega theta)] [letters '(θ_1 ω θ)])
+    (check-equal? (second letters) (second name)))
+  (check-equal? (second '|a b|) "D²a b(t)"))
 
 ;; ---------------------------------------------------------------------------
 ;; Width
