@@ -7,9 +7,11 @@
 ;; on most machines that takes less than one.
 (define announcement-delay (make-parameter 1))
 
-;; (f), and the text as a remark on the error port if that takes longer than the delay.
+;; (f), and the text as a remark if that takes longer than the delay: on the error port, but in an
+;; editor, where that is red, beside the result.
 (define (call-announced text f)
-  (define port (current-error-port))
+  (define output (current-output-port))
+  (define port (if (port-writes-special? output) output (current-error-port)))
   (define seconds (announcement-delay))
   (define done (make-semaphore))
   (dynamic-wind

@@ -28,3 +28,13 @@
                                                  (raise-user-error "no"))))
                 '("no" ""))
   (check-exn exn:fail? (lambda () (announced 3600 (lambda (port) (raise-user-error "no"))))))
+
+(test-case "an editor shows it beside its results, not as an error"
+  (define-values (in written) (make-pipe))
+  (define editor
+    (make-output-port 'editor always-evt
+                      (lambda (bytes from to . more) (write-bytes bytes written from to))
+                      void
+                      (lambda (value . more) #t)))
+  (parameterize ([current-output-port editor] [announcement-delay 0])
+    (check-equal? (announced 0 (lambda (port) (read-line in))) '("; waiting ..." ""))))
