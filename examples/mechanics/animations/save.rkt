@@ -9,7 +9,7 @@
 (define (save-animations animation usual-name)
   (define arguments (vector->list (current-command-line-arguments)))
   (for ([argument (in-list (if (null? arguments) (list usual-name) arguments))])
-    (cond [(equal? argument "--show") (animation-show animation #:wait? #t)]
+    (cond [(equal? argument "--show") (animation-show animation)]
           [else
            (animation-save animation argument)
            (printf "written: ~a\n" argument)])))
