@@ -12,7 +12,8 @@
          "constraint/on-demand.rkt"
          "algebra/notation/formula-style.rkt"
          "canonical/on-demand.rkt" "reduction/on-demand.rkt" "pendulum/on-demand.rkt"
-         "show/display/on-demand.rkt" "show/display/output.rkt" "show/display/print-expression.rkt"
+         "show/display/on-demand.rkt" "show/display/print-expression.rkt"
+         "show/display/printing-procedures.rkt"
          (only-in "show/display/display-style.rkt" display-style)
          "show/interact/interact.rkt"
          (only-in "show/interact/on-demand.rkt" interaction-show)
@@ -102,7 +103,7 @@
  p->r r->p s->r r->s
  ;; showing
  print-expression show-expression series:print interact interaction-show
- (all-from-out "show/display/output.rkt" "show/display/on-demand.rkt")
+ (all-from-out "show/display/printing-procedures.rkt" "show/display/on-demand.rkt")
  display-style derivative-style suppress-arguments)
 
 ;; Run by `racket -I mechanics` and by programs written in `#lang mechanics`.

@@ -12,7 +12,7 @@
          racket/string
          "../show/display/picture-advice.rkt" "../show/display/display-style.rkt"
          "../show/display/print-shown.rkt"
-         "../show/display/result-receiver.rkt" "../show/display/result.rkt"
+         "../show/display/receiving-printer.rkt" "../show/display/result.rkt"
          (only-in "../show/interact/live-result.rkt" live?)
          "../error/message-words.rkt" "../error/note.rkt"
          (only-in "../generic/cyclic-data.rkt" cyclic?)

@@ -40,7 +40,7 @@
   ((dynamic-require 'racket/pretty 'pretty-print-columns) page-columns)
   ((dynamic-require 'mechanics/lang/printer 'install-printer!))
   (define value->markup (dynamic-require 'mechanics/show/document/line-markup 'value->line-markup))
-  (define receiver (dynamic-require 'mechanics/show/display/result-receiver 'result-receiver))
+  (define receiver (dynamic-require 'mechanics/show/display/receiving-printer 'result-receiver))
   (current-print (receiver (typesetting (current-print) value->markup))))
 
 ;; As in a terminal: the page would take pictures.

@@ -95,7 +95,7 @@
   (define print-result (of-program 'mechanics/lang/printer 'print-result))
   (define other (current-print))
   (define (print x) (parameterize ([current-print other]) (print-result x)))
-  ((of-program 'mechanics/show/display/result-receiver 'result-receiver)
+  ((of-program 'mechanics/show/display/receiving-printer 'result-receiver)
    (typesetting print (of-program 'mechanics/show/document/line-markup 'value->line-markup))))
 
 (define (texts-and-results in)

@@ -9,7 +9,7 @@
          "watch.rkt"
          "../unknown-name/unknown-names.rkt"
          (only-in "../../error/refusal.rkt" raised?)
-         "../../show/display/result-receiver.rkt"
+         "../../show/display/receiving-printer.rkt"
          "../../show/document/document-piece.rkt" "../../show/document/shown-result.rkt")
 
 (provide run-program (struct-out outcome) (struct-out early-end))

@@ -11,7 +11,7 @@
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt"
          "../../motion/on-demand.rkt"
-         "../plot/coordinate.rkt")
+         "../plot/plotted-number.rkt")
 
 (provide animate animation? check-animation animation-film animation-pictures)
 

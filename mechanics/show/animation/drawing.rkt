@@ -6,12 +6,12 @@
 ;; which of its points leave a trail, and the marks that make a diagram of it.
 
 (require (only-in racket/list append-map)
-         "on-demand.rkt" "plane.rkt" "shapes.rkt" "system-state.rkt"
+         "on-demand.rkt" "plane-vector.rkt" "shapes.rkt" "drawn-state.rkt"
          "../display/drawing-library.rkt"
          "../../error/complain.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
-         "../plot/coordinate.rkt" "../plot/view.rkt")
+         "../plot/plotted-number.rkt" "../plot/view.rkt")
 
 (provide mechanism drawn make-drawing drawing? drawing-datum drawing-bounds drawing-width
          drawing-axes drawing-sample

@@ -3,7 +3,7 @@
 
 (require "../../generic/compare.rkt" "../../generic/wrong-argument.rkt"
          "../../error/complain.rkt"
-         "../plot/coordinate.rkt")
+         "../plot/plotted-number.rkt")
 
 (provide (struct-out film) film-state
          (struct-out schedule) make-schedule

@@ -1,12 +1,12 @@
 #lang racket/base
 ;; The phase portrait beside a mechanism shows one function of the state against another.
 
-(require "system-state.rkt"
+(require "drawn-state.rkt"
          "../../error/complain.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
          "../../lagrangian/local-tuple.rkt"
-         "../plot/coordinate.rkt")
+         "../plot/plotted-number.rkt")
 
 (provide phase-plane phase-plane? phase-plane-x-label phase-plane-y-label
          plane-of-coordinate plane-point-at)

@@ -2,7 +2,7 @@
 ;; Space seen from a little above, z up: a parallel projection, so that lengths along one
 ;; direction stay in proportion wherever they are.
 
-(require "plane.rkt" "shapes.rkt"
+(require "plane-vector.rkt" "shapes.rkt"
          "../../numeric/constants.rkt")
 
 (provide in-view on-vertical nearness space-ring level-ring space-axes)

@@ -6,7 +6,7 @@
          racket/list
          (only-in racket/math exact-ceiling exact-floor)
          (only-in pict pict? pict-width pict-height blank lt-superimpose hc-append)
-         "drawing.rkt" "film.rkt" "paint.rkt" "phase-plane.rkt" "portrait.rkt"
+         "drawing.rkt" "film.rkt" "paint.rkt" "phase-plane.rkt" "portrait-shapes.rkt"
          "shapes.rkt"
          "../../error/complain.rkt" "../../error/computed-once.rkt"
          "../../generic/describe.rkt"

@@ -9,7 +9,7 @@
 (require "../../error/complain.rkt"
          "../../generic/describe.rkt" "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt"
-         "../plot/coordinate.rkt" "../plot/style.rkt")
+         "../plot/plotted-number.rkt" "../plot/style.rkt")
 
 (provide polyline disc label flat-shapes
          (struct-out stroke) (struct-out spot) (struct-out lettering)

@@ -7,7 +7,7 @@
          racket/math
          racket/string
          (only-in xml xexpr->string)
-         "plane.rkt")
+         "plane-vector.rkt")
 
 (provide (struct-out look) (struct-out element)
          path-element ellipse-element text-element image-element clipped

@@ -2,7 +2,7 @@
 ;; Printing values on demand, simplified: what the prompt does to results.
 
 (require "display-style.rkt" "layout.rkt" "print-shown.rkt" "result-note.rkt"
-         "result-receiver.rkt" "result.rkt" "text.rkt"
+         "receiving-printer.rkt" "result.rkt" "result-lines.rkt"
          (only-in "../../error/hint.rkt" quoted-expression?)
          (only-in "../../error/note.rkt" note-once)
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"

@@ -5,7 +5,7 @@
 ;; What is ours becomes text that prints as itself, or a picture; what is not (strings, lists,
 ;; pictures) stays as it is for Racket to print, its elements simplified.
 
-(require "picture-advice.rkt" "announcement.rkt" "text.rkt"
+(require "picture-advice.rkt" "waiting-remark.rkt" "result-lines.rkt"
          "../../algebra/expression/expression.rkt"
          "../../generic/cyclic-data.rkt" "../../generic/kind.rkt" "../../generic/notation.rkt"
          "../../generic/on-demand.rkt" "../../generic/value-struct.rkt"

@@ -20,7 +20,7 @@
 ;; Numbers and names that are drawn in one picture at most.
 (define most-drawn 2000)
 
-;; shown  : a value; notes : what its simplification took for granted (text.rkt)
+;; shown  : a value; notes : what its simplification took for granted (result-lines.rkt)
 ;; manner : as manner-here (display-style.rkt) gives it, but 'expression
 ;; unstyled : -> the result as an S-expression, as text with its notes and without
 ;; made   : (string -> value), which prints as that string

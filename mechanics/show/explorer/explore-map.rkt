@@ -2,7 +2,7 @@
 ;; Orbits of a map of the plane, as points (SICM 3.6.1, p. 248).
 
 (require racket/flonum
-         "../plot/coordinate.rkt" "../plot/frame.rkt" "../plot/style.rkt"
+         "../plot/plotted-number.rkt" "../plot/frame.rkt" "../plot/style.rkt"
          "../../error/complain.rkt" (only-in "../../error/progress.rkt" call-counting)
          "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/on-demand.rkt"
          "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"

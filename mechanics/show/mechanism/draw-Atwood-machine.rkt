@@ -3,7 +3,7 @@
 ;; (SICM 1.10).
 
 (require "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt"
+         "../animation/drawing.rkt" "../animation/plane-vector.rkt" "../animation/shapes.rkt"
          "../../numeric/constants.rkt")
 
 (provide draw-Atwood-machine)

@@ -3,11 +3,11 @@
 
 (require (only-in racket/list take)
          "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt"
+         "../animation/drawing.rkt" "../animation/plane-vector.rkt" "../animation/projection.rkt"
          "../animation/shapes.rkt"
          "../../generic/describe.rkt"
          "../../numeric/constants.rkt"
-         "../plot/coordinate.rkt")
+         "../plot/plotted-number.rkt")
 
 (provide draw-bead-on-ring draw-bead-on-track)
 

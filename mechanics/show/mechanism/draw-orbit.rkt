@@ -2,7 +2,7 @@
 ;; Bodies that attract each other: one about a center at rest, or any number of them.
 
 (require "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt")
+         "../animation/drawing.rkt" "../animation/plane-vector.rkt" "../animation/shapes.rkt")
 
 (provide draw-orbit draw-bodies)
 

@@ -3,7 +3,7 @@
 
 (require (only-in racket/list drop-right)
          "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt"
+         "../animation/drawing.rkt" "../animation/plane-vector.rkt" "../animation/shapes.rkt"
          "../../numeric/constants.rkt")
 
 (provide draw-pendulum-chain draw-cart-pendulum)

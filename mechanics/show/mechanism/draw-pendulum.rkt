@@ -2,9 +2,9 @@
 ;; Pendulums whose rod is rigid, in a vertical plane: SICM 1.6.2, pp. 51-53.
 
 (require "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt"
+         "../animation/drawing.rkt" "../animation/plane-vector.rkt" "../animation/shapes.rkt"
          "../../generic/describe.rkt"
-         "../plot/coordinate.rkt")
+         "../plot/plotted-number.rkt")
 
 (provide draw-pendulum draw-driven-pendulum)
 

@@ -2,7 +2,7 @@
 ;; Bodies that move in a plane and turn in it: a ladder at a wall, a sleigh on a blade.
 
 (require "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt"
+         "../animation/drawing.rkt" "../animation/plane-vector.rkt" "../animation/shapes.rkt"
          "../../numeric/constants.rkt")
 
 (provide draw-ladder draw-sleigh)

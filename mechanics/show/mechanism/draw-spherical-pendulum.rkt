@@ -2,7 +2,7 @@
 ;; Pendulums that swing in space: seen from the side, and, as Foucault's, from above.
 
 (require "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt"
+         "../animation/drawing.rkt" "../animation/plane-vector.rkt" "../animation/projection.rkt"
          "../animation/shapes.rkt")
 
 (provide draw-spherical-pendulum draw-Foucault-pendulum)

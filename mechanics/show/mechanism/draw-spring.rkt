@@ -2,7 +2,7 @@
 ;; Masses on springs.
 
 (require "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/shapes.rkt"
+         "../animation/drawing.rkt" "../animation/plane-vector.rkt" "../animation/shapes.rkt"
          "../../generic/wrong-argument.rkt")
 
 (provide draw-oscillator draw-spring-pendulum)

@@ -4,7 +4,7 @@
 
 (require (only-in racket/list last)
          "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt"
+         "../animation/drawing.rkt" "../animation/plane-vector.rkt" "../animation/projection.rkt"
          "../animation/shapes.rkt")
 
 (provide draw-top draw-brick)

@@ -2,11 +2,11 @@
 ;; Wheels: one that rolls down an incline, seen from the side, and a coin on a table.
 
 (require "mechanism-parts.rkt"
-         "../animation/drawing.rkt" "../animation/plane.rkt" "../animation/projection.rkt"
+         "../animation/drawing.rkt" "../animation/plane-vector.rkt" "../animation/projection.rkt"
          "../animation/shapes.rkt"
          "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt"
-         "../plot/coordinate.rkt")
+         "../plot/plotted-number.rkt")
 
 (provide draw-wheel draw-coin)
 

@@ -3,10 +3,10 @@
 ;; from, and what labels them.
 
 (require (only-in racket/math exact-round)
-         "../animation/plane.rkt" "../animation/shapes.rkt"
+         "../animation/plane-vector.rkt" "../animation/shapes.rkt"
          "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt"
-         "../plot/coordinate.rkt")
+         "../plot/plotted-number.rkt")
 
 (provide rod bob spring wall block vector-arrow angle-mark length-mark
          ;; for the mechanisms of the library

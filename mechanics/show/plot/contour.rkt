@@ -2,7 +2,7 @@
 ;; Curves on which a function of the plane has given values: zero-velocity curves of an
 ;; effective potential, orbits in phase space as levels of the energy.
 
-(require "coordinate.rkt" "frame.rkt" "picture-layer.rkt" "style.rkt"
+(require "plotted-number.rkt" "frame.rkt" "picture-layer.rkt" "style.rkt"
          (only-in "../../error/progress.rkt" call-counting)
          "../../generic/define-plain.rkt" "../../generic/wrong-argument.rkt")
 

@@ -2,7 +2,7 @@
 ;; Drawing in frames (SICM 1.4, p. 23; 1.7, p. 76; 4.3, p. 308).
 
 (require racket/flonum
-         "coordinate.rkt" "frame.rkt" "points.rkt" "style.rkt"
+         "plotted-number.rkt" "frame.rkt" "points.rkt" "style.rkt"
          "../../error/complain.rkt" (only-in "../../error/progress.rkt" call-counting)
          "../../generic/define-plain.rkt" "../../generic/describe.rkt")
 

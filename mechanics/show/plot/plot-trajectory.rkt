@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Motions drawn: one function of the state against another, or against the time.
 
-(require "coordinate.rkt" "draw.rkt"
+(require "plotted-number.rkt" "draw.rkt"
          "../../generic/compare.rkt" "../../generic/wrong-argument.rkt"
          "../../motion/on-demand.rkt")
 

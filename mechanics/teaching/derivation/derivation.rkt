@@ -4,7 +4,7 @@
 (require "step-by-step.rkt"
          "../../calculus/derivative.rkt"
          "../../show/display/print-expression.rkt"
-         (only-in "../../show/display/result-receiver.rkt" receiver-here)
+         (only-in "../../show/display/receiving-printer.rkt" receiver-here)
          "../../error/complain.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../generic/elementary.rkt"

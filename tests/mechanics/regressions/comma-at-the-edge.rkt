@@ -3,7 +3,7 @@
 ;; the line was one column too long.
 
 (require racket/string mechanics
-         mechanics/show/display/text
+         mechanics/show/display/result-lines
          "../support/checks.rkt")
 
 (define verdict

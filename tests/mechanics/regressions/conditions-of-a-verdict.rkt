@@ -4,7 +4,7 @@
 
 (require racket/string
          mechanics
-         mechanics/show/display/text
+         mechanics/show/display/result-lines
          (only-in mechanics/book L-harmonic)
          "../support/checks.rkt")
 

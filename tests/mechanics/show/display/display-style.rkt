@@ -3,7 +3,7 @@
 
 (require mechanics
          mechanics/scmutils
-         (only-in mechanics/show/display/announcement announcement-delay)
+         (only-in mechanics/show/display/waiting-remark announcement-delay)
          (only-in mechanics/show/display/display-style manner-here styles)
          (only-in mechanics/generic/notation prop:notation)
          (only-in mechanics/lang/printer install-printer! print-result)

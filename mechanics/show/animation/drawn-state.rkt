@@ -6,7 +6,7 @@
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../lagrangian/local-tuple.rkt"
          "../../value/shape.rkt"
-         "../plot/coordinate.rkt")
+         "../plot/plotted-number.rkt")
 
 (provide read-state slot-components)
 

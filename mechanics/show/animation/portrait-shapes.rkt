@@ -3,7 +3,7 @@
 ;; curve, and a place on it for each state.
 
 (require racket/math
-         "plane.rkt" "shapes.rkt"
+         "plane-vector.rkt" "shapes.rkt"
          "../../numeric/finite-number.rkt")
 
 (provide portrait-size make-portrait portrait-shapes portrait-dot)

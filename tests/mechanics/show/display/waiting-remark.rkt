@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What takes long is announced, and what does not is not.
 
-(require mechanics/show/display/announcement "../../support/checks.rkt")
+(require mechanics/show/display/waiting-remark "../../support/checks.rkt")
 
 ;; What is written while `f` gets the port, and its value
 (define (announced seconds f)
