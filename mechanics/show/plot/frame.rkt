@@ -180,7 +180,8 @@
                     (make-picture (struct-copy view v [width width] [height height])
                                   (frame-now f)))
                   (lambda () (set-frame-window! f #f)))))
-  (stay-open! wait? (frame-window f) wait-until))
+  (define window (frame-window f))
+  (when window (stay-open! wait? window wait-until)))
 
 ;; ---------------------------------------------------------------------------
 ;; Frames in files
