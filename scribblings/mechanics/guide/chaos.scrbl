@@ -38,8 +38,7 @@ called where there is none (@sicm{3.6.1, p. 247}).
 (T 1.0 0.0 list void)
 (explore-map (frame :-pi :pi -20 20 #:width 400 #:height 300)
              T 150
-             #:starts (list (up 0.5 0) (up 1 0) (up 1.5 0) (up 3.1 13) (up 3.1 0.5) (up 0 17))
-             #:size 1.5)]
+             #:starts (list (up 0.5 0) (up 1 0) (up 1.5 0) (up 3.1 13) (up 3.1 0.5) (up 0 17)))]
 
 Closed curves are regular orbits, dust is a chaotic one. Without @racket[#:starts] the same call
 opens a window where a click starts an orbit.

@@ -28,7 +28,7 @@ A pendulum with α = ml² = 1 and β = mgl = 1, whose pivot is shaken with the f
   (list (up 0 0.5) (up 0 1) (up 0 1.5) (up 3.1 0.3) (up 0 2.5) (up 0 3) (up 0 3.5) (up 3.1 5.2)
         (up 3.1 5.6) (up 0 6.5) (up 0 -2.5) (up 0 -3.5) (up 3.1 -5.2) (up 3.1 -5.6) (up 0 -6.5)))
 (explore-map (frame :-pi :pi -8 8 #:width 400 #:height 400 #:x-label "θ" #:y-label "p")
-             (section-of gamma) 150 #:starts starts #:size 1.5)]
+             (section-of gamma) 150 #:starts starts)]
 
 Three large islands: the pendulum swings about the bottom, or turns along with the drive, either
 way round.

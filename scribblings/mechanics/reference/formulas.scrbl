@@ -24,7 +24,8 @@ The value, as it stands, on one line of Unicode; @racket[(->infix (simplify x))]
 prompt would. Factors have spaces between them and applications none;
 what stands before a slash in its product is the numerator, and one factor behind it the
 denominator. A name that would be read as another one stands between bars: @racket['θ] does,
-since @racket['theta] is written as the letter.
+since @racket['theta] is written as the letter. In text that is not read back, as that of
+@racket[->text], both are the letter.
 
 @examples[#:eval session
 (->infix (- (* 1/2 'm (square 'xdot)) (* 'm 'g 'x)))

@@ -449,7 +449,8 @@ Whether long runs report their progress at a prompt in a terminal. After three s
 as @tt{evolve: t = 37.2 of 100.0} appears below the input. It is written anew a few times a second
 and erased at the end, also when Ctrl-C interrupts the run. For a single run,
 @racket[state-advancer], @racket[evolve], @racket[evolve-trajectory], @racket[find-path] and the
-minimisers take the keyword @racket[#:progress?]. There is no such line if a monitor writes
+minimisers take the keyword @racket[#:progress?]. Pictures tell how many points or rows they have,
+as @tt{explore-map: 1200 of 9009 points}. There is no such line if a monitor writes
 something itself, nor in programs and modules.
 
 @examples[#:eval session
