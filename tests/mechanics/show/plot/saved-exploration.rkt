@@ -128,7 +128,7 @@
      (check-equal? (run-saved) "")
      (define f (section))
      (for ([d (in-list (dots e))])
-       (plot-point f (cadr d) (caddr d) #:color (car d) #:size 1.0))
+       (plot-point f (cadr d) (caddr d) #:color (car d)))
      (graphics-save f "expected.png")
      (check-equal? (file->bytes "saved.png") (file->bytes "expected.png"))))
 
