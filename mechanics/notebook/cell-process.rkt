@@ -21,7 +21,7 @@
          "../error/complain.rkt" "../error/progress.rkt"
          "../generic/on-demand.rkt"
          "../lang/session-start.rkt"
-         "../show/display/result-receiver.rkt"
+         "../show/display/receiving-printer.rkt"
          "../show/interact/live-result.rkt")
 
 (require-on-demand ["live-interaction.rkt" interaction-message frame-bundle])

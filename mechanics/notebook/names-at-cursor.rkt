@@ -5,7 +5,7 @@
          "../lang/help/card-lines.rkt" "../lang/help/card.rkt" "../lang/help/cards.rkt"
          "../lang/prompt/lines.rkt"
          (only-in "../lang/redefinition/prompt.rkt" head-at-prompt)
-         "../show/display/result-receiver.rkt")
+         "../show/display/receiving-printer.rkt")
 
 (provide completion description)
 

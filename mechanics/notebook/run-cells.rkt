@@ -3,7 +3,7 @@
 
 (require "cell.rkt" "mime-bundle.rkt" "program-cells.rkt"
          "../lang/session-start.rkt"
-         "../show/display/result-receiver.rkt")
+         "../show/display/receiving-printer.rkt")
 
 (provide run-cells)
 

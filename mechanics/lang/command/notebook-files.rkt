@@ -1,6 +1,5 @@
 #lang racket/base
-;; `raco mechanics notebook FILE.rkt` and `raco mechanics program FILE.ipynb`: a program as a
-;; notebook, and back.
+;; `raco mechanics notebook` and `raco mechanics program`: a program as a notebook, and back.
 
 (require racket/file
          racket/path

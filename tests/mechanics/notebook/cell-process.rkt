@@ -227,7 +227,8 @@
     (hash-ref (answers-to c "complete" 'code code 'cursor (string-length code)) 'signatures))
   (check-equal? (signature-of "L-of-m") '("((L-of-mine m) local)"))
   (check-equal? (signature-of "Gamma-ba") '("(Gamma-bar f)  → function"))
-  (check-equal? (signature-of ":pi") '("")))
+  (run "(define no-function 1)")
+  (check-equal? (signature-of "no-functio") '("")))
 
 (test-case "what is known of the name at the cursor"
   (define a (answers-to c "describe" 'code "(Gamma q)" 'cursor 3))
