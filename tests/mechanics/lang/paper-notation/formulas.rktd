@@ -168,10 +168,11 @@
   ("cos(ω(t - t0))" (cos (* omega (- t t0))))
   ("--x" x)
   ("sqrt x" (sqrt x))
-  ("√2 x" (* (sqrt 2) x)))
+  ("√2 x" (* (sqrt 2) x))
+  ("a * (b c)" (* a b c)))
  (none "sin x/2" "sin θ/2" "sin x^2" "sin x y" "x^1/2" "p^2/2m" "p²/2m" "1/2m" "k/m x" "x/2 y" "e^-t/tau" "r × p"
        "n!" "a % b" "x ± y" "∂L/∂q" "∫x dx" "0 < x <= 1" "f (x + 1)" "x^y^z" "6/2(1+2)" "1/2(a+b)"
-       "sqrt 2 x" "√l/g" "√2x" "3 4" "2 1/2 x" "a * (b c)" "2i*x" "e^2/r" "cos" "a +" "* b" "a * + b"
+       "sqrt 2 x" "√l/g" "√2x" "3 4" "2 1/2 x" "2i*x" "e^2/r" "cos" "a +" "* b" "a * + b"
        "dx/dt + x" "sinx + 1" "omegat + phi" "x = y = " "a,b + c"))
 
 (Python
