@@ -91,7 +91,7 @@
 (define (same-head? head right)
   (define (name h) (if (pair? h) (name (car h)) h))
   (and (eq? (name head) (name right))
-       (or (not (pair? right)) (equal? (cdr head) (cdr right)))))
+       (or (not (pair? right)) (and (pair? head) (equal? (cdr head) (cdr right))))))
 
 ;; Code without a value is not the same.
 (define (same-value? d right)
@@ -137,7 +137,7 @@
 
 (module+ main
   (define (outcome text form)
-    (define code (offer text))
+    (define code (with-handlers ([exn:fail? (lambda (e) (list 'raises (exn-message e)))]) (offer text)))
     (cond [(not code) 'none] [(and form (same? code form)) 'right] [else 'wrong]))
   (for ([sort '(must may none)])
     (define results
