@@ -3,31 +3,34 @@
 
 (require "one-line-name.rkt" (only-in "name.rkt" letter))
 
-(provide tokens (struct-out token))
+(provide tokens notation-rules (struct-out token))
 
 ;; at : position in the text; spaced? : does a space stand before it?
 (struct token (kind text value at spaced?) #:authentic)
 
 ;; text (text position what -> does not return) -> list of tokens, the last of kind 'end
-(define (tokens text fail)
+;; rules : ((kind pattern (match -> value)) ...), the first that fits
+(define (tokens text fail [rules notation-rules])
   (define n (string-length text))
   (let loop ([at 0] [spaced? #f] [found '()])
     (cond [(= at n) (reverse (cons (token 'end "" #f at #t) found))]
           [(char-whitespace? (string-ref text at)) (loop (+ at 1) #t found)]
           [else
-           (define t (token-at-position text at spaced?))
+           (define t (token-at-position text at spaced? rules))
            (unless t (fail text at (substring text at (min n (+ at 12)))))
            (loop (+ at (string-length (token-text t))) #f (cons t found))])))
 
-(define (token-at-position text at spaced?)
+(define (token-at-position text at spaced? rules)
   (for/or ([rule (in-list rules)])
     (define m (regexp-match (cadr rule) text at))
     (and m (token (car rule) (car m) ((caddr rule) m) at spaced?))))
 
-(define rules
+;; The notation of infix.rkt, and signs of people
+(define notation-rules
   (list
    (list 'number #px"^[½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞]" (lambda (m) (small-fraction->number (car m))))
-   (list 'number #px"^([0-9]+(?:[.][0-9]*)?)(?:×10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?" (lambda (m) (number-of m)))
+   (list 'number #px"^([0-9]+(?:[.][0-9]*)?|[.][0-9]+)(?:×10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)|e([-+]?[0-9]+))?"
+         (lambda (m) (number-of (cadr m) (caddr m) (cadddr m))))
    (list 'number #px"^∞" (lambda (m) +inf.0))
    (list 'number #px"^NaN(?!\\p{L})" (lambda (m) +nan.0))
    (list 'partial #px"^∂(?:([₀-₉]+)|_[(]([0-9,]+)[)])" (lambda (m) (path-of m)))
@@ -49,11 +52,9 @@
    (list 'relation #px"^[=<>≤≥∘↦]" void)
    (list 'dots #rx"^⋯" void)))
 
-(define (number-of m)
-  (define exponent (caddr m))
-  (if exponent
-      (string->number (string-append (cadr m) "e" (superscript->text exponent)))
-      (string->number (cadr m))))
+(define (number-of digits raised plain)
+  (define exponent (or plain (and raised (superscript->text raised))))
+  (string->number (if exponent (string-append digits "e" exponent) digits)))
 
 (define (path-of m)
   (if (cadr m)

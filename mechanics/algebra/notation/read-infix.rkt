@@ -2,19 +2,24 @@
 ;; Formulas on one line, as infix.rkt writes them, read back as S-expressions.
 ;;
 ;;     relation := sum { (= < > ≤ ≥ ∘ ↦) sum }        sum     := [−] term { (+ −) term }
-;;     term     := product { / factor | * product }   product := factor { [*] factor }
+;;     term     := product { / [−] factor | * [−] product }
+;;     product  := factor { [* [−]] factor }
 ;;     factor   := primary { superscript | ^ power | ( arguments ) }, none but ^ after a space
-;;     power    := [−] primary
+;;     power    := [−] primary [** power]
 ;;
 ;; The signs * and ^ (or **) are not written by infix.rkt where it can do without, but by people.
+;; What people write otherwise, read-paper.rkt makes tokens of this grammar.
 
 (require "formula-tokens.rkt" "one-line-name.rkt" "read-terms.rkt"
          "../../error/complain.rkt")
 
-(provide infix->datum)
+(provide infix->datum tokens->datum)
 
-(define (infix->datum text)
-  (define in (reader (tokens text fail) text))
+(define (infix->datum text) (tokens->datum (tokens text (failing-in text)) text))
+
+;; all : the tokens of the text
+(define (tokens->datum all text)
+  (define in (reader all text))
   (define d (read-relation in))
   (unless (eq? (kind-ahead in) 'end) (unexpected in))
   d)
@@ -38,13 +43,15 @@
 
 (define (unexpected in)
   (define t (ahead in))
-  (fail (reader-text in) (token-at t)
+  (fail in t
         (case (token-kind t)
           [(end) "it ends here"]
           [(dots) "⋯, which stands for terms that are not written"]
           [else (token-text t)])))
 
-(define (fail text at what)
+(define (fail in t what) ((failing-in (reader-text in)) (token-at t) what))
+
+(define ((failing-in text) at what)
   (complain 'read-infix "not a formula on one line\n  at: ~a, position ~a\n  in: ~a"
             what at text))
 
@@ -63,7 +70,7 @@
   (define name (hash-ref relation-names (token-text sign) #f))
   (cond [(not name)
          (or (series->datum left right)
-             (fail (reader-text in) (token-at sign) "no power series"))]
+             (fail in sign "no power series"))]
         [(and (pair? left) (eq? (car left) name) (> (length left) 2))
          (append left (list right))]
         [else (list name left right)]))
@@ -82,8 +89,8 @@
 
 (define (read-term in)
   (let loop ([t (read-product in)])
-    (cond [(accept! in 'slash) (loop (quotient-of t (read-factor in)))]
-          [(accept! in 'times) (loop (product-of t (read-product in)))]
+    (cond [(accept! in 'slash) (loop (quotient-of t (signed in read-factor)))]
+          [(accept! in 'times) (loop (product-of t (signed in read-product)))]
           [else t])))
 
 (define (product-of a b)
@@ -96,8 +103,8 @@
 
 (define (read-product in)
   (let loop ([factors (list (read-factor in))])
-    (cond [(accept! in 'times) (loop (cons (read-factor in) factors))]
-          [(memq (kind-ahead in) '(number name unit quoted open root bracket partial plain))
+    (cond [(accept! in 'times) (loop (cons (signed in read-factor) factors))]
+          [(memq (kind-ahead in) starts-of-factors)
            (loop (cons (read-factor in) factors))]
           [(null? (cdr factors)) (car factors)]
           [else (cons '* (reverse factors))])))
@@ -105,19 +112,27 @@
 ;; ---------------------------------------------------------------------------
 ;; Factors
 
+(define starts-of-factors '(number name function unit quoted open root bracket partial plain))
+
 (define (read-factor in)
   (if (accept! in 'root)
       (list 'sqrt (read-primary in))
       (let loop ([d (read-primary in)])
         (cond [(glued? in 'raised) (loop (list 'expt d (token-value (take! in))))]
               [(accept! in 'caret) (loop (list 'expt d (read-power in)))]
-              [(glued? in 'open) (loop (cons d (read-arguments in)))]
+              [(and (glued? in 'open) (not (number? d))) (loop (cons d (read-arguments in)))]
               [(and (glued? in 'name) (eq? 'i (token-value (ahead in))))
                (take! in)
                (loop (make-rectangular 0 d))]
               [else d]))))
 
-(define (read-power in) (signed in read-primary))
+;; x**y**z is x**(y**z), as in Python; of x^y^z other programs make (x^y)^z.
+(define (read-power in)
+  (signed in (lambda (in)
+               (define d (read-primary in))
+               (cond [(not (ahead? in 'caret)) d]
+                     [(string=? "**" (token-text (ahead in))) (take! in) (list 'expt d (read-power in))]
+                     [else (unexpected in)]))))
 
 (define (parenthesized in)
   (expect! in 'open)
@@ -146,16 +161,18 @@
     [(unit) (unit-datum (token-text (take! in)))]
     [(partial) (read-derivative in '())]
     [(name) (read-name in)]
+    [(function) (read-known (token-value (ahead in)) in)]
     [else (unexpected in)]))
 
 (define (read-name in)
   (define text (token-text (ahead in)))
-  (cond [(known-word? text) (take! in) (read-known (string->symbol text) in)]
+  (cond [(known-word? text) (read-known (string->symbol text) in)]
         [(string=? text "D") (read-derivative in '())]
         [else (token-value (take! in))]))
 
 ;; sin x, sin² x, sin(x + y); a tuple, a list
 (define (read-known name in)
+  (take! in)
   (define exponent
     (cond [(glued? in 'raised) (token-value (take! in))]
           [(glued? in 'caret) (take! in) (read-power in)]
@@ -171,8 +188,8 @@
 (define (read-derivative in marks)
   (define sign (take! in))
   (define mark (if (eq? (token-kind sign) 'partial) (cons 'partial (token-value sign)) 'D))
-  (define raised (and (glued? in 'raised) (token-value (take! in))))
-  (define all (append marks (list (if raised (list 'expt mark raised) mark))))
+  (define times (if (glued? in 'raised) (token-value (take! in)) 1))
+  (define all (append marks (list (if (eqv? times 1) mark (list 'expt mark times)))))
   (define how (if (null? (cdr all)) (car all) (cons '* all)))
   (cond [(or (glued? in 'partial) (and (glued? in 'name) (string=? "D" (token-text (ahead in)))))
          (read-derivative in all)]
