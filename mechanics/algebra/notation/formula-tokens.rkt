@@ -9,7 +9,7 @@
 (struct token (kind text value at spaced?) #:authentic)
 
 ;; text (text position what -> does not return) -> list of tokens, the last of kind 'end
-;; rules : ((kind pattern (match -> value)) ...), the first that fits
+;; rules : ((kind pattern (match -> value or #f)) ...), the first that fits and gives a value
 (define (tokens text fail [rules notation-rules])
   (define n (string-length text))
   (let loop ([at 0] [spaced? #f] [found '()])
@@ -23,7 +23,8 @@
 (define (token-at-position text at spaced? rules)
   (for/or ([rule (in-list rules)])
     (define m (regexp-match (cadr rule) text at))
-    (and m (token (car rule) (car m) ((caddr rule) m) at spaced?))))
+    (define value (and m ((caddr rule) m)))
+    (and value (token (car rule) (car m) value at spaced?))))
 
 ;; The notation of infix.rkt, and signs of people
 (define notation-rules

@@ -9,7 +9,7 @@
 (require "../expression/pi.rkt")
 
 (provide name-parts dotted-parts (struct-out parts) subscripts superscripts letter->greek
-         letter inverse)
+         Greek-name? letter inverse)
 
 ;; base : what is shown, its Greek letters as letters
 ;; sort : 'letter, 'capital (Greek), 'word of several letters, or 'odd
@@ -68,6 +68,7 @@
 (define (shown-letters text) (hash-ref letters text text))
 
 (define (letter->greek letter) (hash-ref names letter #f))
+(define (Greek-name? text) (hash-has-key? letters text))
 
 (define letters
   (hash "alpha" "α" "beta" "β" "gamma" "γ" "delta" "δ" "epsilon" "ε" "zeta" "ζ" "eta" "η"

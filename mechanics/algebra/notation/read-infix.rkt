@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Formulas on one line, as infix.rkt writes them, read back as S-expressions.
 ;;
-;;     relation := sum { (= < > ≤ ≥ ∘ ↦) sum }        sum     := [−] term { (+ −) term }
+;;     relation := sum { (= < > ≤ ≥ ∘ ↦) sum }        sum     := [−] term { (+ −) [−] term }
 ;;     term     := product { / [−] factor | * [−] product }
 ;;     product  := factor { [* [−]] factor }
 ;;     factor   := primary { superscript | ^ power | ( arguments ) }, none but ^ after a space
@@ -77,15 +77,15 @@
 
 (define (read-sum in)
   (let loop ([terms (list (signed in read-term))])
-    (cond [(accept! in 'plus) (loop (cons (read-term in) terms))]
+    (cond [(accept! in 'plus) (loop (cons (signed in read-term) terms))]
           [(ahead? in 'minus) (loop (cons (signed in read-term) terms))]
           [else (terms->datum (reverse terms))])))
 
 ;; Reads by `read`; behind a minus sign, the negative.
 (define (signed in read)
-  (define negative? (accept! in 'minus))
-  (define d (read in))
-  (if negative? (negative d) d))
+  (if (accept! in 'minus)
+      (negative (signed in read))
+      (read in)))
 
 (define (read-term in)
   (let loop ([t (read-product in)])

@@ -6,7 +6,8 @@
          racket/string
          "card-lines.rkt" "card.rkt" "cards.rkt" "search.rkt"
          (only-in "../wrong-call/reader-signature.rkt" head->text)
-         "../paper-notation/other-notation.rkt" "../paper-notation/typed-formula.rkt"
+         "../paper-notation/other-notation.rkt"
+         (only-in "../paper-notation/prefix-form.rkt" typed-formula)
          "../paper-notation/typographic.rkt"
          (only-in "../unknown-name/other-library.rkt" exports)
          (only-in "../redefinition/prompt.rkt" head-at-prompt)
@@ -73,7 +74,7 @@
   (define formula (typed-formula name))
   (or (notation-sentence name)
       (typographic-sentence name)
-      (and formula (format "operations come first, ~a" formula))))
+      (and formula (format "operations come first, ~s" formula))))
 
 (define (about-unknown name)
   (define near (likely-names name (card-names)))

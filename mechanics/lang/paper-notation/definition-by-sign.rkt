@@ -1,71 +1,68 @@
 #lang racket/base
-;; Definitions as on paper: x = 3, f(x) = x^2, x(t) = A cos(omega t), L = 1/2 m v^2.
+;; Definitions as on paper: x = 3, f(x) = x^2, x(t) = A cos(omega t), L = 1/2 m v^2; and as in other
+;; programs: def f(x): return x**2, f = lambda x: x**2, f = @(x) x.^2, f[x_] := x^2, m += 1.
 ;;
 ;; The formula behind the sign may have unknown letters.  Beside arguments they become parameters,
 ;; as the book writes them: ((x A omega) t).  Without arguments they are symbols; but a formula
 ;; with a t is a path, and one with a v and the name L a Lagrangian, a function of the local tuple.
 
 (require racket/list
-         "prefix-form.rkt"
+         "prefix-form.rkt" "typed-text.rkt"
          "../written-form.rkt")
 
-(provide definition-by-sign definition-by-word plain-definition Lagrangian-by-sign?)
+(provide definition-by-sign plain-definition procedure-elsewhere Lagrangian-by-sign?)
 
-;; data : of a line; known? : symbol -> boolean -> the definition, a datum, or #f
-(define (definition-by-sign data known?)
-  (define plain (plain-definition data))
+;; forms : of a line; known? : symbol -> boolean -> the definition, a datum, or #f
+(define (definition-by-sign forms known?)
+  (define plain (plain-definition forms known?))
   (and plain (with-letters (cadr plain) (caddr plain) known?)))
 
 ;; The same without a change for letters.
-(define (plain-definition data)
-  (define spread (append-map signs-apart (without-increment data)))
-  (define i (index-where spread (lambda (d) (memq d '(= :=)))))
-  (define head (and i (head-before (take spread i))))
-  (define behind (if head (drop spread (add1 i)) '()))
-  (and (pair? behind)
-       (let ([procedure (procedure-elsewhere behind)])
-         (define value (if procedure (cdr procedure) (prefix-form behind)))
-         (and value
-              (list 'define (if procedure (cons head (car procedure)) head) value)))))
-
-;; m += 1 as m = m + 1
-(define (without-increment data)
-  (define sign
-    (and (> (length data) 2) (symbol? (car data))
-         (assq (cadr data) '((+= . +) (-= . -) (*= . *) (/= . /)))))
-  (if sign (list* (car data) '= (car data) (cdr sign) (cddr data)) data))
-
-;; x=3 as x = 3
-(define (signs-apart d)
-  (define found
-    (and (symbol? d) (regexp-match #px"^([^=<>!:]*)(:?=)([^=?]*)$" (symbol->string d))))
-  (if found
-      (map operand-in (remove* '("") (cdr found)))
-      (list d)))
-
-;; lambda x, y: x**2 -> ((x y) . (expt x 2)), or #f
-(define (procedure-elsewhere data)
-  (define plain (without-commas data))
-  (define i (index-where plain (lambda (d) (and (symbol? d) (before-colon d)))))
-  (define body (if i (drop plain (add1 i)) '()))
-  (and (memq (car plain) '(lambda λ))
-       (pair? body)
-       (let ([names (append (cdr (take plain i)) (list (before-colon (list-ref plain i))))]
-             [value (prefix-form body)])
-         (and value (cons names value)))))
-
-;; def f(x): return x**2, and define f(x) x**2
-(define (definition-by-word data)
-  (define named? (and (> (length data) 3) (symbol? (cadr data)) (list? (caddr data))))
-  (define body (if named? (remq* '(: = return) (cdddr data)) '()))
-  (define value (and (pair? body) (memq (car data) '(def define)) (prefix-form body)))
-  (and value (list 'define (cons (cadr data) (without-commas (caddr data))) value)))
-
-(define (head-before data)
-  (cond [(and (= (length data) 1) (symbol? (car data))) (car data)]
-        [(and (= (length data) 2) (symbol? (car data)) (list? (cadr data)))
-         (cons (car data) (without-commas (cadr data)))]
+(define (plain-definition forms known?)
+  (define-values (text operands) (typed-text forms known?))
+  (define parts (and text (or (regexp-match by-word text) (regexp-match by-sign text))))
+  (define increment (and text (regexp-match by-increment text)))
+  (define (defined head body)
+    (define whole (procedure-parts head body))
+    (define (known-here? name) (or (memq name (flatten (car whole))) (known? name)))
+    (define value (text->prefix-form (cdr whole) operands known-here?))
+    (and value (list 'define (car whole) value)))
+  (cond [increment
+         (defined (string->symbol (cadr increment)) (apply format "~a ~a (~a)" (cdr increment)))]
+        [parts (defined (head-of (cadr parts) (or (caddr parts) (cadddr parts))) (last parts))]
         [else #f]))
+
+(define head "(\\p{L}[^\\s()\\[=:+*/^<>,']*)(?:\\(([^()]*)\\)|\\[([^][]*)\\])")
+(define by-word
+  (pregexp (format "^(?:def|define|let)\\s+~a\\s*[:=]*\\s*(?:return\\s+)?([^\\s=:].*)$" head)))
+(define by-sign (pregexp (format "^(?:let[*]? |define )?\\s*~a?\\s*:?=(?!=)\\s*(.+)$" head)))
+(define by-increment #px"^(\\p{L}[^\\s()=+*/-]*)\\s*([-+*/])=\\s*(.+)$")
+
+(define (head-of name arguments)
+  (define symbol (string->symbol name))
+  (if arguments (cons symbol (names-in arguments)) symbol))
+
+;; "x, y" and "x_"
+(define (names-in text)
+  (for/list ([name (in-list (regexp-match* #px"[^\\s,]+" text))])
+    (string->symbol (regexp-replace #rx"_$" name ""))))
+
+;; f and "lambda x: x^2" -> (f x) and "x^2"
+(define (procedure-parts head body)
+  (define found (regexp-match procedure body))
+  (if found
+      (cons (cons head (names-in (or (cadr found) (caddr found)))) (last found))
+      (cons head body)))
+
+(define procedure #px"^(?:(?:lambda|λ)\\s+([^:]*):|@\\s*\\(([^()]*)\\))\\s*(.+)$")
+
+;; lambda x, y: x*y, or @(x, y) x.*y -> (lambda (x y) (* x y)), or #f
+(define (procedure-elsewhere forms known?)
+  (define-values (text operands) (typed-text forms known?))
+  (define parts (and text (regexp-match? procedure text) (procedure-parts 'lambda text)))
+  (define (known-here? name) (or (memq name (car parts)) (known? name)))
+  (define value (and parts (text->prefix-form (cdr parts) operands known-here?)))
+  (and value (list 'lambda (cdar parts) value)))
 
 ;; ---------------------------------------------------------------------------
 ;; Letters
@@ -76,7 +73,8 @@
             (remove-duplicates (operands value))))
   (cond [(null? letters) (list 'define head value)]
         [(pair? head) (list 'define (cons (cons (car head) letters) (cdr head)) value)]
-        [(Lagrangian? head letters) (Lagrangian head letters value)]
+        [(and (eq? head 'L) (velocities-in letters))
+         => (lambda (velocities) (Lagrangian head letters velocities value))]
         [(memq 't letters) (with-letters (list head 't) value known?)]
         [else (list 'define head (quoted value letters))]))
 
@@ -89,13 +87,26 @@
 ;; ---------------------------------------------------------------------------
 ;; Lagrangians
 
-(define (Lagrangian? name letters) (and (eq? name 'L) (memq 'v letters) #t))
+;; v, or those with dots, xdot; #f without any
+(define (velocities-in letters)
+  (define dotted (filter coordinate-of letters))
+  (cond [(memq 'v letters) '(v)]
+        [(pair? dotted) dotted]
+        [else #f]))
 
-(define (Lagrangian name letters value)
-  (define coordinate (or (findf (lambda (s) (memq s letters)) '(q x y z r theta)) 'q))
-  (define local (list 'up 't coordinate 'v))
-  (define parameters (remq* local letters))
-  `(define ((,name ,@parameters) ,local) ,value))
+;; xdot -> x
+(define (coordinate-of letter)
+  (define found (regexp-match #px"^(.+[^t])dot$" (symbol->string letter)))
+  (and found (string->symbol (cadr found))))
+
+(define (Lagrangian name letters velocities value)
+  (define coordinates
+    (if (equal? velocities '(v))
+        (list (or (findf (lambda (s) (memq s letters)) '(q x y z r theta)) 'q))
+        (map coordinate-of velocities)))
+  (define (tuple names) (if (null? (cdr names)) (car names) (cons 'up names)))
+  (define local (list 'up 't (tuple coordinates) (tuple velocities)))
+  `(define ((,name ,@(remove* (flatten local) letters)) ,local) ,value))
 
 ;; Is it a definition that `Lagrangian` made?
 (define (Lagrangian-by-sign? form)

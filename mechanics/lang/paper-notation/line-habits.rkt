@@ -7,7 +7,8 @@
 (require racket/list
          "definition-by-sign.rkt" "misread-call.rkt" "other-notation.rkt" "prefix-form.rkt"
          "operation-sign.rkt"
-         "../written-form.rkt")
+         "../written-form.rkt"
+         (only-in "../../algebra/notation/read-paper.rkt" function-named))
 
 (provide meant-as-one misread-line prime-alone)
 
@@ -18,27 +19,26 @@
 (define (meant-as-one forms known? function?)
   (define data (map syntax->datum forms))
   (cond [(null? forms) #f]
-        [(not (on-one-line? forms)) (call-beside forms)]
+        [(not (on-one-line? forms)) (call-beside forms known?)]
         [(printed data known?)]
         [(in-other-words data known?)]
         [(several-definitions? data)
          "no comma separates definitions; each has a line of its own, as (define x 3)"]
-        [(definition-by-word data) => (written "a definition is written ~a")]
-        [(definition-by-sign data known?)
+        [(definition-by-sign forms known?)
          => (lambda (form)
               ((written (if (Lagrangian-by-sign? form)
                             "a Lagrangian is a function of (up t q v): ~a"
                             "a definition is written ~a"))
                form))]
+        [(procedure-elsewhere forms known?) => (written "a function is written ~a")]
         [(null? (cdr data)) #f]
-        [(keyword? (car data)) (in-parentheses data)]
-        [(and (or (infix? data) (and (sign-at-end (car data)) (list? (cadr data))))
-              (prefix-form data))
-         => (written "operations come first: ~a")]
+        [(keyword? (car data)) ((written "it stands in parentheses: ~a") data)]
+        [(and (null? (cddr data)) (call-beside forms known?))]
+        [(formula-beside forms known?)]
         [(component-beside forms)]
-        [(call-beside forms)]
+        [(call-beside forms known?)]
         [(prime? forms) (about-prime (car data))]
-        [(and (symbol? (car data)) (function? (car data)))
+        [(and (symbol? (car data)) (function? (car data)) (call-data? data))
          ((written "a call stands in parentheses: ~a") data)]
         [else #f]))
 
@@ -87,6 +87,33 @@
                  (car data))]
         [else #f]))
 
+;; 1/2 m v^2, and m v^2/2k, which has two meanings.  Names that are known may stand in a row.
+(define (formula-beside forms known?)
+  (define data (map syntax->datum forms))
+  (define form
+    (and (or (ormap sign? (cdr data))
+             (ormap braces? forms)
+             (ormap (lambda (d) (with-unknown? d known?)) data))
+         (prefix-form forms known?)))
+  (cond [(and form (memq (car form) '(+ - * / expt < > = <= >=)))
+         ((written "operations come first: ~a") form)]
+        [(and form (symbol? (car form))) ((written "a call stands in parentheses: ~a") form)]
+        [(or (infix? data) (ormap signed-name? data) (ormap braces? forms)) about-formulas]
+        [else #f]))
+
+;; Is it an unknown name, or a formula in parentheses?
+(define (with-unknown? d known?)
+  (or (and (symbol? d) (not (known? d)))
+      (and (pair? d) (list? d)
+           (or (infix? d) (and (formula-like? (car d)) (not (known? (car d))))))))
+
+(define (braces? form) (eqv? (syntax-property form 'paren-shape) #\{))
+
+;; m*, ^2/2
+(define (signed-name? d)
+  (and (symbol? d)
+       (or (formula-like? d) (regexp-match? #px"^[*/^.]+[0-9(]|[0-9*/+]\\p{L}*[*/+^-]$" (symbol->string d)))))
+
 ;; x[0]
 (define (component-beside forms)
   (define bracket (and (= (length forms) 2) (cadr forms)))
@@ -98,16 +125,18 @@
                (form->text (list* 'ref (syntax->datum (car forms)) (syntax->datum bracket))))))
 
 ;; f(3); for sin^2 (x) advice on the power
-(define (call-beside forms)
+(define (call-beside forms known?)
   (for/or ([f (in-list forms)] [next (in-list (if (pair? forms) (cdr forms) '()))])
     (and (call-in-print? f next)
-         (let ([advice (notation-sentence (syntax-e f))])
-           (if advice (format "~a: ~a" (syntax-e f) advice) (as-called f next))))))
+         (let ([advice (and (not (function-named (symbol->string (syntax-e f))))
+                            (notation-sentence (syntax-e f)))])
+           (if advice (format "~a: ~a" (syntax-e f) advice) (as-called f next known?))))))
 
 ;; text : of an unfinished entry -> advice on x', or #f
 (define (prime-alone text)
   (define found (regexp-match #px"^\\s*('?)([^\\s()\\[\\]\"';`,#|]+)'+\\s*$" text))
   (cond [(not found) #f]
+        [(formula-like? (string->symbol (caddr found))) about-formulas]
         [(equal? (cadr found) "'")
          (format "a quote stands before a name, and none behind it: '~a" (caddr found))]
         [else (about-prime (caddr found))]))
@@ -117,13 +146,11 @@
        (identifier? (car forms))
        (prime-before? (car forms) (cadr forms))))
 
-;; ---------------------------------------------------------------------------
-;; define m = 3
+;; sin x, not sin x y; * 2 x, not * 2
+(define (call-data? data)
+  (define n (length data))
+  (cond [(sign? (car data)) (> n 2)]
+        [(memq (car data) functions) (= n 2)]
+        [else #t]))
 
 (define (keyword? datum) (and (memq datum '(define lambda λ let let* if cond require begin)) #t))
-
-(define (in-parentheses data)
-  (define by-sign (plain-definition (cdr data)))
-  (if (and by-sign (memq (car data) '(define let let*)))
-      ((written "a definition is written ~a") by-sign)
-      ((written "it stands in parentheses: ~a") data)))

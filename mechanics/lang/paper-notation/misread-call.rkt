@@ -12,7 +12,7 @@
          "../written-form.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["prefix-form.rkt" prefix-form call-form])
+(require-on-demand ["prefix-form.rkt" prefix-form formula-like?])
 
 (provide check-call keyword-argument? advice-on-call advice-on-product called-beside
          call-in-print? as-called)
@@ -71,10 +71,13 @@
 
 (define (advice-on-infix row)
   (and (infix? (map syntax-e row))
-       (let ([form (prefix-form (map syntax->datum row))])
+       (let ([form (prefix-form row (bound-beside (car row)))])
          (if form
              (string-append "operations come first: " (form->text form) (or-definition form))
-             "operations come first, as in (* 2 x)"))))
+             about-formulas))))
+
+;; Is the name bound where the form stands?
+(define ((bound-beside stx) name) (and (identifier-binding (datum->syntax stx name)) #t))
 
 (define (or-definition form)
   (if (and (eq? (car form) '=) (symbol? (cadr form)))
@@ -83,7 +86,7 @@
 
 ;; For an unknown name in the formula: where all are known, the refusal shows their values.
 (define (advice-on-product row)
-  (define form (and (formula? row) (prefix-form (map syntax->datum row))))
+  (define form (and (formula? row) (prefix-form row (bound-beside (car row)))))
   (and form (string-append "a product is " (form->text form))))
 
 (define (advice-on-brackets stx row)
@@ -104,8 +107,8 @@
              [before (in-list (cons #f row))]
              [after (in-list (append (cdr row) '(#f)))])
     (cond [(and before (call-in-print? before stx))
-           (syntax-property stx called (as-called before stx))]
-          [(and after (call-in-print? stx after)) (with-advice stx (as-called stx after))]
+           (syntax-property stx called (as-called before stx (bound-beside stx)))]
+          [(and after (call-in-print? stx after)) (with-advice stx (as-called stx after (bound-beside stx)))]
           [else stx])))
 
 (define (call-in-print? name arguments)
@@ -118,19 +121,12 @@
                   '(quote quasiquote unquote)))))
 
 ;; A name and the list that touches it, f(x + 1) -> "f(x + 1) is written (f (+ x 1))"
-(define (as-called f arguments)
-  (format "~a~a is written ~a"
-          (syntax-e f) (typed-text arguments) (form->text (called-form f arguments))))
-
-(define (called-form f arguments)
-  (call-form (syntax-e f) (argument-forms (syntax->list arguments))))
-
-;; Data of syntaxes in a row, a name and a list that touch being one call.
-(define (argument-forms row)
-  (cond [(null? row) '()]
-        [(and (pair? (cdr row)) (call-in-print? (car row) (cadr row)))
-         (cons (called-form (car row) (cadr row)) (argument-forms (cddr row)))]
-        [else (cons (syntax->datum (car row)) (argument-forms (cdr row)))]))
+(define (as-called f arguments known?)
+  (define form (prefix-form (list f arguments) known?))
+  (if (or form (not (formula-like? (syntax-e f))))
+      (format "~a~a is written ~a"
+              (syntax-e f) (typed-text arguments) (form->text (or form (list (syntax-e f) '...))))
+      about-formulas))
 
 ;; The text in the program, without spaces at the ends.
 (define (typed-text stx)

@@ -3,7 +3,7 @@
 
 (require "../../operation/operation-column.rkt")
 
-(provide sign? infix? functions)
+(provide sign? infix? with-operation functions about-formulas)
 
 (define functions
   (append '(square cube) (operation-names function reciprocal)))
@@ -20,3 +20,6 @@
 ;; Procedures that an operation is given to, as in (apply + xs); some are of other languages.
 (define with-operation
   '(apply map for-each foldl foldr fold fold-left fold-right reduce sort andmap ormap))
+
+;; Said of a formula that is not read.
+(define about-formulas "operations come first, as in (* 2 x)")

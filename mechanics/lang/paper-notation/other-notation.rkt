@@ -3,7 +3,7 @@
 ;; left out: mostly they are meant for symbols.  Names such as dx/dt, too many to list, are known
 ;; by their pattern.
 
-(provide notation-names notation-sentence)
+(provide notation-names notation-sentence foreign-name?)
 
 (define about-degrees "angles are in radians: 30 degrees are (* 30 (/ pi 180))")
 (define about-units
@@ -33,7 +33,7 @@
     ("the derivative of a function f is (D f), a partial one ((partial 0) f)"
      diff deriv differentiate d/dt d/dx d/dq ddt Dt-of Diff pdiff)
     ("its name is gradient" grad nabla)
-    ("integrals are (definite-integral f a b)" integrate integral int Int quad)
+    ("integrals are (definite-integral f a b)" integrate integral int Int Integrate NIntegrate quad)
     ("a sum over i is (for/sum ([i 10]) (f i))" sum Sum)
     ("its name is for/product" prod Prod)
     ("its name is determinant" det Det)
@@ -46,7 +46,7 @@
     ("its name is substitute" subs subst replace-all)
     ("its name is exact->inexact" evalf float)
     ("roots are found by (find-root f low high), linear systems solved by solve-linear-left"
-     solve fsolve Solve nsolve)
+     solve fsolve Solve NSolve FindRoot nsolve)
     ("motions are computed by evolve-trajectory"
      odeint ode45 ode solve_ivp dsolve NDSolve DSolve integrate-motion)
     ("a symbol is quoted, as 'x, and needs no declaration" symbols Symbol syms var)
@@ -79,6 +79,7 @@
     (values name (car entry))))
 
 (define notation-names (hash-keys advice-of))
+(define (foreign-name? name) (hash-has-key? advice-of name))
 
 ;; -> text or #f
 (define (notation-sentence name)

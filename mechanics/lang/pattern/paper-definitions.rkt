@@ -2,10 +2,12 @@
 ;; Definitions as on paper, refused with the correct form: (define m = 3), (define f(t) (* 2 t)),
 ;; (define (T m v) 1/2 m v^2), (define x' 3).
 
-(require "../written-form.rkt"
+(require (only-in racket/list flatten)
+         "../written-form.rkt"
+         "../paper-notation/operation-sign.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["../paper-notation/prefix-form.rkt" prefix-form sign-at-end]
+(require-on-demand ["../paper-notation/prefix-form.rkt" prefix-form]
                    ["../paper-notation/other-notation.rkt" notation-sentence])
 
 (provide check-on-paper shown)
@@ -29,7 +31,7 @@
     (cond [(not (and (list? forms) (pair? forms))) #f]
           [(null? (cdr forms)) (car forms)]
           [(andmap number? forms) #f]
-          [else (prefix-form forms)]))
+          [else (prefix-form (syntax->list body))]))
   (if (and form (<= (string-length (form->text form)) 50)) form '...))
 
 (define (check-equals stx)
@@ -66,13 +68,18 @@
   (when (and (list? forms) (pair? forms) (pair? (cdr forms))
              (or (number? (car forms)) (symbol? (car forms)))
              (ormap symbol? forms)
-             (or (memq (cadr forms) '(+ - * / ^ **))
-                 (and (list? (cadr forms)) (sign-at-end (car forms)))
+             (or (infix? forms)
+                 (list? (cadr forms))
                  (andmap (lambda (d) (or (number? d) (symbol? d))) forms)))
-    (define form (prefix-form forms))
-    (when form
+    (define (known? name)
+      (or (memq name (flatten (datum head)))
+          (identifier-binding (datum->syntax stx name))))
+    (define form (prefix-form (syntax->list body) known?))
+    (when (and form (operation? form))
       (refuse stx #f "operations come first: ~a~a" (form->text (list 'define (datum head) form))
               (about-units forms)))))
+
+(define (operation? form) (or (sign? (car form)) (eq? (car form) 'expt)))
 
 ;; (define m 1.5 kg)
 (define (about-units forms)

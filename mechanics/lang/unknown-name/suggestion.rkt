@@ -9,7 +9,7 @@
 
 (require-on-demand ["../paper-notation/other-notation.rkt" notation-sentence]
                    ["scmutils-names.rkt" scmutils-sentence]
-                   ["../paper-notation/typed-formula.rkt" typed-formula])
+                   ["../paper-notation/prefix-form.rkt" typed-formula])
 
 (provide suggestion what-was-meant)
 
@@ -35,7 +35,7 @@
         [(scmutils-sentence name)]
         [(notation-sentence name)]
         [(pair? (near)) (format "did you mean ~a?" (alternatives (near)))]
-        [(typed-formula name) => (lambda (f) (format "operations come first: ~a" f))]
+        [(typed-formula name) => (lambda (f) (string-append "operations come first: " (form->text f)))]
         [else #f]))
 
 ;; About letters that are numbers to mathematicians.
@@ -47,5 +47,5 @@
 
 ;; The first symbol of a formula that is no operation, or #f.
 (define (letter-in formula)
-  (define letters (operands (read (open-input-string formula))))
+  (define letters (operands formula))
   (and (pair? letters) (car letters)))

@@ -33,7 +33,7 @@
     (and (pair? found)
          (not (regexp-match? #rx"operations come first, as in" advice))
          (read (open-input-string (substring advice (cdr (last found)))))))
-  code)
+  (and (not (keyword? code)) (not (and (pair? code) (memq '... code))) code))
 
 (define (advice-on-line text)
   (define forms (with-handlers ([exn:fail:read? (lambda (e) '())]) (forms-in text)))
@@ -60,13 +60,18 @@
     (cond [(number? d) d]
           [(symbol? d)
            (define s (hash-ref spellings d d))
-           (if (eq? s 'pi) pi (+ 0.3 (* 0.01 (modulo (equal-hash-code (list point s)) 173))))]
+           (if (eq? s 'pi) pi (number-for (list point s)))]
           [(eq? (car d) 'quote) (value (cadr d))]
           [(and (symbol? (car d)) (hash-ref operations (car d) #f))
            => (lambda (f) (apply f (map value (cdr d))))]
           [else (for/fold ([sum (value (if (pair? (car d)) (cons 'head (car d)) (car d)))])
                           ([a (in-list (cdr d))] [k (in-naturals 2)])
                   (+ sum (* (sqrt k) (value a))))])))
+
+;; Of either sign, never small
+(define (number-for key)
+  (define n (modulo (equal-hash-code (format "~s" key)) 347))
+  (* (if (odd? n) -1 1) (+ 0.3 (* 0.01 n))))
 
 (define (relation . xs) (for/fold ([sum 0.7]) ([x (in-list xs)]) (- (* 1.3 x) sum)))
 
