@@ -4,7 +4,7 @@
 (require (only-in racket/list append-map))
 
 (provide plain-form refuse adjacent? prime-before? quoted-name about-prime form->text operands
-         without-commas before-colon)
+         without-commas before-colon escaped?)
 
 ;; stx with `form` in place of its keyword; stx may be the keyword alone.
 (define (plain-form form stx)
@@ -22,6 +22,11 @@
     (values (syntax-position one) (syntax-span one) (syntax-position other)))
   (and (equal? (syntax-source one) (syntax-source other))
        start span next (= (+ start span) next)))
+
+;; Has the text of the name, an identifier, signs that are no part of it: |x| or \alpha?
+(define (escaped? id)
+  (define span (syntax-span id))
+  (and span (not (= span (string-length (symbol->string (syntax-e id)))))))
 
 ;; Does the second begin with a quote that touches the first, as in x't?
 (define (prime-before? one other)

@@ -31,7 +31,7 @@
                             "a definition is written ~a"))
                form))]
         [(procedure-elsewhere forms known?) => (written "a function is written ~a")]
-        [(null? (cdr data)) #f]
+        [(null? (cdr data)) (about-escapes (car forms))]
         [(keyword? (car data)) ((written "it stands in parentheses: ~a") data)]
         [(and (null? (cddr data)) (call-beside forms known?))]
         [(formula-beside forms known?)]
@@ -82,7 +82,7 @@
   (define advice (and (symbol? (car data)) (notation-sentence (car data))))
   (cond [(not (and (pair? (cdr data)) (andmap symbol? data) (not (infix? data)))) #f]
         [advice (format "~a: ~a" (car data) advice)]
-        [(and (> (length data) 3) (not (ormap known? data)))
+        [(and (> (length data) 3) (not (ormap known? data)) (ormap word? data))
          (format "no name in this line is known; a form stands in parentheses, as (f ~a)"
                  (car data))]
         [else #f]))
@@ -113,6 +113,9 @@
 (define (signed-name? d)
   (and (symbol? d)
        (or (formula-like? d) (regexp-match? #px"^[*/^.]+[0-9(]|[0-9*/+]\\p{L}*[*/+^-]$" (symbol->string d)))))
+
+;; A word of prose, as no letter of a formula is
+(define (word? d) (regexp-match? #px"^\\p{L}{2,}[.,]?$" (symbol->string d)))
 
 ;; x[0]
 (define (component-beside forms)

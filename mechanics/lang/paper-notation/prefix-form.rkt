@@ -5,10 +5,12 @@
 ;; formula (algebra/notation/read-paper.rkt).  What it is to be offered as is read back by Racket,
 ;; and both have the same values at some points: else nothing is offered.
 
-(require "other-notation.rkt" "same-values.rkt" "typed-text.rkt"
+(require "operation-sign.rkt" "other-notation.rkt" "same-values.rkt" "typed-text.rkt"
+         "../written-form.rkt"
          "../../algebra/notation/read-paper.rkt")
 
-(provide prefix-form text->prefix-form typed-formula formula-like?)
+(provide prefix-form text->prefix-form typed-formula formula-like?
+         about-escapes)
 
 ;; forms : in a row, syntaxes or data; known? : symbol -> is it a name of something?
 ;; -> the form to write instead, a datum, or #f
@@ -42,3 +44,12 @@
   (and (symbol? d)
        (regexp-match? #px"^[-(]?(?:[0-9.]+\\p{L}|(?:\\p{L}|[0-9_])+[*^/+](?:\\p{L}|[-0-9_(.]))"
                       (symbol->string d))))
+
+;; k*|x|, which Racket reads as the name k*x; and |x - y| -> advice, or #f
+(define (about-escapes stx)
+  (define name (syntax-e stx))
+  (cond [(not (and (symbol? name) (escaped? stx))) #f]
+        [(regexp-match? #px"\\s" (symbol->string name))
+         "bars stand around a name with spaces in it; an absolute value is (abs x)"]
+        [(formula-like? name) about-formulas]
+        [else #f]))

@@ -9,9 +9,9 @@
 
 (require-on-demand ["../paper-notation/other-notation.rkt" notation-sentence]
                    ["scmutils-names.rkt" scmutils-sentence]
-                   ["../paper-notation/prefix-form.rkt" typed-formula])
+                   ["../paper-notation/prefix-form.rkt" typed-formula about-escapes])
 
-(provide suggestion what-was-meant)
+(provide suggestion what-was-meant advice-on-name)
 
 ;; name : unknown; known : symbols; advice : on the form around the name, or #f;
 ;; more : a sentence for the end, or #f
@@ -27,6 +27,9 @@
   (if print
       (list print)
       (filter values (list (or advice (suggestion name known)) about-symbol more))))
+
+;; id : an unknown name -> advice on the signs around it, or #f
+(define (advice-on-name id) (and (escaped? id) (about-escapes id)))
 
 ;; -> text or #f
 (define (suggestion name known)

@@ -32,7 +32,7 @@
      (identifier? #'id)
      (cond
        [(or (not (syntax-transforming-module-expression?)) (identifier-binding #'id))
-        (let ([advice (advice-on #'id)])
+        (let ([advice (or (advice-on #'id) (advice-on-name #'id))])
           (if advice
               (quasisyntax/loc stx (advised #,advice (#%top . id)))
               (syntax/loc stx (#%top . id))))]
@@ -43,7 +43,8 @@
 (begin-for-syntax
   (define (raise-unbound id)
     (define name (syntax-e id))
-    (define sentences (what-was-meant name (syntax-bound-symbols id) (advice-on id)))
+    (define sentences (what-was-meant name (syntax-bound-symbols id)
+                                      (or (advice-on id) (advice-on-name id))))
     (raise-syntax-error #f (string-append "unbound identifier; " (in-one-line sentences))
                         id #:exn exn:fail:syntax:unbound))
 
