@@ -10,18 +10,21 @@
          "prefix-form.rkt" "typed-text.rkt"
          "../written-form.rkt")
 
-(provide definition-by-sign plain-definition procedure-elsewhere Lagrangian-by-sign?)
+(provide definition-by-sign procedure-elsewhere Lagrangian-by-sign?)
 
 ;; forms : of a line; known? : symbol -> boolean -> the definition, a datum, or #f
 (define (definition-by-sign forms known?)
-  (define plain (plain-definition forms known?))
-  (and plain (with-letters (cadr plain) (caddr plain) known?)))
-
-;; The same without a change for letters.
-(define (plain-definition forms known?)
   (define-values (text operands) (typed-text forms known?))
-  (define parts (and text (or (regexp-match by-word text) (regexp-match by-sign text))))
-  (define increment (and text (regexp-match by-increment text)))
+  (define word (and text (regexp-match by-word text)))
+  (define plain (and text (plain-definition text word operands known?)))
+  (if (and plain (not word))
+      (with-letters (cadr plain) (caddr plain) known?)
+      plain))
+
+;; word : the parts of one that begins with `def`, or #f -> the same without a change for letters
+(define (plain-definition text word operands known?)
+  (define parts (or word (regexp-match by-sign text)))
+  (define increment (regexp-match by-increment text))
   (define (defined head body)
     (define whole (procedure-parts head body))
     (define (known-here? name) (or (memq name (flatten (car whole))) (known? name)))

@@ -33,7 +33,9 @@
         [(procedure-elsewhere forms known?) => (written "a function is written ~a")]
         [(null? (cdr data)) (about-escapes (car forms))]
         [(keyword? (car data)) ((written "it stands in parentheses: ~a") data)]
-        [(and (null? (cddr data)) (call-beside forms known?))]
+        [(and (null? (cddr data))
+              (or (not (signed-name? (car data))) (notation-sentence (car data)))
+              (call-beside forms known?))]
         [(formula-beside forms known?)]
         [(component-beside forms)]
         [(call-beside forms known?)]
@@ -108,11 +110,6 @@
            (or (infix? d) (and (formula-like? (car d)) (not (known? (car d))))))))
 
 (define (braces? form) (eqv? (syntax-property form 'paren-shape) #\{))
-
-;; m*, ^2/2
-(define (signed-name? d)
-  (and (symbol? d)
-       (or (formula-like? d) (regexp-match? #px"^[*/^.]+[0-9(]|[0-9*/+]\\p{L}*[*/+^-]$" (symbol->string d)))))
 
 ;; A word of prose, as no letter of a formula is
 (define (word? d) (regexp-match? #px"^\\p{L}{2,}[.,]?$" (symbol->string d)))

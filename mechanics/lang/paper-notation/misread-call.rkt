@@ -12,7 +12,7 @@
          "../written-form.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["prefix-form.rkt" prefix-form formula-like?])
+(require-on-demand ["prefix-form.rkt" prefix-form])
 
 (provide check-call keyword-argument? advice-on-call advice-on-product called-beside
          call-in-print? as-called)

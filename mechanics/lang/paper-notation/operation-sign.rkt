@@ -3,7 +3,7 @@
 
 (require "../../operation/operation-column.rkt")
 
-(provide sign? infix? with-operation functions about-formulas)
+(provide sign? infix? with-operation formula-like? signed-name? functions about-formulas)
 
 (define functions
   (append '(square cube) (operation-names function reciprocal)))
@@ -20,6 +20,19 @@
 ;; Procedures that an operation is given to, as in (apply + xs); some are of other languages.
 (define with-operation
   '(apply map for-each foldl foldr fold fold-left fold-right reduce sort andmap ormap))
+
+;; Does the name have operations of a formula in it, read or not: 2mgh, v^2/2k, x²?
+(define (formula-like? d)
+  (and (symbol? d)
+       (regexp-match? #px"^[-(]?(?:[0-9.]+\\p{L}|[^²³]+[²³]|(?:\\p{L}|[0-9_])+[*^/+](?:\\p{L}|[-0-9_(.]))"
+                      (symbol->string d))))
+
+;; The same, or a sign at an end: m*, -x, ^2/2?
+(define (signed-name? d)
+  (or (formula-like? d)
+      (and (symbol? d) (not (sign? d))
+           (regexp-match? #px"^[-+*/^.]+(?:\\p{L}|[0-9(])|(?:\\p{L}|[0-9*/+])[*/+^-]$"
+                          (symbol->string d)))))
 
 ;; Said of a formula that is not read.
 (define about-formulas "operations come first, as in (* 2 x)")

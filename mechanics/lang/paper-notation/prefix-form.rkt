@@ -9,8 +9,7 @@
          "../written-form.rkt"
          "../../algebra/notation/read-paper.rkt")
 
-(provide prefix-form text->prefix-form typed-formula formula-like?
-         about-escapes)
+(provide prefix-form text->prefix-form typed-formula about-escapes)
 
 ;; forms : in a row, syntaxes or data; known? : symbol -> is it a name of something?
 ;; -> the form to write instead, a datum, or #f
@@ -38,12 +37,6 @@
   (define text (symbol->string name))
   (define form (and (not (regexp-match? #px"\\s" text)) (text->prefix-form text '() known?)))
   (and (pair? form) form))
-
-;; Does the name have operations of a formula in it, read or not: 2mgh, v^2/2k?
-(define (formula-like? d)
-  (and (symbol? d)
-       (regexp-match? #px"^[-(]?(?:[0-9.]+\\p{L}|(?:\\p{L}|[0-9_])+[*^/+](?:\\p{L}|[-0-9_(.]))"
-                      (symbol->string d))))
 
 ;; k*|x|, which Racket reads as the name k*x; and |x - y| -> advice, or #f
 (define (about-escapes stx)

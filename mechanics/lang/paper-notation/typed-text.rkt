@@ -89,8 +89,11 @@
   (cond [(eqv? shape #\[) (within "[" (row-text parts w) "]")]
         [(eqv? shape #\{) (within "{" (row-text parts w) "}")]
         [(call-before before form) => (lambda (f) (within "(" (arguments-text f parts w) ")"))]
-        [(formula? parts w) (within "(" (row-text parts w) ")")]
-        [else (operand-text form parts w)]))
+        [else
+         (case (sort-of parts w)
+           [(formula) (within "(" (row-text parts w) ")")]
+           [(call) ((writer-operand! w) (datum form))]
+           [else ((writer-give-up w))])]))
 
 ;; The name that ends before the parentheses and is called by them, or #f
 (define (call-before before form)
@@ -100,37 +103,45 @@
 
 ;; Without commas, several operands are a product where one argument is wanted.
 (define (arguments-text f parts w)
-  (cond [(signs-first? parts) (operand-text parts parts w)]
+  (cond [(eq? (sort-of parts w) 'call) ((writer-operand! w) (map datum parts))]
         [(or (function-named f) (ormap comma? parts) (signed? parts) (number? (content (car parts))))
          (row-text parts w)]
-        [else (string-join (for/list ([p (in-list parts)]) (row-text (list p) w)) ", ")]))
+        [else (string-join (map (lambda (run) (row-text run w)) (touching-runs parts)) ", ")]))
+
+;; f(x) has two parts that touch.
+(define (touching-runs parts)
+  (define-values (runs run)
+    (for/fold ([runs '()] [run (list (car parts))]) ([p (in-list (cdr parts))])
+      (if (touches? (car run) p)
+          (values runs (cons p run))
+          (values (cons (reverse run) runs) (list p)))))
+  (reverse (cons (reverse run) runs)))
 
 (define (comma? part)
   (define parts (elements part))
   (and parts (pair? parts) (headed? parts 'unquote)))
 
-;; Is it one by its signs, by a number or a name that is none of a function?
-(define (formula? parts w)
+;; Parts of a list in parentheses -> 'formula, 'call of Racket's, or #f where they may be either, as
+;; (- k x), -k x or k - x
+(define (sort-of parts w)
   (define head (content (car parts)))
-  (and (not (memq head with-operation))
-       (not (signs-first? parts))
-       (or (null? (cdr parts))
-           (ormap comma? parts)
-           (signed? parts)
-           (number? head)
-           (and (symbol? head)
-                (not (function-named (symbol->string head)))
-                (not ((writer-known? w) head))))))
+  (define signs-first? (and (sign? head) (> (length parts) 2)))
+  (define name? (and (symbol? head) (not (signed-name? head))))
+  (cond [(or (memq head with-operation) (and signs-first? (not (eq? head '-)))) 'call]
+        [signs-first? #f]
+        [(or (null? (cdr parts)) (number? head) (ormap comma? parts) (signed? parts) (touching? parts))
+         'formula]
+        [(ormap (lambda (p) (signed-name? (content p))) parts) (if name? #f 'formula)]
+        [name? (if (called? head w) 'call 'formula)]
+        [(elements (car parts)) => (lambda (inner) (if (pair? inner) (sort-of inner w) 'formula))]
+        [else 'formula]))
+
+(define (called? name w)
+  (or (function-named (symbol->string name)) ((writer-known? w) name)))
+
+(define (touching? parts) (ormap touches? parts (append (cdr parts) '(#f))))
 
 ;; Does a sign stand between them?
 (define (signed? parts)
   (for/or ([p (in-list parts)])
     (and (sign? (content p)) (not (eq? p (last parts))))))
-
-(define (signs-first? parts) (and (sign? (content (car parts))) (> (length parts) 2)))
-
-;; (- k x) may be -k x or k - x.
-(define (operand-text form parts w)
-  (if (and (eq? (content (car parts)) '-) (> (length parts) 2))
-      ((writer-give-up w))
-      ((writer-operand! w) (if (pair? form) (map datum form) (datum form)))))

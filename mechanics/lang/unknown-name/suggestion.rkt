@@ -3,7 +3,7 @@
 ;; of scmutils, one that has another name elsewhere, a formula written as in print, or a known name
 ;; that is spelt nearly so.
 
-(require "other-library.rkt" "../paper-notation/typographic.rkt" "../written-form.rkt"
+(require "other-library.rkt" "../paper-notation/operation-sign.rkt" "../paper-notation/typographic.rkt" "../written-form.rkt"
          "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")
 
@@ -20,7 +20,8 @@
   (define formula (typed-formula name))
   (define letter (and formula (letter-in formula)))
   (define about-symbol
-    (cond [(not formula) (format "as a symbol it is written '~s~a" name (or-number name))]
+    (cond [(and (not formula) (formula-like? name)) #f]
+          [(not formula) (format "as a symbol it is written '~s~a" name (or-number name))]
           [(or (not letter) (notation-sentence name)) #f]
           [else (format "a symbol in it is quoted, as '~s" letter)]))
   (define print (typographic-sentence name))
@@ -39,6 +40,7 @@
         [(notation-sentence name)]
         [(pair? (near)) (format "did you mean ~a?" (alternatives (near)))]
         [(typed-formula name) => (lambda (f) (string-append "operations come first: " (form->text f)))]
+        [(formula-like? name) about-formulas]
         [else #f]))
 
 ;; About letters that are numbers to mathematicians.

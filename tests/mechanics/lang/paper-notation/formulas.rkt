@@ -70,8 +70,8 @@
 
 ;; Of either sign, never small
 (define (number-for key)
-  (define n (modulo (equal-hash-code (format "~s" key)) 347))
-  (* (if (odd? n) -1 1) (+ 0.3 (* 0.01 n))))
+  (define n (modulo (equal-hash-code (format "~s" key)) 100003))
+  (* (if (odd? n) -1 1) (+ 0.3 (* 3e-5 n))))
 
 (define (relation . xs) (for/fold ([sum 0.7]) ([x (in-list xs)]) (- (* 1.3 x) sum)))
 
@@ -105,7 +105,8 @@
 (define (same-values? d right)
   (for/and ([point (in-range 3)])
     (define-values (v w) (values (value d point) (value right point)))
-    (< (magnitude (- v w)) (* 1e-9 (+ 1 (magnitude w))))))
+    (or (< (magnitude (- v w)) (* 1e-9 (+ 1 (magnitude w))))
+        (and (> (magnitude w) 1e30) (> (magnitude v) 1e30)))))
 
 ;; ---------------------------------------------------------------------------
 ;; The table
@@ -139,6 +140,47 @@
   (check-false (same? '(/ (cos t) 2) '(* 3/2 (cos t))))
   (check-false (same? '(define (V y) (* k y)) '(define (V x) (* k x))))
   (check-true (same? '(define ((V k) x) (* 1/2 'k (expt x 2))) '(define (V x) (/ (* k x x) 2)))))
+
+;; ---------------------------------------------------------------------------
+;; Random formulas, with parentheses where they must be and some more
+
+(define (random-formula depth)
+  (define (part) (random-formula (- depth 1)))
+  (if (or (= depth 0) (= 0 (random 5)))
+      (list-ref '(a b c x y 2 3 1.5) (random 8))
+      (case (random 8)
+        [(0) (list 'sin (part))]
+        [(1) (list '- (part))]
+        [(2) (list 'expt (part) (list-ref '(2 3 n (- x) (expt y 2)) (random 5)))]
+        [else (list (list-ref '(+ - * / *) (random 5)) (part) (part))])))
+
+;; Levels: 0 a sum, 1 a product, 2 a factor, 3 the base of a power
+(define (written d level)
+  (define (at own text) (if (or (< own level) (= 0 (random 12))) (string-append "(" text ")") text))
+  (define (between a sign b)
+    (define space (if (= 0 (random 2)) " " ""))
+    (string-append a space sign space b))
+  (cond [(not (pair? d)) (format "~a" d)]
+        [(eq? (car d) 'sin) (format "sin(~a)" (written (cadr d) 0))]
+        [(eq? (car d) 'expt)
+         (at 2 (string-append (written (cadr d) 3) "**" (written (caddr d) 2)))]
+        [(null? (cddr d)) (at 2 (string-append "-" (written (cadr d) 2)))]
+        [else
+         (define own (if (memq (car d) '(+ -)) 0 1))
+         (at own (between (written (cadr d) own) (symbol->string (car d))
+                          (written (caddr d) (+ own 1))))]))
+
+(test-case "random formulas are read rightly, nearly all of them"
+  (random-seed 35)
+  (define read-ones
+    (for/sum ([_ (in-range 1000)])
+      (define d (random-formula 4))
+      (define text (written d 0))
+      (define code (prefix-form (forms-in text)))
+      (with-check-info (['formula d] ['text text] ['offered code])
+        (when code (check-true (or (equal? code d) (same-value? code d)))))
+      (if code 1 0)))
+  (check-true (> read-ones 950) (format "~a of 1000" read-ones)))
 
 (module+ main
   (define (outcome text form)

@@ -5,7 +5,7 @@
          mechanics/lang/unknown-name/other-library
          mechanics/lang/paper-notation/other-notation
          mechanics/lang/unknown-name/suggestion
-         mechanics/lang/paper-notation/typed-formula
+         (only-in mechanics/lang/paper-notation/prefix-form typed-formula)
          mechanics/lang/paper-notation/typographic
          racket/string
          "../../support/checks.rkt" "../../support/run-text.rkt")
@@ -104,15 +104,20 @@
   (check-suggestion 'x^2 "operations come first: (expt x 2)")
   (check-suggestion '2x "operations come first: (* 2 x)")
   (define (formula text) (typed-formula (string->symbol text)))
-  (check-equal? (formula "2*x") "(* 2 x)")
-  (check-equal? (formula "m*v^2/2") "(/ (* m (expt v 2)) 2)")
-  (check-equal? (formula "2x^2+1") "(+ (* 2 (expt x 2)) 1)")
-  (check-equal? (formula "a+b+c") "(+ (+ a b) c)")
-  (check-equal? (formula "1.5t") "(* 1.5 t)")
-  (check-equal? (formula "2π") "(* 2 π)")
-  (check-equal? (formula "x-1") "(- x 1)")
-  (check-equal? (formula "-x") "(- x)")
-  (check-equal? (formula "-3x^2") "(- (* 3 (expt x 2)))"))
+  (check-equal? (formula "2*x") '(* 2 x))
+  (check-equal? (formula "m*v^2/2") '(/ (* m (expt v 2)) 2))
+  (check-equal? (formula "2x^2+1") '(+ (* 2 (expt x 2)) 1))
+  (check-equal? (formula "a+b+c") '(+ a b c))
+  (check-equal? (formula "1.5t") '(* 1.5 t))
+  (check-equal? (formula "2π") '(* 2 pi))
+  (check-equal? (formula "x-1") '(- x 1))
+  (check-equal? (formula "-x") '(- x))
+  (check-equal? (formula "-3x^2") '(- (* 3 (expt x 2))))
+  (check-equal? (formula "1/2*m*v^2") '(* 1/2 m (expt v 2))))
+
+(test-case "formulas that have two readings are not offered"
+  (check-suggestion 'p^2/2m "operations come first, as in (* 2 x)")
+  (check-equal? (what-was-meant 'mv^2/2 ours #f) '("operations come first, as in (* 2 x)")))
 
 (test-case "names that are no formulas"
   (for ([name '(x omega x-dot L-free r1 x_1 theta0 kinetic-energy F->C m:dimension q* + x+

@@ -3,7 +3,11 @@
 
 (require mechanics/lang/paper-notation/prefix-form
          mechanics/lang/paper-notation/operation-sign
+         (only-in mechanics/lang/prompt/typed-forms forms-in)
          "../../support/checks.rkt")
+
+;; The form of a call such as f(x)
+(define (call-form text) (prefix-form (forms-in text)))
 
 (define-check (check-prefix forms form)
   (define found (prefix-form forms))
@@ -48,12 +52,12 @@
   (check-prefix '(sin x + 1) '(+ (sin x) 1))
   (check-prefix '(omega sin (x)) '(* omega (sin x)))
   (check-prefix '(sin (square x) + 1) '(+ (sin (square x)) 1))
-  (check-equal? (call-form 'cos '(pi/2)) '(cos (/ pi 2)))
-  (check-equal? (call-form 'cos '(omega t)) '(cos (* omega t)))
-  (check-equal? (call-form 'sin '(30 deg)) '(sin (* 30 (/ pi 180))))
-  (check-equal? (call-form 'atan '(y ,x)) '(atan y x))
-  (check-equal? (call-form 'tan '(+ 1 1)) '(tan (+ 1 1)))
-  (check-equal? (call-form 'f '(x/2 y)) '(f (/ x 2) y)))
+  (check-equal? (call-form "cos(pi/2)") '(cos (/ pi 2)))
+  (check-equal? (call-form "cos(omega t)") '(cos (* omega t)))
+  (check-equal? (call-form "sin(30 deg)") '(sin (* 30 (/ pi 180))))
+  (check-equal? (call-form "atan(y,x)") '(atan y x))
+  (check-equal? (call-form "tan(+ 1 1)") '(tan (+ 1 1)))
+  (check-equal? (call-form "f(x/2 y)") '(f (/ x 2) y)))
 
 (test-case "a number before names is a product, within a formula too"
   (check-prefix '((1/2 m (square v)) - (g * h)) '(- (* 1/2 m (square v)) (* g h))))
