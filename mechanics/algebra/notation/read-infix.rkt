@@ -131,7 +131,9 @@
   (signed in (lambda (in)
                (define d (read-primary in))
                (cond [(not (ahead? in 'caret)) d]
-                     [(string=? "**" (token-text (ahead in))) (take! in) (list 'expt d (read-power in))]
+                     [(string=? "**" (token-text (ahead in)))
+                      (take! in)
+                      (list 'expt d (read-power in))]
                      [else (unexpected in)]))))
 
 (define (parenthesized in)

@@ -31,7 +31,8 @@
   (list*
    (list 'name #px"^D(?=[¹²³])" (lambda (m) 'D))
    (list 'name #px"^\\p{L}(?:\\p{L}|[0-9_])*(?:-(?:\\p{L}|[0-9_])+)+" hyphenated)
-   (list 'function #px"^\\p{L}+[0-9]*(?!(?:\\p{L}|\\p{M}|[0-9_₀-₉]))" (lambda (m) (function-named (car m))))
+   (list 'function #px"^\\p{L}+[0-9]*(?!\\p{L}|\\p{M}|[0-9_₀-₉])"
+         (lambda (m) (function-named (car m))))
    (list 'name #px"^(?:\\p{L}(?:\\p{L}|\\p{M}|[0-9_])*[₀-₉ₐ-ₜᵢᵣᵤᵥⱼ]*|°|⟪[0-9]+⟫)"
          (lambda (m) (paper-name (car m))))
    (filter (lambda (rule) (memq (car rule) kinds-of-signs)) notation-rules)))

@@ -92,9 +92,11 @@
 (define (several? v i)
   (define end (closing v i))
   (or (= end (+ i 1))
-      (for/or ([k (in-range (+ i 1) end)]) (and (kind? (vector-ref v k) 'comma) (= i (enclosing v k))))))
+      (for/or ([k (in-range (+ i 1) end)])
+        (and (kind? (vector-ref v k) 'comma) (= i (enclosing v k))))))
 
-(define (of-call? v i) (and (kind? (token-near v (- i 1)) 'name 'function 'raised) (glued? (vector-ref v i))))
+(define (of-call? v i)
+  (and (kind? (token-near v (- i 1)) 'name 'function 'raised) (glued? (vector-ref v i))))
 
 ;; The place where the parenthesis at i is closed, the end if nowhere.
 (define (closing v i)
@@ -188,9 +190,11 @@
 
 ;; One relation, in no parentheses, may stand several times.
 (define (one-relation? v)
-  (define places (for/list ([i (in-range (vector-length v))] #:when (kind? (vector-ref v i) 'relation)) i))
-  (and (andmap (lambda (i) (= -1 (enclosing v i))) places)
-       (<= (length (remove-duplicates (map (lambda (i) (token-text (vector-ref v i))) places))) 1)))
+  (define relations
+    (for/list ([t (in-vector v)] [i (in-naturals)] #:when (kind? t 'relation))
+      (and (= -1 (enclosing v i)) (token-text t))))
+  (or (null? relations)
+      (and (car relations) (null? (cdr (remove-duplicates relations))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Names
@@ -223,9 +227,8 @@
         [else (or (= n 2) (not (regexp-match? #px"^[a-zA-Z]*[aeiouAEIOU][a-zA-Z]*$" letters)))]))
 
 (define (letters-of text)
-  (define base (car (regexp-match #px"^\\p{L}*" (regexp-replace* #px"\\p{M}" (string-normalize-nfd text) ""))))
-  (define undotted (regexp-replace #rx"(?:dot)+$" base ""))
-  (if (string=? undotted "") base undotted))
+  (define plain (regexp-replace* #px"\\p{M}" (string-normalize-nfd text) ""))
+  (regexp-replace #rx"(.)(?:dot)+$" (car (regexp-match #px"^\\p{L}*" plain)) "\\1"))
 
 ;; theta and letters behind it; dots and digits may stand there.
 (define (Greek-beginning? letters)

@@ -108,7 +108,8 @@
              [after (in-list (append (cdr row) '(#f)))])
     (cond [(and before (call-in-print? before stx))
            (syntax-property stx called (as-called before stx (bound-beside stx)))]
-          [(and after (call-in-print? stx after)) (with-advice stx (as-called stx after (bound-beside stx)))]
+          [(and after (call-in-print? stx after))
+           (with-advice stx (as-called stx after (bound-beside stx)))]
           [else stx])))
 
 (define (call-in-print? name arguments)

@@ -24,8 +24,11 @@
 ;; Does the name have operations of a formula in it, read or not: 2mgh, v^2/2k, x²?
 (define (formula-like? d)
   (and (symbol? d)
-       (regexp-match? #px"^[-(]?(?:[0-9.]+\\p{L}|[^²³]+[²³]|(?:\\p{L}|[0-9_])+[*^/+](?:\\p{L}|[-0-9_(.]))"
-                      (symbol->string d))))
+       (regexp-match? like-formula (symbol->string d))))
+
+(define like-formula
+  (pregexp (string-append "^[-(]?(?:[0-9.]+\\p{L}|[^²³]+[²³]|"
+                          "(?:\\p{L}|[0-9_])+[*^/+](?:\\p{L}|[-0-9_(.]))")))
 
 ;; The same, or a sign at an end: m*, -x, ^2/2?
 (define (signed-name? d)

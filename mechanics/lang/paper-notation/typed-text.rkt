@@ -98,13 +98,15 @@
 ;; The name that ends before the parentheses and is called by them, or #f
 (define (call-before before form)
   (define d (and before (content before)))
-  (define word (and (symbol? d) (regexp-match #px"\\p{L}(?:\\p{L}|\\p{M}|[0-9_])*$" (symbol->string d))))
+  (define word
+    (and (symbol? d) (regexp-match #px"\\p{L}(?:\\p{L}|\\p{M}|[0-9_])*$" (symbol->string d))))
   (and word (or (touches? before form) (function-named (car word))) (car word)))
 
 ;; Without commas, several operands are a product where one argument is wanted.
 (define (arguments-text f parts w)
   (cond [(eq? (sort-of parts w) 'call) ((writer-operand! w) (map datum parts))]
-        [(or (function-named f) (ormap comma? parts) (signed? parts) (number? (content (car parts))))
+        [(or (function-named f) (number? (content (car parts)))
+             (ormap comma? parts) (signed? parts))
          (row-text parts w)]
         [else (string-join (map (lambda (run) (row-text run w)) (touching-runs parts)) ", ")]))
 
@@ -129,7 +131,8 @@
   (define name? (and (symbol? head) (not (signed-name? head))))
   (cond [(or (memq head with-operation) (and signs-first? (not (eq? head '-)))) 'call]
         [signs-first? #f]
-        [(or (null? (cdr parts)) (number? head) (ormap comma? parts) (signed? parts) (touching? parts))
+        [(or (null? (cdr parts)) (number? head)
+             (ormap comma? parts) (signed? parts) (touching? parts))
          'formula]
         [(ormap (lambda (p) (signed-name? (content p))) parts) (if name? #f 'formula)]
         [name? (if (called? head w) 'call 'formula)]

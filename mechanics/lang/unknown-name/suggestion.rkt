@@ -3,7 +3,9 @@
 ;; of scmutils, one that has another name elsewhere, a formula written as in print, or a known name
 ;; that is spelt nearly so.
 
-(require "other-library.rkt" "../paper-notation/operation-sign.rkt" "../paper-notation/typographic.rkt" "../written-form.rkt"
+(require "other-library.rkt"
+         "../paper-notation/operation-sign.rkt" "../paper-notation/typographic.rkt"
+         "../written-form.rkt"
          "../../error/spelling.rkt"
          "../../generic/on-demand.rkt")
 
@@ -39,7 +41,8 @@
         [(scmutils-sentence name)]
         [(notation-sentence name)]
         [(pair? (near)) (format "did you mean ~a?" (alternatives (near)))]
-        [(typed-formula name) => (lambda (f) (string-append "operations come first: " (form->text f)))]
+        [(typed-formula name)
+         => (lambda (form) (string-append "operations come first: " (form->text form)))]
         [(formula-like? name) about-formulas]
         [else #f]))
 
