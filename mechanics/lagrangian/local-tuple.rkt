@@ -94,7 +94,8 @@
   (unless (and (up? local) (< i (s:length local)))
     (complain who "expected a local tuple (up t q v ...) with ~a; given ~a~a"
               what (describe-with-value local)
-              (cond [(pointwise? local) (value-first-hint who)]
+              (cond [(pointwise? local)
+                     (string-append (value-first-hint who) (if (eq? who 'time) timing-hint ""))]
                     [(eq? who 'time) timing-hint]
                     [else (list-hint local "(up t q v ...)")])))
   (vector-ref (structure-elements (adopt local)) i))
@@ -105,6 +106,7 @@
 
 (define timing-hint
   (string-append
+   "\n  time is the book's selector; (show-time expression) tells how long one takes"
    "\n  Racket's form for timing an expression is in racket/base under the same name: "
    "(require (only-in racket/base [time racket:time]))"))
 

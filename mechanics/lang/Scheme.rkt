@@ -2,11 +2,13 @@
 ;; Procedures of MIT Scheme, the language of the book's programs, that Racket has under other names
 ;; or lacks.
 
-(require (only-in racket/list make-list)
+(require (for-syntax racket/base)
+         (only-in racket/list make-list)
          "../show/display/result.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
-         "../generic/on-demand.rkt" "../generic/wrong-argument.rkt"
+         "../generic/naming.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt"
+         (only-in "../generic/kind.rkt" has-kind?)
          "../numeric/constants.rkt" "../numeric/finite-number.rkt")
 
 (require-on-demand [racket/pretty pretty-write])
@@ -93,10 +95,26 @@
 (define (runtime)
   (/ (- (current-process-milliseconds) (current-gc-milliseconds)) 1000.0))
 
+;; (show-time expression), and (show-time (lambda () expression)) as MIT Scheme has it
+(define-syntax (show-time stx)
+  (syntax-case stx ()
+    [(_ expression) #'(time-thunk (lambda () (called-if-thunk expression)))]
+    [(_ . _) (raise-syntax-error #f "it is written (show-time expression)" stx)]
+    [_ #'show-value-time]))
+
+(define-named show-value-time show-time
+  (lambda (x) (time-thunk (lambda () (called-if-thunk x)))))
+
+(define-syntax-rule (called-if-thunk expression)
+  (call-with-values (lambda () expression)
+                    (case-lambda [(x) (if (thunk? x) (x) x)]
+                                 [xs (apply values xs)])))
+
+;; A tuple can be called, too.
+(define (thunk? x) (and (procedure? x) (procedure-arity-includes? x 0) (not (has-kind? x))))
+
 ;; The values of (thunk), whose time is printed.
-(define (show-time thunk)
-  (unless (and (procedure? thunk) (procedure-arity-includes? thunk 0))
-    (complain-of-argument 'show-time "a procedure of no arguments" thunk))
+(define (time-thunk thunk)
   (define-values (results cpu real gc) (time-apply thunk '()))
   (printf "process time: ~a ms (~a run + ~a gc); real time: ~a ms\n" cpu (- cpu gc) gc real)
   (apply values results))

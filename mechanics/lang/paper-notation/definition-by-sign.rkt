@@ -60,7 +60,7 @@
 (define procedure #px"^(?:(?:lambda|λ)\\s+([^:]*):|@\\s*\\(([^()]*)\\))\\s*(.+)$")
 
 ;; lambda x, y: x*y, or @(x, y) x.*y -> (lambda (x y) (* x y)), or #f
-(define (procedure-elsewhere forms known?)
+(define (procedure-elsewhere forms [known? (lambda (name) #f)])
   (define-values (text operands) (typed-text forms known?))
   (define parts (and text (regexp-match? procedure text) (procedure-parts 'lambda text)))
   (define (known-here? name) (or (memq name (car parts)) (known? name)))

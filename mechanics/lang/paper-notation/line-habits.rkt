@@ -37,6 +37,7 @@
               (or (not (signed-name? (car data))) (notation-sentence (car data)))
               (call-beside forms known?))]
         [(formula-beside forms known?)]
+        [(bracketed-call forms known?)]
         [(component-beside forms)]
         [(call-beside forms known?)]
         [(prime? forms) (about-prime (car data))]
@@ -114,15 +115,37 @@
 ;; A word of prose, as no letter of a formula is
 (define (word? d) (regexp-match? #px"^\\p{L}{2,}[.,]?$" (symbol->string d)))
 
-;; x[0]
-(define (component-beside forms)
+;; D[Sin[x], x], Solve[x^2 == 1, x], as Mathematica has them
+(define (bracketed-call forms known?)
+  (define name (syntax-e (car forms)))
+  (define advice (and (symbol? name) (bracket-beside forms) (notation-sentence name)))
+  (cond [(and (eq? name 'D) (bracket-beside forms)) => (lambda (parts) (derivative-of parts known?))]
+        [advice (format "~a: ~a" name advice)]
+        [else #f]))
+
+(define (derivative-of parts known?)
+  (define-values (before behind) (splitf-at parts (lambda (p) (not (comma? (syntax->datum p))))))
+  (define form (and (pair? before) (prefix-form before known?)))
+  (define x (and (= (length behind) 1) (cadr (syntax->datum (car behind)))))
+  (if (and form (symbol? x))
+      ((written "a derivative is that of a function: ~a") `((D (lambda (,x) ,form)) ',x))
+      "the derivative of a function f is (D f), a partial one ((partial 0) f)"))
+
+;; The parts of the bracket that touches the first form, or #f
+(define (bracket-beside forms)
   (define bracket (and (= (length forms) 2) (cadr forms)))
   (and bracket
        (eqv? (syntax-property bracket 'paren-shape) #\[)
        (adjacent? (car forms) bracket)
        (pair? (syntax-e bracket))
+       (syntax->list bracket)))
+
+;; x[0]
+(define (component-beside forms)
+  (define indices (bracket-beside forms))
+  (and indices
        (format "a component is ~a"
-               (form->text (list* 'ref (syntax->datum (car forms)) (syntax->datum bracket))))))
+               (form->text (list* 'ref (map syntax->datum (cons (car forms) indices)))))))
 
 ;; f(3); for sin^2 (x) advice on the power
 (define (call-beside forms known?)

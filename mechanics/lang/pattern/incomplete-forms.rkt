@@ -4,7 +4,10 @@
 
 (require (only-in racket/list append-map first flatten last)
          "../written-form.rkt"
+         "../../generic/on-demand.rkt"
          "../paper-notation/operation-sign.rkt" "../redefinition/definition-head.rkt")
+
+(require-on-demand ["../paper-notation/definition-by-sign.rkt" procedure-elsewhere])
 
 (provide check-complete-definition check-complete-procedure check-names)
 
@@ -55,6 +58,10 @@
                    (form->text `(lambda (,(first-letter (cdr d))) ,d)))
            (refuse stx #f "no expressions for procedure body; it is written (lambda ~a (* 2 t))"
                    (form->text d))))]
+    [(_ name . body)
+     (and (identifier? #'name) (procedure-elsewhere (syntax->list stx)))
+     (refuse stx #f "arguments stand in parentheses: ~a"
+             (form->text (procedure-elsewhere (syntax->list stx))))]
     [(_ name . body)
      (and (identifier? #'name) (before-colon (syntax-e #'name)))
      (refuse stx #f "arguments stand in parentheses: (lambda (~a) ...)"

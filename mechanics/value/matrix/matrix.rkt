@@ -216,11 +216,25 @@
     (cond [(matrix? x) x]
           [(and (not (tuple? x)) (= (m:num-rows other) (m:num-cols other)))
            (matrix-map (lambda (e) (g:* x e)) (identity-matrix (m:num-rows other)))]
-          [else (raise-inapplicable op a b)]))
+          [else (raise-no-matrix op a b (if (matrix? a) b a))]))
   (define m (as-matrix a b))
   (define n (as-matrix b a))
   (unless (same-size? m n) (raise-inapplicable op a b))
   (matrix (rows-combine add (matrix-rows m) (matrix-rows n))))
+
+;; s : the operand that is no matrix; of a tuple of tuples it is told how it becomes one.
+(define (raise-no-matrix op a b s)
+  (define inner (and (tuple? s) (> (s:length s) 0) (s:ref s 0)))
+  (if (and inner (tuple? inner))
+      (raise-inapplicable-because
+       op (format "the matrix of a tuple T of tuples is (s->m ~a T ~a)"
+                  (dual-zeros inner) (dual-zeros s))
+       a b)
+      (raise-inapplicable op a b)))
+
+;; (up x y) -> (down 0 0), a datum
+(define (dual-zeros s)
+  (cons (if (up? s) 'down 'up) (for/list ([_ (in-range (s:length s))]) 0)))
 
 (define (multiply op a b)
   (cond [(tuple? b) (matrix-times-tuple op a b)]

@@ -101,6 +101,7 @@
 (test-case "a selector says what it wanted and what it got"
   (check-message
    (string-append "time: expected a local tuple (up t q v ...) with the time; given the number 3\n"
+                  "  time is the book's selector; (show-time expression) tells how long one takes\n"
                   "  Racket's form for timing an expression is in racket/base under the same name: (require (only-in racket/base [time racket:time]))")
    (time 3))
   (check-message

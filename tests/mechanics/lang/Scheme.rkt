@@ -41,4 +41,7 @@
   (parameterize ([current-output-port (open-output-nowhere)])
     (check-equal? (show-time (lambda () (+ 1 2))) 3)
     (check-equal? (call-with-values (lambda () (show-time (lambda () (values 1 2)))) list) '(1 2)))
-  (check-exn #rx"^show-time: .*a procedure of no arguments" (lambda () (show-time 3))))
+  (check-equal? (parameterize ([current-output-port (open-output-nowhere)])
+                  (list (show-time 3) (show-time (+ 1 2)) (show-time (up 1 2))
+                        (map show-time (list 4))))
+                (list 3 3 (up 1 2) '(4))))

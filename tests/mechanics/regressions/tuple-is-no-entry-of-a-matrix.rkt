@@ -4,9 +4,10 @@
 
 (require mechanics/generic/arithmetic
          mechanics/generic/elementary
+         mechanics/value/matrix/linear-algebra
          mechanics/value/matrix/matrix
          mechanics/value/structure
-         "../support/checks.rkt")
+         "../support/checks.rkt" "../support/messages.rkt")
 
 (define M (matrix-by-rows '(1 2) '(3 4)))
 
@@ -22,6 +23,19 @@
    (lambda () (g:/ (up 1 2) M)))
   (check-equal? (g:* (g:/ (down 1 2) M) M) (down 1 2))
   (check-equal? (g:+ M 'a) (matrix-by-rows (list (g:+ 1 'a) 2) (list 3 (g:+ 4 'a)))))
+
+(test-case "a matrix less an outer product: how that becomes a matrix"
+  (define T (outer-product (up 1 2) (down 3 4)))
+  (check-message
+   (string-append
+    "-: cannot subtract a down tuple of 2 from a 2 by 2 matrix\n"
+    "  argument 1: (matrix-by-rows (list 1 2) (list 3 4)), a 2 by 2 matrix\n"
+    "  argument 2: (down (up 3 6) (up 4 8)), a down tuple of 2\n"
+    "  the matrix of a tuple T of tuples is (s->m (down 0 0) T (up 0 0))")
+   (g:- M T))
+  (check-equal? (g:- M (s->m (down 0 0) T (up 0 0))) (matrix-by-rows '(-2 -2) '(-3 -4)))
+  (check-exn #rx"[(]s->m [(]down 0 0[)] T [(]down 0 0[)][)]$"
+             (lambda () (g:+ (outer-product (up 1 2) (up 3 4)) M))))
 
 (test-case "powers are repeated products"
   (define (slow n) (for/fold ([p (identity-matrix 2)]) ([_ n]) (g:* p M)))

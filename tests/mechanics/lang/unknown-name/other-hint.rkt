@@ -25,7 +25,8 @@
                   "it is written (for/list ([i 10]) (* i i))"
                   "as in (require mechanics/plot)"
                   "f() is written (f); the empty list is '()"
-                  "it is written (if (> x 0) x (- x)), with a value for either case"))
+                  (string-append "it is written (if (> x 0) x (- x)), with a value for either case; "
+                                 "for one, (when (> x 0) x)")))
   (check-equal?
    (last-lines (string-append "(module m racket/base (define x 1) (define x 2)) "))
    '("a module of Racket defines a name once; in #lang mechanics it may be defined again")))
