@@ -99,7 +99,7 @@
 
 ;; xdot -> x
 (define (coordinate-of letter)
-  (define found (regexp-match #px"^(.+[^t])dot$" (symbol->string letter)))
+  (define found (regexp-match #px"^(.+)(?<!dot)dot$" (symbol->string letter)))
   (and found (string->symbol (cadr found))))
 
 (define (Lagrangian name letters velocities value)

@@ -75,9 +75,10 @@
       (or (memq name (flatten (datum head)))
           (identifier-binding (datum->syntax stx name))))
     (define form (prefix-form (syntax->list body) known?))
-    (when (and form (operation? form))
-      (refuse stx #f "operations come first: ~a~a" (form->text (list 'define (datum head) form))
-              (about-units forms)))))
+    (cond [(and form (operation? form))
+           (refuse stx #f "operations come first: ~a~a"
+                   (form->text (list 'define (datum head) form)) (about-units forms))]
+          [(infix? forms) (refuse stx #f about-formulas)])))
 
 (define (operation? form) (or (sign? (car form)) (eq? (car form) 'expt)))
 

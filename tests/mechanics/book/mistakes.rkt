@@ -89,7 +89,10 @@
   (check-exn #rx"^max: an expression that is not a number has no order" (lambda () (max 1 'x))))
 
 (test-case "time as Racket's form"
-  (check-exn #rx"^time: .*Racket's form for timing an expression" (lambda () (time (+ 1 2)))))
+  (check-exn #rx"^time: .*Racket's form for timing an expression" (lambda () (time (+ 1 2))))
+  (define (L (up t q v)) (* 1/2 (square v)))
+  (check-exn #rx"time is the book's selector; [(]show-time expression[)] tells how long one takes"
+             (lambda () (time (evolve-trajectory (Lagrangian->state-derivative L) (up 0 1 0) 1)))))
 
 (test-case "the parameters of a Lagrangian forgotten"
   (define ((L-harmonic m k) (up t q v)) (- (* 1/2 m (square v)) (* 1/2 k (square q))))

@@ -60,6 +60,41 @@
   (check-line "define (g x) (* x x)" "it stands in parentheses: (define (g x) (* x x))")
   (check-line "require mechanics/plot" "it stands in parentheses: (require mechanics/plot)"))
 
+(test-case "a formula is read from its beginning to its end, products from left to right"
+  (check-line "1/2 m v^2" "operations come first: (* 1/2 m (expt v 2))")
+  (check-line "(1/2)*m*v^2" "operations come first: (* 1/2 m (expt v 2))")
+  (check-line "a / b * c" "operations come first: (* (/ a b) c)")
+  (check-line "cos(w*t)/2*3" "operations come first: (* (/ (cos (* w t)) 2) 3)")
+  (check-line "V(x) = 1/2*k*x^2"
+              "a definition is written (define ((V k) x) (* 1/2 k (expt x 2)))")
+  (check-line "L = ½ m (ẋ² + ẏ²)"
+              (string-append "a Lagrangian is a function of (up t q v): "
+                             "(define ((L m) (up t (up x y) (up xdot ydot))) "
+                             "(* 1/2 m (+ (expt xdot 2) (expt ydot 2))))"))
+  (check-line "\\frac{1}{2} m \\dot{x}^2" "operations come first: (* 1/2 m (expt xdot 2))"))
+
+(test-case "what two readers could read differently is not translated"
+  (define said "operations come first, as in (* 2 x)")
+  (for ([text '("p^2/2m + V" "sin x/2 + 1" "E - mgh / 2" "k(x - x0)^2/2" "x^1/2 + y" "n! + 1 / 2")])
+    (check-line text said))
+  (check-line "|x - y|"
+              "bars stand around a name with spaces in it; an absolute value is (abs x)")
+  (check-line "k*|x|" said)
+  (check-equal? (prime-alone "m*x''") said))
+
+(test-case "Mathematica's and Python's ways"
+  (check-line "Sin[x]" "a call stands in parentheses: (sin x)")
+  (check-line "2 Pi Sqrt[l/g]" "operations come first: (* 2 pi (sqrt (/ l g)))")
+  (check-line "D[Sin[x], x]"
+              "a derivative is that of a function: ((D (lambda (x) (sin x))) 'x)")
+  (check-line "D[f]" "the derivative of a function f is (D f), a partial one ((partial 0) f)")
+  (check-line "Solve[x^2 == 1, x]"
+              (string-append "Solve: roots are found by (find-root f low high), "
+                             "linear systems solved by solve-linear-left"))
+  (check-line "f[x_] := x^2" "a definition is written (define (f x) (expt x 2))")
+  (check-line "lambda x: x**2" "a function is written (lambda (x) (expt x 2))")
+  (check-line "f = @(x) x.^2" "a definition is written (define (f x) (expt x 2))"))
+
 (test-case "operations and primes"
   (check-line "m * v" "operations come first: (* m v)")
   (check-line "p^2/(2m)" "operations come first: (/ (expt p 2) (* 2 m))")

@@ -19,14 +19,15 @@
 (test-case "forms"
   (check-equal? (last-lines "(up 1,2)" "(let (x 3) (* x 2))" "(let* (x 3) x)"
                             "(for/list i 10 i)" "(require mechanics.plot)" "(f ())" "(if #t)")
-                '("no comma separates arguments, and a decimal has a point: (up 1 2.5)"
-                  "it is written (let ([m 3]) (* 2 m))"
-                  "it is written (let* ([m 3] [k (* 2 m)]) (+ m k))"
-                  "it is written (for/list ([i 10]) (* i i))"
-                  "as in (require mechanics/plot)"
-                  "f() is written (f); the empty list is '()"
-                  (string-append "it is written (if (> x 0) x (- x)), with a value for either case; "
-                                 "for one, (when (> x 0) x)")))
+                (list "no comma separates arguments, and a decimal has a point: (up 1 2.5)"
+                      "it is written (let ([m 3]) (* 2 m))"
+                      "it is written (let* ([m 3] [k (* 2 m)]) (+ m k))"
+                      "it is written (for/list ([i 10]) (* i i))"
+                      "as in (require mechanics/plot)"
+                      "f() is written (f); the empty list is '()"
+                      (string-append
+                       "it is written (if (> x 0) x (- x)), with a value for either case; "
+                       "for one, (when (> x 0) x)")))
   (check-equal?
    (last-lines (string-append "(module m racket/base (define x 1) (define x 2)) "))
    '("a module of Racket defines a name once; in #lang mechanics it may be defined again")))
