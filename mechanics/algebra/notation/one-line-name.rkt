@@ -73,7 +73,7 @@
 
 ;; The symbol that a text without bars stands for.
 (define (line-name->symbol text)
-  (if (string=? text "π") ':pi (spelled-symbol text)))
+  (if (member text '("π" "pi")) ':pi (spelled-symbol text)))
 
 (define (spelled-symbol text)
   (define m (regexp-match #px"^([^0-9₀-₉ₐ-ₜᵢᵣᵤᵥᵦ-ᵪ_^]+)([0-9]*)(.*)$" text))

@@ -76,8 +76,13 @@
   (cond [(or (pair? name) (eq? name 'pi)) #t]
         [(or (one-operand? v i) (several? v i)) #f]
         [(not touching?) (if (memq name '(f F)) 'unclear #t)]
-        [(and (= i 1) (kind? (token-near v (+ 1 (closing v i))) 'end)) #f]
+        [(and (= i 1) (kind? (token-near v (+ 1 (closing v i))) 'end) (function-like? v i name)) #f]
         [else 'unclear]))
+
+;; f(x + 1), not x(x - 1) or k(x - x0): a word, or a letter of functions
+(define (function-like? v i name)
+  (or (memq name '(f F V U L H))
+      (not (one-letter? (letters-of (symbol->string name))))))
 
 ;; Do the parentheses hold one name, number or call?
 (define (one-operand? v i)
@@ -135,6 +140,7 @@
     [(slash) (not (and (rate-sign? (near -1)) (rate-sign? (near 1))))]
     [(root) (clear-root? (near 1) (near 2))]
     [(minus) (clear-minus? (near -1) t (near 1))]
+    [(plus) (not (and (kind? (near 1) 'minus) (glued? (near 1))))]
     [(relation) (not (member (token-text t) '("∘" "↦")))]
     [else #t]))
 

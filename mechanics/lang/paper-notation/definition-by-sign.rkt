@@ -29,7 +29,9 @@
     (define whole (procedure-parts head body))
     (define (known-here? name) (or (memq name (flatten (car whole))) (known? name)))
     (define value (text->prefix-form (cdr whole) operands known-here?))
-    (and value (list 'define (car whole) value)))
+    (and value
+         (not (and (pair? value) (eq? (car value) '=)))
+         (list 'define (car whole) value)))
   (cond [increment
          (defined (string->symbol (cadr increment)) (apply format "~a ~a (~a)" (cdr increment)))]
         [parts (defined (head-of (cadr parts) (or (caddr parts) (cadddr parts))) (last parts))]

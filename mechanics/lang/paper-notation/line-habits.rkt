@@ -96,13 +96,21 @@
   (define form
     (and (or (ormap sign? (cdr data))
              (ormap braces? forms)
+             (goes-on? forms)
              (ormap (lambda (d) (with-unknown? d known?)) data))
          (prefix-form forms known?)))
   (cond [(and form (memq (car form) '(+ - * / expt < > = <= >=)))
          ((written "operations come first: ~a") form)]
         [(and form (symbol? (car form))) ((written "a call stands in parentheses: ~a") form)]
-        [(or (infix? data) (ormap signed-name? data) (ormap braces? forms)) about-formulas]
+        [(or (infix? data) (ormap signed-name? data) (ormap braces? forms) (goes-on? forms))
+         about-formulas]
         [else #f]))
+
+;; Does a form touch the arguments of a call, as in f(x)g(x)?
+(define (goes-on? forms)
+  (and (pair? forms) (pair? (cdr forms)) (pair? (cddr forms))
+       (or (and (call-in-print? (car forms) (cadr forms)) (adjacent? (cadr forms) (caddr forms)))
+           (goes-on? (cdr forms)))))
 
 ;; Is it an unknown name, or a formula in parentheses?
 (define (with-unknown? d known?)

@@ -124,9 +124,9 @@
 ;; A name and the list that touches it, f(x + 1) -> "f(x + 1) is written (f (+ x 1))"
 (define (as-called f arguments known?)
   (define form (prefix-form (list f arguments) known?))
-  (if (or form (not (formula-like? (syntax-e f))))
-      (format "~a~a is written ~a"
-              (syntax-e f) (typed-text arguments) (form->text (or form (list (syntax-e f) '...))))
+  (define name (syntax-e f))
+  (if (or form (memq name functions) (known? name))
+      (format "~a~a is written ~a" name (typed-text arguments) (form->text (or form (list name '...))))
       about-formulas))
 
 ;; The text in the program, without spaces at the ends.

@@ -27,7 +27,7 @@
        (regexp-match? like-formula (symbol->string d))))
 
 (define like-formula
-  (pregexp (string-append "^[-(]?(?:[0-9.]+\\p{L}|[^²³]+[²³]|"
+  (pregexp (string-append "^[-(]?(?:[0-9.]+\\p{L}|[^²³]+[²³]|.*[√·×⋅½⅓¼¾]|"
                           "(?:\\p{L}|[0-9_])+[*^/+](?:\\p{L}|[-0-9_(.]))")))
 
 ;; The same, or a sign at an end: m*, -x, ^2/2?

@@ -80,6 +80,10 @@
  ["a*b/c*d" (* (/ (* a b) c) d)]
  ["a/b*c d" (* (/ a b) c d)]
  ["x ^ -1" (expt x -1)]
+ ["2*pi*sqrt(l/g)" (* 2 :pi (sqrt (/ l g)))]
+ ["a**b**c" (expt a (expt b c))]
+ ["2*-x + a - -b" (+ (* 2 (* -1 x)) a b)]
+ ["2(a+b) - .5e-3*x" (+ (* 2 (+ a b)) (* -5e-4 x))]
  ["(x + y)^2" (expt (+ x y) 2)]
  ["sin**2 (x)" (* (expt sin 2) x)]
  ["sin**2(x) + sin(x)^2" (+ (expt (sin x) 2) (expt (sin x) 2))])
