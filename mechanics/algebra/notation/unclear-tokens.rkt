@@ -217,9 +217,11 @@
         [(and (symbol? name) (foreign? name)) (not (kind? next 'open 'name 'number))]
         [(or (pair? name) (memq name '(pi D)) (known? name)) #t]
         [(regexp-match? #rx"^⟪" text) (not (and (kind? next 'open) (glued? next)))]
-        [else (not (or (regexp-match? #rx"_$" text) (letters-in-a-row? text)))]))
+        [else (not (or (regexp-match? #px"_$|[0-9]\\p{L}" text) (letters-in-a-row? text)))]))
 
-(define keywords '("if" "else" "and" "or" "not" "lambda" "for" "in" "return" "def"))
+;; Words that are no names of quantities
+(define keywords '("if" "else" "and" "or" "not" "lambda" "for" "in" "return" "def" "integral"
+                   "times" "over" "plus" "minus" "half" "mod" "div" "squared"))
 
 ;; Is it rather a product or a call without its sign: mgh, omegat, sinx, pir, Dx?  A name has the
 ;; vowels of a word, or is a component or a difference, vx and dt.

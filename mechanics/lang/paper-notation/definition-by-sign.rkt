@@ -37,7 +37,7 @@
         [parts (defined (head-of (cadr parts) (or (caddr parts) (cadddr parts))) (last parts))]
         [else #f]))
 
-(define head "(\\p{L}[^\\s()\\[=:+*/^<>,']*)(?:\\(([^()]*)\\)|\\[([^][]*)\\])")
+(define head "(\\p{L}[^\\s()\\[=:+*/^<>,'²³⁴√·×]*)(?:\\(([^()]*)\\)|\\[([^][]*)\\])")
 (define by-word
   (pregexp (format "^(?:def|define|let)\\s+~a\\s*[:=]*\\s*(?:return\\s+)?([^\\s=:].*)$" head)))
 (define by-sign (pregexp (format "^(?:let[*]? |define )?\\s*~a?\\s*:?=(?!=)\\s*(.+)$" head)))
@@ -74,7 +74,8 @@
 
 (define (with-letters head value known?)
   (define letters
-    (filter (lambda (s) (not (or (known? s) (memq s (flatten head)))))
+    (filter (lambda (s) (not (or (and (known? s) (not (memq s names-of-operators)))
+                                 (memq s (flatten head)))))
             (remove-duplicates (operands value))))
   (cond [(null? letters) (list 'define head value)]
         [(pair? head) (list 'define (cons (cons (car head) letters) (cdr head)) value)]
@@ -82,6 +83,9 @@
          => (lambda (velocities) (Lagrangian head letters velocities value))]
         [(memq 't letters) (with-letters (list head 't) value known?)]
         [else (list 'define head (quoted value letters))]))
+
+;; Names of the library that are letters of formulas: L = I omega.
+(define names-of-operators '(I X))
 
 (define (quoted d letters)
   (cond [(symbol? d) (if (memq d letters) (list 'quote d) d)]

@@ -140,7 +140,8 @@
         [else 'formula]))
 
 (define (called? name w)
-  (or (function-named (symbol->string name)) ((writer-known? w) name)))
+  (or (function-named (symbol->string name))
+      (and ((writer-known? w) name) (not (memq name '(I X))))))
 
 (define (touching? parts) (ormap touches? parts (append (cdr parts) '(#f))))
 

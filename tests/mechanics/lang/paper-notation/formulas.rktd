@@ -121,7 +121,15 @@
   ("(-x)^2" (* x x))
   ("a - -b" (+ a b))
   ("-(-x)" x)
-  ("1/2 I omega^2" (* 1/2 I omega omega)))
+  ("1/2 I omega^2" (* 1/2 I omega omega))
+  ("L = I ω" (define L (* I omega)))
+  ("sin(x)cos(y)" (* (sin x) (cos y)))
+  ("m*x''(t) = -k*x(t)" (= (* m (((expt D 2) x) t)) (- (* k (x t)))))
+  ("4/3*pi*r^3" (* 4/3 pi r r r))
+  ("γ = 1/√(1 - v²/c²)" (define γ (/ 1 (sqrt (- 1 (/ (* v v) (* c c)))))))
+  ("m1*v1 + m2*v2 = (m1 + m2)*v" (= (+ (* m1 v1) (* m2 v2)) (* (+ m1 m2) v)))
+  ("y(x) = x tan θ - g x^2/(2 v0^2 cos^2 θ)"
+   (define (y x) (- (* x (tan theta)) (/ (* g x x) (* 2 v0 v0 (expt (cos theta) 2)))))))
  (may
   ("(-1/2)*k*x^2" (* -1/2 k (expt x 2)))
   ("sin^2(x)" (expt (sin x) 2))
@@ -173,6 +181,8 @@
  (none "sin x/2" "sin θ/2" "sin x^2" "sin x y" "x^1/2" "p^2/2m" "p²/2m" "1/2m" "k/m x" "x/2 y" "e^-t/tau" "r × p"
        "n!" "a % b" "x ± y" "∂L/∂q" "∫x dx" "0 < x <= 1" "f (x + 1)" "x^y^z" "6/2(1+2)" "1/2(a+b)"
        "sqrt 2 x" "√l/g" "√2x" "3 4" "2 1/2 x" "2i*x" "e^2/r" "cos" "a +" "* b" "a * + b"
+       "a(b+c)d" "x(x-1)" "f(x)(g(x))" "x +- y" "m1v1 + m2v2" "1/2m1*v1^2" "x times y" "half m v^2"
+       "y = r(t) + a(1-e^2)" "ω² = mgh" "√2gh" "¼λφ⁴" "F = -dV/dx" "v = dx/dt" "a[1]*x"
        "dx/dt + x" "sinx + 1" "omegat + phi" "x = y = " "a,b + c"))
 
 (Python
