@@ -92,9 +92,7 @@
       (let ([d (map as-typed d)])
         (case (car d)
           [(+) (signed-sum (cdr d))]
-          [(*) (cond [(negative? (cadr d)) (list '- (without-factor d (- (cadr d))))]
-                     [(eqv? (cadr d) 1) (without-factor d 1)]
-                     [else d])]
+          [(*) (if (negative? (cadr d)) (list '- (without-sign d)) d)]
           [else d]))
       d))
 
@@ -107,7 +105,8 @@
 
 (define (negative? d) (and (real? d) (< d 0)))
 
-;; The product with c in place of its first factor, which is left out if it is 1
-(define (without-factor product c)
+;; (* -1 k x) -> (* k x)
+(define (without-sign product)
+  (define c (- (cadr product)))
   (define factors (if (eqv? c 1) (cddr product) (cons c (cddr product))))
   (if (null? (cdr factors)) (car factors) (cons '* factors)))

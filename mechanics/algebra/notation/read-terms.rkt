@@ -20,6 +20,7 @@
 
 (define (negative d)
   (cond [(and (number? d) (not (eqv? d 0))) (- d)]
+        [(and (pair? d) (eq? (car d) '*) (eqv? (cadr d) -1)) (product-datum (cddr d))]
         [(and (pair? d) (eq? (car d) '*) (real? (cadr d))) (list* '* (- (cadr d)) (cddr d))]
         [(and (pair? d) (eq? (car d) '*)) (list* '* -1 (cdr d))]
         [else (list '* -1 d)]))

@@ -126,7 +126,8 @@
   (define form (prefix-form (list f arguments) known?))
   (define name (syntax-e f))
   (if (or form (memq name functions) (known? name))
-      (format "~a~a is written ~a" name (typed-text arguments) (form->text (or form (list name '...))))
+      (format "~a~a is written ~a"
+              name (typed-text arguments) (form->text (or form (list name '...))))
       about-formulas))
 
 ;; The text in the program, without spaces at the ends.

@@ -5,7 +5,7 @@
 
 ;; pattern of the message, hint
 (define for-syntax-errors
-  '((#rx"unquote: not in quasiquote"
+  `((#rx"unquote: not in quasiquote"
      "no comma separates arguments, and a decimal has a point: (up 1 2.5)")
     (#rx"missing procedure expression" "f() is written (f); the empty list is '()")
     (#rx"(^|: )let: bad syntax" "it is written (let ([m 3]) (* 2 m))")

@@ -128,6 +128,12 @@ m: undefined;
   as a symbol it is written 'm
 }
 
+Formulas are read as they are written by hand, in Python, Mathematica, Matlab, Maxima and TeX:
+products and quotients from left to right, @litchar{1/2 m v^2}, @litchar{2π√(l/g)},
+@litchar{0.5*m*v**2}, @litchar{Sqrt[l/g]}, @litchar{\frac{p^2}{2 m}}. What two readers could read
+differently is not translated: for @litchar{p^2/2m}, @litchar{sin x/2}, @litchar{mgh} or
+@litchar{k(x - x0)^2} you are told only that operations come first.
+
 The prompt of @exec{make repl} reads a line at a time, and so knows more: there a line such as
 @litchar{f(3)}, @litchar{sin x}, @litchar{x = 3} or @litchar{f(x) = x^2} is told how it is
 written, and nothing of it is evaluated. In a file such a line is refused in the same words.
@@ -137,6 +143,10 @@ written, and nothing of it is evaluated. In a file such a line is refused in the
 prompt: a definition is written (define ((x A omega) t) (* A (cos (* omega t))))
 > L = 1/2 m v^2
 prompt: a Lagrangian is a function of (up t q v): (define ((L m) (up t q v)) (* 1/2 m (expt v 2)))
+> D[Sin[x], x]
+prompt: a derivative is that of a function: ((D (lambda (x) (sin x))) 'x)
+> lambda x: x**2
+prompt: a function is written (lambda (x) (expt x 2))
 }
 
 What is quoted as a whole is a list of symbols, which only looks like an expression:

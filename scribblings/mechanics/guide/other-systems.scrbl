@@ -49,7 +49,7 @@ of the book, and those that scmutils has beside them, are in @racketmodname[mech
 @racket[(Lagrangian)] is that for any number of coordinates. The coordinate transformations
 and @racket[generalized-LE] take both what they take there and what they take in the book.}
 @item{@racket[1+], @racket[iota], @racket[write-line], @racket[pp], @racket[runtime] and
-@racket[show-time] are there under MIT Scheme's names.}
+@racket[show-time] are there under MIT Scheme's names; @racket[time] is the selector of the book.}
 @item{Graphics are in @racketmodname[mechanics/plot], under the book's names. A
 @racket[frame] is a value and no window: its picture is made when it is printed or saved,
 and @racket[graphics-show] opens a window that follows (@secref["guide-pictures"]).}

@@ -37,19 +37,21 @@ since @racket['theta] is written as the letter. In text that is not read back, a
 
 @defproc[(read-infix [text string?]) value]{
 
-The value of a formula written as @racket[->infix] writes it: what it writes of an
-expression is read as an expression of the same value, with the same names. Tuples, matrices,
-relations, quaternions and power series of finitely many terms are read, too, and the signs
-@tt{*} and @tt{**} of programs; but @tt{x^2} is a name with a superscript, as a component of a
-literal tuple has it. A series of terms that are no powers looks like their sum and is read as
-that; the terms that @litchar{⋯} stands for are not on the line. Such text, and other text that
-is no formula, is an error that tells the position.
+The value of a formula written as @racket[->infix] writes it: what it writes of an expression is
+read as an expression of the same value, with the same names. Tuples, matrices, relations,
+quaternions and power series of finitely many terms are read, too, and of programs the signs
+@tt{*} and @tt{**}, a minus sign behind them, numbers such as @tt{1e-3} and the name @tt{pi}; but
+@tt{x^2} is a name with a superscript, as a component of a literal tuple has it. A series of terms
+that are no powers looks like their sum and is read as that; the terms that @litchar{⋯} stands for
+are not on the line. Such text, and other text that is no formula, is an error that tells the
+position.
 
 @examples[#:eval session
 (read-infix "½ m ẋ² − m g x")
 (read-infix "m D²x(t) + k x(t)")
 (read-infix "x ↦ 1 + x + ½ x²")
 (read-infix "1/2*m*v**2 - m*g*x")
+(read-infix "2*pi*sqrt(l/g)")
 (eval:error (read-infix "m (a + "))]}
 
 @section{Text, TeX, pages}

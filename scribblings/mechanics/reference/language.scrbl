@@ -249,15 +249,16 @@ Print a value without simplifying it: on one line, or on as many lines as it nee
 @sicm{8, p. 505}}
 
 @deftogether[(@defproc[(runtime) real?]
-              @defproc[(show-time [thunk (-> any)]) any])]{
+              @defproc[(show-time [expression any]) any])]{
 
 @racket[runtime] is the processor time, in seconds, that the program has used, without the time for
-reclaiming memory. @racket[show-time] calls the procedure, prints how long that took, and returns
-its values.
+reclaiming memory. @racket[show-time] evaluates the expression, prints how long that took, and
+returns its values; a procedure of no arguments is called, as in MIT Scheme. (@racket[time] is the
+book's selector of a state.)
 
 @examples[#:eval session
 (>= (runtime) 0)
-(eval:alts (show-time (lambda () (definite-integral sin 0 1)))
+(eval:alts (show-time (definite-integral sin 0 1))
            (begin (displayln "process time: 6 ms (6 run + 0 gc); real time: 6 ms")
                   (definite-integral sin 0 1)))]}
 

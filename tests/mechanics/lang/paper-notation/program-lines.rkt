@@ -31,8 +31,8 @@
                 (string-append "example:2:1: Sin: unbound identifier; its name is sin; "
                                "as a symbol it is written 'Sin\n  in: Sin"))
   (check-equal? (refusal "(->tex-equation 'x)")
-                (string-append "example:2:1: ->tex-equation: unbound identifier; its name is ->TeX; "
-                               "as a symbol it is written '->tex-equation\n  in: ->tex-equation")))
+                (string-append "example:2:1: ->tex-equation: unbound identifier; "
+                               "its name is ->TeX; as a symbol it is written '->tex-equation\n  in: ->tex-equation")))
 
 (test-case "a formula that is not read is not translated"
   (check-equal? (refusal "(define y 1/2 * m * v^2/2k)")
