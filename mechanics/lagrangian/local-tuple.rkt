@@ -96,7 +96,7 @@
               what (describe-with-value local)
               (cond [(pointwise? local)
                      (string-append (value-first-hint who) (if (eq? who 'time) timing-hint ""))]
-                    [(eq? who 'time) timing-hint]
+                    [(eq? who 'time) (string-append timing-hint Racket-timing-hint)]
                     [else (list-hint local "(up t q v ...)")])))
   (vector-ref (structure-elements (adopt local)) i))
 
@@ -105,8 +105,10 @@
   (format "\n  of a function f of the time it is asked at a time: (~a (f t))" who))
 
 (define timing-hint
+  "\n  time is the book's selector; (show-time expression) tells how long one takes")
+
+(define Racket-timing-hint
   (string-append
-   "\n  time is the book's selector; (show-time expression) tells how long one takes"
    "\n  Racket's form for timing an expression is in racket/base under the same name: "
    "(require (only-in racket/base [time racket:time]))"))
 

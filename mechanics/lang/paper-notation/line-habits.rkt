@@ -97,7 +97,8 @@
     (and (or (ormap sign? (cdr data))
              (ormap braces? forms)
              (goes-on? forms)
-             (ormap (lambda (d) (with-unknown? d known?)) data))
+             (and (ormap (lambda (d) (with-unknown? d known?)) data)
+                  (not (ormap (lambda (d) (racket-form? d known?)) data))))
          (prefix-form forms known?)))
   (cond [(and form (memq (car form) '(+ - * / expt < > = <= >=)))
          ((written "operations come first: ~a") form)]
@@ -118,6 +119,11 @@
       (and (pair? d) (list? d)
            (or (infix? d) (and (formula-like? (car d)) (not (known? (car d))))))))
 
+;; (define x 3) and x beside it are two forms.
+(define (racket-form? d known?)
+  (and (pair? d) (symbol? (car d)) (known? (car d)) (pair? (cdr d)) (not (infix? d))))
+
+;; TeX's
 (define (braces? form) (eqv? (syntax-property form 'paren-shape) #\{))
 
 ;; A word of prose, as no letter of a formula is
@@ -127,7 +133,8 @@
 (define (bracketed-call forms known?)
   (define name (syntax-e (car forms)))
   (define advice (and (symbol? name) (bracket-beside forms) (notation-sentence name)))
-  (cond [(and (eq? name 'D) (bracket-beside forms)) => (lambda (parts) (derivative-of parts known?))]
+  (cond [(and (eq? name 'D) (bracket-beside forms))
+         => (lambda (parts) (derivative-of parts known?))]
         [advice (format "~a: ~a" name advice)]
         [else #f]))
 

@@ -10,7 +10,8 @@
     (#rx"missing procedure expression" "f() is written (f); the empty list is '()")
     (#rx"(^|: )let: bad syntax" "it is written (let ([m 3]) (* 2 m))")
     (#rx"(^|: )let[*]: bad syntax" "it is written (let* ([m 3] [k (* 2 m)]) (+ m k))")
-    (#rx"(^|: )if: " "it is written (if (> x 0) x (- x)), with a value for either case; for one, (when (> x 0) x)")
+    (#rx"(^|: )if: " ,(string-append "it is written (if (> x 0) x (- x)), with a value for either "
+                                     "case; for one, (when (> x 0) x)"))
     (#rx"(^|: )cond: bad" "it is written (cond [(> x 0) x] [else (- x)])")
     (#rx"==: this match expander" "equality is (= a b)")
     (#rx"the last form is not an expression" "a definition has no value; an expression comes last")

@@ -45,7 +45,8 @@
  [(time tr)
   "time: expected a local tuple (up t q v ...) with the time; "
   "given (trajectory from 0.0 to 1.0), a function\n"
-  "  of a function f of the time it is asked at a time: (time (f t))"]
+  "  of a function f of the time it is asked at a time: (time (f t))\n"
+  "  time is the book's selector; (show-time expression) tells how long one takes"]
  [(momentum L)
   "momentum: expected a Hamiltonian state (up t q p)\n  given: the procedure `L`\n"
   "  of a function f of the time it is asked at a time: (momentum (f t))\n"

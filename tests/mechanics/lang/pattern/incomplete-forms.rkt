@@ -62,7 +62,7 @@
   (for ([(form message)
          (hash "(lambda (* 2 t))" "lambda: the arguments come first: (lambda (t) (* 2 t))"
                "(lambda (square x))" "lambda: the arguments come first: (lambda (x) (square x))"
-               "(lambda x: (* 2 x))" "lambda: arguments stand in parentheses: (lambda (x) ...)"
+               "(lambda x: (* 2 x))" "lambda: arguments stand in parentheses: (lambda (x) (* 2 x))"
                "(lambda)" "lambda: a function is written (lambda (t) (* 2 t))"
                "(lambda (t))"
                "lambda: no expressions for procedure body; it is written (lambda (t) (* 2 t))")])

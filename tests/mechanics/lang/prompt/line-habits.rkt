@@ -127,6 +127,8 @@
 (test-case "several forms in a line may be meant"
   (check-line "1 (+ 'a 'a)" #f)
   (check-line "(define a 1)(define b 2)" #f)
+  (check-line "(define a 1) a" #f)
+  (check-line "(define q 3) (* 2 q) q" #f)
   (check-line "'a 'b" #f)
   (check-line "three three" #f)
   (check-line "f\n(f 3)" #f)
