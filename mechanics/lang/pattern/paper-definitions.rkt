@@ -69,7 +69,7 @@
              (or (number? (car forms)) (symbol? (car forms)))
              (ormap symbol? forms)
              (or (infix? forms)
-                 (list? (cadr forms))
+                 (and (list? (cadr forms)) (signed-name? (car forms)))
                  (andmap (lambda (d) (or (number? d) (symbol? d))) forms)))
     (define (known? name)
       (or (memq name (flatten (datum head)))

@@ -49,5 +49,8 @@
                 (said "3:0: line: proved: ... is a line that was printed, nothing to type"
                       "proved:")))
 
+(test-case "a body of several forms may be meant"
+  (check-equal? (prints "(define (f x) x (list x))" "(f 3)") "'(3)\n"))
+
 (test-case "several forms of a line may be meant"
   (check-equal? (prints "(define a 1) (define b 2)" "a b (+ a b)" "'x 'y") "1\n2\n3\nx\ny\n"))
