@@ -8,7 +8,7 @@
 ;; at : position in the text; spaced? : does a space stand before it?
 (struct token (kind text value at spaced?) #:authentic)
 
-;; text (text position what -> does not return) -> list of tokens, the last of kind 'end
+;; text (position what -> does not return) -> list of tokens, the last of kind 'end
 ;; rules : ((kind pattern (match -> value or #f)) ...), the first that fits and gives a value
 (define (tokens text fail [rules notation-rules])
   (define n (string-length text))
@@ -17,7 +17,7 @@
           [(char-whitespace? (string-ref text at)) (loop (+ at 1) #t found)]
           [else
            (define t (token-at-position text at spaced? rules))
-           (unless t (fail text at (substring text at (min n (+ at 12)))))
+           (unless t (fail at (substring text at (min n (+ at 12)))))
            (loop (+ at (string-length (token-text t))) #f (cons t found))])))
 
 (define (token-at-position text at spaced? rules)

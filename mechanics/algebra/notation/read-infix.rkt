@@ -15,17 +15,19 @@
 
 (provide infix->datum tokens->datum)
 
-(define (infix->datum text) (tokens->datum (tokens text (failing-in text)) text))
+(define (infix->datum text)
+  (define fail (failing-in text))
+  (tokens->datum (tokens text fail) fail))
 
-;; all : the tokens of the text
-(define (tokens->datum all text)
-  (define in (reader all text))
+;; all : the tokens of a text; fail : position what -> does not return
+(define (tokens->datum all fail)
+  (define in (reader all fail))
   (define d (read-relation in))
   (unless (eq? (kind-ahead in) 'end) (unexpected in))
   d)
 
 ;; left : the tokens not yet read
-(struct reader ([left #:mutable] text) #:authentic)
+(struct reader ([left #:mutable] fail) #:authentic)
 
 (define (ahead in) (car (reader-left in)))
 (define (kind-ahead in) (token-kind (ahead in)))
@@ -49,7 +51,7 @@
           [(dots) "⋯, which stands for terms that are not written"]
           [else (token-text t)])))
 
-(define (fail in t what) ((failing-in (reader-text in)) (token-at t) what))
+(define (fail in t what) ((reader-fail in) (token-at t) what))
 
 (define ((failing-in text) at what)
   (complain 'read-infix "not a formula on one line\n  at: ~a, position ~a\n  in: ~a"

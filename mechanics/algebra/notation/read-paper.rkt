@@ -15,11 +15,11 @@
 ;; foreign? : symbol -> is it another program's name of something that is called otherwise here?
 ;; -> a datum, or #f
 (define (read-paper text known? foreign?)
-  (define spelled (plain-spelling text))
-  (with-handlers ([exn:fail:contract? (lambda (e) #f)])
-    (define (fail at what) (raise-argument-error 'read-paper "a formula" text))
-    (define all (clear-tokens (tokens spelled fail (paper-rules known?)) known? foreign?))
-    (and all (meaning (tokens->datum all spelled) known?))))
+  (let/ec return
+    (define (fail at what) (return #f))
+    (define all
+      (clear-tokens (tokens (plain-spelling text) fail (paper-rules known?)) known? foreign?))
+    (and all (meaning (tokens->datum all fail) known?))))
 
 ;; ---------------------------------------------------------------------------
 ;; Tokens
