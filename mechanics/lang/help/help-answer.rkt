@@ -2,9 +2,8 @@
 ;; The output of `help`: the card of a name, cards that a text finds, or the questions there are.
 
 (require (only-in racket/format ~a)
-         (only-in racket/list take)
          racket/string
-         "card-lines.rkt" "card.rkt" "cards.rkt" "search.rkt"
+         "card-lines.rkt" "card.rkt" "cards.rkt" "finding-lines.rkt" "finding.rkt" "search.rkt" "words.rkt"
          (only-in "../wrong-call/reader-signature.rkt" head->text)
          "../paper-notation/other-notation.rkt"
          (only-in "../paper-notation/prefix-form.rkt" typed-formula)
@@ -33,7 +32,8 @@
 
 (define what-can-be-asked
   '("(help name)       the card of a name: (help verify-solution)"
-    "(help \"words\")    names that have to do with them: (help \"constraint\")"
+    "(help \"words\")    what has to do with them: names, pages of the manual, programs and"
+    "                 exercises: (help \"friction\"), (help \"exercise 1.29\")"
     ""
     "Where to begin: (help Lagrange-equations), (help verify-solution), (help D),"
     "(help literal-function), (help up), (help assume), (help evolve-trajectory)."))
@@ -78,37 +78,38 @@
 
 (define (about-unknown name)
   (define near (likely-names name (card-names)))
-  (define found (found-cards (symbol->string name) (all-cards)))
   (cons (format "~s is not a name of mechanics.~a" name
                 (if (null? near) "" (format "  Did you mean ~a?" (alternatives near))))
-        (if (null? near) (found-lines found) '())))
+        (if (null? near) (known-words-lines (symbol->string name)) '())))
+
+;; A name of words is a question about them, where they are the title of something.
+(define (known-words-lines text)
+  (define-values (found all-words?) (find-in-table (table-of-search) text))
+  (if (and (pair? found) (has-all-words? (car found) text)) (found-lines found) '()))
+
+(define (has-all-words? f text)
+  (define words (words-of (string-append (finding-title f) " " (finding-sentence f))))
+  (for/and ([w (in-list (words-of text))]) (member w words)))
 
 ;; ---------------------------------------------------------------------------
 ;; A text
 
 (define (about-text text)
   (define otherwise (and (regexp-match? #px"^\\S+$" text) (otherwise-lines (string->symbol text))))
-  (define lines (append (or otherwise '()) (found-lines (found-cards text (all-cards)))))
+  (define lines (if otherwise
+                    (append otherwise (known-words-lines text))
+                    (lines-about text)))
   (if (null? lines)
       (list (format "Nothing is found for ~s; (help) tells what can be asked." text))
       lines))
 
-(define most-found 10)
-
-;; For each card its name, then as much of the sentence as a line has room for.
-(define (found-lines cards)
-  (define more (- (length cards) most-found))
-  (define shown (if (> more 0) (take cards most-found) cards))
-  (define names (map (lambda (c) (symbol->string (card-name c))) shown))
-  (define room (min 30 (apply max 0 (map string-length names))))
-  (append
-   (for/list ([c (in-list shown)] [name (in-list names)])
-     (shortened (format "~a  ~a" (~a name #:min-width room) (or (card-sentence c) ""))))
-   (if (> more 0)
-       (list (format "... and ~a more; another word finds fewer." more))
-       '())))
-
-(define (shortened line)
-  (if (> (string-length line) columns)
-      (string-append (string-trim (substring line 0 (- columns 2)) #:left? #f) " …")
-      line))
+;; What the text finds; where it finds nothing for want of a letter, what another spelling does.
+(define (lines-about text)
+  (define-values (found all-words?) (find-in-table (table-of-search) text))
+  (define otherwise (respelled (table-of-search) text))
+  (cond [all-words? (found-lines found)]
+        [otherwise (cons (format "Nothing is found for ~s; did you mean ~s?" text otherwise)
+                         (lines-about otherwise))]
+        [(null? found) '()]
+        [else (cons (format "Nothing has all words of ~s; these have some." text)
+                    (found-lines found))]))

@@ -7,14 +7,17 @@
 (require racket/file
          racket/list
          racket/path
-         "entry.rkt")
+         "entry.rkt" "prose.rkt")
 
-(provide (struct-out page) (struct-out entry) (struct-out line)
-         manual-pages)
+(provide (struct-out page) (struct-out entry) (struct-out line) (struct-out section)
+         manual-pages page-sections)
 
 ;; requires : data of modules that the prompt requires
-;; lines : the lines at the prompt of the page, in its order
-(struct page (file title requires entries lines))
+;; lines : the lines at the prompt of the page, in its order; parts : all of it, strings and data
+(struct page (file title requires entries lines parts))
+
+;; tag : text, or #f where it is made of the heading
+(struct section (heading tag parts))
 
 ;; names : ((name . signature) ...); library : symbol, of the module that provides them;
 ;; body : parts of text; lines : those of the entry's examples
@@ -53,7 +56,8 @@
                 #:when (pair? names))
       (entry names here (body-of d) own)))
   (page file (title parts) (required-at-prompt parts) entries
-        (append (typed-before parts text) (append* lines))))
+        (append (typed-before parts text) (append* lines))
+        (map syntax->datum parts)))
 
 ;; ---------------------------------------------------------------------------
 ;; Parts of a page
@@ -68,7 +72,30 @@
 
 (define (title parts)
   (define found (with-head parts '(title)))
-  (if (null? found) "" (last (car found))))
+  (if (null? found) "" (section-heading (section-of (car found)))))
+
+;; A page in sections: first what stands before any, headed by the title, then each with its
+;; heading, whatever its depth.
+(define (page-sections p)
+  (let divide ([parts (page-parts p)] [here (section (page-title p) #f '())])
+    (define begun (and (pair? parts) (section-of (car parts))))
+    (cond [(null? parts) (list (in-order here))]
+          [(not begun) (divide (cdr parts) (with-parts here (cons (car parts) (section-parts here))))]
+          [(eq? (caar parts) 'title) (divide (cdr parts) (with-parts begun (section-parts here)))]
+          [else (cons (in-order here) (divide (cdr parts) begun))])))
+
+(define (with-parts s parts) (struct-copy section s [parts parts]))
+(define (in-order s) (with-parts s (reverse (section-parts s))))
+
+;; @section[#:tag "tag"]{Heading} -> a section of no parts yet; anything else -> #f
+(define (section-of part)
+  (and (pair? part)
+       (memq (car part) '(title section subsection subsubsection))
+       (section (plain-text (without-keywords (cdr part))) (tag-of part) '())))
+
+(define (tag-of part)
+  (define found (memq '#:tag part))
+  (and found (cadr found)))
 
 (define (module-named part)
   (define found (with-head (list part) '(defmodule)))

@@ -5,7 +5,7 @@
 (require racket/list
          racket/string)
 
-(provide plain-text first-sentence distinct-words)
+(provide plain-text first-sentence distinct-words without-keywords)
 
 ;; parts -> text of one line
 (define (plain-text parts) (bare (one-line parts)))
@@ -27,6 +27,7 @@
 
 (define (part->text part)
   (cond [(string? part) part]
+        [(eq? part 'the-book) "the book"]
         [(not (and (pair? part) (list? part))) ""]
         [else
          (define parts (without-keywords (cdr part)))

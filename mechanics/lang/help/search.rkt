@@ -1,125 +1,108 @@
 #lang racket/base
-;; Cards that a text is about.  All its words must occur, each in the name, in the sentence, in the
-;; name of an argument or in the title of the page.
+;; The search of the table.  Each word of a question adds its weight to the findings that have it;
+;; those that have the most words come first, then those of the greatest sum.
 ;;
-;; A name counts more than a sentence, and a word more than a part of a word.  But a word has many
-;; senses: `golden-section-min` is no section of a motion.  So the card's page counts as well: a
-;; page that is named after the words, or on which many cards have them, is about them.
-;;
-;; Where few cards are found, cards follow whose whole entry in the manual has the words.
+;; The manual's pages do the same (scribblings/mechanics/look/search.js), and are tested to find
+;; the same.  So all is done in whole numbers, and equals stay in the order of the table.
 
 (require racket/list
          racket/string
-         "card.rkt")
+         "finding.rkt" "words.rkt"
+         (only-in "../../error/spelling.rkt" likely-names))
 
-(provide found-cards)
+(provide find-in-table        ; table, text -> findings, the best first, and whether all words fit
+         respelled)           ; table, text -> text of words that fit, or #f
 
-;; -> cards, the best first; of equals in the order of the manual
-(define (found-cards text cards)
-  (define telling (telling-words text))
-  (define words (remove-duplicates (map (lambda (w) (stem (plain w))) telling)))
-  (define matching (filter (lambda (c) (all-in? words (all-text c))) cards))
-  (define topic (topic-of-pages words matching cards))
-  (define (score c)
-    (+ (weight words (string-join telling) c) (* most-for-topic (hash-ref topic (card-page c)))))
-  (define found (sort matching > #:key score #:cache-keys? #t))
-  (if (< (length found) few)
-      (remove-duplicates
-       (append found (filter (lambda (c) (all-begin-in? words (plain (card-words c)))) cards))
-       eq?)
-      found))
+(define (find-in-table table text)
+  (define words (asked-words table text))
+  (define scores                        ; place -> (words . sum)
+    (for*/fold ([scores (hasheqv)]) ([w (in-list words)]
+                                     [(k weight) (in-hash (weights-of table w))])
+      (hash-update scores k (lambda (s) (cons (add1 (car s)) (+ (cdr s) weight))) '(0 . 0))))
+  (define most (apply max 0 (map car (hash-values scores))))
+  (define found
+    (for/list ([(k s) (in-hash scores)] #:when (= (car s) most))
+      (cons (+ (cdr s) (bonus table k text)) k)))
+  (values (one-of-each-page
+           (for/list ([f (in-list (sort found before?))]) (vector-ref (vector-ref table 0) (cdr f))))
+          (= most (length words))))
 
-(define few 3)
+;; Of a page and its sections the best.
+(define (one-of-each-page found)
+  (remove-duplicates found #:key (lambda (f)
+                                   (if (memq (finding-kind f) '(page section))
+                                       (car (string-split (finding-where f) "#"))
+                                       f))))
 
-;; The words of the text without those that only join others, unless it has no more than these.
-(define (telling-words text)
-  (define all (string-split text))
-  (define telling (filter (lambda (w) (not (member (plain w) joining-words))) all))
-  (if (null? telling) all telling))
+;; In the order of the table, which has longer phrases before those that they contain.
+(define (asked-words table text)
+  (define spaced (lambda (t) (string-append " " t " ")))
+  (remove-duplicates
+   (string-split
+    (for/fold ([t (spaced (string-join (telling-words text)))])
+              ([r (in-list (vector-ref table 4))])
+      (string-replace t (spaced (car r)) (spaced (cdr r)))))))
 
-(define joining-words
-  '("a" "an" "and" "are" "at" "by" "do" "does" "for" "from" "has" "have" "how" "i" "in" "is" "it"
-    "my" "of" "on" "or" "that" "the" "there" "this" "to" "what" "where" "which" "with"))
+(define (before? a b)
+  (or (> (car a) (car b))
+      (and (= (car a) (car b)) (< (cdr a) (cdr b)))))
 
-;; The beginning of a word, without its ending: plurals find the singular, sine finds sin,
-;; Lagrange's finds Lagrange, and conservation finds conserved.
-(define (stem word)
-  (define owner (regexp-replace #rx"(.)['’]s?$" word "\\1"))
-  (define long (regexp-match #rx"^(......*?)(ication|ation|ing|ed)s?$" owner))
-  (cond [long (cadr long)]
-        [(> (string-length owner) 3) (regexp-replace #rx"(ies|y|es|s|e)$" owner "")]
-        [else owner]))
+;; What is called as the text is, but for joining words, comes first of all; not so words that draw.
+(define (bonus table k text)
+  (define f (vector-ref (vector-ref table 0) k))
+  (define typed (string-trim text))
+  (+ (bytes-ref (vector-ref table 1) k)
+     (cond [(not (named? f)) 0]
+           [(string=? (finding-title f) typed) 2000]
+           [(member (plain (finding-title f)) (list (plain typed) (telling-text typed))) 1000]
+           [else 0])))
 
-(define endings "(y|ies|e|es|s|'s|ed|ing|ations?|ications?)?")
-
-(define (all-in? words text)
-  (for/and ([w (in-list words)]) (string-contains? text w)))
-
-;; Does each word begin a word of the text?  Within words it would occur by chance.
-(define (all-begin-in? words text [end ""])
-  (for/and ([w (in-list words)])
-    (regexp-match? (string-append "(^|[^a-z0-9])" (regexp-quote w) end) text)))
-
-;; Is each word a word of the text, up to its ending?  sin is, of singular it is not.
-(define (all-words-in? words text)
-  (all-begin-in? words text (string-append endings "([^a-z0-9]|$)")))
-
-;; In small letters, without accents and joined letters: typing poincare finds Poincaré.
-(define (plain text)
-  (string-foldcase (regexp-replace* #px"\\p{Mn}" (string-normalize-nfkd text) "")))
+(define (named? f)
+  (or (eq? (finding-kind f) 'page)
+      (and (eq? (finding-kind f) 'name)
+           (member (finding-where f) '("mechanics" "mechanics/scmutils" "mechanics/book")))))
 
 ;; ---------------------------------------------------------------------------
-;; Which come first
+;; A word
 
-;; text : the words as they were typed, which may be the name itself
-(define (weight words text c)
-  (define name (name-text c))
-  (define both (sentence-text c))
-  (+ (cond [(string=? (symbol->string (card-name c)) text) 7.0]
-           [(string=? name (plain text)) 6.0]
-           [(all-words-in? words name) 3.0]
-           [(all-begin-in? words name) 2.7]
-           [(all-in? words name) 2.4]
-           [(all-words-in? words both) 2.0]
-           [(all-begin-in? words both) 1.8]
-           [(all-in? words both) 1.5]
-           [else 0.0])
-     (if (eq? (card-library c) 'mechanics) 0.0 for-another-library)))
+(define shortest-part 3)
+(define shortest-beginning 4)
+(define longest-rest 2)
 
-;; Names of mechanics itself come before the examples of the book.
-(define for-another-library -0.4)
+;; -> hash, place to weight: of the word, half of its synonyms, a third of what begins with it, a
+;; quarter of a word that is its beginning
+(define (weights-of table w)
+  (for*/fold ([weights (hasheqv)])
+             ([(term postings) (in-hash (vector-ref table 2))]
+              [part (in-value (share table w term))] #:when part
+              [i (in-range 0 (bytes-length postings) 3)])
+    (define k (+ (* 256 (bytes-ref postings i)) (bytes-ref postings (add1 i))))
+    (define weight (quotient (bytes-ref postings (+ i 2)) part))
+    (hash-update weights k (lambda (v) (max v weight)) 0)))
 
-(define most-for-topic 1.5)
-
-;; A page of few cards is not about all that it names.
-(define cards-of-a-page 5)
-
-;; -> hash, page to a number up to 1, the share of the page that is about the words
-(define (topic-of-pages words matching cards)
-  (define telling
-    (pages-counted (filter (lambda (c) (all-words-in? words (sentence-text c))) matching)))
-  (for/hash ([(page count) (in-hash (pages-counted cards))])
-    (values page
-            (if (all-words-in? words (plain page))
-                1.0
-                (/ (hash-ref telling page 0) (+ count cards-of-a-page 0.0))))))
-
-(define (pages-counted cards)
-  (for/fold ([counts (hash)]) ([c (in-list cards)])
-    (hash-update counts (card-page c) add1 0)))
+(define (share table w term)
+  (define n (string-length w))
+  (define m (string-length term))
+  (cond [(string=? w term) 1]
+        [(member term (hash-ref (vector-ref table 3) w '())) 2]
+        [(and (>= n shortest-part) (string-prefix? term w)) 3]
+        [(and (>= m shortest-beginning) (<= (- n m) longest-rest) (string-prefix? w term)) 4]
+        [else #f]))
 
 ;; ---------------------------------------------------------------------------
-;; Texts of a card
+;; Words misspelt
 
-(define (name-text c) (plain (symbol->string (card-name c))))
-
-(define (sentence-text c)
-  (plain (string-append (symbol->string (card-name c)) " " (or (card-sentence c) ""))))
-
-(define (all-text c)
-  (plain
-   (string-join
-    (list* (symbol->string (card-name c))
-           (or (card-sentence c) "")
-           (card-page c)
-           (append-map signature-call (card-signatures c))))))
+;; The text with a likely word of a title in place of each word that fits nothing, or #f where there
+;; is none.
+(define (respelled table text)
+  (define words (asked-words table text))
+  (define known
+    (remove-duplicates
+     (for*/list ([f (in-vector (vector-ref table 0))] [w (in-list (all-words (finding-title f)))])
+       (string->symbol w))))
+  (define spelt
+    (for/list ([w (in-list words)])
+      (if (hash-empty? (weights-of table w)) (likely-names (string->symbol w) known) (list w))))
+  (and (ormap (lambda (l w) (not (equal? l (list w)))) spelt words)
+       (andmap pair? spelt)
+       (string-join (map (lambda (l) (format "~a" (car l))) spelt))))
