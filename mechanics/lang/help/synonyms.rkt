@@ -56,7 +56,7 @@
     ("spinning top" "heavy top")
     ("rotating frame" "rotating axes")
     ("least action" "action path")
-    ("lagrange multiplier" "constraint multiplier")
+    ("lagrange multiplier" "multiplier")
     ("eom" "equation motion")
     ("shm" "harmonic oscillator")
     ("simple harmonic" "harmonic oscillator")

@@ -1,44 +1,165 @@
-// A search box for the manual, in a browser without network: names, sections, and the first
-// sentences of entries.  The list is in search-index.js, written when the manual is built;
-// it is read when the box is first used.  Installed with Racket, the manual has Racket's own
-// search box, and this one does not appear.
+// A search box for the manual, in a browser without network.  It finds what (help "words") does,
+// by the same table (mechanics/lang/help/search.rkt), which is in search-index.js, written when
+// the manual is built and read when the box is first used.  Installed with Racket, the manual has
+// Racket's own search box, and this one does not appear.
 
 (function () {
   'use strict';
 
-  var most = 30;              // entries shown
-  var script = document.currentScript;
+  var most = 10;              // findings shown
+  var script = typeof document === 'undefined' ? null : document.currentScript;
 
   // ---------------------------------------------------------------------------
-  // Finding: an entry is [name, address, what it is, sentence].
+  // Words, as words.rkt has them
 
-  // How well a word fits an entry, less is better; -1: not at all.
-  function distance(word, entry) {
-    var name = entry[0].toLowerCase();
-    if (name === word) return 0;
-    if (name.indexOf(word) === 0) return 1;
-    if (name.indexOf('-' + word) >= 0 || name.indexOf(' ' + word) >= 0) return 2;
-    if (name.indexOf(word) >= 0) return 3;
-    return entry[3].toLowerCase().indexOf(word) >= 0 ? 8 : -1;
+  function plain(text) {
+    return text.normalize('NFKD').replace(/\p{Mn}/gu, '').replace(/’/g, "'").toLowerCase();
   }
 
-  // All words must occur; the worst of them decides, then the shorter name.
-  function find(text, entries) {
-    var words = text.toLowerCase().split(/\s+/).filter(Boolean);
-    if (words.length === 0) return [];
-    return entries
-      .map(function (entry, position) {
-        var all = words.map(function (word) { return distance(word, entry); });
-        var worst = all.indexOf(-1) >= 0 ? -1 : Math.max.apply(null, all);
-        return { entry: entry, worst: worst, position: position };
-      })
-      .filter(function (f) { return f.worst >= 0; })
-      .sort(function (a, b) {
-        return a.worst - b.worst || a.entry[0].length - b.entry[0].length || a.position - b.position;
-      })
-      .slice(0, most)
-      .map(function (f) { return f.entry; });
+  function allWords(table, text) {
+    return plain(text).match(new RegExp(table.pattern, 'gu')) || [];
   }
+
+  function stem(table, word) {
+    if (/[0-9]/.test(word)) return word;
+    return table.endings.reduce(function (w, e) {
+      return w.replace(new RegExp(e[0], 'u'), e[1]);
+    }, word);
+  }
+
+  function tellingWords(table, text) {
+    var all = allWords(table, text);
+    var telling = all.filter(function (w) { return table.joining.indexOf(w) < 0; });
+    return telling.length ? telling : all;
+  }
+
+  function once(list) {
+    return list.filter(function (x, i) { return list.indexOf(x) === i; });
+  }
+
+  // Phrases are taken for others.
+  function askedWords(table, text) {
+    var stems = once(tellingWords(table, text).map(function (w) { return stem(table, w); }));
+    var spaced = table.phrases.reduce(function (t, p) {
+      return t.split(' ' + p[0] + ' ').join(' ' + p[1] + ' ');
+    }, ' ' + stems.join(' ') + ' ');
+    return once(spaced.split(' ').filter(Boolean));
+  }
+
+  // ---------------------------------------------------------------------------
+  // Finding, as search.rkt does: a finding is [kind, title, where, sentence, address].
+
+  function share(table, w, term) {
+    if (w === term) return 1;
+    if (hasOwn(table.synonyms, w) && table.synonyms[w].indexOf(term) >= 0) return 2;
+    if (w.length >= 3 && term.startsWith(w)) return 3;
+    if (term.length >= 4 && w.length - term.length <= 2 && w.startsWith(term)) return 4;
+    return 0;
+  }
+
+  function hasOwn(object, key) { return Object.prototype.hasOwnProperty.call(object, key); }
+
+  // A map from places to weights.
+  function weightsOf(table, w) {
+    var weights = new Map();
+    Object.keys(table.words).forEach(function (term) {
+      var part = share(table, w, term);
+      if (part === 0) return;
+      var postings = atob(table.words[term]);
+      for (var i = 0; i < postings.length; i += 3) {
+        var k = 256 * postings.charCodeAt(i) + postings.charCodeAt(i + 1);
+        var weight = Math.floor(postings.charCodeAt(i + 2) / part);
+        weights.set(k, Math.max(weight, weights.get(k) || 0));
+      }
+    });
+    return weights;
+  }
+
+  function bonus(table, k, text) {
+    var f = table.findings[k], typed = text.trim();
+    var named = f[0] === 'page' ||
+        (f[0] === 'name' &&
+         ['mechanics', 'mechanics/scmutils', 'mechanics/book'].indexOf(f[2]) >= 0);
+    if (named && f[1] === typed) return table.priors[k] + 2000;
+    if (named && (plain(f[1]) === plain(typed) ||
+                  plain(f[1]) === tellingWords(table, typed).join(' '))) {
+      return table.priors[k] + 1000;
+    }
+    return table.priors[k];
+  }
+
+  // -> { found, all }: all findings, the best first, and whether they have all words
+  function find(table, text) {
+    var words = askedWords(table, text), scores = new Map(), best = 0;
+    words.forEach(function (w) {
+      weightsOf(table, w).forEach(function (weight, k) {
+        var s = scores.get(k) || [0, 0];
+        scores.set(k, [s[0] + 1, s[1] + weight]);
+        best = Math.max(best, s[0] + 1);
+      });
+    });
+    var found = [];
+    scores.forEach(function (s, k) {
+      if (s[0] === best) found.push([s[1] + bonus(table, k, text), k]);
+    });
+    found.sort(function (a, b) { return b[0] - a[0] || a[1] - b[1]; });
+    return { found: oneOfEachPage(found.map(function (f) { return table.findings[f[1]]; })),
+             all: best === words.length };
+  }
+
+  function oneOfEachPage(found) {
+    var seen = new Set();
+    return found.filter(function (f) {
+      if (f[0] !== 'page' && f[0] !== 'section') return true;
+      var page = f[2].split('#')[0];
+      if (seen.has(page)) return false;
+      seen.add(page);
+      return true;
+    });
+  }
+
+  // The text with the nearest word of a title in place of each that fits nothing, or null.
+  function respelled(table, text) {
+    var known = once([].concat.apply([], table.findings.map(function (f) {
+      return allWords(table, f[1]);
+    }))).sort();
+    var words = askedWords(table, text), changed = false;
+    var spelt = words.map(function (w) {
+      if (weightsOf(table, w).size) return w;
+      changed = true;
+      return nearest(w, known);
+    });
+    return changed && spelt.every(Boolean) ? spelt.join(' ') : null;
+  }
+
+  function nearest(word, known) {
+    var best = null, least = Math.min(3, Math.floor((word.length + 1) / 4)) + 1;
+    if (word.length < 4) return null;
+    known.forEach(function (k) {
+      var d = slips(word, k);
+      if (d < least) { least = d; best = k; }
+    });
+    return best;
+  }
+
+  // Letters left out, put in, exchanged, or swapped with their neighbour.
+  function slips(s, t) {
+    var rows = [];
+    for (var i = 0; i <= s.length; i++) {
+      rows.push([i]);
+      for (var j = 1; j <= t.length; j++) {
+        rows[i][j] = i === 0 ? j : Math.min(rows[i - 1][j] + 1, rows[i][j - 1] + 1,
+                                            rows[i - 1][j - 1] + (s[i - 1] === t[j - 1] ? 0 : 1));
+        if (i > 1 && j > 1 && s[i - 1] === t[j - 2] && s[i - 2] === t[j - 1]) {
+          rows[i][j] = Math.min(rows[i][j], rows[i - 2][j - 2] + 1);
+        }
+      }
+    }
+    return rows[s.length][t.length];
+  }
+
+  // Outside of a browser, for tests.
+  if (!script) { module.exports = { find: find, respelled: respelled }; return; }
 
   // ---------------------------------------------------------------------------
   // Showing
@@ -50,33 +171,46 @@
     return node;
   }
 
-  function line(entry) {
+  var introductions = { section: 'in: ', program: 'program: ', exercise: 'program: ' };
+
+  function line(finding) {
     var item = make('li', {});
-    var link = make('a', { href: entry[1] });
-    link.appendChild(make('b', {}, entry[0]));
-    link.appendChild(make('span', {}, ' ' + (entry[3] || entry[2])));
+    var link = make('a', { href: finding[4] });
+    var about = finding[3] || finding[2];
+    link.appendChild(make('b', {}, finding[1]));
+    link.appendChild(make('span', {}, ' ' + (introductions[finding[0]] || '') + about));
     item.appendChild(link);
     return item;
   }
+
+  function note(text) { return make('li', { 'class': 'nothing' }, text); }
 
   function install(place) {
     var box = make('input', { id: 'searchbox', 'class': 'searchbox', type: 'search',
                               placeholder: 'search', autocomplete: 'off',
                               'aria-label': 'Search the manual',
-                              title: 'A name, or words of what it does' });
+                              title: 'A name, words, or the number of an exercise' });
     var list = make('ol', { id: 'found' });
-    var entries = null, chosen = 0;
+    var table = null, chosen = 0;
 
     function show() {
-      if (entries === null) return;
-      var text = box.value.trim(), found = find(text, entries);
+      if (table === null) return;
+      var text = box.value.trim();
       list.textContent = '';
-      found.forEach(function (entry) { list.appendChild(line(entry)); });
-      if (text && found.length === 0) {
-        list.appendChild(make('li', { 'class': 'nothing' }, 'nothing found'));
-      }
+      if (text) answer(text);
       list.className = text ? 'shown' : '';
       choose(0);
+    }
+
+    function answer(text) {
+      var result = find(table, text);
+      var otherwise = result.all ? null : respelled(table, text);
+      if (otherwise) result = find(table, otherwise);
+      result.found.filter(function (f) { return f[4]; }).slice(0, most)
+        .forEach(function (f) { list.appendChild(line(f)); });
+      if (otherwise) list.appendChild(note('found for: ' + otherwise));
+      else if (result.found.length === 0) list.appendChild(note('nothing found'));
+      else if (!result.all) list.appendChild(note('nothing has all of these words'));
     }
 
     function choose(n) {
@@ -96,8 +230,8 @@
     }
 
     function read() {
-      if (entries !== null || document.getElementById('search-index')) return;
-      window.mechanicsManual = function (all) { entries = all; show(); };
+      if (table !== null || document.getElementById('search-index')) return;
+      window.mechanicsManual = function (all) { table = all; show(); };
       document.body.appendChild(make('script', {
         id: 'search-index', src: script.src.replace(/search\.js.*$/, 'search-index.js') }));
     }
