@@ -29,6 +29,7 @@ order.
 @include-section["guide/chapter-1.scrbl"]
 @include-section["guide/chapter-2.scrbl"]
 @include-section["guide/chapter-3.scrbl"]
+@include-section["guide/chapter-4.scrbl"]
 @include-section["guide/chaos.scrbl"]
 @include-section["guide/chapter-5.scrbl"]
 @include-section["guide/chapter-6.scrbl"]

@@ -8,8 +8,7 @@
 @(define session (make-session '(require mechanics/book mechanics/plot)))
 
 What to type while reading the first half of chapter 3 of @|the-book|, sections 3.1 to 3.5, and
-what comes back. Surfaces of section, from 3.6 on, and
-chapter 4 are in @secref["chaos-guide"].
+what comes back. Surfaces of section, from 3.6 on, are in @secref["chapter-4"].
 
 @racketblock[(require mechanics/book)]
 

@@ -74,8 +74,8 @@ other libraries see @secref["clashes"].
 
 @section{Which chapters of the book are covered?}
 
-All seven: @secref["chapter-1"], @secref["chapter-2"], @secref["chapter-3"], chapter 4 in
-@secref["chaos-guide"], @secref["chapter-5"], @secref["chapter-6"] and @secref["chapter-7"].
+All seven: @secref["chapter-1"], @secref["chapter-2"], @secref["chapter-3"], @secref["chapter-4"],
+@secref["chapter-5"], @secref["chapter-6"] and @secref["chapter-7"].
 @racket[help] tells where in the book a name stands:
 
 @examples[#:eval session #:label #f
