@@ -203,7 +203,8 @@ pictures: writable compile
 	@.ci/pictures/make.sh
 
 # Files are compiled in parallel where there are many.
-ROOTS = mechanics/main.rkt mechanics/lang/help/card-table.rkt mechanics/lang/prompt/start.rkt \
+ROOTS = mechanics/main.rkt mechanics/lang/help/card-table.rkt \
+        mechanics/lang/help/search-table.rkt mechanics/lang/prompt/start.rkt \
         mechanics/lang/prompt/editor.rkt mechanics/lang/run-file.rkt
 
 compile: racket

@@ -26,9 +26,28 @@ whether that is zero, with a proof or with a point where it is not.
 
 The left-over, called the @emph{residual}, came out as a product, and the
 verdict says which condition makes it vanish. That is the whole idea. The
-@secref["guide"] explains it from the start, also to those to whom
-Racket is new (@secref["new-to-Racket"]); the @secref["reference"] has an
+@secref["guide"] explains it from the start; the @secref["reference"] has an
 entry for every name.
+
+@section[#:tag "where-to-begin" #:style 'unnumbered]{Where to begin}
+
+If Racket is new to you, @secref["new-to-Racket"] is as much of it as you need.
+
+@itemlist[
+@item{@bold{With the book.} Read @secref["ten-minutes"], then type along:
+@secref["chapter-1"], and so on to @secref["chapter-7"]. For the exercises there are programs
+that judge answers (@secref["guide-exercises"]); the search box finds them by their numbers, as
+@racket[(help "exercise 1.29")] does at the prompt.}
+@item{@bold{With a course.} Teachers make a worksheet, a handout and reports in half an hour:
+@secref["teachers"]. Those who got a worksheet need one page: @secref["students"].}
+@item{@bold{With a system of your own.} Find its Lagrangian or its forces
+(@secref["ten-minutes"], @secref["Newton-to-Lagrange"]) and its constraints
+(@secref["constraints"]). Then ask it for what is conserved and where it rests
+(@secref["asking"]), follow its motion in numbers (@secref["numbers-guide"]), and draw that
+(@secref["guide-pictures"], @secref["guide-animations"]). @secref["programs"] lists systems that
+others began with.}
+@item{@bold{With scmutils, Emmy or another program in mind.} @secref["other-systems"] says what
+is the same, and what is not.}]
 
 @local-table-of-contents[]
 

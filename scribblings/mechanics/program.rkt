@@ -13,6 +13,7 @@
          (only-in scribble/html-properties link-resource)
          (only-in scribble/manual typeset-code filepath)
          "look/typeset.rkt"
+         (only-in "../../mechanics/lang/help/program-heading.rkt" program-heading)
          (only-in "../../mechanics/show/plot/on-demand.rkt" can-draw?))
 
 (provide program program-link program-table)
@@ -61,15 +62,6 @@
              (define name (format "~a/~a" folder file))
              (list (program-link name (filepath (path->string file)))
                    (program-heading (build-path examples name))))))
-
-;; The first sentence of its opening comment; "p." and "pp." end none.
-(define (program-heading path)
-  (define comment
-    (takef (cdr (file->lines path)) (lambda (l) (regexp-match? #px"^;; \\S" l))))
-  (define text
-    (string-normalize-spaces (string-join (map (lambda (l) (substring l 3)) comment) " ")))
-  (cond [(regexp-match #px"^.*?(?<![ (]p)(?<![ (]pp)[.?](?=\\s|$)" text) => car]
-        [else (string-append text ".")]))
 
 (define (program-text path)
   (define lines (file->lines path))

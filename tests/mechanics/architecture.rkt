@@ -19,7 +19,8 @@
 (define longest-function 30)
 
 ;; Tables of coefficients or names, and formulas that are one.
-(define tables '(dormand-prince-853-formulas notations replacements functions))
+(define tables
+  '(dormand-prince-853-formulas notations replacements functions same-words phrases))
 
 
 

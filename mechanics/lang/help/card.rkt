@@ -9,8 +9,7 @@
 ;; signatures : of one entry, or of all that the manual has for the name
 ;; sentence : text or #f; demonstration : example or #f
 ;; place : text, such as "1.5, p. 33", or #f; also : symbols of related cards
-;; words : each word of its entry once, as a text
-(struct card (name library page signatures sentence demonstration place also words) #:prefab)
+(struct card (name library page signatures sentence demonstration place also) #:prefab)
 
 ;; kind : 'procedure, 'form, 'value or 'parameter
 ;; call : texts between which a line may break: "(evolve" "f" "[#:step h])"

@@ -4,8 +4,8 @@
 ;;     Rayleigh-dissipation  The dissipation function of forces that oppose velocities.
 ;;     Friction, in: From Newton to Lagrange
 ;;       manual: Newton-to-Lagrange.html
-;;     Exercise 1.29: Galilean invariance.
-;;       make run FILE=examples/mechanics/exercises/exercise-1-29.rkt
+;;
+;; and of a program the line that runs it.
 
 (require (only-in racket/format ~a)
          racket/list

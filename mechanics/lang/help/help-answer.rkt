@@ -1,9 +1,10 @@
 #lang racket/base
-;; The output of `help`: the card of a name, cards that a text finds, or the questions there are.
+;; The output of `help`: the card of a name, what a text finds, or the questions there are.
 
 (require (only-in racket/format ~a)
          racket/string
-         "card-lines.rkt" "card.rkt" "cards.rkt" "finding-lines.rkt" "finding.rkt" "search.rkt" "words.rkt"
+         "card-lines.rkt" "cards.rkt" "finding-lines.rkt" "finding.rkt" "search.rkt"
+         "words.rkt"
          (only-in "../wrong-call/reader-signature.rkt" head->text)
          "../paper-notation/other-notation.rkt"
          (only-in "../paper-notation/prefix-form.rkt" typed-formula)

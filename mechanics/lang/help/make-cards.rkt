@@ -2,7 +2,6 @@
 ;; Cards of all names that have an entry in the manual, made while the table is compiled.
 
 (require racket/list
-         racket/string
          "card.rkt" "choose-example.rkt" "page.rkt" "prose.rkt")
 
 (provide manual-cards)
@@ -27,16 +26,13 @@
         (first-sentence body)
         (choose-example name e p pages context)
         (place-in-the-book body)
-        (append (map car (entry-names e)) (names-mentioned body))
-        (distinct-words body)))
+        (append (map car (entry-names e)) (names-mentioned body))))
 
-;; Joins the cards of one name: the text of the first with the signatures, words and related names
-;; of all.
+;; Joins the cards of one name: the text of the first with the signatures and related names of all.
 (define (join same)
   (define c (car same))
   (struct-copy card c
                [signatures (append-map card-signatures same)]
-               [words (string-join (map card-words same))]
                [also (append-map card-also same)]))
 
 ;; Adds related names: those explained or mentioned together, then the neighbours on the page.

@@ -7,7 +7,7 @@
 
 (require racket/list
          racket/string
-         "documents.rkt" "synonyms.rkt" "words.rkt")
+         "document.rkt" "synonyms.rkt" "words.rkt")
 
 (provide make-search-table)
 

@@ -16,8 +16,9 @@
 ;; lines : the lines at the prompt of the page, in its order; parts : all of it, strings and data
 (struct page (file title requires entries lines parts))
 
-;; tag : text, or #f where it is made of the heading
-(struct section (heading tag parts))
+;; tag : text, or #f where it is made of the heading; own-pages? : has each section of the page one
+;; of its own?
+(struct section (heading tag own-pages? parts))
 
 ;; names : ((name . signature) ...); library : symbol, of the module that provides them;
 ;; body : parts of text; lines : those of the entry's examples
@@ -77,24 +78,31 @@
 ;; A page in sections: first what stands before any, headed by the title, then each with its
 ;; heading, whatever its depth.
 (define (page-sections p)
-  (let divide ([parts (page-parts p)] [here (section (page-title p) #f '())])
+  (let divide ([parts (page-parts p)] [here (section (page-title p) #f #f '())])
     (define begun (and (pair? parts) (section-of (car parts))))
     (cond [(null? parts) (list (in-order here))]
-          [(not begun) (divide (cdr parts) (with-parts here (cons (car parts) (section-parts here))))]
-          [(eq? (caar parts) 'title) (divide (cdr parts) (with-parts begun (section-parts here)))]
+          [(not begun) (divide (cdr parts) (with-part here (car parts)))]
+          [(eq? (caar parts) 'title) (divide (cdr parts) begun)]
           [else (cons (in-order here) (divide (cdr parts) begun))])))
 
-(define (with-parts s parts) (struct-copy section s [parts parts]))
-(define (in-order s) (with-parts s (reverse (section-parts s))))
+(define (with-part s part)
+  (struct-copy section s [parts (cons part (section-parts s))]))
+
+(define (in-order s)
+  (struct-copy section s [parts (reverse (section-parts s))]))
 
 ;; @section[#:tag "tag"]{Heading} -> a section of no parts yet; anything else -> #f
 (define (section-of part)
   (and (pair? part)
        (memq (car part) '(title section subsection subsubsection))
-       (section (plain-text (without-keywords (cdr part))) (tag-of part) '())))
+       (section (plain-text (without-keywords (cdr part))) (tag-of part)
+                (and (memq 'toc (flatten (keyword-value part '#:style))) #t)
+                '())))
 
-(define (tag-of part)
-  (define found (memq '#:tag part))
+(define (tag-of part) (keyword-value part '#:tag))
+
+(define (keyword-value part keyword)
+  (define found (memq keyword part))
   (and found (cadr found)))
 
 (define (module-named part)

@@ -24,7 +24,8 @@
     (for/list ([(k s) (in-hash scores)] #:when (= (car s) most))
       (cons (+ (cdr s) (bonus table k text)) k)))
   (values (one-of-each-page
-           (for/list ([f (in-list (sort found before?))]) (vector-ref (vector-ref table 0) (cdr f))))
+           (for/list ([f (in-list (sort found before?))])
+             (vector-ref (vector-ref table 0) (cdr f))))
           (= most (length words))))
 
 ;; Of a page and its sections the best.

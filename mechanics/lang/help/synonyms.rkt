@@ -1,6 +1,6 @@
 #lang racket/base
-;; Words of the field for one thing.  Who looks for one of them also finds, less high, what has
-;; another.
+;; Words of the field for one thing: who looks for one of them also finds, less high, what has
+;; another.  And phrases that stand for others.
 
 (provide same-words phrases)
 
@@ -39,7 +39,8 @@
     "homework worksheet assignment"
     "grade grading check"
     "teacher instructor class"
-    "quick fast speed"
+    "quick fast speed slow"
+    "tuple structure"
     "perturbation resonance"))
 
 ;; (words others): where a question has the words beside each other, it is taken for the others.

@@ -14,8 +14,8 @@
 ;; A number such as 1.29, or letters with an owner's 's.
 (define word-pattern "[0-9]+(?:\\.[0-9]+)+|(?:\\p{L}|[0-9_])+(?:'\\p{L}+)?")
 
-;; (pattern insert), used one after the other.  Plurals find the singular, matrices too, sine finds sin,
-;; Lagrange's finds Lagrange, conservation finds conserved, and plotting finds plot.
+;; (pattern insert), used one after the other.  Plurals find the singular, matrices too, sine finds
+;; sin, Lagrange's finds Lagrange, conservation finds conserved, and plotting finds plot.
 (define endings
   '(("'[a-z]*$" "")
     ("ices$" "ix")
@@ -24,10 +24,10 @@
     ("^(.{3,}?)(?:ies|icals?|ics?|y|es|s|e|i)$" "\\1")))
 
 (define joining-words
-  '("a" "about" "am" "an" "and" "are" "as" "at" "be" "by" "can" "do" "does" "for" "from" "get" "has"
-    "have" "how" "i" "if" "in" "into" "is" "it" "its" "me" "my" "of" "on" "or" "s" "should" "that"
-    "the" "their" "theorem" "there" "this" "to" "use" "using" "want" "what" "when" "where" "which" "why"
-    "with" "you"))
+  '("a" "about" "am" "an" "and" "are" "as" "at" "be" "by" "can" "do" "does" "for" "from" "get"
+    "has" "have" "how" "i" "if" "in" "into" "is" "it" "its" "me" "my" "of" "on" "or" "s" "should"
+    "that" "the" "their" "theorem" "there" "this" "to" "use" "using" "want" "what" "when" "where"
+    "which" "why" "with" "you"))
 
 ;; -> stems of all words, in their order
 (define (words-of text) (map stem (all-words text)))

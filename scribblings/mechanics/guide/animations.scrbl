@@ -1,8 +1,9 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/animate mechanics/book)
-          "../citation.rkt" "../eval.rkt" "../program.rkt")
+          "../citation.rkt" "../eval.rkt" "../program.rkt"
+          "../next-pages.rkt")
 
-@title[#:tag "guide-animations"]{Motion as pictures}
+@title[#:tag "guide-animations"]{Animations}
 
 @(define session (make-picture-session '(require mechanics/animate mechanics/book)))
 
@@ -81,5 +82,9 @@ files that are named, or opens a window:
 @commandline{make run FILE=examples/mechanics/animations/heavy-top.rkt ARGS=--show}
 
 @(program-table "animations")
+
+@next-pages["guide-pictures" "plots"
+            "animations" "every drawing and its names"
+            "guide-showing" "a film on a page"]
 
 @(close-session session)

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../clashes.rkt" "../eval.rkt")
+@(require (for-label mechanics) "../clashes.rkt" "../eval.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "arithmetic"]{Arithmetic}
 
@@ -142,5 +143,8 @@ e
 
 An expression with thousands of terms is cut off, and the output says how many
 were left out. @racket[print-limit] sets the bound.
+
+@next-pages["literals" "symbols and unknown functions"
+            "derivatives" "derivatives of programs"]
 
 @(close-session session)

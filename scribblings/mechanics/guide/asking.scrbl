@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../diagrams.rkt" "../eval.rkt" "../citation.rkt" "../program.rkt")
+@(require (for-label mechanics) "../diagrams.rkt" "../eval.rkt" "../citation.rkt" "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "asking"]{Questions about a system}
 
@@ -98,5 +99,9 @@ Small oscillations are sums of normal modes: @secref["reference-oscillations"].
 @(system-diagram 'chain)
 
 @(program "questions/pendulum-chain.rkt" #'here)
+
+@next-pages["chapter-1" "conserved quantities in the book"
+            "numbers-guide" "a motion to see it by"
+            "reference-questions" "every question"]
 
 @(close-session session)

@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book mechanics/plot) "../eval.rkt" "../citation.rkt"
-          "../program.rkt")
+          "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "chaos-guide"]{Chaos, step by step}
 
@@ -208,5 +209,9 @@ Each is a program that draws it and tests what it shows.
   (list @program-link["figures/figure-4-23.rkt"] "the same where the curve breaks up"))]
 
 Figures 4.10 to 4.15 illustrate an argument; they have no system to be computed.
+
+@next-pages["chapter-4" "the chapter of the book, section by section"
+            "resonances-guide" "why the islands are where they are"
+            "maps" "every name about maps and sections"]
 
 @(close-session session)

@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book)
-          "../eval.rkt" "../citation.rkt" (only-in "../look/look.rkt" formula))
+          "../eval.rkt" "../citation.rkt" (only-in "../look/look.rkt" formula)
+          "../next-pages.rkt")
 
 @title[#:tag "chapter-1"]{Along with chapter 1 of the book}
 
@@ -145,5 +146,9 @@ What was said of paths can be said of local tuples of sufficient length.
 ((F->C p->r) (up 't (up 'r 0) (up 0 'omega) (up 0 0)))]
 
 The last component is the acceleration, towards the centre, of what goes round.
+
+@next-pages["guide-exercises" "its exercises"
+            "Newton-to-Lagrange" "where its equations come from"
+            "chapter-2" "rigid bodies"]
 
 @(close-session session)

@@ -2,7 +2,8 @@
 @(require (for-label mechanics mechanics/book) "../diagrams.rkt" "../eval.rkt"
           "../citation.rkt"
           (only-in "../look/look.rkt" formula)
-          "../program.rkt")
+          "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "chapter-2"]{Along with chapter 2 of the book}
 
@@ -200,7 +201,7 @@ These programs are in the source, with tests of what they claim.
 
 @program["rigid/moons.rkt" #'here]
 
-@section{Figures}
+@section[#:tag "chapter-2-figures"]{Figures}
 
 Each figure of the chapter that is computed is a program, which tests what it shows:
 the errors of @program-link["figures/figure-2-2.rkt"] and, with quaternions,
@@ -218,5 +219,9 @@ angles are drawn by @program-link["figures/figure-2-1.rkt"] and
 
 For exercises of the chapter that have an answer to check there are programs that check one:
 @secref["guide-exercises"].
+
+@next-pages["guide-exercises" "its exercises"
+            "guide-animations" "tops that are seen to turn"
+            "chapter-3" "Hamilton's equations"]
 
 @(close-session session)

@@ -1,7 +1,8 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
           (only-in "../look/look.rkt" formula)
-          "../program.rkt")
+          "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "chapter-3"]{Along with chapter 3 of the book}
 
@@ -205,5 +206,9 @@ and no programs. Those of chapter 4 are in @secref["chapter-4-figures"].
 
 For exercises of the chapter that have an answer to check there are programs that check one:
 @secref["guide-exercises"].
+
+@next-pages["chapter-4" "sections, maps and chaos, from 3.6 on"
+            "guide-exercises" "its exercises"
+            "chapter-5" "canonical transformations"]
 
 @(close-session session)

@@ -1,7 +1,8 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book mechanics/plot) "../eval.rkt" "../citation.rkt"
           (only-in "../look/look.rkt" formula)
-          "../program.rkt")
+          "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "chapter-4"]{Along with chapter 4 of the book}
 
@@ -190,5 +191,9 @@ No orbit crosses it. Beyond @formula{K = 0.9716} it is gone, and what is asked f
 Each figure that has a system to be computed is a program: @secref["chapter-4-figures"] lists those
 of the chapter, @secref["chapter-3-figures"] those of 3.6 to 3.9. So is each exercise:
 @secref["guide-exercises"].
+
+@next-pages["chaos-guide" "one system, from phase portrait to tangle, and how far numbers are right"
+            "guide-exercises" "its exercises"
+            "chapter-5" "canonical transformations"]
 
 @(close-session session)

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "chapter-5"]{Along with chapter 5 of the book}
 
@@ -58,7 +59,7 @@ The first does not need a Hamiltonian at all:
 ((canonical-transform? a-non-canonical-transform) (up 't 'theta 'p))
 ((symplectic-transform? (F->CH p->r)) polar)]
 
-@subsection{Verdicts}
+@subsection[#:tag "chapter-5-verdicts"]{Verdicts}
 
 A matrix of zeros is an answer that must be read. A verdict says what it means, with a point where
 it is not so, and the condition under which it is:
@@ -192,5 +193,9 @@ of mass from the rest, and keep the kinetic energy a sum of squares:
 (linked-masses masses (Jacobi-links 3))]
 
 The exercises of the chapter are programs: @secref["guide-exercises"] lists them.
+
+@next-pages["guide-exercises" "its exercises"
+            "chapter-6" "transformations made by motion"
+            "reference-canonical" "every name about canonical transformations"]
 
 @(close-session session)

@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
-          (only-in "../program.rkt" program-link))
+          (only-in "../program.rkt" program-link)
+          "../next-pages.rkt")
 
 @title[#:tag "chapter-6"]{Along with chapter 6 of the book}
 
@@ -95,9 +96,13 @@ step has half of the one before the other and half after it, and so no term in Î
 
 Of an oscillator two terms suffice.
 
-@section{Figures}
+@section[#:tag "chapter-6-figures"]{Figures}
 
 A region of phase space moved on, @program-link["figures/figure-6-1.rkt"], and a trajectory carried
 by a Lie transform, @program-link["figures/figure-6-2.rkt"].
+
+@next-pages["guide-exercises" "its exercises"
+            "chapter-7" "perturbation theory"
+            "power-series" "series as values"]
 
 @(close-session session)

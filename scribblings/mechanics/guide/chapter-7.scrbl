@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book) "../eval.rkt" "../citation.rkt"
-          (only-in "../program.rkt" program program-link))
+          (only-in "../program.rkt" program program-link)
+          "../next-pages.rkt")
 
 @title[#:tag "chapter-7"]{Along with chapter 7 of the book}
 
@@ -91,5 +92,9 @@ Heiles, whose two frequencies are in resonance:
 (define N (Birkhoff-normal-form Henon-Heiles (up 't (up 'x 'y) (down 'p_x 'p_y)) #:degree 6))
 (normal-form-resonances N)
 (verify-normal-form N)]
+
+@next-pages["guide-exercises" "its exercises"
+            "resonances-guide" "the islands of a section, computed"
+            "reference-canonical" "every name about perturbations"]
 
 @(close-session session)

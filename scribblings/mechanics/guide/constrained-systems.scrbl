@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/plot) "../citation.rkt" "../diagrams.rkt"
-          "../eval.rkt" "../program.rkt")
+          "../eval.rkt" "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "constrained-systems"]{Systems with constraints}
 
@@ -110,3 +111,7 @@ The track of the point at which the coin touches the table.
 
 All three begin at the same place with other spins, and run round once while the table
 turns three and a half times.
+
+@next-pages["constraints" "how constraints are stated"
+            "guide-animations" "wheels and ladders that move"
+            "programs" "all programs"]

@@ -2,7 +2,8 @@
 @(require (for-label mechanics)
           "../diagrams.rkt" "../eval.rkt"
           (only-in "../look/look.rkt" formula)
-          (only-in "../program.rkt" program-link))
+          (only-in "../program.rkt" program-link)
+          "../next-pages.rkt")
 
 @title[#:tag "constraints"]{Constraints}
 
@@ -183,5 +184,9 @@ keeps the constraint on @formula{ẏ} with its multiplier, and substitutes other
                         #:keep (nonholonomic only-y))]
 
 That comes out right, and would not for the next system.
+
+@next-pages["constrained-systems" "ladders, wheels, coins and sleighs"
+            "numbers-guide" "motions in numbers"
+            "reference-constraints" "every name about constraints"]
 
 @(close-session session)

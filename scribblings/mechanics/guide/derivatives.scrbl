@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics)
-          "../eval.rkt" (only-in "../look/look.rkt" formula))
+          "../eval.rkt" (only-in "../look/look.rkt" formula)
+          "../next-pages.rkt")
 
 @title[#:tag "derivatives"]{Derivatives}
 
@@ -236,5 +237,9 @@ tape carries a tag as an ε does, so there is no confusion:
 (eval:check ((D (lambda (x) (* x ((gradient (lambda (y) (+ x y))) 1)))) 'x) 1)
 ((Hessian-vector-product h) (up 'x 'y) (up 'a 0))
 (simplify (ref (* (((expt D 2) h) (up 'x 'y)) (up 'a 0)) 0))]
+
+@next-pages["differentiation" "how they are computed"
+            "residuals" "what is left over, and whether it is zero"
+            "guide-pictures" "graphs of what you derived"]
 
 @(close-session session)

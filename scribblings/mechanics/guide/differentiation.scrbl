@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics racket/promise)
-          "../eval.rkt" (only-in "../look/look.rkt" formula))
+          "../eval.rkt" (only-in "../look/look.rkt" formula)
+          "../next-pages.rkt")
 
 @title[#:tag "differentiation"]{The computation of derivatives}
 
@@ -265,5 +266,8 @@ was computed for another.
 
 To look up by @racket[=], or under a rounded number, is not: these see the value
 only.
+
+@next-pages["residuals" "what is left over, and whether it is zero"
+            "guide-scales" "derivatives compiled"]
 
 @(close-session session)

@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book)
-          "../citation.rkt" "../exercises.rkt" "../program.rkt")
+          "../citation.rkt" "../exercises.rkt" "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "guide-exercises"]{Exercises}
 
@@ -63,3 +64,7 @@ A condition is found by a derivative, by the library's question about stability,
 the top go on both sides of it.
 
 @program["exercises/exercise-3-8.rkt" #'here]
+
+@next-pages["residuals" "how a residual judges an answer"
+            "students" "answers to a worksheet"
+            "programs" "all other programs"]

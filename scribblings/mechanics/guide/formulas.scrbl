@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/pict) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics mechanics/pict) "../eval.rkt" "../citation.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "guide-formulas"]{Mathematics that looks like mathematics}
 
@@ -67,6 +68,10 @@ colored and put together with others: on slides, beside a plot, in a document li
            (figure (->pict (/ (square 'p_phi) (* 2 'm (square 'r))) #:size 20)))
 (eval:alts (->pict (((expt D 2) (literal-function 'theta)) 't) #:size 20)
            (figure (->pict (((expt D 2) (literal-function 'theta)) 't) #:size 20)))]
+
+@next-pages["guide-showing" "a program as a page or a paper"
+            "typeset-results" "formulas in DrRacket and at the prompt"
+            "formulas" "every name about formulas"]
 
 @(close-session session)
 @(close-session drawing)

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/plot) "../clashes.rkt")
+@(require (for-label mechanics mechanics/plot) "../clashes.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "installation"]{Installation}
 
@@ -157,3 +158,7 @@ To have both meanings of a name, give one a prefix:
                       (prefix-in racket: (only-in racket/base time + *)))]
 
 Pages written with Scribble need @racket[(require (for-label mechanics))] only.
+
+@next-pages["ten-minutes" "the first Lagrangian"
+            "prompt" "keys and commands"
+            "new-to-Racket" "as much of the language as mechanics needs"]

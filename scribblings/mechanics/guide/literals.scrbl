@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics) "../eval.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "literals"]{Unknown numbers and unknown functions}
 
@@ -85,5 +86,9 @@ The shape of the arguments is checked at each use:
 (eval:error (V (up 'x 'y 'z)))
 (eval:error (x (up 't 's)))
 (eval:error (F 'x))]
+
+@next-pages["derivatives" "their derivatives"
+            "residuals" "what is proved with them"
+            "chapter-1" "the book, which begins with them"]
 
 @(close-session session)

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics) "../eval.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "mistakes"]{Mistakes and their messages}
 
@@ -312,5 +313,9 @@ A Lagrangian without its parameters, or one whose value is no number:
 
 The last one wrote @racket[(* v v)] where the velocity is a structure. That
 product is a structure too; the number is @racket[(square v)].
+
+@next-pages["questions" "answers to short questions"
+            "new-to-Racket" "as much of the language as mechanics needs"
+            "ten-minutes" "the beginning once more"]
 
 @(close-session session)

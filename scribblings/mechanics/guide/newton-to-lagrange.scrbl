@@ -2,7 +2,8 @@
 @(require (for-label mechanics)
           "../diagrams.rkt" "../eval.rkt"
           (only-in "../look/look.rkt" formula)
-          (only-in "../program.rkt" program-link))
+          (only-in "../program.rkt" program-link)
+          "../next-pages.rkt")
 
 @title[#:tag "Newton-to-Lagrange"]{From Newton to Lagrange}
 
@@ -293,5 +294,9 @@ So there is a third place, where @formula{cos θ = g/(R ω²)}, if the ring is f
 @program-link["forces/rotating-ring.rkt"] continues from here: it asks which of
 these places are stable, with @racket[small-oscillation-frequencies], and follows the bead
 on slow and fast rings.
+
+@next-pages["constraints" "constraints that are kept as equations"
+            "asking" "equilibria and small oscillations"
+            "systems" "more systems with forces"]
 
 @(close-session session)

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "numbers-guide"]{Numbers: from a Lagrangian to a trajectory}
 
@@ -309,5 +310,10 @@ derivative belongs:
 (eval:error (advance (up 0 (up 1 2) 0) 1))
 (eval:error ((state-advancer L-pendulum 9.8 1 1) (up 0 1 0) 1))
 (eval:error (advance (up 0 1 0)))]
+
+@next-pages["guide-pictures" "the motion as a plot"
+            "guide-animations" "the motion as a film"
+            "chaos-guide" "what comes of motions that cannot be foretold"
+            "guide-scales" "many motions at once"]
 
 @(close-session session)

@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book mechanics/plot mechanics/scmutils)
-          "../eval.rkt" (only-in "../look/look.rkt" formula))
+          "../eval.rkt" (only-in "../look/look.rkt" formula)
+          "../next-pages.rkt")
 
 @title[#:tag "other-systems"]{Coming from scmutils, Emmy, or a formula manipulator}
 
@@ -125,5 +126,9 @@ and only then is there a time to differentiate by:
 There are three different things here: a function of the local tuple, a function
 of time, and the derivative of the latter. Each is a value that you can hold in
 your hand.
+
+@next-pages["reference-scmutils" "names of scmutils that are in a library of their own"
+            "ten-minutes" "the library from its beginning"
+            "mistakes" "habits of other notations"]
 
 @(close-session session)

@@ -1,8 +1,9 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book mechanics/plot)
-          "../citation.rkt" "../eval.rkt" "../program.rkt")
+          "../citation.rkt" "../eval.rkt" "../program.rkt"
+          "../next-pages.rkt")
 
-@title[#:tag "guide-pictures"]{Pictures}
+@title[#:tag "guide-pictures"]{Plots and pictures}
 
 @(define session (make-picture-session '(require mechanics/book)))
 
@@ -145,5 +146,9 @@ That one follows two double pendulums that begin a ten-billionth of a metre apar
 Others of chapter 1 are the angle of the driven pendulum, @program-link["figures/figure-1-7.rkt"],
 and where a third body cannot go, @program-link["figures/zero-velocity-curves.rkt"]; those of later
 chapters are linked from the pages about them.
+
+@next-pages["guide-animations" "pictures that move"
+            "chaos-guide" "sections and maps"
+            "pictures" "every name that draws in a frame"]
 
 @(close-session session)

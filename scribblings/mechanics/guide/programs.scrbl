@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../program.rkt")
+@(require (for-label mechanics) "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "programs"]{All the programs}
 
@@ -32,3 +33,7 @@ Each name leads to the program. In a checkout
 @(program-table "sandbox")
 
 The programs for the exercises are listed in @secref["guide-exercises"].
+
+@next-pages["guide-exercises" "those for the exercises of the book"
+            "guide-showing" "a program of yours as a page"
+            "systems" "some of them, with what they print"]

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/plot))
+@(require (for-label mechanics mechanics/plot)
+          "../next-pages.rkt")
 
 @title[#:tag "prompt"]{The prompt}
 
@@ -68,3 +69,7 @@ sentence if there is no such file, if its first line names no language, or where
 missing; @exec{make show} and @exec{make tex} say the same. A
 function whose call was the last thing to do, or which the compiler has built into another,
 leaves no trace.
+
+@next-pages["ten-minutes" "something to type"
+            "typeset-results" "results as formulas"
+            "mistakes" "what messages mean"]

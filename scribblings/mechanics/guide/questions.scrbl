@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics (only-in mechanics/scmutils se)) "../eval.rkt")
+@(require (for-label mechanics (only-in mechanics/scmutils se)) "../eval.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "questions"]{Questions}
 
@@ -88,6 +89,10 @@ Its second names, such as @racket[se] for @racket[show-expression], are in a lib
 
 @examples[#:eval session #:label #f
 (eval:error (se (+ 'a 'a)))]
+
+@next-pages["mistakes" "messages and what was meant"
+            "installation" "DrRacket, libraries, names that clash"
+            "reference-conventions" "units, angles, orders of arguments"]
 
 @(close-session session)
 @(close-session racket-session)

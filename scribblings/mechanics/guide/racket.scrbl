@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics) "../eval.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "new-to-Racket"]{Racket for newcomers}
 
@@ -103,5 +104,9 @@ Racket's own editor, which matches parentheses and indents: open the file there,
 To learn more of the language than this, read
 @hyperlink["https://docs.racket-lang.org/quick/"]{@italic{Quick: An Introduction to Racket with
 Pictures}}, which comes with Racket.
+
+@next-pages["installation" "Racket and the library on your machine"
+            "ten-minutes" "a Lagrangian, its equation, and a path that is judged"
+            "mistakes" "messages, and what was meant"]
 
 @(close-session session)

@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics)
-          "../eval.rkt" (only-in "../look/look.rkt" formula))
+          "../eval.rkt" (only-in "../look/look.rkt" formula)
+          "../next-pages.rkt")
 
 @title[#:tag "residuals"]{Residuals and verdicts}
 
@@ -211,5 +212,9 @@ To see every step between a Lagrangian and its equations:
 @examples[#:eval session #:label #f
 (show-derivation (Lagrange-equations (L-harmonic 'm 'k))
                  (literal-function 'x))]
+
+@next-pages["what-proved-means" "what a proof is here"
+            "asking" "what else a Lagrangian can be asked"
+            "guide-exercises" "residuals that judge the exercises of the book"]
 
 @(close-session session)

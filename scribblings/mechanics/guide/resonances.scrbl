@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book mechanics/plot) "../eval.rkt" "../citation.rkt"
-          (only-in "../program.rkt" program-link))
+          (only-in "../program.rkt" program-link)
+          "../next-pages.rkt")
 
 @title[#:tag "resonances-guide"]{From a section to its resonances}
 
@@ -199,5 +200,9 @@ the top, followed by integration, agrees: its trace is within −2 and 2.
 Contours and section of the first of these are @program-link["figures/figure-7-14.rkt"], and the
 region of stability, with the boundary above that no average knows of, is
 @program-link["figures/figure-7-15.rkt"].
+
+@next-pages["chapter-7" "the theory, section by section"
+            "chaos-guide" "the section itself"
+            "numbers-guide" "the accuracy of motions"]
 
 @(close-session session)

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics racket/sandbox) "../eval.rkt" "../program.rkt")
+@(require (for-label mechanics racket/sandbox) "../eval.rkt" "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "sandbox"]{Other people's programs in a sandbox}
 
@@ -62,3 +63,6 @@ the sandbox did: a path can jump out of the question and return something else i
 
 If a proof rests on assumptions, @racket[verdict-assumptions] has them: whether they may be made
 is the grader's decision. @italic{Undecided} is not wrong; somebody should look at it.
+
+@next-pages["teachers" "a class, with worksheets"
+            "programs" "all programs"]

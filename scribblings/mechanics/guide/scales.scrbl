@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book)
-          "../eval.rkt")
+          "../eval.rkt"
+          "../next-pages.rkt")
 
 @(define session (make-session '(require mechanics/book)))
 
@@ -134,3 +135,7 @@ the tolerance, as long as it means anything: where motions are chaotic, errors g
 in each Lyapunov time, and after some thirty of these two runs that differ in the last bit have
 nothing in common but their statistics. A checkpoint of one does not mend that; the question has
 to be one that statistics answer.
+
+@next-pages["ensembles" "every name about many motions, and exported systems"
+            "numbers-guide" "methods and their accuracy"
+            "compiled-functions" "functions as machine code"]

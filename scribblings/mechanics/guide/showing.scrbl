@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/plot)
-          "../look/look.rkt")
+          "../look/look.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "guide-showing"]{Programs as pages and papers}
 
@@ -89,3 +90,7 @@ A file is written whole or not at all. When you stop a program with Ctrl-C there
 @exec{raco mechanics} lists the commands; @exec{raco mechanics help show} tells about one, and
 @exec{raco mechanics help verify-solution} has the card that @racket[(help verify-solution)]
 prints. @exec{raco mechanics repl} is the prompt (@secref["prompt"]).
+
+@next-pages["guide-formulas" "formulas by themselves"
+            "teachers" "pages to hand out"
+            "programs" "programs to show"]

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics) "../eval.rkt")
+@(require (for-label mechanics) "../eval.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "structures"]{Structures}
 
@@ -157,5 +158,9 @@ Racket's loops accept structures as sequences. @racket[s:map] keeps the shape:
 (for/list ([x (up 'x 'y)]) (square x))
 (s:map square (up 'x 'y))
 (for/sum ([x (up 'x 'y)] [m '(1 2)]) (* m x))]
+
+@next-pages["arithmetic" "sums, products and functions of structures"
+            "derivatives" "derivatives by structures"
+            "literals" "symbols and unknown functions"]
 
 @(close-session session)

@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/answers))
+@(require (for-label mechanics mechanics/answers)
+          "../next-pages.rkt")
 
 @title[#:tag "students"]{For students: the answers to a worksheet}
 
@@ -66,3 +67,7 @@ comment says.}
 changed, take a new copy and put your answers into it.}]
 
 More about errors is in @secref["mistakes"].
+
+@next-pages["ten-minutes" "the library, from its first Lagrangian on"
+            "mistakes" "what messages mean"
+            "guide-exercises" "exercises of the book, judged"]

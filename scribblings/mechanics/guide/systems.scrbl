@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/book) "../citation.rkt" "../diagrams.rkt"
-          "../program.rkt")
+          "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "systems"]{Worked systems}
 
@@ -39,7 +40,7 @@ verdict finds the one relation that matters (@sicm{1.5, p. 36}).
 
 @(program "variational/harmonic-oscillator.rkt" #'here)
 
-@section{Orbits}
+@section[#:tag "systems-orbits"]{Orbits}
 
 Motion about a centre of attraction. A circle is an orbit at one angular velocity
 only, which is Kepler's third law.
@@ -166,3 +167,7 @@ A lever, and two rods under a horizontal force, without any force in a hinge.
 @(system-diagram 'lever)
 
 @(program "forces/levers.rkt" #'here)
+
+@next-pages["constrained-systems" "systems with constraints"
+            "guide-exercises" "programs for exercises"
+            "programs" "all programs"]

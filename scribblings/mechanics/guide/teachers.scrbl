@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics (except-in mechanics/worksheet #%module-begin)) "../program.rkt")
+@(require (for-label mechanics (except-in mechanics/worksheet #%module-begin)) "../program.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "teachers"]{For teachers: a first class in thirty minutes}
 
@@ -123,3 +124,7 @@ that gives namespaces; a virtual machine with Linux does.
 There are some for each chapter of the book, to be used, changed and passed on:
 
 @(program-table "worksheets")
+
+@next-pages["students" "the page for those who answer"
+            "sandbox" "programs of others, run safely"
+            "reference-worksheets" "every form of a worksheet"]

@@ -2,7 +2,8 @@
 @(require (for-label mechanics)
           "../diagrams.rkt" "../eval.rkt"
           (only-in "../look/look.rkt" formula)
-          (only-in "../program.rkt" program-link))
+          (only-in "../program.rkt" program-link)
+          "../next-pages.rkt")
 
 @title[#:tag "ten-minutes"]{The first ten minutes}
 
@@ -138,12 +139,12 @@ What a name wants, @racket[help] says at the prompt:
 @examples[#:eval session #:label #f
 (help literal-function)]
 
-@section{Further pages}
+The programs in @secref["programs"] are there to run and change. Begin with
+@program-link["variational/harmonic-oscillator.rkt"].
 
-@itemlist[
-@item{@secref["structures"]: several coordinates.}
-@item{@secref["residuals"]: what a verdict says, and what it does not.}
-@item{@secref["programs"], to run and change. Begin with
-@program-link["variational/harmonic-oscillator.rkt"].}]
+@next-pages["structures" "several coordinates"
+            "residuals" "what a verdict says, and what it does not"
+            "numbers-guide" "a motion in numbers"
+            "chapter-1" "the book, from its first program on"]
 
 @(close-session session)

@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics mechanics/plot mechanics/pict)
-          racket/runtime-path "../eval.rkt")
+          racket/runtime-path "../eval.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "typeset-results"]{Results as formulas}
 
@@ -73,5 +74,8 @@ that is not, with @exec{PLTCOLLECTS="$PWD:" drracket}, it works as well; but it 
 library for a part of your program, compiles it for debugging when it is used for the first time,
 which takes minutes, and runs it more slowly. @menuitem["Language" "Choose Language..."],
 @onscreen{Show Details}, @onscreen{No debugging or profiling} spares that.
+
+@next-pages["guide-formulas" "formulas in a terminal, on pages and in papers"
+            "guide-showing" "a program as a page"]
 
 @(close-session session)

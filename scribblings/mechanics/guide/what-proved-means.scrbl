@@ -1,6 +1,7 @@
 #lang scribble/manual
 @(require (for-label mechanics)
-          "../eval.rkt" (only-in "../look/look.rkt" formula))
+          "../eval.rkt" (only-in "../look/look.rkt" formula)
+          "../next-pages.rkt")
 
 @title[#:tag "what-proved-means"]{The meaning of @italic{proved} and @italic{refuted}}
 
@@ -164,5 +165,9 @@ Some questions answer themselves. The verdict is what it is, and a note says so:
 (verify-solution (L-harmonic 'm 'k) (lambda (t) 0))
 (verify-conserved (L-harmonic 'm 'k) (lambda (local) 'your-answer) (up 't 'q 'v))
 (verify-solution (L-harmonic 'm 0) (lambda (t) (* 't 't)))]
+
+@next-pages["residuals" "verdicts, from the start"
+            "guide-exercises" "verdicts on answers"
+            "reference-verdicts" "every name that judges"]
 
 @(close-session session)

@@ -34,7 +34,7 @@
 
 (define (sentence f)
   (case (finding-kind f)
-    [(name) (let ([c (hash-ref card-named (finding-title f) #f)]) (or (and c (card-sentence c)) ""))]
+    [(name) (or (card-sentence (hash-ref card-named (finding-title f))) "")]
     [else (finding-sentence f)]))
 
 (define card-named

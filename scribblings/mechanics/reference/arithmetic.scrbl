@@ -320,7 +320,7 @@ whole powers, and of the exponential and the circular and hyperbolic sine and co
 (conjugate (up 1+2i (make-rectangular 'x 'y)))
 (eval:error (real-part (sqrt (make-rectangular 'x 'y))))]}
 
-@section{Comparison}
+@section[#:tag "reference-comparison"]{Comparison}
 
 @defproc[(= [x value] [y value] ...) boolean?]{
 

@@ -71,7 +71,7 @@ The energy with an action.
 ((pendulum-oscillating-action-to-E 1 9.8) (pendulum-oscillating-action 1 9.8 0.5))
 ((pendulum-circulating-action-to-E 1 9.8) (pendulum-circulating-action 1 9.8 100))]}
 
-@section{Motions}
+@section[#:tag "pendulum-motions"]{Motions}
 
 @deftogether[(@defproc[((pendulum-oscillating-angle [alpha real?] [beta real?] [E real?]) [t real?])
                        real?]
@@ -125,7 +125,7 @@ and the Fourier series of the angle, with t from θ = 0 on.
 (((pendulum-integration alpha beta 1e-12) state) 1.0)
 (series:head (((pendulum-solution-series alpha beta) state) 't) 2)]}
 
-@section{Action and angle}
+@section[#:tag "pendulum-action-angle"]{Action and angle}
 
 @deftogether[(@defproc[((pendulum-oscillating-phase [alpha real?] [beta real?]) [state structure?])
                        real?]

@@ -4,7 +4,7 @@
 
 @(define session (make-picture-session))
 
-@title[#:tag "pictures"]{Pictures}
+@title[#:tag "pictures"]{Frames and what is drawn in them}
 
 @defmodule[mechanics/plot #:packages ("mechanics")]
 
@@ -36,7 +36,7 @@ One library of Racket's has a name in common with this one (see @secref["clashes
 
 @(clash-lines #:with 'mechanics/plot 'pict 'plot/no-gui 'racket/draw 'racket/class)
 
-@section{Frames}
+@section[#:tag "pictures-frames"]{Frames}
 
 @defproc[(frame [x-min real?] [x-max real?] [y-min real?] [y-max real?]
                 [#:title title (or/c string? #f) #f]

@@ -42,7 +42,7 @@ the Lagrangian of the Hamiltonian.
 (eval:error (verify-conserved H-pattern H-pattern (up 't 'q 'p)))
 (verify-conserved (make-Hamiltonian H-pattern) H-pattern (up 't 'q 'p))]
 
-@section{Conserved quantities}
+@section[#:tag "questions-conserved"]{Conserved quantities}
 
 @defproc[(verify-conserved [L Lagrangian] [Q procedure?] [local local-tuple]
                            [#:force force (or/c #f procedure?) #f])
@@ -174,7 +174,7 @@ An F that is not proved to be a total time derivative raises
 (eval:error (f (up 't 'x)))
 (eval:error (gauge-function G plane))]}
 
-@section{Equivalent Lagrangians}
+@section[#:tag "questions-equivalent"]{Equivalent Lagrangians}
 
 @deftogether[(@defproc[(compare-Lagrangians [L1 Lagrangian] [L2 Lagrangian]
                                             [local local-tuple])
@@ -235,7 +235,7 @@ directions without inertia leave it undetermined.
 (equivalence-gauge comparison)
 (equivalence-verdict comparison)]}
 
-@section{Equilibria}
+@section[#:tag "questions-equilibria"]{Equilibria}
 
 @defproc[(equilibria [L Lagrangian] [local local-tuple]
                      [#:force force (or/c #f procedure?) #f])

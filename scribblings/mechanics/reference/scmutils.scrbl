@@ -250,7 +250,7 @@ In this order, @racket[Lagrangian->state-derivative], @racket[Lagrange-equations
 ((transpose-function (down (up 'a 'c) (up 'b 'd))) (down 'p 'q))
 ((pendulum-Hamiltonian 'alpha 'beta) (up 't 0 'p))]}
 
-@section{Numbers}
+@section[#:tag "scmutils-numbers"]{Numbers}
 
 @defproc[(definite-integral-with-tolerance [f procedure?] [low real?] [high real?]
                                            [tolerance real?]

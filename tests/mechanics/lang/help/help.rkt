@@ -193,7 +193,7 @@ Exercise 7.5: spin and orbit.
   make run FILE=examples/mechanics/exercises/exercise-7-5.rkt
 end
                 )
-  (check-regexp-match #rx"^Friction, in: From Newton to Lagrange\n  manual: Newton-to-Lagrange.html\n"
+  (check-regexp-match #rx"^Friction, in: From Newton to Lagrange\n  manual: Newton-to-L.*.html\n"
                       (text "friction"))
   (check-regexp-match #rx"\n\nPages of the manual: make docs, .*$" (text "friction"))
   (check-regexp-match #rx"(?m:^mechanics/animate  *a library: [(]require mechanics/animate[)]$)"

@@ -5,7 +5,7 @@
 ;; counts; or a program, by its file under examples/mechanics.  The table was written before the
 ;; search that it judges.
 
-(provide queries)
+(provide queries other-queries)
 
 ;; (words answer ...)
 (define queries
@@ -78,3 +78,43 @@
     ("install" "installation")
     ("error message" "mistakes" "new-to-Racket")
     ("scmutils" "other-systems" "reference-scmutils")))
+
+;; Written at the same time, and not looked at while the search was made.
+(define other-queries
+  '(("drag" "forces/oscillator.rkt" "systems" "Newton-to-Lagrange" Rayleigh-dissipation)
+    ("coriolis" "chapter-1/rotating-axes.rkt" "systems" "worksheets/rotating-frame.rkt"
+                "chapter-1" L-rotating-rectangular)
+    ("simple pendulum" L-pendulum "ten-minutes" "animations/pendulum.rkt"
+                       "worksheets/pendulum.rkt" "constraints/pendulum.rkt")
+    ("harmonic oscillator" L-harmonic "systems" "variational/harmonic-oscillator.rkt"
+                           "worksheets/harmonic-oscillator.rkt")
+    ("atwood machine" "constraints/Atwood-machines.rkt" "animations/Atwood-machines.rkt"
+                      draw-Atwood-machine "constrained-systems")
+    ("legendre transform" Legendre-transform)
+    ("time step" evolve-trajectory "numbers-guide" evolve state-advancer "motion")
+    ("unit conversion" "reference-conventions" "mistakes" "reference" "teachers")
+    ("unexpected parenthesis" "mistakes" "new-to-Racket")
+    ("tuple" "structures" up "reference-structures")
+    ("gradient" gradient "derivatives")
+    ("taylor series" Taylor-series)
+    ("principle of least action" "chapter-1" Lagrangian-action find-path
+                                 "variational/free-particle-action.rkt" "reference-local")
+    ("path of least action" find-path "chapter-1" "guide-pictures")
+    ("fixed points" find-fixed-point "chaos-guide" "chapter-4")
+    ("poincare section" Poincare-map "chapter-4" "chaos-guide")
+    ("exercise 7.2" "exercises/exercise-7-2.rkt")
+    ("2.5" "exercises/exercise-2-5.rkt")
+    ("figure 3.15" "figures/figure-3-15.rkt")
+    ("chapter 7" "chapter-7")
+    ("homework" "teachers" "students" "reference-worksheets")
+    ("grading" "teachers" "sandbox" "programs" "sandbox/grader.rkt")
+    ("eigenvalues" eigenvalues)
+    ("rotation matrix" Rz-matrix "chapter-2" angle-axis->rotation-matrix Euler->M Rx-matrix
+                       quaternion->rotation-matrix)
+    ("phase portrait" plot-phase-portrait "chaos-guide")
+    ("symplectic integrator" leapfrog "exercises/exercise-6-12.rkt" "numbers-guide" "motion")
+    ("total time derivative" Dt verify-total-time-derivative "exercises/exercise-1-26.rkt")
+    ("speed up slow program" "numbers-guide" "guide-scales" compile-function "questions"
+                             "compiled-functions")
+    ("assume positive" assume "residuals" assuming)
+    ("mathematica" "other-systems" "mistakes")))
