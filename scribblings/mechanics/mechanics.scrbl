@@ -29,7 +29,7 @@ verdict says which condition makes it vanish. That is the whole idea. The
 @secref["guide"] explains it from the start; the @secref["reference"] has an
 entry for every name.
 
-@section[#:tag "where-to-begin" #:style 'unnumbered]{Where to begin}
+@subsubsub*section[#:tag "where-to-begin"]{Where to begin}
 
 If Racket is new to you, @secref["new-to-Racket"] is as much of it as you need.
 

@@ -161,13 +161,15 @@
 (define html-pages
   (for/list ([(file text) (in-hash pages)] #:when (string-suffix? file ".html")) text))
 
-;; The list in "mechanicsManual([...]);": entries of name, address, kind and sentence
-(define search-entries
-  (string->jsexpr
-   (cadr (regexp-match #rx"^mechanicsManual[(](.*)[)];" (hash-ref pages "search-index.js")))))
+;; In "mechanicsManual({...});": lists of kind, title, place, sentence and address
+(define findings
+  (hash-ref
+   (string->jsexpr
+    (cadr (regexp-match #rx"^mechanicsManual[(](.*)[)];" (hash-ref pages "search-index.js"))))
+   'findings))
 
-(define (entries-named name)
-  (filter (lambda (e) (string=? (first e) name)) search-entries))
+(define (findings-titled title)
+  (filter (lambda (f) (string=? (second f) title)) findings))
 
 ;; Is there such a place on the pages?
 (define (leads-somewhere? address)
@@ -210,20 +212,29 @@
       (check-true (<= (cdr w) phone) (format "~a is ~a pixels wide" (car w) (cdr w))))))
 
 (test-case "the search box knows names with their sentences, sections and libraries"
-  (check-equal? (map cddr (entries-named "verify-solution"))
+  (define (about title) (map (lambda (f) (take (cddr f) 2)) (findings-titled title)))
+  (check-equal? (about "verify-solution")
                 '(("mechanics"
                    "Whether the path q satisfies Lagrange's equations of L at all times.")))
-  (check-equal? (map cddr (entries-named "L-pendulum"))
+  (check-equal? (about "L-pendulum")
                 '(("mechanics/book" "A pendulum whose pivot is at rest.")))
-  (check-equal? (map third (entries-named "The first ten minutes")) '("section"))
-  (check-equal? (map third (entries-named "mechanics/plot")) '("library"))
-  (check-true (> (length search-entries) 800)))
+  (define (kinds title) (map first (findings-titled title)))
+  (check-equal? (kinds "The first ten minutes") '("page"))
+  (check-equal? (kinds "Friction") '("section"))
+  (check-equal? (kinds "mechanics/plot") '("library"))
+  (check-equal? (kinds "Exercise 1.29") '("exercise"))
+  (check-true (> (length findings) 1500)))
 
 (test-case "what is found is there"
   (check-false (leads-somewhere? "no-such-page.html"))
   (check-false (leads-somewhere? "ten-minutes.html#nowhere"))
-  (for ([e (in-list search-entries)])
-    (check-true (leads-somewhere? (second e)) (format "~s" e))))
+  (for ([f (in-list findings)])
+    (check-true (leads-somewhere? (fifth f)) (format "~s" f))))
+
+(test-case "a page is where the prompt says that it is"
+  (for ([f (in-list findings)] #:when (member (first f) '("page" "section")))
+    (define file (string-append (first (string-split (third f) "#")) ".html"))
+    (check-true (string-prefix? (fifth f) file) (format "~s" f))))
 
 (test-case "programs are links, to copies beside the pages"
   (define linked

@@ -13,8 +13,10 @@
 
 (define (page-documents p)
   (define sections (page-sections p))
-  (define place (or (section-tag (car sections)) "index"))
-  (cons (page-document p place (car sections) (cdr sections))
+  (define tag (section-tag (car sections)))
+  (define place (or tag "index"))
+  (cons (page-document p (or tag (place-of-section place (car sections) (car sections)))
+                       (car sections) (cdr sections))
         (append (for/list ([s (in-list (cdr sections))])
                   (section-document p s (place-of-section place (car sections) s)))
                 (libraries place (car sections)))))

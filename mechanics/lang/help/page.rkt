@@ -94,7 +94,7 @@
 ;; @section[#:tag "tag"]{Heading} -> a section of no parts yet; anything else -> #f
 (define (section-of part)
   (and (pair? part)
-       (memq (car part) '(title section subsection subsubsection))
+       (memq (car part) '(title section subsection subsubsection subsubsub*section))
        (section (plain-text (without-keywords (cdr part))) (tag-of part)
                 (and (memq 'toc (flatten (keyword-value part '#:style))) #t)
                 '())))

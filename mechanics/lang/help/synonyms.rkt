@@ -38,6 +38,7 @@
     "method integrator solver"
     "homework worksheet assignment"
     "grade grading check"
+    "begin start"
     "teacher instructor class"
     "quick fast speed slow"
     "tuple structure"
@@ -66,7 +67,6 @@
     ("centrifugal" "rotating axes")
     ("tutorial" "first minutes")
     ("getting started" "first minutes")
-    ("where start" "first minutes")
     ("simulate" "evolve trajectory")
     ("simulation" "evolve trajectory")
     ("time step" "step integration method")

@@ -7,7 +7,7 @@
 @(define session (make-session))
 @(define racket-session (make-racket-session))
 
-@section{Why does Racket say “+: contract violation”?}
+@section[#:tag "contract-violation"]{Why does Racket say “+: contract violation”?}
 
 The module does not know about mechanics. Racket's own @racket[+] knows numbers
 only:
@@ -50,7 +50,7 @@ At the prompt it is. Inside a program, @racket[displayln] and
 @racket[printf] print what was computed; use @racket[print-expression], or print
 @racket[(simplify x)].
 
-@section{Why “undecided”?}
+@section[#:tag "why-undecided"]{Why “undecided”?}
 
 Perhaps because a number with a decimal point came in, or because the identity is beyond
 the library's algebra. Try exact fractions, or symbols. A symbol for
