@@ -38,7 +38,8 @@
             (if (guide? p) prior-of-section 0)))
 
 (define (guide? p)
-  (regexp-match? #rx"[/\\]guide([/\\][^/\\]*)?[.]scrbl$" (path->string (page-file p))))
+  (not (regexp-match? #rx"[/\\]mechanics[/\\]reference([/\\].*)?[.]scrbl$"
+                      (path->string (page-file p)))))
 
 (define (libraries place head)
   (for/list ([part (in-list (section-parts head))]
@@ -73,14 +74,23 @@
 ;; ---------------------------------------------------------------------------
 ;; Texts
 
-;; The first sentence, or "".
-(define (opening s) (or (first-sentence (content s)) ""))
+;; The first sentence, or "" where it names another page, whose title is not at hand.
+(define (opening s)
+  (define sentence (or (first-sentence (content s)) ""))
+  (if (regexp-match? #rx" [.,;:)]" sentence) "" sentence))
 
-;; All strings, however deep, and names in code.
-(define (all-text s)
-  (string-join
-   (for/list ([x (in-list (flatten (content s)))] #:when (or (string? x) (symbol? x)))
-     (if (symbol? x) (symbol->string x) x))))
+;; All strings, however deep, but for those of examples; and names in code.
+(define (all-text s) (string-join (texts (content s) #t)))
+
+(define (texts x strings?)
+  (cond [(symbol? x) (list (symbol->string x))]
+        [(string? x) (if strings? (list x) '())]
+        [(list? x)
+         (define told? (and strings? (not (and (pair? x) (memq (car x) examples)))))
+         (append-map (lambda (part) (texts part told?)) x)]
+        [else '()]))
+
+(define examples '(examples bigfloat-examples picture-examples))
 
 (define (content s)
   (filter (lambda (part) (not (and (pair? part) (memq (car part) directions))))

@@ -30,9 +30,9 @@
          => (lambda (found)
               (numbered-document 'exercise (string-append "Exercise " (second found)) (third found)
                                  name file 8))]
-        [(regexp-match #px"figure-(\\d)-(\\d+)[.]rkt$" name)
+        [(regexp-match #px"figures[/\\\\](figure|exercise)-(\\d)-(\\d+)[.]rkt$" name)
          => (lambda (found)
-              (numbered-document 'program (format "Figure ~a.~a" (second found) (third found))
+              (numbered-document 'program (apply format "~a ~a.~a" (cdr found))
                                  (without-place subject) name file 0))]
         [else (titled-document (title-of-file name) (without-place subject) name file)]))
 

@@ -96,14 +96,16 @@
 ;; The text with a likely word of a title in place of each word that fits nothing, or #f where there
 ;; is none.
 (define (respelled table text)
-  (define words (asked-words table text))
   (define known
     (remove-duplicates
      (for*/list ([f (in-vector (vector-ref table 0))] [w (in-list (all-words (finding-title f)))])
        (string->symbol w))))
-  (define spelt
-    (for/list ([w (in-list words)])
-      (if (hash-empty? (weights-of table w)) (likely-names (string->symbol w) known) (list w))))
-  (and (ormap (lambda (l w) (not (equal? l (list w)))) spelt words)
-       (andmap pair? spelt)
-       (string-join (map (lambda (l) (format "~a" (car l))) spelt))))
+  (define typed (string-split (telling-text text)))
+  (define spelt                         ; lists of words
+    (for/list ([w (in-list typed)])
+      (if (hash-empty? (weights-of table (car (words-of w))))
+          (map symbol->string (likely-names (string->symbol w) known))
+          (list w))))
+  (and (andmap pair? spelt)
+       (not (equal? (map car spelt) typed))
+       (string-join (map car spelt))))

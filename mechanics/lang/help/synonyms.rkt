@@ -17,7 +17,6 @@
     "top gyroscope"
     "frame axes"
     "wire ring hoop track"
-    "poincare section"
     "stability stable unstable"
     "equilibrium equilibria rest"
     "chaos chaotic"
@@ -65,8 +64,9 @@
     ("python" "export python")
     ("coriolis" "rotating axes")
     ("centrifugal" "rotating axes")
-    ("tutorial" "first minutes")
-    ("getting started" "first minutes")
+    ("tutorial" "begin")
+    ("getting started" "begin")
+    ("start" "begin")
     ("simulate" "evolve trajectory")
     ("simulation" "evolve trajectory")
     ("time step" "step integration method")

@@ -81,7 +81,8 @@ A message says which function complains, what it expected and what it was given:
 @Secref["mistakes"] goes through those that are made most often. A name that is not known has
 mostly been misspelt, and the message says which name may have been meant.
 
-@racket[(help square)] says what is known of a name, @racket[(help "derivative")] finds names.
+@racket[(help square)] says what is known of a name, @racket[(help "derivative")] finds names,
+pages of this manual and programs.
 
 @section{Files}
 

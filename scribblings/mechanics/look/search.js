@@ -123,9 +123,9 @@
     var known = once([].concat.apply([], table.findings.map(function (f) {
       return allWords(table, f[1]);
     }))).sort();
-    var words = askedWords(table, text), changed = false;
-    var spelt = words.map(function (w) {
-      if (weightsOf(table, w).size) return w;
+    var changed = false;
+    var spelt = tellingWords(table, text).map(function (w) {
+      if (weightsOf(table, stem(table, w)).size) return w;
       changed = true;
       return nearest(w, known);
     });

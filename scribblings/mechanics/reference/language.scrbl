@@ -46,15 +46,23 @@ spelling. Then it tells how the name is written as a symbol, for most often a qu
 
 Prints what this reference says of a name: its arguments, a sentence, an example with its result,
 the place in the book, and related names. The name need not be quoted. No browser is opened and
-nothing is fetched. For a text, @racket[help] lists the names whose entries contain all its words;
-words such as @litchar{of} are ignored, and accents may be left out. Names that contain the words
-come first, then those on a page about them. For an unknown name it lists names with nearly the
-same spelling, for a name of a later chapter its section.
+nothing is fetched. For an unknown name it lists names with nearly the same spelling.
 
 @examples[#:eval session
 (help cube)
-(help "series sine")
 (help cubbe)]
+
+For a text, @racket[help] searches names, pages of the manual, programs and the exercises of the
+book for all its words, and says how to open each answer, ten at most. Words in a title count more than
+those in a text, rare ones more than usual ones, and names that are used much come before others.
+Words such as @litchar{of}, endings and accents make no difference, synonyms of the field are known,
+and a word that is misspelt is replaced by a likely one. The search box of the manual's pages gives
+the same answers.
+
+@examples[#:eval session
+(help "series sine")
+(help "exercise 1.29")
+(help "atwod machine")]
 
 The example is run when the entry is shown, without your definitions and assumptions.
 
