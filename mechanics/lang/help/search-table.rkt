@@ -16,7 +16,9 @@
   (for ([p (in-list pages)]) (register-external-file (page-file p)))
   (for ([f (in-directory programs)] #:when (regexp-match? #rx"[.]rkt$" (path->bytes f)))
     (register-external-file f))
-  (datum->syntax stx (list 'quote (make-search-table (documents pages cards programs))) stx))
+  (parameterize ([print-reader-abbreviations #t])
+    (define table (make-search-table (documents pages cards programs)))
+    (datum->syntax stx (list 'quote table) stx)))
 
 ;; (vector findings priors terms)
 (define search-table

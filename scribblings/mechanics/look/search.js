@@ -176,7 +176,7 @@
   function line(finding) {
     var item = make('li', {});
     var link = make('a', { href: finding[4] });
-    var about = finding[3] || finding[2];
+    var about = finding[3] || (finding[0] === 'name' ? finding[2] : finding[0]);
     link.appendChild(make('b', {}, finding[1]));
     link.appendChild(make('span', {}, ' ' + (introductions[finding[0]] || '') + about));
     item.appendChild(link);

@@ -53,11 +53,11 @@ nothing is fetched. For an unknown name it lists names with nearly the same spel
 (help cubbe)]
 
 For a text, @racket[help] searches names, pages of the manual, programs and the exercises of the
-book for all its words, and says how to open each answer, ten at most. Words in a title count more than
-those in a text, rare ones more than usual ones, and names that are used much come before others.
-Words such as @litchar{of}, endings and accents make no difference, synonyms of the field are known,
-and a word that is misspelt is replaced by a likely one. The search box of the manual's pages gives
-the same answers.
+book for all its words, and says how to open each answer, ten at most. Words in a title count more
+than those in a text, rare ones more than usual ones, and names that are used much come before
+others. Words such as @litchar{of}, endings and accents make no difference, synonyms of the field
+are known, and a word that is misspelt is replaced by a likely one. The search box of the manual's
+pages gives the same answers.
 
 @examples[#:eval session
 (help "series sine")
