@@ -86,6 +86,7 @@
   (define m (string-length term))
   (cond [(string=? w term) 1]
         [(member term (hash-ref (vector-ref table 3) w '())) 2]
+        [(regexp-match? #px"^[\\d.]+$" w) #f]
         [(and (>= n shortest-part) (string-prefix? term w)) 3]
         [(and (>= m shortest-beginning) (<= (- n m) longest-rest) (string-prefix? w term)) 4]
         [else #f]))

@@ -52,6 +52,7 @@
   function share(table, w, term) {
     if (w === term) return 1;
     if (hasOwn(table.synonyms, w) && table.synonyms[w].indexOf(term) >= 0) return 2;
+    if (/^[0-9.]+$/.test(w)) return 0;
     if (w.length >= 3 && term.startsWith(w)) return 3;
     if (term.length >= 4 && w.length - term.length <= 2 && w.startsWith(term)) return 4;
     return 0;

@@ -13,15 +13,15 @@
          racket/system
          "../../../../scribblings/mechanics/look/search-data.rkt"
          "../../support/checks.rkt" "../../support/skip.rkt"
-         "queries.rkt")
+         "../../support/search-queries.rkt")
 
 (define-runtime-path script "../../../../scribblings/mechanics/look/search.js")
 
 (define texts
   (append (map car queries)
           '("a" "up" "UP" "F->C" "->TeX" "Poincaré" "Lagrange’s equation" "lagrange-equations"
-            "what is a Lagrangian" "3.16" "equation 7.88" "quaternion homework" "simplif" "xyzzy"
-            "moments of inertia matrices" "")))
+            "what is a Lagrangian" "3.16" "equation 7.88" "equation 1.150" "quaternion homework"
+            "simplif" "xyzzy" "moments of inertia matrices" "")))
 
 (define misspelt '("pendulm" "hamiltonain equatons" "quaterion" "xyzzy" "pendulum"))
 

@@ -11,7 +11,7 @@
          racket/runtime-path
          racket/string
          "../../support/checks.rkt"
-         "queries.rkt")
+         "../../support/search-queries.rkt")
 
 (define-runtime-path programs "../../../../examples/mechanics")
 (define-runtime-path compiled "../../../../mechanics/lang/help/compiled/search-table_rkt.zo")
@@ -61,7 +61,8 @@
   (for ([chapter '(1 2 3 4 5 6 7)])
     (check-equal? (first-answer (format "chapter ~a" chapter)) (format "chapter-~a" chapter)))
   (check-equal? (first-answer "figure 4.9") "figures/figure-4-9.rkt")
-  (check-equal? (first-answer "equation 7.88") "exercises/exercise-7-4.rkt"))
+  (check-equal? (first-answer "equation 7.88") "exercises/exercise-7-4.rkt")
+  (check-equal? (first-answer "equation 1.150") "exercises/exercise-3-16.rkt"))
 
 (test-case "programs that are found are there"
   (for ([f (in-vector (vector-ref (table-of-search) 0))]
