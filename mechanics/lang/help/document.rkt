@@ -1,8 +1,7 @@
 #lang racket/base
 ;; A document is what the search can find, with the texts that it is found by.
 
-(require racket/list
-         "words.rkt")
+(require "words.rkt")
 
 (provide (struct-out document)
          title-field

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; The output of `help`: the card of a name, what a text finds, or the questions there are.
 
-(require (only-in racket/format ~a)
-         racket/string
+(require racket/string
          "card-lines.rkt" "cards.rkt" "finding-lines.rkt" "finding.rkt" "search.rkt"
          "words.rkt"
          (only-in "../wrong-call/reader-signature.rkt" head->text)

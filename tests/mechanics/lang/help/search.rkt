@@ -6,7 +6,6 @@
          mechanics/lang/help/finding
          mechanics/lang/help/search
          mechanics/lang/help/words
-         racket/file
          racket/list
          racket/runtime-path
          racket/string
