@@ -16,12 +16,13 @@
 
 (require ffi/unsafe
          ffi/unsafe/port
-         "cell-input.rkt" "cell.rkt" "mime-bundle.rkt" "names-at-cursor.rkt" "protocol.rkt"
+         "cell-input.rkt" "cell.rkt" "changed-pictures.rkt" "mime-bundle.rkt" "names-at-cursor.rkt" "protocol.rkt"
          "text-stream.rkt"
          "../error/complain.rkt" "../error/progress.rkt"
          "../generic/on-demand.rkt"
          "../lang/session-start.rkt"
          "../show/display/receiving-printer.rkt"
+         "../show/display/program-end.rkt"
          "../show/interact/live-result.rkt")
 
 (require-on-demand ["live-interaction.rkt" interaction-message frame-bundle])
@@ -29,7 +30,7 @@
 (define-namespace-anchor here)
 
 ;; send : message -> void; output, errors : text streams; input : cell-input
-(struct kernel (send output errors input))
+(struct kernel (send output errors input pictures))
 
 ;; The id of the cell that is evaluated, or #f; and of the last that is to be broken, which may not
 ;; have begun.  Both threads look at them in turn.
@@ -43,7 +44,8 @@
     (make-text-stream (lambda (text) (send (hasheq 'kind "stream" 'name name 'text text)))))
   (define k
     (kernel send (stream "stdout") (stream "stderr")
-            (make-cell-input (lambda () (send (hasheq 'kind "input"))))))
+            (make-cell-input (lambda () (send (hasheq 'kind "input"))))
+            (make-changed-pictures)))
   (define evaluator (current-thread))
   (define end (exit-handler))
   (thread (lambda () (read-requests k in evaluator end)))
@@ -108,7 +110,12 @@
   (for-each begin-cell! (list (kernel-output k) (kernel-errors k)))
   (define failed
     (call-breakably id
-                    (lambda () (evaluate-cell code (lambda (x) ((current-print) x))))
+                    (lambda ()
+                      (parameterize ([current-picture-watcher
+                                      (lambda (x) (note-change! (kernel-pictures k) x))])
+                        (begin0 (evaluate-cell code (lambda (x) ((current-print) x)))
+                                (show-changed! (kernel-pictures k)
+                                               (lambda (x again?) (show! k x again?))))))
                     (lambda () (failure "interrupted" #f #t))))
   (flush-C-output)
   (send-output! k)
@@ -154,12 +161,19 @@
   (define flush (get-ffi-obj 'fflush #f (_fun _pointer -> _int) (lambda () void)))
   (flush #f))
 
-(define (show! k x)
+(define (show! k x [again? #f])
   (unless (void? x)
     (define m
-      (if (live? x) (interaction-message x) (hasheq 'kind "shown" 'data (value->bundle x))))
+      (parameterize ([current-picture-watcher #f])
+        (if (live? x) (interaction-message x) (shown-message k x again?))))
     (send-output! k)
     ((kernel-send k) m)))
+
+;; again? : in the place where it was shown before
+(define (shown-message k x again?)
+  (define name (display-name (kernel-pictures k) x))
+  (define m (hasheq 'kind "shown" 'data (value->bundle x)))
+  (if name (hash-set* m 'display name 'update again?) m))
 
 ;; ---------------------------------------------------------------------------
 

@@ -39,6 +39,7 @@ order.
 @include-section["guide/formulas.scrbl"]
 @include-section["guide/pictures.scrbl"]
 @include-section["guide/animations.scrbl"]
+@include-section["guide/notebooks.scrbl"]
 @include-section["guide/showing.scrbl"]
 @include-section["guide/scales.scrbl"]
 @include-section["guide/teachers.scrbl"]

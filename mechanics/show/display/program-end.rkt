@@ -13,7 +13,8 @@
 (require-on-demand #:in-this-thread [racket/gui/dynamic gui-dynamic-require])
 
 (provide start-program! leave-program!
-         stay-open! note-unseen! note-seen!)
+         stay-open! note-unseen! note-seen!
+         current-picture-watcher)
 
 ;; windows, unseen : the latest first
 (struct program ([windows #:mutable] [unseen #:mutable]) #:authentic)
@@ -58,6 +59,9 @@
          (start-program!)
          (define p (current-program))
          (set-program-windows! p (cons (window closed wait) (open-windows p closed)))]))
+
+;; #f, or called with a picture each time it changes: a notebook shows it at the end of its cell.
+(define current-picture-watcher (make-parameter #f))
 
 ;; Without that whose event is given.
 (define (open-windows p [other #f])

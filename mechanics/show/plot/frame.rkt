@@ -84,6 +84,8 @@
                         (set-frame-version! f (+ 1 (frame-version f)))
                         #t]))))
       (raise-closed who f))
+    (define watch (current-picture-watcher))
+    (when watch (watch f))
     (when (and (eqv? 1 (frame-version f)) (not (frame-window f)))
       (note-unseen! f (lambda () (show-frame f 'at-end)) (lambda () (unseen-remark f))))))
 

@@ -82,4 +82,4 @@ and may use a name that is defined further down. Before you hand on a program, r
 
 @next-pages["ten-minutes" "the library, from its first Lagrangian on"
             "guide-showing" "programs as pages and papers"
-            "pictures" "frames, and what is drawn in them"]
+            "guide-pictures" "frames, and what is drawn in them"]

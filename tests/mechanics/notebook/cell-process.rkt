@@ -58,6 +58,20 @@
   (check-true (string-prefix? (car (bundles m "image/svg+xml")) "<svg"))
   (check-true (string-prefix? (car (bundles m "image/png")) "iVBOR")))
 
+(test-case "a frame that a cell draws in is shown at its end, once, and later in its place"
+  (define (displays code)
+    (for/list ([m (in-list (run code))] #:when (equal? (hash-ref m 'kind) "shown"))
+      (list (hash-ref m 'display #f) (hash-ref m 'update #f))))
+  (run "(define g (frame 0 1 0 1))")
+  (define first-time (displays "(plot-point g 0.5 0.5)\n(plot-point g 0.6 0.5)"))
+  (check-equal? (map cadr first-time) '(#f))
+  (define name (caar first-time))
+  (check-equal? (displays "(plot-point g 0.1 0.1)") (list (list name #t)))
+  (check-equal? (displays "(begin (plot-point g 0.2 0.2) g)") (list (list name #f)))
+  (check-equal? (displays "(+ 1 1)") '((#f #f)))
+  (check-equal? (displays "(interact ([k 1 2]) (define h (frame 0 1 0 1)) (plot-point h 0.5 0.5) h)")
+                '()))
+
 ;; ---------------------------------------------------------------------------
 ;; Lines of a session
 
