@@ -5,7 +5,8 @@
 ;; A formula is TeX, and the expression that `read-expression` takes; a report and a table are
 ;; elements of a page without scripts, with formulas in TeX; a picture SVG and PNG.
 
-(require net/base64
+(require file/convertible
+         net/base64
          (only-in racket/string string-join)
          (only-in xml xexpr->string)
          "../algebra/notation/tree.rkt"
@@ -19,8 +20,9 @@
 (define (value->bundle x [formats '(svg-bytes png-bytes)] #:columns [columns 80])
   (define text (printed x columns))
   (define s (if (eq? (display-style) 'automatic) (value->shown x formats) (shown-text text)))
+  (define page (and (shown-picture? s) (convert x 'html-bytes #f)))
   (for/fold ([bundle (hasheq (string->symbol "text/plain") text)])
-            ([part (in-list (shown->parts s columns))])
+            ([part (in-list (if page (list (page->part page s)) (shown->parts s columns)))])
     (hash-set bundle (string->symbol (car part)) (cdr part))))
 
 ;; The words of an error, in the place of a value
@@ -58,6 +60,21 @@
                 (lambda (b) (regexp-replace #rx"^.*?(?=<svg)" (bytes->string/utf-8 b #\?) "")))
           (part "image/png" (shown-picture-png s)
                 (lambda (b) (bytes->string/latin-1 (base64-encode b #""))))))
+
+;; What moves is a page in a frame that may do nothing but run its script.  Where frames are taken
+;; out, as in a notebook that is not trusted, the picture in it is left.
+(define (page->part page s)
+  (define m (regexp-match #rx#"viewBox=\"0 0 [0-9.]+ ([0-9.]+)\"" page))
+  (define height (+ 120 (if m (string->number (bytes->string/latin-1 (cadr m))) 360)))
+  (cons "text/html"
+        (xexpr->string
+         `(iframe ([sandbox "allow-scripts"]
+                   [style ,(format "width: 100%; height: ~apx; border: 0" height)]
+                   [srcdoc ,(bytes->string/utf-8 page)])
+                  (img ([alt ,(shown-picture-text s)] [src ,(data-url (shown-picture-png s))]))))))
+
+(define (data-url png)
+  (format "data:image/png;base64,~a" (base64-encode (or png #"") #"")))
 
 ;; MathJax looks for TeX in the formulas alone, not in what a program wrote.
 (define (shown->markup s)

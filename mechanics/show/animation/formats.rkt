@@ -11,9 +11,10 @@
 
 ;; As file/convertible asks: motion where the format has any, else a strip of pictures.
 (define (convert-scenery s request default)
-  (if (eq? request 'gif-bytes)
-      (scenery->gif 'animation s)
-      (convert (strip s) request default)))
+  (case request
+    [(gif-bytes) (scenery->gif 'animation s)]
+    [(html-bytes) (scenery->page 'animation s)]
+    [else (convert (strip s) request default)]))
 
 (define strip-count 4)
 

@@ -58,6 +58,16 @@
   (check-true (string-prefix? (car (bundles m "image/svg+xml")) "<svg"))
   (check-true (string-prefix? (car (bundles m "image/png")) "iVBOR")))
 
+(test-case "an animation is a page in a frame that may only run its script, with a picture in it"
+  (define html
+    (car (bundles (run (string-append
+                        "(require mechanics/animate)\n(define (spin t) (up t t 1))\n"
+                        "(animate spin (draw-pendulum) #:from 0 #:to 1)"))
+                  "text/html")))
+  (check-true (string-prefix? html "<iframe sandbox=\"allow-scripts\""))
+  (check-true (string-contains? html "<img alt=\"(animation from "))
+  (check-false (regexp-match? #rx"<script" html)))
+
 (test-case "a frame that a cell draws in is shown at its end, once, and later in its place"
   (define (displays code)
     (for/list ([m (in-list (run code))] #:when (equal? (hash-ref m 'kind) "shown"))

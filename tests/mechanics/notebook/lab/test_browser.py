@@ -18,6 +18,11 @@ CELLS = [
     "(display \"so far\")\n(car 5)",
 ]
 
+ANIMATION = ("(define ((L-pendulum g l) (up t a v)) (+ (* 1/2 (square (* l v))) (* g l (cos a))))\n"
+             "(define swing (evolve-trajectory (Lagrangian->state-derivative (L-pendulum 9.8 1))\n"
+             "                                 (up 0 1 0) 3))\n"
+             "(require mechanics/animate)\n(animate swing (draw-pendulum))")
+
 
 @unittest.skipUnless(browser.CHROMIUM, "there is no Chromium")
 class Browser(unittest.TestCase):
@@ -89,7 +94,30 @@ class Browser(unittest.TestCase):
 
 
 @unittest.skipUnless(browser.CHROMIUM, "there is no Chromium")
-class Restart(unittest.TestCase):
+class OneCell(unittest.TestCase):
+    @staticmethod
+    def pictures(frame):
+        """Those of two seconds."""
+        seen = set()
+        for _ in range(10):
+            seen.add(frame.locator("svg").first.inner_html())
+            time.sleep(0.2)
+        return seen
+
+    def test_animation_plays(self):
+        lab = Lab()
+        try:
+            lab.open("animation.ipynb", [ANIMATION])
+            lab.run_all()
+            lab.cell(0).locator("iframe").first.wait_for(timeout=60_000)
+            frame = lab.cell(0).locator("iframe").first.content_frame
+            frame.locator("svg").first.wait_for(timeout=60_000)
+            if len(self.pictures(frame)) == 1:
+                frame.locator("button").first.click()
+            self.assertGreater(len(self.pictures(frame)), 3)
+        finally:
+            lab.close()
+
     def test_restart_and_run_again(self):
         lab = Lab()
         try:
