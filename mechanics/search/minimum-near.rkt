@@ -22,13 +22,13 @@
 ;; method : 'quasi-newton, 'nelder-mead or #f; watch : called with each point reached and the
 ;; value there -> minimum, and the same point as flvector
 (define (minimum-near t method tolerance watch)
-  (let loop ([x (objective-start t)] [method* method] [metric #f] [best #f] [count 0] [round 0])
-    (define e (search t x method* tolerance watch metric))
+  (let loop ([x (objective-start t)] [method* method] [first-metric #f] [best #f] [count 0] [round 0])
+    (define e (search t x method* tolerance watch first-metric))
     (define all (+ count (end-count e)))
     (define better? (or (not best) (< (end-y e) (end-y best))))
     (define e* (if better? e best))
     (define o (look t (end-x e*) (end-y e*) (eq? method 'nelder-mead)))
-    (define (again x method* metric) (loop x method* metric e* all (+ round 1)))
+    (define (again x method* first-metric) (loop x method* first-metric e* all (+ round 1)))
     (cond
       [(or (not better?) (= round most-rounds)) (judged t e* o all)]
       [(outlook-lower o) => (lambda (lower) (again lower method #f))]

@@ -114,13 +114,14 @@
 
 (define (unit? H) (equal? H (scaled-unit (vector-length H) 1.0)))
 
-;; Before the first correction, H is given the size of the curvature met.
+;; Before the first correction, H is given the size of the curvature met; a negative one, which
+;; corrects nothing, makes steps longer where it is small.
 (define (corrected H s y first?)
-  (define ys (dot y s))
-  (define yy (dot y y))
-  (if (> ys (* 1e-14 (sqrt (* yy (dot s s)))))
-      (correct (if first? (scaled-unit (flvector-length s) (/ ys yy)) H) s y (/ 1.0 ys))
-      H))
+  (define-values (ys yy ss) (values (dot y s) (dot y y) (dot s s)))
+  (define (unit c) (scaled-unit (flvector-length s) c))
+  (cond [(> ys (* 1e-14 (sqrt (* yy ss)))) (correct (if first? (unit (/ ys yy)) H) s y (/ 1.0 ys))]
+        [(and first? (< 0.0 yy ss)) (unit (sqrt (/ ss yy)))]
+        [else H]))
 
 ;; Written out, H is symmetric: H − ρ (s (Hy)ᵀ + (Hy) sᵀ) + ρ (1 + ρ y·Hy) s sᵀ.
 (define (correct H s y rho)
