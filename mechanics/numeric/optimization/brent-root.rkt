@@ -25,17 +25,23 @@
 
 ;; The root is right to `tolerance` times its own size or, near zero, times a
 ;; hundredth of the width of the interval; (observe x y) for each point tried.  After
-;; `limit` evaluations (give-up root error count), which does not return.
+;; `limit` evaluations (give-up root error count), which does not return; where the sign changes at
+;; a jump, (jump who point point) with the points on both sides.
 (define (bracketed-root f low high
                         #:tolerance [tolerance 1e-14]
                         #:limit [limit 200]
                         #:observe [observe void]
                         #:name [who 'find-root]
-                        #:give-up [give-up (giving-up who)])
+                        #:give-up [give-up (giving-up who)]
+                        #:jump [jump raise-jump])
   (define-values (at a b nearest) (begin-search who f low high tolerance observe))
-  (define-values (root half count) (narrow a b a nearest at limit give-up))
+  (define-values (root across half count) (narrow a b a nearest at limit give-up))
   (check-not-pole who root a b)
-  (values (point-x root) (if (= (point-y root) 0.0) 0.0 (abs half)) count))
+  (cond [(jumps? f root across a b)
+         (define-values (p q) (side-by-side f root across))
+         (when (jumps? f p q a b) (jump who p q))
+         (values (point-x p) (abs half) count)]
+        [else (values (point-x root) (if (= (point-y root) 0.0) 0.0 (abs half)) count)]))
 
 ;; -> (x -> point), the points at both ends, and how near two trials near x may be
 (define (begin-search who f low high tolerance observe)
@@ -59,7 +65,7 @@
 (define ((giving-up who) x error count)
   (raise-not-convergent who "no root found" x error "evaluations" count))
 
-;; -> the best point, half of the bracket, evaluations
+;; -> the best point, that across the zero, half of the bracket, evaluations
 (define (narrow a b c nearest at limit give-up)
   (define all (- (point-x c) (point-x b)))
   (let loop ([a a] [b b] [c c] [last all] [before all] [count 2])
@@ -67,7 +73,7 @@
     (define half (* 0.5 (- (point-x c) (point-x b))))
     (cond
       [(< (abs (point-y c)) (abs (point-y b))) (loop b c b last before count)]
-      [(or (= (point-y b) 0.0) (<= (abs half) near)) (values b half count)]
+      [(or (= (point-y b) 0.0) (<= (abs half) near)) (values b c half count)]
       [(>= count limit)
        (give-up (point-x b) (abs (* 2.0 half)) count)]
       [else
@@ -137,3 +143,44 @@
     (raise-singular who "the function changes its sign at a pole or a jump, not at a zero"
                     (point-x root)
                     "near" (point-x root) "value there" (point-y root))))
+
+;; At a jump the values on both sides differ by more than those of each side among themselves, even
+;; from a distance at which slopes count.
+(define (jumps? f p q a b)
+  (define gap (abs (- (point-y p) (point-y q))))
+  (define far (* 1e-5 (- (point-x b) (point-x a))))
+  (define outwards (if (same-order? p q a b) far (- far)))
+  (define (spread p outwards)
+    (define ys
+      (cons (point-y p)
+            (for/list ([part '(0.1 1.0)])
+              (real->double-flonum (f (within (+ (point-x p) (* part outwards)) a b))))))
+    (- (apply max ys) (apply min ys)))
+  (and (not (= (point-y p) 0.0))
+       (> gap (* 1e-6 (max (abs (point-y a)) (abs (point-y b)))))
+       (> gap (* 10.0 (+ (spread p (- outwards)) (spread q outwards))))))
+
+;; The points between p and q where the sign changes from one number to the next, that nearer to zero
+;; first
+(define (side-by-side f p q)
+  (define x (* 0.5 (+ (point-x p) (point-x q))))
+  (cond [(or (= x (point-x p)) (= x (point-x q)))
+         (if (<= (abs (point-y p)) (abs (point-y q))) (values p q) (values q p))]
+        [else
+         (define middle (point x (real->double-flonum (f x))))
+         (if (same-side? p middle) (side-by-side f middle q) (side-by-side f p middle))]))
+
+;; Does the way from p to q lead from a towards b?
+(define (same-order? p q a b)
+  (eq? (< (point-x p) (point-x q)) (< (point-x a) (point-x b))))
+
+(define (within x a b)
+  (define-values (low high) (values (point-x a) (point-x b)))
+  (max (min low high) (min (max low high) x)))
+
+(define (raise-jump who p q)
+  (define-values (left right) (if (< (point-x p) (point-x q)) (values p q) (values q p)))
+  (raise-singular who "the function changes its sign at a jump, not at a zero; bisect finds jumps"
+                  (point-x p)
+                  "near" (point-x p)
+                  "value to the left" (point-y left) "value to the right" (point-y right)))

@@ -65,7 +65,7 @@
 
 (define (zero-between f a b)
   (if-raised exn:fail:mechanics? #f
-    (define-values (z error count) (bracketed-root f a b #:tolerance 1e-10))
+    (define-values (z error count) (bracketed-root f a b #:tolerance 1e-10 #:jump void))
     z))
 
 ;; ---------------------------------------------------------------------------

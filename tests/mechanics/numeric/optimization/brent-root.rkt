@@ -8,8 +8,8 @@
          "../../support/checks.rkt")
 
 ;; -> root and number of evaluations
-(define (root+count f low high)
-  (define-values (x error count) (bracketed-root f low high))
+(define (root+count f low high #:jump [jump raise])
+  (define-values (x error count) (bracketed-root f low high #:jump jump))
   (values x count))
 
 (define (root f low high)
@@ -37,7 +37,7 @@
                           (lambda (x) (if (< x 1/3) -1 1e-9))
                           (lambda (x) (* (if (< x 1/3) -1 1) (expt (abs (- x 1/3)) 1/5)))
                           (lambda (x) (* (- x 1/3) (exp (* -10 (- x 1/3) (- x 1/3)))))))])
-    (define-values (x count) (root+count f -1 2))
+    (define-values (x count) (root+count f -1 2 #:jump void))
     (check-= x 1/3 1e-10)
     (check-true (< count 170) (format "~a" count))))
 
@@ -55,6 +55,8 @@
   (check-exn
    #rx"^find-root: the function changes its sign at a pole or a jump, not at a zero\n  near: 1.57"
    (lambda () (bracketed-root tan 1 2)))
+  (check-exn #rx"^find-root: the function changes its sign at a jump, not at a zero; bisect finds"
+             (lambda () (bracketed-root (lambda (x) (if (< x 1/3) -1 1e-9)) -1 2)))
   (define failure
     (with-handlers ([exn:fail:mechanics:not-convergent? values])
       (bracketed-root cos 1 2 #:limit 3)))
