@@ -48,7 +48,7 @@
     (parameterize ([current-integral iterated?]) (integral-not-heard t f low high)))
   (define nothing-seen?
     (and (not around) (task-met t) (eqv? value 0.0) (eqv? (task-bound t) 0.0) (> (task-count t) 0)))
-  (when nothing-seen? (note-once (format nothing-seen who)))
+  (when nothing-seen? (note-with-result (format nothing-seen who)))
   (report value (if nothing-seen? +inf.0 (task-bound t)) (task-count t)))
 
 (define nothing-seen

@@ -56,7 +56,8 @@
 
 (define (formula-with-notes formula conditions)
   (for ([c (in-list conditions)])
-    (note-once (format "definite-integral: the formula holds if ~s" c)))
+    (note-with-result (format "definite-integral: the formula holds if ~s" c)
+                      (list c (value->text formula))))
   formula)
 
 ;; f at x; and has it a sign, or the like, of what is perturbed?

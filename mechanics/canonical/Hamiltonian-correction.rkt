@@ -43,7 +43,7 @@
       (evaluate-at e state at)))
   (check-correction who C K state)
   (unless (null? assumed)
-    (note-once (format "~a: this K is that of states with ~a" who
+    (note-with-result (format "~a: this K is that of states with ~a" who
                        (joined (map (lambda (a) (format "~s" a)) assumed)))))
   K)
 

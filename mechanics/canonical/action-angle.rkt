@@ -47,7 +47,8 @@
     (cond [(<= off enough) T]
           [(> closer least-tolerance) (tighten closer T)]
           [else
-           (when (> off half-of-the-digits) (note-once (format near-separatrix who (about off))))
+           (when (> off half-of-the-digits)
+             (note-with-result (format near-separatrix who (about off))))
            T])))
 
 (define least-tolerance 1e-14)

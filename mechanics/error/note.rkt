@@ -2,11 +2,11 @@
 ;; Notes: what is worth a word beside an answer and is no error.
 ;;
 ;; A note is a comment on the error port, so that what a program prints stays what it prints.
-;; Those that would be said again and again are said once in a session, which is a prompt or
-;; the run of a program; where there is none, as in a library or a test, nobody would read
-;; them, and nothing is said.
+;; Advice that would be said again and again is said once in a session, which is a prompt or
+;; the run of a program; what a result rests on is said with each result.  Where there is no
+;; session, as in a library or a test, nobody would read them, and nothing is said.
 
-(provide note note-once start-session-of-notes! without-notes)
+(provide note note-once note-with-result start-session-of-notes! end-result-of-notes! without-notes)
 
 ;; The lines of the text, each as a comment.
 (define (note text)
@@ -14,18 +14,29 @@
   (write-string (string-append "; " (regexp-replace* #rx"\n" text "\n; ") "\n") port)
   (flush-output port))
 
-;; #f, or a table of the notes said: key -> #t
-(define current-said (make-parameter #f))
+;; Tables of the notes said, key -> #t: in this session, and since the last result was printed
+(struct said (session result) #:authentic)
+
+(define current-said (make-parameter #f))       ; #f where there is no session
 
 ;; Idempotent.
 (define (start-session-of-notes!)
-  (unless (current-said) (current-said (make-hash))))
+  (unless (current-said) (current-said (said (make-hash) (make-hash)))))
+
+;; A result was printed: what the next one rests on is said again.
+(define (end-result-of-notes!)
+  (when (current-said) (hash-clear! (said-result (current-said)))))
 
 ;; key : identifies the note; by default the text itself
-(define (note-once text [key text])
-  (define said (current-said))
-  (when (and said (not (hash-ref said key #f)))
-    (hash-set! said key #t)
+(define (note-once text [key text]) (note-unless-in said-session text key))
+
+;; Says it once, though a result takes many computations; key : as above, of one computation
+(define (note-with-result text [key text]) (note-unless-in said-result text key))
+
+(define (note-unless-in table text key)
+  (define notes (and (current-said) (table (current-said))))
+  (when (and notes (not (hash-ref notes key #f)))
+    (hash-set! notes key #t)
     (note text)))
 
 ;; The value of an expression that is only tried; what is to be said once is left to the next.

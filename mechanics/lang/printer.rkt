@@ -45,7 +45,8 @@
            (print-advice y)]
           [else (print-shown shown other)])
     (print-remark remark)
-    (note-more y)))
+    (note-more y)
+    (end-result-of-notes!)))
 
 ;; Makes the current printer ours, unless it takes results as they are.  Idempotent.
 (define (install-printer! [how-to-go-on "(print-expression ...) prints all of it"])
@@ -64,7 +65,8 @@
                       (if (session-printer? printer) (session-printer-other printer) printer))
          (when (screen?) (print-advice y))
          (print-remark remark)
-         (note-more y)]))
+         (note-more y)])
+  (end-result-of-notes!))
 
 ;; An interaction opens its window, if it may; program? : then the program waits for it at its end.
 ;; -> the value to be printed, and a remark beneath it, or #f

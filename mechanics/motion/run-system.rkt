@@ -65,7 +65,7 @@
 (define (note-left-rest who f! y end clock?)
   (define from (if clock? 1 0))
   (when (and (left? y end from) (rest-by-rounding? f! y from))
-    (note-once
+    (note-with-result
      (string-append (symbol->string who)
                     ": the motion begins at rest but for rounding, which decides when it leaves\n"
                     "and where to; to see how an equilibrium is left, begin beside it"))))

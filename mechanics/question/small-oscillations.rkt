@@ -80,7 +80,7 @@
   (define scale (apply max 0 (map magnitude sizes)))
   (define rate (apply max 0 (for/list ([w (in-list sizes)]) (abs (imag-part w)))))
   (when (> rate (* 1e-7 scale))
-    (note-once
+    (note-with-result
      (format (string-append "a frequency that is not real belongs to no oscillation: this one "
                             "grows as (exp (* ~a t)); the equilibrium is unstable")
              rate))))

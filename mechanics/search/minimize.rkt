@@ -134,8 +134,9 @@
 (define (note-kind who m)
   (define at (value->text (minimum-argument m)))
   (case (minimum-kind m)
-    [(end) (note-once (format "~a: least at the end of the interval, ~a" who at))]
-    [(flat) (note-once (format "~a: the function is flat around ~a, and nothing lower was found"
+    [(end) (note-with-result (format "~a: least at the end of the interval, ~a" who at))]
+    [(flat)
+     (note-with-result (format "~a: the function is flat around ~a, and nothing lower was found"
                                who at))]
     [else (void)]))
 

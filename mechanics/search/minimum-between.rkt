@@ -155,7 +155,7 @@
      (and (not (pole? m)) m)]))
 
 (define (note-more who count distance)
-  (note-once
+  (note-with-result
    (format "~a: ~a found; the samples it went by are ~a apart, a narrower one may be missed"
            who (if (= count 1) "one minimum" (format "~a minima" count))
            (/ (round (* 1e3 distance)) 1e3))))

@@ -14,7 +14,7 @@
 (define (note-unsure who things advice)
   (unless (null? things)
     (define more (- (length things) most-named))
-    (note-once (format "~a: roundings leave fewer than half of the digits of~a~a\n  ~a" who
+    (note-with-result (format "~a: roundings leave fewer than half of the digits of~a~a\n  ~a" who
                        (joined (for/list ([x (in-list things)] [_ (in-range most-named)])
                                  (format "\n  ~a" x))
                                "")
