@@ -24,10 +24,15 @@
 (struct bounded (zero radius change) #:authentic)
 
 ;; coefficients : exact numbers, from order 0 on, the first and the last not 0
-;; -> a list of bounded, by real part, then by imaginary part; each as often as it is a zero
+;; -> a list of bounded, by real part, then by imaginary part; each as often as it is a zero; #f if
+;;    some are beyond flonums
 (define (complex-zeros coefficients)
   (define p (whole coefficients))
-  (define zs (list->vector (first-approximations p)))
+  (define circles (circles-of-zeros p))
+  (and (andmap (lambda (c) (< 0.0 (circle-radius c) +inf.0)) circles)
+       (zeros-near p (list->vector (first-approximations circles)) coefficients)))
+
+(define (zeros-near p zs coefficients)
   (improve-all! (newton-in-flonums p) 1e-12 50 zs)
   (improve-all! (lambda (z) (newton p z)) (expt 2.0 (- 1 bits)) 500 zs)
   (define found (for/list ([z (in-vector zs)]) (with-bounds p z)))
@@ -55,18 +60,24 @@
 ;; ---------------------------------------------------------------------------
 ;; Approximations
 
-;; On a circle for each edge of the hull, turned so that no two are conjugate
-(define (first-approximations p)
-  (define n (- (length p) 1))
+;; About 0, with so many zeros nearby, and so many within
+(struct circle (radius count within) #:authentic)
+
+;; One for each edge of the hull
+(define (circles-of-zeros p)
   (define corners
     (for/fold ([corners '()]) ([c (in-list (reverse p))] [k (in-naturals)] #:unless (eqv? c 0))
       (cons (cons k (log-size c)) (without-inner corners k (log-size c)))))
-  (for*/list ([(b a) (in-parallel corners (cdr corners))]
-              [count (in-value (- (car b) (car a)))]
-              [radius (in-value (exp (- (slope a b))))]
-              [j (in-range count)])
+  (for/list ([(b a) (in-parallel corners (cdr corners))])
+    (circle (exp (- (slope a b))) (- (car b) (car a)) (car a))))
+
+;; Turned so that no two are conjugate
+(define (first-approximations circles)
+  (define n (apply + (map circle-count circles)))
+  (for*/list ([c (in-list circles)] [count (in-value (circle-count c))] [j (in-range count)])
     (inexact->exact
-     (make-polar radius (+ 0.7 (* 2 pi (+ (/ j count) (/ (car a) n count))))))))
+     (make-polar (circle-radius c)
+                 (+ 0.7 (* 2 pi (+ (/ j count) (/ (circle-within c) n count))))))))
 
 (define (log-size c) (log (exact-size c)))
 (define (slope a b) (/ (- (cdr b) (cdr a)) (- (car b) (car a))))

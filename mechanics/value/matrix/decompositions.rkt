@@ -3,7 +3,8 @@
 
 (require racket/flonum
          racket/list
-         "eigenvalues.rkt" "linear-algebra.rkt" "matrix.rkt" "numeric-eigenvectors.rkt"
+         "eigenvalues.rkt" "exact-eigenvectors.rkt" "linear-algebra.rkt" "matrix.rkt"
+         "numeric-eigenvectors.rkt"
          "../simplify.rkt" "../structure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/wrong-argument.rkt"
          "../../numeric/flvector.rkt"
@@ -19,9 +20,12 @@
 ;; A list of (eigenvalue eigenvector ...), the vectors up tuples.
 (define (eigenvectors m)
   (define rows (or (square-entries 'eigenvectors m) (raise-no-matrix 'eigenvectors m)))
-  (cond [(not (inexact-entries? rows)) (vectors-of-null-spaces rows)]
+  (cond [(all-entries? exact-rational? rows) (exact-eigenvectors (matrix rows))]
+        [(not (inexact-entries? rows)) (vectors-of-null-spaces rows)]
         [(and (all-entries? real? rows) (symmetric? rows)) (vectors-of-symmetric rows)]
         [else (numeric-eigenvectors (rows-map exact->inexact rows))]))
+
+(define (exact-rational? x) (and (rational? x) (exact? x)))
 
 (define (inexact-entries? rows)
   (and (all-entries? number? rows) (not (all-entries? exact? rows))))

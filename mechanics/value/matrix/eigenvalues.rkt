@@ -3,9 +3,8 @@
 ;;
 ;; Zeros first: rows and columns that reach one another form a block, and the
 ;; eigenvalues are those of the blocks.  A block of one row is its own; (a b; c d)
-;; has (τ ± √((a - d)² + 4 b c))/2, with the trace τ.  Of flonums the roots are taken of
-;; exact numbers, and one of the two, which may lose its digits in the difference, is the
-;; determinant over the other.  Greater blocks lead to equations of higher degree: those of
+;; has (τ ± √((a - d)² + 4 b c))/2, with the trace τ; of numbers, decimals too, to all digits
+;; (surd.rkt).  Greater blocks lead to equations of higher degree: those of
 ;; flonums are left to the algorithms of numeric/, others are refused.
 ;;
 ;; How much roundings change eigenvalues, those of a neighbor tell: the transposed matrix, its
@@ -13,7 +12,7 @@
 
 (require racket/flonum
          racket/list
-         "linear-algebra.rkt" "row-systems.rkt" "unsure-digits.rkt"
+         "linear-algebra.rkt" "row-systems.rkt" "surd.rkt" "unsure-digits.rkt"
          "../simplify.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
@@ -22,12 +21,11 @@
          "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
          "../../numeric/flvector.rkt"
-         "../../numeric/linear-algebra/row-matrix.rkt"
-         "../../numeric/linear-algebra/matrix-scaling.rkt")
+         "../../numeric/linear-algebra/row-matrix.rkt")
 
 (provide characteristic-polynomial eigenvalues
-         ;; for eigenvectors
-         (struct-out sure) spectrum)
+         ;; for eigenvectors and roots
+         (struct-out sure) spectrum exact-spectrum decimal)
 
 (require-on-demand
  ["../../numeric/linear-algebra/general-eigenvalues.rkt" real-matrix-eigenvalues]
@@ -64,19 +62,45 @@
 
 ;; -> a list of sure
 (define (spectrum who m)
-  (append-map (lambda (block) (block-spectrum m block))
+  (append-map (lambda (block) (block-spectrum who m block))
               (rows-diagonal-blocks (square who m))))
 
-(define (block-spectrum m block)
+(define (block-spectrum who m block)
   (define (exactly x) (sure x 0))
   (cond [(= (vector-length block) 1) (list (exactly (entry block 0 0)))]
-        [(flonums? block) (numeric-spectrum m block)]
-        [(= (vector-length block) 2) (map exactly (two-eigenvalues block))]
-        [else (raise-degree m (vector-length block))]))
+        [(flonums? block) (numeric-spectrum who m block)]
+        [(not (= (vector-length block) 2)) (raise-degree m (vector-length block))]
+        [(all-entries? rational? block)
+         (for/list ([x (in-list (two-numbers block))]) (exactly (if (surd? x) (decimal who x) x)))]
+        [else (map exactly (two-eigenvalues block))]))
+
+;; Of a matrix of rational numbers, where its blocks have no more than two rows: rational numbers
+;; or surds
+(define (exact-spectrum who m)
+  (append*
+   (for/list ([block (in-list (rows-diagonal-blocks (square who m)))])
+     (case (vector-length block)
+       [(1) (list (entry block 0 0))]
+       [(2) (two-numbers block)]
+       [else (raise-degree m (vector-length block))]))))
+
+(define (two-numbers block)
+  (define-values (a b c d) (four-entries inexact->exact block))
+  (quadratic-roots (+ a d) (- (* a d) (* b c))))
+
+(define (four-entries f block)
+  (values (f (entry block 0 0)) (f (entry block 0 1)) (f (entry block 1 0)) (f (entry block 1 1))))
+
+;; The decimal of a surd or a rational number
+(define (decimal who x)
+  (define z (exact->inexact (if (surd? x) (surd->number x) x)))
+  (if (< (magnitude z) +inf.0)
+      z
+      (complain who "there are values beyond 1.8e308, where decimals end")))
+
 
 (define (two-eigenvalues block)
-  (define-values (a b c d)
-    (values (entry block 0 0) (entry block 0 1) (entry block 1 0) (entry block 1 1)))
+  (define-values (a b c d) (four-entries values block))
   (define trace (g:+ a d))
   (define root (without-signs (g:sqrt (g:+ (g:square (g:- a d)) (g:* 4 b c)))))
   (list (g:/ (g:+ trace root) 2) (g:/ (g:- trace root) 2)))
@@ -97,11 +121,14 @@
 
 ;; Of three or more from the least to the greatest, by real part and then by imaginary
 ;; part.
-(define (numeric-spectrum m block)
+(define (numeric-spectrum who m block)
   (define n (vector-length block))
   (define v (rows->flvector block))
   (check-finite m v)
-  (cond [(= n 2) (map (lambda (x) (sure x (* epsilon (magnitude x)))) (two-numeric-eigenvalues v))]
+  (cond [(= n 2)
+         (for/list ([x (in-list (two-numbers block))])
+           (define z (decimal who x))
+           (sure z (* epsilon (magnitude z))))]
         [else
          (define find (if (symmetric? block) symmetric-values real-matrix-eigenvalues))
          (define found (or (find v n) (raise-not-separate m)))
@@ -119,19 +146,6 @@
   (for*/flvector #:length (* n n) ([i (in-range n)] [j (in-range n)])
     (define change (flsin (->fl (+ 1 i j (* 3 i j)))))
     (fl* (flvector-ref v (+ (* j n) i)) (fl+ 1.0 (fl* (fl* 16.0 epsilon) change)))))
-
-(define (two-numeric-eigenvalues v)
-  (define unit (unit-of v))
-  (define-values (a b c d)
-    (apply values (map inexact->exact (flvector->list (in-units v unit)))))
-  (define-values (trace det) (values (+ a d) (- (* a d) (* b c))))
-  (define root (sqrt (exact->inexact (- (* trace trace) (* 4 det)))))
-  (define-values (plus minus)
-    (let ([sum (exact->inexact trace)]) (values (/ (+ sum root) 2) (/ (- sum root) 2))))
-  (for/list ([x (in-list (cond [(or (not (real? root)) (= trace 0)) (list plus minus)]
-                               [(> trace 0) (list plus (/ det plus))]
-                               [else (list (/ det minus) minus)]))])
-    (* unit (exact->inexact x))))
 
 (define (check-finite m v)
   (for ([x (in-flvector v)])

@@ -39,7 +39,7 @@
         [else
          (define monic (for/list ([c (in-list (drop-right coefficients 1))])
                          (simplify (g:/ c leading))))
-         (map simplify (eigenvalues (companion monic)))]))
+         (map simplify (map sure-value (spectrum 'polynomial-roots (companion monic))))]))
 
 (define (companion coefficients)
   (define n (length coefficients))
@@ -50,7 +50,10 @@
 
 (define (numeric-roots coefficients)
   (define all-exact? (andmap exact? coefficients))
-  (define found (complex-zeros (map inexact->exact coefficients)))
+  (define found
+    (or (complex-zeros (map inexact->exact coefficients))
+        (complain 'polynomial-roots
+                  "there are roots beyond 1.8e308 or next to 0, where decimals end")))
   (define-values (rational rest)
     (if all-exact? (rational-roots (map bounded-zero found) coefficients) (values '() '())))
   (cond [(pair? rational) (append rational (roots rest))]
