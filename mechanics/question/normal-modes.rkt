@@ -11,6 +11,7 @@
 
 (require racket/list
          (prefix-in algebra: "../algebra/expression/constant-value.rkt")
+         "../algebra/expression/symbols.rkt" "../algebra/zero/constant-bounds.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/elementary.rkt" "../generic/on-demand.rkt"
@@ -20,7 +21,8 @@
 
 (provide modes-of constant-value frequency-equation raise-not-positive)
 
-(require-on-demand ["../numeric/linear-algebra/numeric-modes.rkt" symmetric-modes gyroscopic-modes])
+(require-on-demand ["../numeric/linear-algebra/numeric-modes.rkt" gyroscopic-modes]
+                   ["refined-modes.rkt" refined-modes])
 
 ;; M, K, G : vectors of rows of simplified scalars
 ;; -> a list of (frequency component ...)
@@ -35,8 +37,17 @@
   (define (size mode) (constant-value (car mode)))
   (if (andmap real? (map size found)) (sort found < #:key size #:cache-keys? #t) found))
 
-;; The number that an expression without symbols is, or #f.
-(define (constant-value e) (if (number? e) e (algebra:constant-value e)))
+;; The number, real or imaginary, that an expression without symbols is, or #f.
+(define (constant-value e)
+  (define (value e) (or (constant-bounds e close-number) (algebra:constant-value e)))
+  (cond [(number? e) e]
+        [(pair? (symbols-in e)) #f]
+        [(value e)]
+        [(value (simplify (g:* -i e))) => (lambda (x) (* +i x))]
+        [else #f]))
+
+(define (close-number low high)
+  (and (<= (- high low) (* 1e-15 (abs low))) (exact->inexact low)))
 
 ;; Zeros where the block has no coordinate.
 (define (spread shape block n)
@@ -105,7 +116,7 @@
 
 (define (numeric-modes who M K G)
   (define modes
-    (if (all-entries? g:zero? G) (symmetric-modes M K) (gyroscopic-modes M K G)))
+    (if (all-entries? g:zero? G) (refined-modes who M K) (gyroscopic-modes M K G)))
   (or modes (raise-not-positive who M)))
 
 ;; M = μ M₀, K = κ K₀: ω² is κ/μ times that of the numbers M₀ and K₀.
@@ -113,7 +124,7 @@
   (define-values (mu M0) (numbers-with-factor M))
   (define-values (kappa K0) (numbers-with-factor K))
   (unless (and M0 K0 (all-entries? g:zero? G)) (raise-no-formula who M))
-  (for/list ([mode (in-list (or (symmetric-modes M0 K0) (raise-not-positive who M)))])
+  (for/list ([mode (in-list (or (refined-modes who M0 K0) (raise-not-positive who M)))])
     (cons (simplify (g:* (car mode) (g:sqrt (g:/ kappa mu)))) (cdr mode))))
 
 ;; The first entry that is not zero, unless it is a number, and the quotients by it;

@@ -74,16 +74,19 @@
 (define (small-oscillation-frequencies L q)
   (map car (modes-at 'small-oscillation-frequencies L q)))
 
-;; With e^{iωt} goes e^{-iωt}: where ω is not real, one of the two grows.
+;; With e^{iωt} goes e^{-iωt}: where ω is not real, one of the two grows.  Roundings may leave an
+;; imaginary part beside a real one.
 (define (note-growth omegas)
   (define sizes (filter values (map constant-value omegas)))
   (define scale (apply max 0 (map magnitude sizes)))
-  (define rate (apply max 0 (for/list ([w (in-list sizes)]) (abs (imag-part w)))))
-  (when (> rate (* 1e-7 scale))
+  (define (rate w) (abs (imag-part w)))
+  (define (grows? w) (> (rate w) (if (zero? (real-part w)) 0 (* 1e-7 scale))))
+  (define growing (filter grows? sizes))
+  (when (pair? growing)
     (note-with-result
      (format (string-append "a frequency that is not real belongs to no oscillation: this one "
                             "grows as (exp (* ~a t)); the equilibrium is unstable")
-             rate))))
+             (apply max (map rate growing))))))
 
 ;; -> a list of (frequency component ...)
 (define (modes-at who given q)

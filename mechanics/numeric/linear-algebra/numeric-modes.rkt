@@ -13,12 +13,27 @@
          "symmetric-eigenvalues.rkt"
          "../flvector.rkt")
 
-(provide symmetric-modes gyroscopic-modes)
+(provide symmetric-modes gyroscopic-modes
+         ;; for modes that are refined
+         (struct-out mode) pencil-modes mode-terms frequency+shape)
 
 ;; M, K : vectors of rows of real numbers; M positive definite
 ;; -> a list of (frequency component ...), from slow to fast, or #f if M is not;
 ;;    frequencies that are imaginary grow and decay
 (define (symmetric-modes M K)
+  (define modes (pencil-modes M K))
+  (and modes (map (lambda (m) (frequency+shape (mode-square m) (mode-within m) (mode-shape m)))
+                  modes)))
+
+;; ω², what roundings may change it by, and the shape x, a list, with x·M x = 1
+(struct mode (square within shape) #:authentic)
+
+;; Zero frequencies are found but for rounding.
+(define (frequency+shape square within shape)
+  (cons (sqrt (if (<= (abs square) within) 0.0 square)) (first-one shape)))
+
+;; -> a list of modes, from slow to fast, or #f if M is not positive definite
+(define (pencil-modes M K)
   (define n (vector-length M))
   (define L (Cholesky M))
   (and L
@@ -30,15 +45,15 @@
            (define shape
              (for/list ([row (in-vector G)])
                (for/fold ([s 0.0]) ([x (in-vector row)] [y (in-flvector v)]) (+ s (* x y)))))
-           (cons (sqrt (clean square K shape)) (first-one shape))))))
+           (mode square (* 1e-14 n (mode-terms M K square shape)) shape)))))
 
-;; Zero frequencies are found but for rounding: ω² is x·K x with the shape x, a sum of terms.
-(define (clean square K shape)
-  (define terms
-    (for*/sum ([(row x) (in-parallel (in-vector K) (in-list shape))]
+;; ω² is x·K x with the shape x: the sizes of its terms, and of those that M contributes.
+(define (mode-terms M K square shape)
+  (define (terms rows)
+    (for*/sum ([(row x) (in-parallel (in-vector rows) (in-list shape))]
                [(k y) (in-parallel (in-vector row) (in-list shape))])
       (abs (* x k y))))
-  (if (<= (abs square) (* 1e-14 (vector-length K) terms)) 0.0 square))
+  (+ (terms K) (* (abs square) (terms M))))
 
 ;; The multiple with first component 1; components that are but rounding beside it become 0.
 (define (first-one components)
