@@ -83,7 +83,7 @@
   (define (grows? w) (> (rate w) (if (zero? (real-part w)) 0 (* 1e-7 scale))))
   (define growing (filter grows? sizes))
   (when (pair? growing)
-    (note-with-result
+    (note-once
      (format (string-append "a frequency that is not real belongs to no oscillation: this one "
                             "grows as (exp (* ~a t)); the equilibrium is unstable")
              (apply max (map rate growing))))))

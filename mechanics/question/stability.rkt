@@ -12,14 +12,12 @@
 ;;                    |M| ω⁴ − b ω² + |K| = 0, oscillate if b, |K| and b² − 4 |M| |K| are
 ;;                    positive, and leave exponentially if one of these is negative.
 ;;
-;; K is positive if its leading minors are; if one of them is negative it is not.
+;; K is positive if its leading minors are; if one of them is negative it is not.  Of decimals a
+;; minor within roundings of 0 tells nothing (decimals-as-symbols.rkt).
 
 (require racket/list
-         "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt" "argument-order.rkt"
-         "small-oscillations.rkt"
-         "../algebra/expression/expression.rkt"
-         (only-in "../algebra/solve/root.rkt" sign-and-rest)
-         "../algebra/simplify/simplify-expression.rkt"
+         "decimals-as-symbols.rkt" "equilibria.rkt" "equilibrium.rkt" "normal-modes.rkt"
+         "argument-order.rkt" "small-oscillations.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/no-truth-value.rkt" "../generic/value-struct.rkt"
@@ -52,13 +50,16 @@
   (check-equilibrium L q)
   (define number (scalar-valued 'equilibrium-stability L))
   (check-autonomous 'equilibrium-stability number q)
-  (define-values (M K G) (forms number q))
-  (check-inertia M)
-  (define at-rest (judged 'stable (leading-minors K)))
+  (define-values (named q* decimals) (with-decimals-named number q))
+  (define-values (M K G) (forms named q*))
+  (define (sign e) (sign-or-rest e (assumptions-in-force) decimals))
+  (when (ormap (lambda (minor) (memv (sign minor) '(-1 0))) (leading-minors M))
+    (raise-singular-inertia number q))
+  (define at-rest (judged 'stable (leading-minors K) sign))
   (if (and (not (all-entries? g:zero? G))
            (not (and (eq? (stability-kind at-rest) 'stable)
                      (null? (stability-conditions at-rest)))))
-      (turning-stability L q M K G)
+      (turning-stability L q M K G sign)
       at-rest))
 
 (define (check-equilibrium L q)
@@ -68,12 +69,12 @@
               "these coordinates are not an equilibrium\n  coordinates: ~a\n  residual: ~a"
               (value->text q) (value->text (verdict-residual v)))))
 
-;; M, K, G : vectors of rows
 ;; M > 0, unless its parameters leave that open.
-(define (check-inertia M)
-  (when (ormap (lambda (minor) (memv (known-sign minor) '(-1 0))) (leading-minors M))
-    (raise-not-positive 'equilibrium-stability M)))
+(define (raise-singular-inertia L q)
+  (define-values (M _K _G) (forms L q))
+  (raise-not-positive 'equilibrium-stability M))
 
+;; M, K, G : vectors of rows
 (define (leading-minors K)
   (for/list ([n (in-range 1 (add1 (vector-length K)))])
     (simplify (rows-determinant (submatrix K (range n) (range n))))))
@@ -81,8 +82,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Where velocities act
 
-(define (turning-stability L q M K G)
-  (cond [(= (vector-length M) 2) (judged 'linearly-stable (oscillation-conditions M K G))]
+(define (turning-stability L q M K G sign)
+  (cond [(= (vector-length M) 2) (judged 'linearly-stable (oscillation-conditions M K G) sign)]
         [else (by-frequencies (map constant-value (small-oscillation-frequencies L q)))]))
 
 ;; |K|, b and b² − 4 |M| |K|
@@ -105,19 +106,13 @@
 ;; Signs
 
 ;; The verdict if all of these must be positive, and none may be negative.
-(define (judged kind quantities)
-  (define signs (map known-sign quantities))
+(define (judged kind quantities sign)
+  (define signs (map sign quantities))
   (cond [(memv -1 signs) (stability 'unstable '())]
         [(memv 0 signs) (stability 'undecided '())]
         [else
          (stability kind (for/list ([s (in-list (remove-duplicates signs))] #:unless (eqv? s 1))
                            (list '> s 0)))]))
-
-;; 1, 0 or −1, or an expression of the same sign.
-(define (known-sign e)
-  (define A (assumptions-in-force))
-  (define-values (sign rest) (sign-and-rest e A))
-  (if (eqv? rest 1) sign (simplify-expression (e:* sign rest) A)))
 
 ;; ---------------------------------------------------------------------------
 

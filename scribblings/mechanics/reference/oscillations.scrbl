@@ -16,14 +16,15 @@ e@superscript{iωt}.
 The modes about the equilibrium q, a scalar or an @racket[up], each as @racket[(up
 frequency shape)]. The frequency is an angular one, in radians per unit of time; the
 shape has the shape of q, and its first component that is not zero is 1. A frequency
-whose square is negative belongs to an equilibrium that is left exponentially, as a note with each
-result says; @racket[equilibrium-stability] says whether it is stable.
+whose square is negative belongs to an equilibrium that is left exponentially, which is told
+once in a session; @racket[equilibrium-stability] says whether it is stable.
 
 Coordinates that do not act on one another are parted. One or two that do have
 formulas in the parameters; so have more whose masses and stiffnesses are numbers but
 for a common factor, as in a chain of equal pendulums. Otherwise the parameters must
 be numbers. Of exact numbers one or two coordinates have exact frequencies, more have
-flonums.
+flonums with all digits, up to 16 coordinates that act on one another, however unlike they are. Of
+decimals a note names frequencies of which roundings leave fewer than half of the digits.
 
 @examples[#:eval session
 (define ((L-pendulums m1 m2 l g) (up t (up a b) (up va vb)))
