@@ -13,7 +13,7 @@
 (require racket/list
          "derivative.rkt" "dual.rkt" "gradient-tape.rkt" "Taylor-number.rkt"
          "perturbed-value.rkt"
-         "moving-places.rkt" "recorded-number.rkt"
+         "moving-places.rkt" "peak-places.rkt" "recorded-number.rkt"
          "../error/note.rkt"
          "../generic/arithmetic.rkt" "../generic/branches.rkt" "../generic/elementary.rkt"
          "../generic/number-argument.rkt" "../generic/sums-and-products.rkt"
@@ -149,7 +149,7 @@
       (define-values (value bound)
         (parameterize ([current-branches note])
           (improper-quadrature (counted t (impatient t f sample)) low high
-                               #:search? (task-search? t)
+                               #:search? (task-search? t) #:peaks (lambda () (peak-places f))
                                #:tolerance tolerance #:name (task-who t))))
       (set-task-bound! t (+ bound (task-bound t)))
       value))

@@ -26,9 +26,11 @@
 (define (refined-modes who M K)
   (define found (pencil-modes M K))
   (define modes
-    (and found (if (settled? who K found) (map without-rounding found) (exact-modes who M K found))))
-  (when modes (note-unsure who (append-map unsure-frequency modes) "exact numbers leave all digits"))
-  (and modes
+    (cond [(not found) '()]
+          [(settled? who K found) (map without-rounding found)]
+          [else (exact-modes who M K found)]))
+  (note-unsure who (append-map unsure-frequency modes) "exact numbers leave all digits")
+  (and found
        (for/list ([m (in-list modes)])
          (frequency+shape (mode-square m) (mode-within m) (mode-shape m)))))
 

@@ -22,7 +22,8 @@
 ;; method : 'quasi-newton, 'nelder-mead or #f; watch : called with each point reached and the
 ;; value there -> minimum, and the same point as flvector
 (define (minimum-near t method tolerance watch)
-  (let loop ([x (objective-start t)] [method* method] [first-metric #f] [best #f] [count 0] [round 0])
+  (let loop ([x (objective-start t)] [method* method] [first-metric #f]
+             [best #f] [count 0] [round 0])
     (define e (search t x method* tolerance watch first-metric))
     (define all (+ count (end-count e)))
     (define better? (or (not best) (< (end-y e) (end-y best))))

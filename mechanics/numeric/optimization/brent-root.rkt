@@ -160,8 +160,8 @@
        (> gap (* 1e-6 (max (abs (point-y a)) (abs (point-y b)))))
        (> gap (* 10.0 (+ (spread p (- outwards)) (spread q outwards))))))
 
-;; The points between p and q where the sign changes from one number to the next, that nearer to zero
-;; first
+;; The points between p and q where the sign changes from one number to the next, first that
+;; nearer to zero
 (define (side-by-side f p q)
   (define x (* 0.5 (+ (point-x p) (point-x q))))
   (cond [(or (= x (point-x p)) (= x (point-x q)))

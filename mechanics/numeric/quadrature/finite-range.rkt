@@ -13,8 +13,8 @@
 (provide (struct-out question) over-interval call-or-fail both)
 
 ;; Constants of all parts of an integral.  (search?) tells whether to look between the nodes of
-;; panels.
-(struct question (tolerance who search?) #:authentic)
+;; panels; (peaks) are numbers near which to look, too.
+(struct question (tolerance who search? peaks) #:authentic)
 
 ;; Two integrals and their bounds added.
 (define (both one other)
@@ -40,7 +40,7 @@
   (define who (question-who q))
   (define (plain edge divide)
     (quadrature/error f a b #:tolerance tolerance #:place place #:edge edge #:name who
-                      #:search? (question-search? q)
+                      #:search? (question-search? q) #:peaks (question-peaks q)
                       #:stuck (lambda (value bound x) (when x (divide x)))))
   (define (divided-at c return)
     (when (and (< a c b) (> divisions 0))

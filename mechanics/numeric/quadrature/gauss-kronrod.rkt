@@ -44,7 +44,7 @@
 ;; interval is to be halved, unless between the nodes something was found; (stuck value
 ;; bound x) when no halving helps, at an x where a panel cannot be halved any more, or #f if
 ;; there are too many; (place x) is the user's variable for x; (search?) tells whether to look
-;; between the nodes.
+;; between the nodes, and (peaks) near which numbers, as flonums, too.
 (define (quadrature/error f low high
                           #:tolerance [tolerance 1e-10]
                           #:limit [limit most-panels]
@@ -52,6 +52,7 @@
                           #:edge [edge void]
                           #:stuck [stuck void]
                           #:search? [search? never]
+                          #:peaks [peaks list]
                           #:name [who 'quadrature])
   (check-finite who low "limit of integration")
   (check-finite who high "limit of integration")
@@ -66,14 +67,15 @@
   (define tolerated (max (real->double-flonum tolerance) (* 2.0 rounding)))
   (define (raise-rounded value bound worst)
     (raise-rounded-integral who value bound (place (panel-centre worst))))
-  (refine (task g whole tolerated limit raise-stuck raise-rounded edge search?) (list whole) 1 #f))
+  (define t (task g whole tolerated limit raise-stuck raise-rounded edge search? peaks))
+  (refine t (list whole) 1 #f))
 
 (define (never) #f)
 
 (define most-panels 10000)
 
 ;; Constants of the halving; whole : the first panel
-(struct task (f whole tolerance limit raise-stuck raise-rounded edge search?) #:authentic)
+(struct task (f whole tolerance limit raise-stuck raise-rounded edge search? peaks) #:authentic)
 
 ;; count : how many panels; probes : #f as long as none were taken
 (define (refine t panels count probes)
@@ -98,7 +100,7 @@
     [((task-search? t))
      (define whole (task-whole t))
      (define sorted (panels-from-the-left panels))
-     (define probes (or taken (take-probes (task-f t) sorted (fl> size 0.0))))
+     (define probes (or taken (take-probes (task-f t) sorted (fl> size 0.0) ((task-peaks t)))))
      (define-values (all-wrong again) (contradicted t sorted probes size))
      (define wrong (filter (lambda (p) (not (indivisible? p whole))) all-wrong))
      (cond [(null? wrong) (finish t panels value bound size)]

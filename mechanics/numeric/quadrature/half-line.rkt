@@ -18,6 +18,8 @@
   (define tolerance (question-tolerance q))
   (define unit (max 1.0 (abs from)))
   (define near (+ from (* direction unit)))
+  (define (peaks) (map (lambda (x) (/ unit (+ unit (abs (- x near))))) ((question-peaks q))))
+  (define q* (struct-copy question q [peaks peaks]))      ; in the variable t
   (define (x t) (+ near (* direction unit (/ (- 1.0 t) t))))
   (define (h t) (/ (* unit (sample who f (x t))) t t))
   (define (along s) (sample who f (+ near (* direction s))))
@@ -26,7 +28,7 @@
     (raise-divergent-integral who 0.0 +inf.0 (* direction +inf.0)))
   (define (far)
     (let/ec return
-      (call-or-fail (lambda () (over-interval q h 0.0 1.0 x 0)) return)
+      (call-or-fail (lambda () (over-interval q* h 0.0 1.0 x 0)) return)
       (define endless?
         (let/ec endless
           (call-or-fail (lambda () (oscillating-quadrature along unit tolerance
@@ -36,7 +38,7 @@
       (when endless? (never-ending))
       (call-or-fail (lambda () (periodic-quadrature along unit tolerance)) return)
       (call-or-fail (lambda () (barely-to-infinity q f near direction)) return)
-      (over-interval q h 0.0 1.0 x)))
+      (over-interval q* h 0.0 1.0 x)))
   (both beginning far))
 
 ;; In u = log |x|

@@ -9,17 +9,19 @@
 (provide improper-quadrature)     ; (improper-quadrature f low high) -> flonum, error bound
 
 ;; The tolerance is relative to ∫ |f|, over each half of an infinite range.
-;; (search?) tells whether to look for peaks between the nodes of the method.
+;; (search?) tells whether to look for peaks between the nodes of the method; (peaks) is a list of
+;; flonums near which there may be some.
 (define (improper-quadrature f low high
                              #:tolerance [tolerance 1e-10]
                              #:search? [search? always]
+                             #:peaks [peaks list]
                              #:name [who 'quadrature])
   (check-limit who low)
   (check-limit who high)
   (check-tolerance who tolerance)
   (define a (real->double-flonum low))
   (define b (real->double-flonum high))
-  (define q (question tolerance who search?))
+  (define q (question tolerance who search? peaks))
   (cond [(= a b) (values 0.0 0.0)]
         [(> a b)
          (define-values (value bound) (between q f b a))

@@ -5,8 +5,8 @@
 ;; interval, 192 to its length, find one that is a thousandth of it wide; they are left out
 ;; where panels are so narrow that their own nodes are as close.  Others close in on both ends,
 ;; and on 0 if it lies between, in steps of a factor 16, for the mass of e^(−x) over 0 … 10⁶ is
-;; there.  Where a value differs from the polynomial of its panel by more than that may be
-;; wrong, the panel is *suspect*.  Of a function that was 0 wherever it was seen, peaks are
+;; there; and on places of peaks that are given.  Where a value differs from the polynomial of its
+;; panel by more than that may be wrong, the panel is *suspect*.  Of a function that was 0 wherever it was seen, peaks are
 ;; sought five times as closely, and to the smallest numbers.
 ;;
 ;; What the polynomial may be wrong by follows from the estimate of panel.rkt, whose error to
@@ -26,8 +26,8 @@
 (struct probe (x y) #:authentic)
 
 ;; -> a list in increasing order of x; f has no value at some, as ∞ · 0 far out
-;; panels : from the left; seen? : was f anything but 0?
-(define (take-probes f panels seen?)
+;; panels : from the left; seen? : was f anything but 0?; places : of peaks
+(define (take-probes f panels seen? places)
   (define low (panel-least (first panels)))
   (define high (panel-greatest (last panels)))
   (define width (fl- high low))
@@ -35,9 +35,9 @@
     (append (closing-in low width seen?)
             (spread-points panels low width (if seen? 192 1000))
             (closing-in high (fl- 0.0 width) seen?)
-            (if (fl< low 0.0 high)
-                (append (closing-in 0.0 high seen?) (closing-in 0.0 low seen?))
-                '())))
+            (append*
+             (for/list ([c (in-list (remove-duplicates (cons 0.0 places)))] #:when (fl< low c high))
+               (append (closing-in c (fl- high c) seen?) (closing-in c (fl- low c) seen?))))))
   (probes-at f (filter (lambda (x) (fl< low x high)) (sort points fl<))))
 
 ;; One handler for all points: a new one for each takes longer than most functions.

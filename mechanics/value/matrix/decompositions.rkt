@@ -7,6 +7,7 @@
          "numeric-eigenvectors.rkt"
          "../simplify.rkt" "../structure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/wrong-argument.rkt"
+         (only-in "../../numeric/finite-number.rkt" exact-rational?)
          "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
          "../../numeric/linear-algebra/singular-values.rkt"
@@ -24,8 +25,6 @@
         [(not (inexact-entries? rows)) (vectors-of-null-spaces rows)]
         [(and (all-entries? real? rows) (symmetric? rows)) (vectors-of-symmetric rows)]
         [else (numeric-eigenvectors (rows-map exact->inexact rows))]))
-
-(define (exact-rational? x) (and (rational? x) (exact? x)))
 
 (define (inexact-entries? rows)
   (and (all-entries? number? rows) (not (all-entries? exact? rows))))

@@ -144,8 +144,10 @@ enough; otherwise it says that the integral was not found.
 computed; its value is returned. The bound is an estimate, as in all methods that know f by
 samples only. It counts the rounding of the points where f is evaluated, but not the rounding
 within f. When the sum of estimates is small enough, f is sampled at some 220 other points, spread
-evenly and closing in on the ends and on 0. So peaks of a thousandth of the interval are found,
-and @racket[(exp (- x))] between 0 and a million; a much narrower peak may be missed. Where f was
+evenly and closing in on the ends, on 0, and on the zeros and turning points of parts of f that are
+linear or quadratic. So peaks of a thousandth of the interval are found, @racket[(exp (- x))]
+between 0 and a million, and a peak of @racket[(exp (* -1e10 (square (- x c))))] wherever c is; a
+much narrower peak of another form may be missed. Where f was
 0.0 at all points the bound is @racket[+inf.0], and a note says so. Integrals
 within integrals are not sampled in this way, for that would take too long.
 

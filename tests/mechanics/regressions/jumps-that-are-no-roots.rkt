@@ -20,8 +20,8 @@
    (find-root step 0 1)
    exn:fail:mechanics:singular?)
   (for ([f (list step uneven stairs)])
-    (check-exn #rx"^find-root: the function changes its sign at a jump" (lambda () (find-root f 0 1)))
-    (check-exn #rx"^find-root: the function changes its sign at a jump" (lambda () (find-root f 1 0)))
+    (check-exn #rx"^find-root: .* at a jump" (lambda () (find-root f 0 1)))
+    (check-exn #rx"^find-root: .* at a jump" (lambda () (find-root f 1 0)))
     (check-exn #rx"^find-root: .* at a jump" (lambda () (find-root (lambda (x) (- (f x))) 0 1)))))
 
 (test-case "bisect finds it nevertheless"
