@@ -98,12 +98,7 @@
   (check-argument who expression? y "a function that gives an expression or a number")
   (define e (simplified-integrand y x inside))
   (define F (or (antiderivative e x inside #t) (antiderivative-in-claim claim e x low high inside)))
-  (unless F
-    (raise-no-answer who
-                     (string-append "no formula was found for the integral of ~a"
-                                    "\n  give its symbols values first: "
-                                    "(substitute expression 'm 3 ...)")
-                     (value->text e)))
+  (unless F (raise-no-formula who e (remq x (append-map symbols-in (list e low high))) low high))
   (define conditions (integral-conditions-of e F x low high A))
   (unless conditions (raise-interrupted who e))
   (note! conditions)
@@ -149,6 +144,17 @@
   (if (ormap (lambda (g) (memq x (flatten g))) grounds)
       (simplify-expression y (with-automatic-assumptions A #f))
       e))
+
+;; names : the symbols that keep the integral from being a number
+(define (raise-no-formula who e names low high)
+  (raise-no-answer who
+                   (string-append "no formula was found for the integral of ~a\n  "
+                                  (if (null? names)
+                                      (format "its number is (definite-integral f ~a ~a)"
+                                              (value->text low) (value->text high))
+                                      (string-append "give its symbols values first: "
+                                                     "(substitute expression 'm 3 ...)")))
+                   (value->text e)))
 
 (define (raise-interrupted who e)
   (raise-singular who

@@ -3,9 +3,9 @@
 ;; symbols are in an end or in the integrand, there is a formula if an antiderivative is found.
 
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
-         "../error/failure.rkt" "../error/note.rkt" "../error/refusal.rkt"
+         "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt"
-         "../generic/branches.rkt" "../generic/define-plain.rkt" "../generic/function.rkt"
+         "../generic/branches.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
 
 (require-on-demand
@@ -21,11 +21,21 @@
 ;; report    : receives the value, a bound of its error, the number of evaluations
 (define-plain (definite-integral f low high [eps 1e-10]
                                  #:tolerance [tolerance eps] #:report [report first-of-three])
+  (check-no-variable f low high tolerance)
   (integrate 'definite-integral f low high tolerance #:report report))
 
 (define-plain (definite-integral-with-tolerance f low high tolerance
                                                 #:report [report first-of-three])
   (integrate 'definite-integral-with-tolerance f low high tolerance #:report report))
+
+;; An integral is written with its variable elsewhere: ∫ sin x dx from 0 to 1
+(define (check-no-variable f low high tolerance)
+  (when (and (symbol? low) (not (and (real? tolerance) (< 0 tolerance 0.1))))
+    (complain 'definite-integral
+              (string-append "expected a function and two ends; the function says which variable is "
+                             "meant: (definite-integral f ~a ~a)\n  given: ~a, ~a and ~a after it")
+              (value->text high) (value->text tolerance)
+              (value->text low) (value->text high) (value->text tolerance))))
 
 ;; The same on behalf of `who`.
 (define (integrate who f low high tolerance #:report [report first-of-three])

@@ -4,7 +4,7 @@
 
 (require "function.rkt" "kind.rkt" "multiplied-function.rkt" "wrong-argument.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
-         "../error/hint.rkt"
+         "../error/complain.rkt" "../error/hint.rkt"
          "../numeric/finite-number.rkt")
 
 (provide known-number number number-beneath
@@ -44,4 +44,9 @@
 
 (define (check-function-of-one-variable who f)
   (unless (and (procedure? f) (accepts? f 1))
-    (raise-other-function who "a function of one variable" f)))
+    (if (and (symbol? f) (regexp-match? #rx".[-+*/^]." (symbol->string f)))
+        (complain who
+                  (string-append "expected a function of one variable\n  given: the symbol ~a"
+                                 "\n  ~a is one name; a function is (lambda (x) (+ x 1))")
+                  f f)
+        (raise-other-function who "a function of one variable" f))))

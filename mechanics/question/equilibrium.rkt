@@ -5,7 +5,7 @@
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/notation.rkt"
          "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
-         "../value/shape.rkt")
+         "../value/shape.rkt" (only-in "../value/structure.rkt" s:length s:ref))
 
 (provide equilibrium equilibrium?
          check-coordinates)
@@ -27,6 +27,10 @@
   (unless (or (scalar? q) (and (tuple? q) (up? q)))
     (complain who "expected coordinates, a scalar or an up tuple of scalars\n  given: ~a~a"
               (if (equilibrium? q) q (describe-with-value q)) (hint q)))
+  (when (and (tuple? q) (= (s:length q) 3)
+             (eq? (s:ref q 0) 't) (same-shape? (s:ref q 1) (s:ref q 2)))
+    (complain who "expected coordinates\n  given: ~a, a local tuple\n  its coordinates are ~a"
+              (value->text q) (value->text (s:ref q 1))))
   (define all (scalars q))
   (when (null? all) (complain who "expected coordinates; given an up tuple of none"))
   (for ([x (in-list all)])

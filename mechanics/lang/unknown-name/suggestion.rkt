@@ -26,13 +26,18 @@
           [(not formula) (format "as a symbol it is written '~s~a" name (or-number name))]
           [(or (not letter) (notation-sentence name)) #f]
           [else (format "a symbol in it is quoted, as '~s" letter)]))
-  (define print (typographic-sentence name))
+  (define print (or (typographic-sentence name) (power-sentence name)))
   (if print
       (list print)
       (filter values (list (or advice (suggestion name known)) about-symbol more))))
 
 ;; id : an unknown name -> advice on the signs around it, or #f
 (define (advice-on-name id) (and (escaped? id) (about-escapes id)))
+
+;; Of ^2, as in (sin x)^2
+(define (power-sentence name)
+  (define found (regexp-match #rx"^(\\^|[*][*])(.+)$" (symbol->string name)))
+  (and found (format "a power comes first, as in (expt (sin x) ~a)" (caddr found))))
 
 ;; -> text or #f
 (define (suggestion name known)

@@ -42,7 +42,7 @@
     (observe (argument x) (flvector->list f))
     (unless (flvector-finite? f) (raise-no-step who "the functions are not finite" (argument x) f))
     (define J (and (> (greatest f) 0.0) (jacobian x)))
-    (define p (and J (or (solution J f) (raise-no-step who no-inverse (argument x) f))))
+    (define p (and J (or (solution J f) (raise-no-step who (no-inverse f) (argument x) f))))
     (cond
       [(not p) (values x 0.0)]
       [(short? p x (real->double-flonum tolerance)) (values (along x 1.0 p) (greatest p))]
@@ -52,7 +52,10 @@
        (unless next (not-found "no step leads closer to a root" x p f count))
        (loop next f* (+ count 1))])))
 
-(define no-inverse "the derivatives of the functions have no inverse")
+(define (no-inverse f)
+  (if (= (flvector-length f) 1)
+      "no root seen: the derivative is 0 here, and the value is not"
+      "the derivatives of the functions have no inverse"))
 
 ;; −J⁻¹ f, or #f
 (define (solution J f)

@@ -45,7 +45,7 @@
 
 (define (decimals surds)
   (define numbers (map surd->number surds))
-  (define greatest (argmax size numbers))
+  (define greatest (argmax size-squared numbers))
   (apply up (map (lambda (x) (exact->inexact (/ x greatest))) numbers)))
 
-(define (size z) (+ (abs (real-part z)) (abs (imag-part z))))
+(define (size-squared z) (+ (expt (real-part z) 2) (expt (imag-part z) 2)))

@@ -7,7 +7,7 @@
 
 (require "row-products.rkt"
          "../structure.rkt"
-         "../../error/complain.rkt"
+         "../../error/complain.rkt" (only-in "../../error/hint.rkt" quoted-expression?)
          "../../generic/arithmetic.rkt" "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/dispatch.rkt" "../../generic/function.rkt" "../../generic/kind.rkt"
          "../../generic/notation.rkt" "../../generic/on-demand.rkt" "../../generic/up-down.rkt"
@@ -95,12 +95,25 @@
   (matrix (rows-transpose (list->vector vectors))))
 
 (define (row->vector who r)
-  (cond [(and (list? r) (ormap pair? r))
+  (cond [(and (list? r) (ormap quoted-expression? r))
+         (complain who
+                   (string-append "formulas in a quoted list are not computed; without its quote "
+                                  "the row is ~a\n  given: '~s")
+                   (as-program (cons 'list r)) r)]
+        [(and (list? r) (ormap pair? r))
          (complain-showing
           who (format "each list is an argument of its own: (~a '(1 2) '(3 4))" who) "given" r)]
         [(list? r) (list->vector r)]
         [(tuple? r) (structure-elements (adopt r))]
         [else (complain-of-argument who "a row: a list or a tuple" r)]))
+
+;; The text of a datum as a program that makes it: symbols are quoted, heads of lists are not.
+(define (as-program datum)
+  (cond [(symbol? datum) (format "'~s" datum)]
+        [(pair? datum)
+         (format "(~a~a)" (car datum)
+                 (apply string-append (map (lambda (d) (format " ~a" (as-program d))) (cdr datum))))]
+        [else (format "~s" datum)]))
 
 (define (check-equal-lengths who vectors)
   (when (null? vectors)
