@@ -6,8 +6,7 @@
 ;; them: the determinant is then 0, as it is whatever 0.1 and 0.7 stand for.  Where the names do not
 ;; tell, balls do, or it is open: each decimal is uncertain by some units in its last place.
 
-(require (only-in racket/list remove-duplicates)
-         "../algebra/ball/ball-tape.rkt" "../algebra/ball/ball-value.rkt"
+(require "../algebra/ball/ball-tape.rkt" "../algebra/ball/ball-value.rkt"
          "../algebra/assumption/signs.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/substitute.rkt"

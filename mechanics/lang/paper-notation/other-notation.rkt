@@ -58,7 +58,7 @@
     ("its name is ->TeX" ->tex-equation ->tex ->latex)
     ("its name is simplify" Simplify FullSimplify)
     ("infinity is +inf.0" inf Inf infinity Infinity oo ∞ :infinity :+infinity +infinity)
-    ("minus infinity is -inf.0" -inf -infinity -Infinity -oo -∞ :-infinity)
+    ("infinity is +inf.0, its opposite -inf.0" -inf -infinity -Infinity -oo -∞ :-infinity)
     ("the true value is #t, the false one #f" true false True False)
     ("a definition is (define (f x) ...)" def defun function)
     ("a function without a name is (lambda (x) ...)" fn fun)

@@ -6,8 +6,8 @@
 ;; where panels are so narrow that their own nodes are as close.  Others close in on both ends,
 ;; and on 0 if it lies between, in steps of a factor 16, for the mass of e^(−x) over 0 … 10⁶ is
 ;; there; and on places of peaks that are given.  Where a value differs from the polynomial of its
-;; panel by more than that may be wrong, the panel is *suspect*.  Of a function that was 0 wherever it was seen, peaks are
-;; sought five times as closely, and to the smallest numbers.
+;; panel by more than that may be wrong, the panel is *suspect*.  Of a function that was 0 wherever
+;; it was seen, peaks are sought five times as closely, and to the smallest numbers.
 ;;
 ;; What the polynomial may be wrong by follows from the estimate of panel.rkt, whose error to
 ;; the power 2/3 is the distance of two rules: about tolerance^(2/3) of the mean of |f|,

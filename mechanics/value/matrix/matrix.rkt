@@ -112,7 +112,8 @@
   (cond [(symbol? datum) (format "'~s" datum)]
         [(pair? datum)
          (format "(~a~a)" (car datum)
-                 (apply string-append (map (lambda (d) (format " ~a" (as-program d))) (cdr datum))))]
+                 (apply string-append
+                        (map (lambda (d) (format " ~a" (as-program d))) (cdr datum))))]
         [else (format "~s" datum)]))
 
 (define (check-equal-lengths who vectors)
