@@ -30,7 +30,7 @@
   (define replacements (solved 'impose equations))
   (define choices (choices->text equations replacements))
   (unless (equal? choices "")
-    (note-with-result (format "impose: ~a~a" (equations->text equations) choices)))
+    (note-once (format "impose: ~a~a" (equations->text equations) choices)))
   (put replacements equations x))
 
 (define (check-thing x)

@@ -107,7 +107,7 @@ The value under a condition: an equation @racket['(= k 1)], a list of equations 
 or a verdict, which stands for the first of its @racket[verdict-alternatives]. Each equation is
 solved for a symbol, and the solution replaces the symbol in the value. If the symbol stands in a
 square, the root that is not negative is taken; a common factor of both sides is taken not to be 0.
-A note with each result tells of either choice. In a function, such as a Lagrangian or a path, the
+A note tells of either choice once in a session. In a function, such as a Lagrangian or a path, the
 symbol is replaced in its values. A constraint gives a constraint, a list a list.
 
 @examples[#:eval session
