@@ -10,7 +10,7 @@
          racket/runtime-path
          racket/string
          (only-in xml xexpr->string)
-         "film.rkt" "pict-recorder.rkt" "scenery.rkt" "shapes.rkt" "svg.rkt")
+         "film.rkt" "page-data.rkt" "pict-recorder.rkt" "scenery.rkt" "shapes.rkt" "svg.rkt")
 
 (provide make-page)
 
@@ -43,18 +43,6 @@
   (for/list ([i (in-range (schedule-count when-taken))])
     (for/list ([e (in-list (record-pict ((panel-picture p) (schedule-time when-taken i))))])
       (number-of! elements e))))
-
-;; ---------------------------------------------------------------------------
-;; Things that occur often, numbered in the order of their first occurrence
-
-(define (make-numbering) (make-hash))
-
-(define (number-of! numbering x)
-  (define next (hash-count numbering))
-  (hash-ref! numbering x next))
-
-(define (numbered numbering)
-  (map car (sort (hash->list numbering) < #:key cdr)))
 
 ;; ---------------------------------------------------------------------------
 ;; The page's parts
@@ -101,10 +89,6 @@
 (define (curve->list curve)
   (for/list ([x (in-flvector curve)])
     (if (< -1e6 x 1e6) (/ (exact-round (* 10 x)) 10.0) 0)))
-
-;; Text in a script ends where its tag does, and nowhere before.
-(define (inside-script text)
-  (string-replace (string-replace text "</" "<\\/") "<!" "\\u003c!"))
 
 (define (page-text title css panels trails? last json)
   (define name (xexpr->string title))

@@ -6,7 +6,7 @@
 
 (require racket/path
          racket/string
-         "TeX-prose.rkt" "document-piece.rkt" "shown-result.rkt"
+         "TeX-prose.rkt" "document-piece.rkt" "shown-interaction.rkt" "shown-result.rkt"
          "../../algebra/notation/tree.rkt"
          "../typesetting/TeX.rkt" "../typesetting/break.rkt")
 
@@ -18,7 +18,7 @@
   (define names (make-hasheq))
   (define pictures
     (for*/list ([p (in-list (document-pieces d))] #:when (result? p)
-                [s (in-value (result-shown p))] #:when (shown-picture? s))
+                [s (in-value (still (result-shown p)))] #:when (shown-picture? s))
       (define extension (if (shown-picture-pdf s) "pdf" "png"))
       (define file (path-add-extension base (format "-~a.~a" (+ 1 (hash-count names)) extension)
                                        #""))
@@ -31,6 +31,9 @@
                                               (document-pieces d)))
                          "\\end{document}\n")
           pictures))
+
+;; What moves is shown as it is at first.
+(define (still s) (if (shown-interaction? s) (shown-first s) s))
 
 (define preamble #<<TeX
 \documentclass[a4paper]{article}
@@ -77,7 +80,11 @@ TeX
    "\\end{program}\n\n"))
 
 (define (shown->TeX s names)
-  (cond [(shown-formula? s)
+  (cond [(shown-interaction? s)
+         (format "~a~a\n\n" (shown->TeX (still s) names)
+                 (prose->TeX (string-append "at " (at-start s))))]
+        [(shown-failure? s) (program (shown-failure-text s))]
+        [(shown-formula? s)
          (string-append (tree-block (shown-formula-tree s))
                         (string-append* (for/list ([n (in-list (shown-formula-notes s))])
                                           (string-append (inline n) "\n\n"))))]

@@ -11,18 +11,24 @@
 
 (require net/base64
          racket/list
-         (only-in xml cdata)
+         (only-in xml cdata empty-tag-shorthand html-empty-tags write-xexpr)
          "../../algebra/notation/tree.rkt"
          "../typesetting/MathML.rkt" "../typesetting/break.rkt"
          "shown-result.rkt")
 
-(provide shown->xexprs tree->xexprs inline-xexprs inline-formula visible raw)
+(provide shown->xexprs tree->xexprs inline-xexprs inline-formula visible raw markup)
 
 (define wide 80)
 (define narrow 40)
 
 ;; text : well-formed markup
 (define (raw text) (cdata #f #f text))
+
+;; -> string
+(define (markup xexpr)
+  (define port (open-output-string))
+  (parameterize ([empty-tag-shorthand html-empty-tags]) (write-xexpr xexpr port))
+  (get-output-string port))
 
 ;; number : -> number of the picture on the page
 (define (shown->xexprs s number)

@@ -3,11 +3,13 @@
 ;; made when the result comes, for later a frame may be drawn in, and assumptions may change.
 
 (require file/convertible
+         "shown-interaction.rkt"
          (only-in "../../algebra/expression/expression.rkt" node? symbolic?)
          "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt"
          "../display/result-note.rkt" "../display/result.rkt"
          "../../generic/kind.rkt" "../../generic/notation.rkt" "../../generic/on-demand.rkt"
          "../../generic/up-down.rkt" "../../generic/value-tree.rkt"
+         (only-in "../interact/interaction.rkt" interaction?)
          (only-in "../../motion/on-demand.rkt" occurrence? occurrence-event occurrence-time
                   occurrence-state)
          "../../verdict/verdict.rkt")
@@ -32,6 +34,7 @@
 ;; formats : those in which a picture is wanted
 (define (value->shown x [formats '(svg-bytes png-bytes pdf-bytes)])
   (cond [(cyclic? x) (shown-text (printed x))]
+        [(interaction? x) (interaction->shown x value->shown)]
         [(table-of x) => values]
         [(typeset? x) (formula x)]
         [(convertible? x) (picture x formats)]

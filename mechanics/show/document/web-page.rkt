@@ -1,5 +1,6 @@
 #lang racket/base
-;; A document as one page of HTML, which asks the network for nothing and needs no script.
+;; A document as one page of HTML, which asks the network for nothing and needs no script; one
+;; moves through the frames of interactions (interaction-page.rkt).
 ;; Formulas are MathML; a subset of a font with a MATH table is part of the page, without which
 ;; brackets and roots would not stretch in most browsers (font/README.md).
 ;;
@@ -9,8 +10,8 @@
          racket/file
          racket/list
          racket/runtime-path
-         (only-in xml empty-tag-shorthand html-empty-tags write-xexpr)
-         "coloring.rkt" "page-value.rkt" "document-piece.rkt"
+         "coloring.rkt" "document-piece.rkt" "interaction-page.rkt" "page-value.rkt"
+         "shown-interaction.rkt"
          (only-in "../../algebra/notation/tree.rkt" dotted name))
 
 (provide document->page page)
@@ -18,36 +19,35 @@
 (define-runtime-path style-sheet "web-page.css")
 (define-runtime-path math-font "font/math.woff2")
 
-;; -> string
-(define (document->page d)
+;; room : how many bytes the frames of all interactions may take -> string
+(define (document->page d #:room [room 5000000])
   (define language (document-language d))
-  (page (document-title d) (pieces->body (document-pieces d))
+  (define interactions (count interaction-piece? (document-pieces d)))
+  (page (document-title d) (pieces->body (document-pieces d) (quotient room (max 1 interactions)))
+        #:moving? (> interactions 0)
         #:footer (and language (format "A program in ~a, and its results." language))))
 
 ;; body : list of xexprs, in which text is visible (page-value.rkt); footer : text or #f;
-;; style : rules beyond those of every page
-(define (page title body #:footer [footer #f] #:style [style ""])
-  (string-append "<!DOCTYPE html>\n" (markup (page-xexpr title body footer style)) "\n"))
+;; style : rules beyond those of every page; moving? : are there interactions?
+(define (page title body #:footer [footer #f] #:style [style ""] #:moving? [moving? #f])
+  (string-append "<!DOCTYPE html>\n" (markup (page-xexpr title body footer style moving?)) "\n"))
 
-(define (markup x)
-  (define port (open-output-string))
-  (parameterize ([empty-tag-shorthand html-empty-tags]) (write-xexpr x port))
-  (get-output-string port))
-
-(define (page-xexpr title body footer style)
+(define (page-xexpr title body footer style moving?)
   `(html ([xmlns "http://www.w3.org/1999/xhtml"] [lang "en"])
     (head
      (meta ([charset "utf-8"]))
      (meta ([name "viewport"] [content "width=device-width, initial-scale=1"]))
      (meta ([name "color-scheme"] [content "light dark"]))
-     (meta ([http-equiv "Content-Security-Policy"] [content ,policy]))
+     (meta ([http-equiv "Content-Security-Policy"]
+            [content ,(string-append policy (if moving? (interaction-policy) ""))]))
      (title ,(visible title))
      (style ,(raw (string-append (font-rule) (file->string style-sheet) style))))
     (body
      (main (h1 ,(visible title)) ,@body)
-     ,@(if footer `((footer ,(visible footer))) '()))))
+     ,@(if footer `((footer ,(visible footer))) '())
+     ,@(if moving? `((script ,(raw (interaction-script)))) '()))))
 
-;; Nothing is fetched and nothing is run, even if a script got into the page.
+;; Nothing is fetched and nothing is run, even if another script got into the page.
 (define policy
   "default-src 'none'; style-src 'unsafe-inline'; font-src data:; img-src data:")
 
@@ -58,11 +58,16 @@
 ;; ---------------------------------------------------------------------------
 ;; Pieces
 
-;; Pictures are numbered from 0.
-(define (pieces->body pieces)
+(define (interaction-piece? p) (and (result? p) (shown-interaction? (result-shown p))))
+
+;; Pictures are numbered from 0.  room : for the frames of each interaction
+(define (pieces->body pieces room)
   (define pictures 0)
   (define (next-number) (begin0 pictures (set! pictures (+ pictures 1))))
-  (for/list ([p (in-list pieces)]) (piece->xexpr p next-number)))
+  (for/list ([p (in-list pieces)])
+    (if (interaction-piece? p)
+        (interaction->xexpr (result-shown p) next-number room)
+        (piece->xexpr p next-number))))
 
 (define (piece->xexpr p number)
   (cond [(heading? p) `(h2 ,(visible (heading-text p)))]

@@ -116,8 +116,9 @@
 (define (value-control name x start)
   (cond [(pair? x) (choice-control name x (if start (start) (car x)))]
         [(null? x) (complain who "the list of choices of ~a is empty" name)]
-        [start (complain who "~a starts with what stands in place of a list; #:start is for ~a\n  given: ~a"
-                         name "numbers and choices" (describe-with-value x))]
+        [start
+         (complain who "~a starts with what stands in place of a list; ~a\n  given: ~a"
+                   name "#:start is for numbers and choices" (describe-with-value x))]
         [(boolean? x) (control name 'boolean (vector #f #t) x #f)]
         [(string? x) (control name 'text #f x #f)]
         [(number? x)

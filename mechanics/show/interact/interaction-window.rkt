@@ -10,7 +10,7 @@
          (only-in racket/math exact-ceiling)
          (only-in pict draw-pict pict-height pict-width scale)
          "control.rkt" "interaction.rkt" "outcome.rkt"
-         (only-in "result-picture.rkt" outcome->pict)
+         (only-in "outcome-picture.rkt" outcome->pict)
          (only-in "../plot/window.rkt" show-at-size titled-window))
 
 (provide (rename-out [window-loaded? loaded?])

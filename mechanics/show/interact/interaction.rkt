@@ -6,7 +6,7 @@
 ;; would, what the body raises in words in its place.  Everything that a host needs is here.
 
 (require file/convertible
-         "control.rkt" "live-result.rkt" "outcome.rkt" "pictures-on-demand.rkt"
+         "control.rkt" "live-result.rkt" "outcome.rkt" "outcome-picture-on-demand.rkt"
          "../../error/complain.rkt" "../../error/computed-once.rkt" "../../error/message-words.rkt"
          "../../generic/value-struct.rkt")
 

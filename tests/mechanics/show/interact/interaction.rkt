@@ -8,7 +8,8 @@
          "../../../../mechanics/show/interact/control.rkt"
          "../../../../mechanics/show/interact/interaction.rkt"
          "../../../../mechanics/show/interact/outcome.rkt"
-         (only-in "../../../../mechanics/show/interact/pictures-on-demand.rkt" why-no-pictures)
+         (only-in "../../../../mechanics/show/interact/outcome-picture-on-demand.rkt"
+                  why-no-pictures)
          "../../support/checks.rkt" "../../support/skip.rkt")
 
 (define (only-control i) (car (interaction-controls i)))
@@ -55,7 +56,8 @@
   (check-equal? (map control-start controls) (list 3 sin #t "x"))
   (check-equal? (map control-values controls)
                 (list (vector 1 2 3 4 5 6 7 8 9 10) (vector 'a sin "b") (vector #f #t) #f))
-  (check-equal? (map control-position (list (car controls) (cadr controls)) (list 1 "b")) (list 0 2)))
+  (check-equal? (map control-position (list (car controls) (cadr controls)) (list 1 "b"))
+                '(0 2)))
 
 (test-case "the body is a function of the values; nothing is computed before"
   (define count 0)
@@ -90,7 +92,7 @@
                    "[damped? #t] [title \"x\"]) (define double (* 2 k)) "
                    "(list double n damped? title))"))
   (for ([form '("~a" "~s" "~v")]) (check-equal? (format form every-kind) text))
-  (check-equal? (format "~a" (interact ([k 1 10]) '(k 'k))) 
+  (check-equal? (format "~a" (interact ([k 1 10]) '(k 'k)))
                 "(interact ([k 1 10 #:step 1]) '(k 'k))")
   (check-equal? (convert every-kind 'text) text))
 

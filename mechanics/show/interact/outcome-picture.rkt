@@ -6,12 +6,14 @@
          racket/class
          (only-in racket/draw read-bitmap)
          (only-in racket/string string-split)
-         (only-in pict bitmap blank colorize inset pict? scale text vl-append)
+         (only-in pict bitmap blank colorize inset pict? pict-height pict-width scale text
+                  vl-append)
          "outcome.rkt"
+         (only-in "../animation/pict-recorder.rkt" record-pict)
          "../display/filled-lines.rkt" "../display/result.rkt"
          "../plot/frame.rkt" "../plot/frame-output.rkt")
 
-(provide loaded? convert-drawn outcome->pict)
+(provide loaded? convert-drawn outcome->pict drawn-elements)
 
 ;; To call it loads this file, and what it stands on.
 (define (loaded?) #t)
@@ -41,6 +43,13 @@
                [else (values (written (string-split (format "~v" x) "\n" #:trim? #f)) #f)])]))
 
 (define (drawn? x) (or (frame? x) (pict? x)))
+
+;; What is drawn of lines -> its width, its height and its elements (animation/svg.rkt) in a list;
+;; or #f
+(define (drawn-elements x)
+  (define picture (and (drawn? x) (if (frame? x) (frame->pict x) x)))
+  (and picture
+       (list (pict-width picture) (pict-height picture) (record-pict picture))))
 
 ;; As the value itself draws itself, twice as fine if it can; #f if it does not.
 (define (bitmap-of x)

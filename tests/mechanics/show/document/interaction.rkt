@@ -1,0 +1,170 @@
+#lang racket/base
+;; Interactions in documents: frames computed beforehand, a page that moves through them by its own
+;; script, and shows the first without one; LaTeX with the first.
+
+(require json
+         racket/file
+         racket/list
+         racket/string
+         mechanics mechanics/plot
+         "../../../../mechanics/show/document/TeX-document.rkt"
+         "../../../../mechanics/show/document/document-piece.rkt"
+         "../../../../mechanics/show/document/shown-interaction.rkt"
+         "../../../../mechanics/show/document/shown-result.rkt"
+         "../../../../mechanics/show/document/web-page.rkt"
+         "../../../../mechanics/show/interact/sampling.rkt"
+         (only-in "../../../../mechanics/show/plot/on-demand.rkt" can-draw?)
+         "../../support/browser.rkt" "../../support/checks.rkt" "../../support/skip.rkt")
+
+(define (document-of . shown) (document "A title" "#lang mechanics" (map result shown)))
+(define (page-of . interactions)
+  (document->page (apply document-of (map value->shown interactions))))
+
+;; The data of the scripts of a page
+(define (data-in page)
+  (define data #rx"<script type=\"application/json\">(.*?)</script>")
+  (map string->jsexpr (regexp-match* data page #:match-select cadr)))
+
+(define (frame-count data) (length (hash-ref data 'frames)))
+(define (frame-text data k)
+  (string-append* (for/list ([e (in-list (list-ref (hash-ref data 'frames) k))])
+                    (list-ref (hash-ref data 'elements) e))))
+
+;; ---------------------------------------------------------------------------
+;; Which frames there are
+
+(test-case "all values that there is room for; else every second one, every third one"
+  (check-equal? (sampled-positions '(10) '(0) 60) (list (range 10)))
+  (check-equal? (sampled-positions '(7) '(0) 4) '((0 2 4 6)))
+  (check-equal? (sampled-positions '(101) '(0) 60) (list (range 0 101 2)))
+  (check-equal? (sampled-positions '(3 2) '(0 1) 60) '((0 1 2) (0 1))))
+
+(test-case "start, first and last are among them"
+  (check-equal? (sampled-positions '(10) '(4) 5) '((0 1 4 7 9)))
+  (for* ([n '(5 61 62 100 997)] [start (list 0 (quotient n 3) (- n 1))] [most '(1 2 3 7 60)])
+    (define positions (car (sampled-positions (list n) (list start) most)))
+    (check-true (<= (length positions) most))
+    (check-true (and (member start positions) #t))
+    (check-equal? positions (sort (remove-duplicates positions) <))
+    (when (>= most 3)
+      (check-true (and (member 0 positions) (member (- n 1) positions) #t)))))
+
+(test-case "of many controls the last are left at their start"
+  (check-equal? (sampled-positions '(2 2 2) '(0 1 1) 5) '((0 1) (0 1) (1)))
+  (define taken (sampled-positions '(100 100 100 100 100 100 100) '(5 5 5 5 5 5 5) 60))
+  (check-true (<= (apply * (map length taken)) 60))
+  (check-equal? (last taken) '(5)))
+
+(test-case "an interaction has a frame for each combination, in order"
+  (define data (car (data-in (page-of (interact ([k 1 6] [b #t]) (list "x" k b))))))
+  (check-equal? (frame-count data) 12)
+  (check-equal? (hash-ref data 'labels) '(("1" "2" "3" "4" "5" "6") ("#f" "#t")))
+  (check-true (string-contains? (frame-text data 0) "#f"))
+  (check-true (string-contains? (frame-text data 11) "6 #t")))
+
+(test-case "at most sixty frames, and the page says which values are not there"
+  (define page (page-of (interact ([a 0 1] [title "words"]) (* a 'x))))
+  (check-equal? (frame-count (car (data-in page))) 51)
+  (check-true (string-contains? page "a takes 51 of its 101 values here"))
+  (check-true (string-contains? page "title is fixed here")))
+
+(test-case "what is too long for a page has fewer frames"
+  (define (long k) (make-string 2000 (integer->char (+ 96 k))))
+  (define (within room . interactions)
+    (data-in (document->page (apply document-of (map value->shown interactions)) #:room room)))
+  (define data (within 20000 (interact ([k 1 26]) (long k)) (interact ([k 1 6]) k)))
+  (check-equal? (map frame-count data) '(4 6))
+  (check-equal? (map frame-count (within 1000 (interact ([k 1 26] [b #t]) (long k)))) '(1))
+  (check-equal? (map frame-count (within 5000000 (interact ([k 1 26]) (long k)))) '(26)))
+
+;; ---------------------------------------------------------------------------
+;; The page
+
+(define evil "</script><script>alert(1)</script><!--")
+
+(test-case "nothing of the user's breaks out of the data, and no other script may run"
+  (define page (page-of (interact ([s (list evil "b")]) (list s (string->symbol s)))))
+  (check-equal? (length (regexp-match* "</script>" page)) 2)
+  (check-false (string-contains? page "<!--"))
+  (check-true (string-contains? page "alert(1)"))
+  (check-regexp-match "script-src 'sha256-[A-Za-z0-9+/=]*'\"" page))
+
+(test-case "a page without interactions has no script"
+  (define page (document->page (document-of (value->shown (up 'a 'b)))))
+  (check-false (regexp-match? #rx"<script|script-src" page)))
+
+(test-case "the first frame stands in the page, and an error in its place"
+  (define page (page-of (interact ([k 0 5]) (/ 1 k))))
+  (define still (cadr (regexp-match #rx"<div class=\"still\">(.*?)</div><div" page)))
+  (check-true (string-contains? still "<pre class=\"failure\">/: division by zero</pre>"))
+  (check-true (string-contains? still "at k = 0"))
+  (check-false (regexp-match? #rx"failure" (frame-text (car (data-in page)) 1))))
+
+(define (set-intersection . lists)
+  (for/list ([x (in-list (remove-duplicates (car lists)))]
+             #:when (andmap (lambda (l) (memv x l)) (cdr lists)))
+    x))
+
+(skip-unless (can-draw?) "the shared libraries of racket/draw are not installed: no pictures"
+  (define (wave k)
+    (define f (frame 0 10 -2 2 #:x-label "t"))
+    (plot-function f (lambda (t) (cos (* k t))) 0 10)
+    f)
+  (test-case "axes stand in the page once"
+    (define data (car (data-in (page-of (interact ([k 1 40]) (wave k))))))
+    (check-equal? (frame-count data) 40)
+    (define common (apply set-intersection (hash-ref data 'frames)))
+    (check-true (> (length common) 20)))
+  (test-case "LaTeX has the first picture, and says where"
+    (define-values (text pictures)
+      (document->TeX (document-of (value->shown (interact ([k 1 40]) (wave k)))) "out"))
+    (check-equal? (map car pictures) (list (string->path "out-1.pdf")))
+    (check-regexp-match "includegraphics\\[width=0.6\\\\textwidth\\]{out-1.pdf}.*at k = 1\n" text)))
+
+(test-case "LaTeX has the first formula, or its error"
+  (define (TeX i)
+    (define-values (text pictures) (document->TeX (document-of (value->shown i)) "o"))
+    text)
+  (check-regexp-match "shown{x\\^{2}}\n\nat k = 2, s = a\\\\_b\n"
+                      (TeX (interact ([k 2 9] [s "a_b"]) (expt 'x k))))
+  (check-regexp-match "division~by~zero" (TeX (interact ([k 0 9]) (/ 1 k)))))
+
+;; ---------------------------------------------------------------------------
+;; In a browser
+
+(define folder (make-temporary-file "interactions~a" 'directory))
+
+(define (in-browser page expression)
+  (display-to-file page (build-path folder "page.html") #:exists 'truncate)
+  (car (measure folder '("page.html") 390 expression)))
+
+(define (move control position)
+  (format "(() => { const i = ~a[~a].querySelector('input, select'); ~a; ~a })()"
+          "d.querySelectorAll('.control')"
+          control
+          (if (boolean? position)
+              (format "i.checked = ~a" (if position "true" "false"))
+              (format "i.value = '~a'" position))
+          "i.dispatchEvent(new Event('input')); return d.querySelector('.live').textContent"))
+
+(define (in-turn . expressions) (format "[~a]" (string-join expressions ", ")))
+
+(test-case "its own script moves it: slider, menu, check box, error and on"
+  (skip-unless (browser?) "pages in a browser: Chromium is not here"
+    (define page
+      (page-of (interact ([k 0 5 #:start 1] [n (list "one" "two")] [b #t])
+                 (list (symbol->string 'told) n b (/ 6 k)))))
+    (check-equal?
+     (in-browser page
+                 (in-turn "d.querySelector('.live').textContent.trim()"
+                          (string-append (move 0 3) ".trim()") (string-append (move 1 1) ".trim()")
+                          (string-append (move 2 #f) ".trim()") (string-append (move 0 0) ".trim()")
+                          (string-append (move 0 2) ".trim()")
+                          "d.querySelectorAll('.control output')[0].textContent"
+                          "w.getComputedStyle(d.querySelector('.still')).display"
+                          "d.documentElement.scrollWidth"))
+     '("'(\"told\" \"one\" #t 6)" "'(\"told\" \"one\" #t 2)" "'(\"told\" \"two\" #t 2)"
+       "'(\"told\" \"two\" #f 2)" "/: division by zero" "'(\"told\" \"two\" #f 3)"
+       "2" "none" 390))))
+
+(delete-directory/files folder)
