@@ -13,7 +13,7 @@
 
 (provide interaction-show printed-interaction
          ;; for tests: -> the session
-         interaction-window)
+         interaction-window stay-until-closed)
 
 ;; wait? : until the reader closes the window
 (define-plain (interaction-show i #:wait? [wait? #f])
