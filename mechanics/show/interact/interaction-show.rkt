@@ -46,10 +46,10 @@
   #:text (lambda (w) (words-text w)))
 
 (define (remark i)
-  (format "at ~a; ~a"
+  (format "at ~a; its controls are in a window, where there is a display, and on a page: ~a"
           (joined (for/list ([c (in-list (interaction-controls i))])
                     (format "~a = ~a" (name-of c) (value->label (control-start c)))))
-          "they are moved in a window, which needs a display, and on a page (raco mechanics show)"))
+          "raco mechanics show FILE"))
 
 ;; The program ends when its windows are closed.
 (define (stay-until-closed session)
