@@ -11,6 +11,7 @@
 
 (provide (struct-out look) (struct-out element)
          path-element ellipse-element text-element image-element clipped
+         line-kind joined-lines
          moved color->css number->svg element->markup look->css)
 
 ;; stroke, fill : as CSS has colors, or #f; dashes : in widths of the line, or #f
@@ -67,6 +68,26 @@
    (for/list ([p (in-list points)] [i (in-naturals)])
      (string-append (cond [(= i 0) "M"] [(= (vector-length p) 6) "C"] [else "L"])
                     (numbers (vector->list p))))))
+
+;; What is equal of elements that one path can draw: lines without an area, in one clip; or #f
+(define (line-kind e)
+  (define body (element-body e))
+  (cond [(element? body)
+         (define inner (line-kind body))
+         (and inner (cons (element-attributes e) inner))]
+        [else
+         (define l (element-look e))
+         (and (string=? (element-tag e) "path") l (not (look-fill l)) (list l))]))
+
+;; es : elements of one line-kind
+(define (joined-lines es)
+  (define first-one (car es))
+  (if (element? (element-body first-one))
+      (struct-copy element first-one [body (joined-lines (map element-body es))])
+      (struct-copy element first-one
+                   [attributes (attributes 'd (string-append* (map path-data es)))])))
+
+(define (path-data e) (cadr (regexp-match #rx"\"(.*)\"" (element-attributes e))))
 
 (define (numbers xs) (string-join (map number->svg xs) " "))
 

@@ -6,6 +6,7 @@
 (require json
          net/base64
          racket/file
+         (only-in racket/list append-map remove-duplicates)
          racket/runtime-path
          racket/string
          "page-value.rkt" "shown-interaction.rkt"
@@ -79,10 +80,11 @@
 (define (frames->data frames number)
   (define name (number))
   (define-values (elements looks) (values (make-numbering) (make-numbering)))
+  (define common? (common-elements frames))
   (define (class-of look) (format "i~a-~a" name (number-of! looks look)))
   (define numbers
     (for/vector ([f (in-vector frames)])
-      (for/list ([text (in-list (frame->texts f class-of number))])
+      (for/list ([text (in-list (frame->texts f common? class-of number))])
         (number-of! elements text))))
   (data (list->vector (numbered elements))
         numbers
@@ -90,19 +92,43 @@
          (for/list ([l (in-list (numbered looks))])
            (format ".~a{~a}\n" (class-of l) (look->css l))))))
 
-(define (frame->texts f class-of number)
-  (cond [(shown-drawing? f) (drawing->texts f class-of)]
+(define (frame->texts f common? class-of number)
+  (cond [(shown-drawing? f) (drawing->texts f common? class-of)]
         [(shown-failure? f)
          (list (markup `(pre ([class "failure"]) ,(visible (shown-failure-text f)))))]
         [else (map markup (shown->xexprs f number))]))
 
-(define (drawing->texts d class-of)
+(define (drawing->texts d common? class-of)
   (define-values (width height)
     (values (number->svg (shown-drawing-width d)) (number->svg (shown-drawing-height d))))
+  (define lines (in-fewer-elements (shown-drawing-elements d) common?))
   `(,(format "<figure><svg class=\"drawing\" width=\"~a\" height=\"~a\" viewBox=\"0 0 ~a ~a\">"
              width height width height)
-    ,@(for/list ([e (in-list (shown-drawing-elements d))]) (element->markup e class-of))
+    ,@(for/list ([e (in-list lines)]) (element->markup e class-of))
     "</svg></figure>"))
+
+;; -> is an element drawn in more than one frame?
+(define (common-elements frames)
+  (define counts (make-hash))
+  (for* ([f (in-vector frames)] #:when (shown-drawing? f)
+         [e (in-list (remove-duplicates (shown-drawing-elements f)))])
+    (hash-update! counts e add1 0))
+  (lambda (e) (> (hash-ref counts e) 1)))
+
+;; Lines of one look that follow each other become one element, but for those in other frames, too.
+(define (in-fewer-elements elements common?)
+  (define (line-key e) (if (common? e) (gensym) (or (line-kind e) (gensym))))
+  (append-map (lambda (run) (if (null? (cdr run)) run (list (joined-lines run))))
+              (group-consecutive elements line-key)))
+
+(define (group-consecutive xs key)
+  (define groups
+    (for/fold ([groups '()] [last #f] #:result groups) ([x (in-list xs)])
+      (define k (key x))
+      (if (equal? k last)
+          (values (cons (cons x (car groups)) (cdr groups)) k)
+          (values (cons (list x) groups) k))))
+  (reverse (map reverse groups)))
 
 (define (data-size d)
   (+ (string-length (data-style d))

@@ -6,10 +6,11 @@
          racket/class
          (only-in racket/draw read-bitmap)
          (only-in racket/string string-split)
-         (only-in pict bitmap blank colorize inset pict? pict-height pict-width scale text
-                  vl-append)
+         (only-in pict bitmap blank colorize inset pict->bitmap pict? pict-height pict-width scale
+                  text vl-append)
          "outcome.rkt"
          (only-in "../animation/pict-recorder.rkt" record-pict)
+         (only-in "../animation/svg.rkt" image-element)
          "../display/filled-lines.rkt" "../display/result.rkt"
          "../plot/frame.rkt" "../plot/frame-output.rkt")
 
@@ -45,11 +46,20 @@
 (define (drawn? x) (or (frame? x) (pict? x)))
 
 ;; What is drawn of lines -> its width, its height and its elements (animation/svg.rkt) in a list;
-;; or #f
+;; or #f.  Of many points an image has fewer bytes.
 (define (drawn-elements x)
   (define picture (and (drawn? x) (if (frame? x) (frame->pict x) x)))
-  (and picture
-       (list (pict-width picture) (pict-height picture) (record-pict picture))))
+  (define (elements)
+    (if (and (frame? x) (> (length (frame-points x)) many-points))
+        (list (as-image picture))
+        (record-pict picture)))
+  (and picture (list (pict-width picture) (pict-height picture) (elements))))
+
+(define many-points 1000)
+
+(define (as-image picture)
+  (image-element (pict->bitmap picture) 0 0 (pict-width picture) (pict-height picture)
+                 1 (vector 1 0 0 1 0 0)))
 
 ;; As the value itself draws itself, twice as fine if it can; #f if it does not.
 (define (bitmap-of x)

@@ -87,8 +87,8 @@
 (define-namespace-anchor here)
 
 (define (refused form)
-  (message-of (parameterize ([current-namespace (namespace-anchor->namespace here)]) (expand-form form))
-              exn:fail:syntax?))
+  (parameterize ([current-namespace (namespace-anchor->namespace here)])
+    (message-of (expand-form form) exn:fail:syntax?)))
 
 (define-syntax-rule (refuses [form text ...] ...)
   (begin
