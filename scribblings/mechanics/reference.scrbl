@@ -74,6 +74,7 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/formulas.scrbl"]
 @include-section["reference/pictures.scrbl"]
 @include-section["reference/animations.scrbl"]
+@include-section["reference/interactions.scrbl"]
 @include-section["reference/checks.scrbl"]
 @include-section["reference/worksheets.scrbl"]
 @include-section["reference/scmutils.scrbl"]

@@ -6,7 +6,11 @@
 (require racket/port
          racket/string
          "card.rkt"
-         "../../show/display/result.rkt")
+         "../../generic/on-demand.rkt"
+         "../../show/display/result.rkt"
+         "../../show/interact/live-result.rkt")
+
+(require-on-demand ["../../show/interact/interaction-show.rkt" printed-interaction])
 
 (provide (struct-out answer) demonstrate)
 
@@ -45,7 +49,14 @@
          (call-with-values (lambda () (eval form))
                            (lambda results
                              (for ([x (in-list results)] #:unless (void? x))
-                               (println (simplified-result x width))))))))))
+                               (println (simplified-result (still x) width))))))))))
+
+;; An interaction is shown as it is at first.
+(define (still x)
+  (cond [(live? x)
+         (define-values (value remark) (printed-interaction x #f #f))
+         value]
+        [else x]))
 
 ;; Calls thunk in a thread of its own, which keeps declarations and settings of the example, and
 ;; ends when a break ends the caller.

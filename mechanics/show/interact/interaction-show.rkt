@@ -46,10 +46,10 @@
   #:text (lambda (w) (words-text w)))
 
 (define (remark i)
-  (format "at ~a; its controls are in a window, where there is a display, and on a page: ~a"
+  (format "at ~a; controls: ~a"
           (joined (for/list ([c (in-list (interaction-controls i))])
                     (format "~a = ~a" (name-of c) (value->label (control-start c)))))
-          "raco mechanics show FILE"))
+          "in a window, with a display; on a page, by raco mechanics show"))
 
 ;; The program ends when its windows are closed.
 (define (stay-until-closed session)

@@ -133,6 +133,36 @@ for masses of four to one:
   (plot-contours walls wall (wall x 0.) #:color color))
 walls]
 
+@section[#:tag "guide-sliders"]{Sliders}
+
+A picture for other numbers is a picture again. @racket[interact] takes names with their ranges, and
+an expression in which they stand; where there is a display, a window opens with a slider for
+each, a menu for a list, a check box for @racket[#t] and @racket[#f]. What follows is what it
+shows at first:
+
+@examples[#:eval session #:label #f
+(interact ([amplitude 0.1 3.1 #:start 3.0] [friction 0.0 1.0])
+  (define f (frame 0 10 -3.2 3.2 #:height 200 #:x-label "t" #:y-label "angle"))
+  (define (rates (up t angle rate))
+    (up 1 rate (- (* -9.8 (sin angle)) (* friction rate))))
+  (plot-trajectory f (evolve-trajectory rates (up 0. amplitude 0.) 10.) coordinate)
+  f)]
+
+The frame is made in the body: one from outside would keep what was drawn for other numbers. The
+body may end with anything that a prompt shows, such as an equation of motion or a verdict. On a
+page of @exec{raco mechanics show} the sliders move without Racket, through frames that were
+computed beforehand (@secref["guide-showing"]).
+
+Programs to move: @program-link["interactive/pendulum.rkt"],
+@program-link["interactive/double-pendulum.rkt"], the places of rest of a
+bead on a turning ring as they part, @program-link["interactive/bead-on-ring.rkt"], a pendulum held
+upright by shaking, @program-link["interactive/driven-pendulum.rkt"], a
+@program-link["interactive/top.rkt"], a planet under any power of the distance,
+@program-link["interactive/Kepler.rkt"], @program-link["interactive/coupled-oscillators.rkt"],
+the @program-link["interactive/standard-map.rkt"], sections of the stars of Hénon and Heiles,
+@program-link["interactive/Henon-Heiles.rkt"], and a verdict that changes,
+@program-link["interactive/proposed-path.rkt"].
+
 @section{The figures as programs}
 
 In @filepath{examples/mechanics/figures} each figure is a program (@secref["programs"]) that

@@ -29,6 +29,9 @@ Each name leads to the program. In a checkout
 @section[#:tag "programs-animations"]{Animations}
 @(program-table "animations")
 
+@section[#:tag "programs-interactive"]{Sliders}
+@(program-table "interactive")
+
 @section[#:tag "programs-sandbox"]{Grading}
 @(program-table "sandbox")
 

@@ -31,6 +31,9 @@ each form what came of it:
 simplification took for granted;}
 @item{verdicts in words, with their formulas;}
 @item{frames (@secref["pictures"]) and other pictures, as they are when their turn comes;}
+@item{the sliders of @racket[interact], which move through frames computed beforehand: at most 60,
+so of long ranges every second value or fewer, which the page then says; the first frame is there
+on paper and without a script;}
 @item{the events of a trajectory, and rows of numbers, as tables;}
 @item{all other results as the prompt prints them, and what the form printed.}]
 
@@ -59,10 +62,10 @@ folded up on the page. What a program assumes and sets does not outlast it.
 @section{The page}
 
 The page is one file, to be sent, printed or put on any server: it asks the network for
-nothing and has no script. Formulas are MathML, which browsers of today show by themselves;
-the page brings a font for them, since without one brackets and roots would not grow with what
-they hold. It is readable on a phone, where long formulas are broken for the narrow screen, and
-in the dark. Whatever a symbol or a string is made of, it is text there.
+nothing and has no script, but for the one that moves sliders. Formulas are MathML, which browsers
+of today show by themselves; the page brings a font for them, since without one brackets and roots
+would not grow with what they hold. It is readable on a phone, where long formulas are broken for
+the narrow screen, and in the dark. Whatever a symbol or a string is made of, it is text there.
 
 The font is a subset of STIX Math, under the SIL Open Font License; pages that contain it may be
 passed on as you like.

@@ -118,6 +118,21 @@ And can it turn evenly, round and round?
 
 The residual is @formula{m g l sin Ωt}. So it can where there is no gravity, and not here.
 
+@section{Sliders}
+
+How does a verdict depend on a number? @racket[interact] takes names with their ranges, and an
+expression in which they stand. In DrRacket, and at a prompt on a machine with a display, a window
+opens with a slider for each. Move them until the verdict is @italic{proved}:
+
+@examples[#:eval session #:label #f
+(define ((L-spring m k) (up t x v))
+  (- (* 1/2 m (square v)) (* 1/2 k (square x))))
+(interact ([k 1 16 #:start 4] [omega 1 4 #:step 1/2])
+  (verify-solution (L-spring 1 k) (lambda (t) (* 'a (cos (* omega t))))))]
+
+The first result is here, as without a display. Anything may stand in the place of the verdict, such
+as a picture (@secref["guide-sliders"]).
+
 @section{Mistakes}
 
 Sooner or later you forget the parameters, and hand over @racket[L-pendulum]

@@ -47,7 +47,7 @@
     exn:fail:mechanics exn:fail:mechanics:not-convergent
     exn:fail:mechanics:not-convergent:integral exn:fail:mechanics:singular
     exn:fail:mechanics:singular:matrix
-    animation-show frame->pict graphics-show))
+    animation-show frame->pict graphics-show interaction-show))
 
 (define (read-all text) (port->list read (open-input-string text)))
 

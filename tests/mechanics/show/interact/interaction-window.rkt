@@ -18,8 +18,8 @@
     (check-equal? (remove-duplicates refusals) (list (car refusals)))
     (check-regexp-match "\n  a page with its sliders is made by raco mechanics show FILE\n" output)
     (check-regexp-match
-     (string-append "\n4; at k = 2; its controls are in a window, where there is a display, "
-                    "and on a page: raco mechanics show FILE\n$")
+     (string-append "\n4; at k = 2; controls: in a window, with a display; "
+                    "on a page, by raco mechanics show\n$")
      output)))
 
 (test-windows
