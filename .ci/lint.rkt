@@ -36,7 +36,9 @@
     ("tests/mechanics/show/plot/figures.rkt" . "mechanics/book")
     ("tests/mechanics/show/plot/figures.rkt" . "mechanics/plot")
     ("tests/mechanics/show/animation/programs.rkt" . "mechanics/animate")
-    ("tests/mechanics/show/animation/programs.rkt" . "mechanics/book")))
+    ("tests/mechanics/show/animation/programs.rkt" . "mechanics/book")
+    ("tests/mechanics/show/interact/programs.rkt" . "mechanics/book")
+    ("tests/mechanics/show/interact/programs.rkt" . "mechanics/plot")))
 
 ;; ---------------------------------------------------------------------------
 ;; Files

@@ -2,8 +2,7 @@
 ;; An interaction in a document: frames, computed beforehand.  A page moves through them; for LaTeX
 ;; there is the first.
 
-(require (only-in racket/list range)
-         "../interact/control.rkt" "../interact/interaction.rkt" "../interact/outcome.rkt"
+(require "../interact/control.rkt" "../interact/interaction.rkt" "../interact/outcome.rkt"
          "../interact/outcome-picture-on-demand.rkt" "../interact/sampling.rkt"
          "../../error/computed-once.rkt" "../../error/message-words.rkt")
 

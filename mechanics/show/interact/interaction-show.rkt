@@ -2,7 +2,7 @@
 ;; Interactions on the screen, where there is one.  The window and the libraries for it are loaded
 ;; when the first is opened.
 
-(require "control.rkt" "interaction.rkt" "outcome.rkt" "outcome-picture-on-demand.rkt"
+(require "control.rkt" "interaction.rkt"
          "../plot/window-screen.rkt"
          "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/define-plain.rkt" "../../generic/on-demand.rkt"

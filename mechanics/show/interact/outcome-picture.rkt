@@ -3,7 +3,6 @@
 ;; they are, formulas typeset, all else as text.
 
 (require file/convertible
-         racket/class
          (only-in racket/draw read-bitmap)
          (only-in racket/string string-split)
          (only-in pict bitmap blank colorize inset pict->bitmap pict? pict-height pict-width scale

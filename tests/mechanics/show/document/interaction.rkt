@@ -9,7 +9,6 @@
          mechanics mechanics/plot
          "../../../../mechanics/show/document/TeX-document.rkt"
          "../../../../mechanics/show/document/document-piece.rkt"
-         "../../../../mechanics/show/document/shown-interaction.rkt"
          "../../../../mechanics/show/document/shown-result.rkt"
          "../../../../mechanics/show/document/web-page.rkt"
          "../../../../mechanics/show/interact/sampling.rkt"

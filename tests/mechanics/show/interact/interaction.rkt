@@ -3,7 +3,6 @@
 
 (require mechanics
          file/convertible
-         (only-in mechanics/pict)
          (only-in racket/string string-prefix?)
          "../../../../mechanics/show/interact/control.rkt"
          "../../../../mechanics/show/interact/interaction.rkt"

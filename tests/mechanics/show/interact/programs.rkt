@@ -2,8 +2,7 @@
 ;; The interactions of the examples: each control is moved to its ends, and the body has a value
 ;; there.  What the values are is tested beside them (examples.rkt).
 
-(require (only-in mechanics)
-         (only-in mechanics/book)
+(require (only-in mechanics/book)
          (only-in mechanics/plot)
          racket/list
          racket/path
