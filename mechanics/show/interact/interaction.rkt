@@ -50,10 +50,16 @@
   (call-with-values
    (lambda () (apply (interaction-body i) values))
    (case-lambda
-     [(x) (if (void? x) (raise-nothing) x)]
+     [(x) (cond [(void? x) (raise-nothing)]
+                [(interaction? x) (raise-nested)]
+                [else x])]
      [() (raise-nothing)]
      [xs (complain 'interact "the body returns ~a values, and one is shown; ~a"
                    (length xs) "(list ...) makes one of them")])))
+
+(define (raise-nested)
+  (complain 'interact "the body returns an interaction\n  ~a"
+            "the controls of both stand in one: (interact ([k 1 10] [n 1 10]) body)"))
 
 (define (raise-nothing)
   (complain 'interact "the body returns nothing to be shown\n  ~a"

@@ -59,6 +59,9 @@
  [(interaction-result (interact ([k 1 10]) (values)) '(1))
   "interact: the body returns nothing to be shown\n"
   "  it ends with a value, such as the frame in which it has drawn"]
+ [(interaction-result (interact ([k 1 10]) (interact ([n 1 10]) n)) '(1))
+  "interact: the body returns an interaction\n"
+  "  the controls of both stand in one: (interact ([k 1 10] [n 1 10]) body)"]
  [(interaction-result (interact ([k 1 10]) (values k k)) '(1))
   "interact: the body returns 2 values, and one is shown; (list ...) makes one of them"])
 
