@@ -17,7 +17,7 @@
   (interact ([speed 0.5 1.3 #:start 1.2] [power 1.5 2.2 #:start 2.0])
     (define f (frame -4 2 -3 3 #:x-label "x" #:y-label "y" #:aspect-ratio 'equal))
     (plot-trajectory f (orbit speed power) (component 1 0) (component 1 1))
-    (plot-point f 0 0 #:color 'red #:size 6)
+    (plot-point f 0 0 #:color 'red #:size 12)
     f))
 interaction
 

@@ -1,7 +1,7 @@
 #lang mechanics
-;; A bead on a ring that turns about its vertical diameter: its effective potential, in which it
-;; rests at the minima. Above the critical rate the bottom is a maximum, and there are two places
-;; beside it: the bifurcation. Below, its orbits in the plane of angle and rate.
+;; A bead on a ring that turns. It rests at the minima of its effective potential. Above the
+;; critical rate of the ring the bottom is a maximum, and there are two places of rest beside it:
+;; the bifurcation. The second picture has its orbits in the plane of angle and rate.
 
 (require mechanics/plot)
 (provide interaction orbits)
@@ -20,16 +20,16 @@
       (list 0)))
 
 (define interaction
-  (interact ([omega 0 8 #:step 1/20 #:start 2])
+  (interact ([omega 0.0 8.0 #:start 2.0])
     (define f (frame -2 2 -25 0 #:x-label "angle" #:y-label "effective potential"))
     (plot-function f (potential omega) -2 2)
     (for ([angle (places-of-rest omega)])
-      (plot-point f angle ((potential omega) angle) #:color 'red #:size 6))
+      (plot-point f angle ((potential omega) angle) #:color 'red #:size 12))
     f))
 interaction
 
 (define orbits
-  (interact ([omega 0 8 #:step 1/4 #:start 2])
+  (interact ([omega 0.0 8.0 #:step 0.25 #:start 2.0])
     (define f (frame -3.2 3.2 -8 8 #:x-label "angle" #:y-label "rate"))
     (plot-phase-portrait f (Lagrangian->energy (L-ring omega)) #:orbits 8 #:samples 101)
     f))

@@ -1,5 +1,5 @@
 #lang mechanics
-;; The way of the lower bob of a double pendulum that is let go at two angles. From little angles it
+;; The way of a double pendulum's lower bob. It is let go at two angles. From little angles it
 ;; weaves a pattern; from great ones a change of a hundredth makes another way.
 
 (require mechanics/plot)

@@ -1,5 +1,5 @@
 #lang mechanics
-;; A pendulum upside down, whose pivot is driven up and down: it falls, unless the drive is fast
+;; A pendulum upside down. Its pivot is driven up and down; it falls, unless the drive is fast
 ;; enough, A² ω² > 2 g l.
 
 (require mechanics/plot)

@@ -49,7 +49,7 @@
 (define line-recorder%
   (class canvas%
     (super-new)
-    (inherit outline!)
+    (inherit outline! add! matrix present-look)
     (define/override (draw-line x1 y1 x2 y2)
       (outline! #:fill? #f (lambda (p) (send p move-to x1 y1) (send p line-to x2 y2))))
     (define/override (draw-lines points [dx 0] [dy 0])
@@ -58,7 +58,8 @@
       (outline! #:fill? #f
                 (lambda (p) (send p move-to x1 y1) (send p curve-to x1 y1 x2 y2 x3 y3))))
     (define/override (draw-point x y)
-      (outline! #:fill? #f (lambda (p) (send p move-to x y) (send p line-to (+ x 0.01) y))))))
+      (define l (present-look #f 'odd-even))
+      (when l (add! (dot-element (moved (matrix) x y) l))))))
 
 (define area-recorder%
   (class line-recorder%

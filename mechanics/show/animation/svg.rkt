@@ -10,7 +10,7 @@
          "plane-vector.rkt")
 
 (provide (struct-out look) (struct-out element)
-         path-element ellipse-element text-element image-element clipped
+         path-element dot-element ellipse-element text-element image-element clipped
          line-kind joined-lines
          moved color->css number->svg element->markup look->css)
 
@@ -90,6 +90,11 @@
 (define (path-data e) (cadr (regexp-match #rx"\"(.*)\"" (element-attributes e))))
 
 (define (numbers xs) (string-join (map number->svg xs) " "))
+
+;; A point of a line of that look: as wide as the line, and round
+(define (dot-element center l)
+  (define radius (/ (look-width l) 2))
+  (ellipse-element center radius radius (look #f 1 #f (look-stroke l) #f)))
 
 (define (ellipse-element center rx ry look)
   (element "ellipse" (attributes 'cx (at-x center) 'cy (at-y center) 'rx rx 'ry ry) look ""))

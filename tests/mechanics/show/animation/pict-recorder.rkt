@@ -32,6 +32,16 @@
     (check-equal? (attribute (first (elements ((pict 'filled-rectangle) 4 6 #:draw-border? #f))) 'd)
                   "M0 0L4 0L4 6L0 6Z"))
 
+  (test-case "a point is a disc as wide as the pen"
+    (define (draw! canvas x y)
+      (define send (dynamic-require 'racket/class 'dynamic-send))
+      (send canvas 'set-pen "red" 4 'solid)
+      (send canvas 'draw-point (+ x 3) (+ y 5)))
+    (define point (first (elements ((pict 'unsafe-dc) draw! 10 10))))
+    (check-eq? (car point) 'ellipse)
+    (check-equal? (map (lambda (name) (attribute point name)) '(cx cy rx ry)) '("3" "5" "2" "2"))
+    (check-regexp-match #rx"^fill:rgb[(]255,0,0[)];" (attribute point 'class)))
+
   (test-case "black and white are the ink and the paper, half-transparent colors stay so"
     (define (fill p) (attribute (first (elements p)) 'class))
     (define ((filled c) p) ((pict 'colorize) p c))
