@@ -6,7 +6,7 @@
          "../plot/window-screen.rkt"
          "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/define-plain.rkt" "../../generic/on-demand.rkt"
-         "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt")
+         "../../generic/wrong-argument.rkt")
 
 (require-on-demand #:in-this-thread
                    ["interaction-window.rkt" loaded? open-interaction-window wait-until-closed])
@@ -41,9 +41,10 @@
          (values (words (value->text i)) #f)]
         [else (values ((interaction-first i)) (remark i))]))
 
-;; The text is what is printed.
-(value-struct words (text)
-  #:text (lambda (w) (words-text w)))
+;; The text is printed as it is, and never typeset.
+(struct words (text)
+  #:property prop:custom-print-quotable 'never
+  #:property prop:custom-write (lambda (w port mode) (write-string (words-text w) port)))
 
 (define (remark i)
   (format "at ~a; controls: ~a"
