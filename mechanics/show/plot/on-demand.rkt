@@ -4,11 +4,16 @@
 (require "../display/drawing-library.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["picture.rkt" loaded? color-name? make-picture picture-bytes])
+(require-on-demand ["picture.rkt" loaded? color-name? draw-picture draw-to-bytes]
+         ["frame-pict.rkt" make-picture converted-picture])
 
-(provide can-draw? why-not color-name? make-picture picture-bytes)
+(provide can-draw? why-not color-name? draw-picture make-picture picture-bytes)
 
 ;; -> string, which ends with what to install, or #f
 (define why-not (reason-not-to-load loaded?))
 
 (define (can-draw?) (not (why-not)))
+
+;; format : as `convert` names it, 'png-bytes and so on
+(define (picture-bytes v layers format default)
+  (or (draw-to-bytes v layers format) (converted-picture v layers format default)))

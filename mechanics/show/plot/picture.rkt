@@ -1,63 +1,99 @@
 #lang racket/base
-;; Layers turned into a picture by Racket's plot library.  This is the part that takes
-;; a second to load, and that needs the libraries of racket/draw.
+;; Layers drawn, in each of the formats of files.  This is the part that needs the libraries of
+;; racket/draw.
 
-(require file/convertible
-         (only-in pict unsafe-dc)
-         plot/no-gui
-         (only-in racket/math exact-round)
-         "picture-layer.rkt" "plot-images.rkt" "points.rkt" "view.rkt")
+(require (only-in racket/class new send send*)
+         (only-in racket/draw bitmap-dc% make-bitmap pdf-dc% region% svg-dc%)
+         (only-in racket/flonum in-flvector)
+         "clipped-lines.rkt" "level-lines.rkt" "picture-layer.rkt" "plot-axes.rkt"
+         "plot-canvas.rkt" "plot-colors.rkt" "plot-images.rkt" "plot-legend.rkt" "points.rkt"
+         "svg-digits.rkt" "view.rkt")
 
-(provide loaded? color-name? make-picture picture-bytes)
+(provide loaded? color-name? draw-picture draw-to-bytes)
 
 ;; A call of it loads this module: so a caller learns whether that is possible.
 (define (loaded?) #t)
 
-(define (color-name? name) (and (named-color name) #t))
+;; ---------------------------------------------------------------------------
+;; Formats
 
-;; -> pict
-(define (make-picture v given-layers)
+;; format : as `convert` names it -> bytes, or #f if it is none of these
+(define (draw-to-bytes v layers format)
+  (define (draw dc) (draw-picture dc v layers 0 0))
+  (case format
+    [(png-bytes) (bitmap-bytes v draw 1)]
+    [(png@2x-bytes) (bitmap-bytes v draw 2)]
+    [(svg-bytes) (shortened-svg (page-bytes svg-dc% v draw))]
+    [(pdf-bytes) (page-bytes pdf-dc% v draw [interactive #f] [as-eps #t])]
+    [else #f]))
+
+(define (bitmap-bytes v draw scale)
+  (define image (make-bitmap (view-width v) (view-height v) #:backing-scale scale))
+  (draw (new bitmap-dc% [bitmap image]))
+  (define port (open-output-bytes))
+  (send image save-file port 'png #:unscaled? #t)
+  (get-output-bytes port))
+
+(define-syntax-rule (page-bytes context% v draw field ...)
+  (let* ([port (open-output-bytes)]
+         [dc (new context% [width (view-width v)] [height (view-height v)] [output port] field ...)])
+    (send* dc (start-doc "picture") (start-page))
+    (draw dc)
+    (send* dc (end-page) (end-doc))
+    (get-output-bytes port)))
+
+;; ---------------------------------------------------------------------------
+
+;; x, y : where the upper left corner is to be
+;; Images are beneath the axes; above are the layers, then all that have very many points, as one
+;; image, and the legend.
+(define (draw-picture dc v given-layers x y)
   (define layers (sized v given-layers))
-  (define dense (filter dense? layers))
-  (define images (filter image? layers))
-  (if (and (null? dense) (null? images))
-      (drawn-once v layers)
-      (composed v layers dense images)))
+  (define (draw)
+    (define a (plot-area dc v))
+    (draw-box dc 0 0 (view-width v) (view-height v) "white" #f)
+    (for ([l (in-list layers)] #:when (eq? (layer-kind l) 'image)) (draw-raster dc a (layer-data l)))
+    (draw-axes dc a)
+    (define outside (send dc get-clipping-region))
+    (clip-to! dc a outside)
+    (for ([l (in-list layers)] #:unless (dense? l)) (draw-layer dc a l))
+    (define dense (filter dense? layers))
+    (unless (null? dense) (draw-dense-points dc a dense))
+    (send dc set-clipping-region outside)
+    (draw-legend dc a layers))
+  (call-with-canvas dc x y draw))
 
-;; As plot-pict makes one, which draws each plot a second time, as a check that the canvas is
-;; as it was after that; the library has it so.
-(define (drawn-once v layers)
-  (define drawn (renderers v layers))
-  (define settings (current-parameterization))
-  (define-values (width height) (values (view-width v) (view-height v)))
-  (unsafe-dc (lambda (canvas x y)
-               (call-with-parameterization
-                settings (lambda () (plotted plot/dc v drawn canvas x y width height))))
-             width height))
+;; The lines of the axes are within.
+(define (clip-to! dc a outside)
+  (define region (new region% [dc dc]))
+  (send region set-rectangle (- (area-left a) 1/2) (- (area-top a) 1/2)
+        (+ (- (area-right a) (area-left a)) 1) (+ (- (area-bottom a) (area-top a)) 1))
+  (when outside (send region intersect outside))
+  (send dc set-clipping-region region))
 
-;; Calls one of the library's procedures with the arguments and all that the view says.
-(define-syntax-rule (plotted plot v argument ...)
-  (let-values ([(x-min x-max y-min y-max) (apply values (view-bounds v))])
-    (plot argument ...
-          #:x-min x-min #:x-max x-max #:y-min y-min #:y-max y-max
-          #:title (view-title v) #:x-label (view-x-label v) #:y-label (view-y-label v)
-          #:aspect-ratio (view-aspect-ratio v))))
+(define (draw-layer dc a l)
+  (define-values (s data place) (values (layer-style l) (layer-data l) (area-place a)))
+  (define (draw lines)
+    (draw-strokes dc lines (color->bytes (style-color s)) (style-size s) (style-dash s)))
+  (define (placed points) (for/list ([p (in-list points)]) (place (car p) (cdr p))))
+  (case (layer-kind l)
+    [(points) (draw (for/list ([p (in-list (places data place))]) (list p p)))]
+    [(lines curve) (draw (clipped-lines (places data place) (area-left a) (area-right a)
+                                        (area-top a) (area-bottom a)))]
+    [(level) (draw (map placed (level-lines data (view-bounds (area-view a)))))]
+    [else (void)]))
 
-;; The first point stands for those of a layer that is drawn as an image.
-(define (renderers v layers)
-  (for/list ([l (in-list layers)])
-    (layer->renderer (if (dense? l) (first-point l) l) (view-bounds v))))
+(define (places points place)
+  (define count (snapshot-count points))
+  (for/list ([x (in-flvector (snapshot-xs points) 0 count)]
+             [y (in-flvector (snapshot-ys points) 0 count)])
+    (place x y)))
 
-;; Very many points are one image, above the rest; images are beneath it.  The first of the
-;; points, and one of an image, are drawn none the less, for the legend and the axes.
-(define (composed v layers dense images)
-  (define bounds (view-bounds v))
-  (define drawn
-    (parameterize ([plot-background-alpha (if (null? images) 1 0)])
-      (plotted plot-pict v (renderers v layers)
-               #:width (view-width v) #:height (view-height v))))
-  (define with-points (if (null? dense) drawn (with-dense-points drawn bounds dense)))
-  (if (null? images) with-points (with-images-beneath with-points bounds images)))
+;; A layer with more points is drawn as an image, not point by point.
+(define many-points 20000)
+
+(define (dense? l)
+  (and (eq? (layer-kind l) 'points) (> (snapshot-count (layer-data l)) many-points)))
 
 ;; ---------------------------------------------------------------------------
 ;; The size of points
@@ -77,51 +113,3 @@
     (if (unsized? l)
         (struct-copy layer l [style (struct-copy style (layer-style l) [size size])])
         l)))
-
-;; ---------------------------------------------------------------------------
-
-(define (image? l) (eq? (layer-kind l) 'image))
-
-;; A layer with more points is drawn as an image, not point by point.
-(define many-points 20000)
-
-(define (dense? l)
-  (and (eq? (layer-kind l) 'points) (> (snapshot-count (layer-data l)) many-points)))
-
-(define (first-point l)
-  (layer (layer-style l) (struct-copy snapshot (layer-data l) [count 1])))
-
-;; format : as `convert` names it, 'png-bytes and so on
-(define (picture-bytes v layers format default)
-  (convert (make-picture v layers) format default))
-
-(define (layer->renderer l bounds)
-  (define s (layer-style l))
-  (define data (layer-data l))
-  (case (layer-kind l)
-    [(points)
-     ;; plot's dots are a quarter as wide as their size says
-     (points (snapshot->vectors data)
-             #:sym 'dot #:size (* 4 (style-size s)) #:color (style-color s)
-             #:label (style-label s))]
-    [(image)
-     (define-values (x-min x-max y-min y-max) (apply values bounds))
-     (points (list (vector x-min y-min)) #:alpha 0)]
-    [(level)
-     (define-values (x-min x-max y-min y-max) (apply values bounds))
-     (isoline (field-function data bounds) (field-level data) x-min x-max y-min y-max
-              #:samples (field-count data)
-              #:color (style-color s) #:width (style-size s) #:style (style-dash s)
-              #:label (style-label s))]
-    [else
-     (lines (snapshot->vectors data)
-            #:color (style-color s) #:width (style-size s) #:style (style-dash s)
-            #:label (style-label s))]))
-
-;; The sampled function: the plot library asks for it at the nodes again.
-(define ((field-function f bounds) x y)
-  (define-values (x-min x-max y-min y-max) (apply values bounds))
-  (define last (- (field-count f) 1))
-  (define (index x low high)
-    (max 0 (min last (exact-round (* last (/ (- x low) (- high low)))))))
-  (vector-ref (vector-ref (field-rows f) (index y y-min y-max)) (index x x-min x-max)))

@@ -1,0 +1,98 @@
+#lang racket/base
+;; What pictures are drawn with on a device context of racket/draw: lines, rectangles, text.
+
+(require (only-in racket/class new send send*)
+         (only-in racket/draw dc-path% make-brush make-color make-font make-pen)
+         racket/flonum
+         (only-in racket/list partition split-at))
+
+(provide call-with-canvas draw-strokes draw-box
+         (struct-out text) make-text draw-text)
+
+(define font (make-font #:size 11 #:family 'roman))
+
+;; Calls draw with x, y as the origin, and leaves the settings of the context as they were.
+(define (call-with-canvas dc x y draw)
+  (define-values (pen brush old-font color smoothing mode alpha clipping place)
+    (values (send dc get-pen) (send dc get-brush) (send dc get-font)
+            (send dc get-text-foreground) (send dc get-smoothing) (send dc get-text-mode)
+            (send dc get-alpha) (send dc get-clipping-region) (send dc get-transformation)))
+  (send* dc
+    (translate x y) (set-font font) (set-text-foreground "black") (set-smoothing 'smoothed)
+    (set-text-mode 'transparent) (set-alpha 1.0))
+  (draw)
+  (send* dc
+    (set-transformation place) (set-pen pen) (set-brush brush) (set-font old-font)
+    (set-text-foreground color) (set-smoothing smoothing) (set-text-mode mode)
+    (set-alpha alpha) (set-clipping-region clipping)))
+
+;; lines : lists of points, two at least, pairs of flonums in pixels; color : three bytes
+(define (draw-strokes dc lines color width [style 'solid])
+  (define-values (short long)
+    (partition (lambda (line) (and (eq? style 'solid) (null? (cddr line)))) lines))
+  (send* dc
+    (set-pen (make-pen #:color (apply make-color color) #:width width #:style style
+                       #:cap 'round #:join 'round))
+    (set-brush (make-brush #:style 'transparent)))
+  (draw-together dc short)
+  (for ([line (in-list long)]) (send dc draw-lines (thinned line))))
+
+;; Dots and pieces with two ends are drawn as one path, some hundreds of them, for that is less to
+;; write and quick.  A path closes its parts, which would be seen of others.
+(define (draw-together dc lines)
+  (unless (null? lines)
+    (define path (new dc-path%))
+    (define-values (now later) (split-at lines (min at-once (length lines))))
+    (for ([line (in-list now)])
+      (define-values (p q) (values (car line) (cadr line)))
+      (send* path (move-to (car p) (cdr p)) (line-to (car q) (cdr q))))
+    (send dc draw-path path)
+    (draw-together dc later)))
+
+(define at-once 500)
+
+;; Leaves out points that are nearly on the straight line between those before and after.
+(define (thinned line)
+  (for/fold ([from (car line)] [passed '()] [kept (list (car line))]
+             #:result (reverse (cons (car passed) kept)))
+            ([p (in-list (cdr line))])
+    (if (and (< (length passed) 10) (andmap (near-line from p) passed))
+        (values from (cons p passed) kept)
+        (values (car passed) (list p) (cons (car passed) kept)))))
+
+;; -> a predicate: is a point less than a twentieth of a pixel from the line between p and q?
+(define (near-line p q)
+  (define-values (x y) (values (car p) (cdr p)))
+  (define-values (dx dy) (values (fl- (car q) x) (fl- (cdr q) y)))
+  (define square (flmax 1e-12 (fl+ (fl* dx dx) (fl* dy dy))))
+  (lambda (r)
+    (define-values (rx ry) (values (fl- (car r) x) (fl- (cdr r) y)))
+    (define share (flmax 0.0 (flmin 1.0 (fl/ (fl+ (fl* rx dx) (fl* ry dy)) square))))
+    (define-values (ex ey) (values (fl- rx (fl* share dx)) (fl- ry (fl* share dy))))
+    (fl< (fl+ (fl* ex ex) (fl* ey ey)) 0.0025)))
+
+;; color : of the area, or #f; line : width of the border, black, or #f
+(define (draw-box dc left top width height color line)
+  (send* dc
+    (set-pen (if line (make-pen #:width line) (make-pen #:style 'transparent)))
+    (set-brush (if color (make-brush #:color color) (make-brush #:style 'transparent)))
+    (draw-rectangle left top width height)))
+
+;; ---------------------------------------------------------------------------
+;; Text
+
+;; A string and the rectangle that it fills; turned? : is it read from below upwards?
+(struct text (string left top width height turned?))
+
+;; x, y : where is the point of the rectangle that is such shares of its width to the right and of
+;; its height down
+(define (make-text dc string x y across down [turned? #f])
+  (define-values (length size descent space) (send dc get-text-extent string font #t 0))
+  (define-values (width height) (if turned? (values size length) (values length size)))
+  (text string (- x (* across width)) (- y (* down height)) width height turned?))
+
+(define (draw-text dc t)
+  (define-values (x y) (values (text-left t) (text-top t)))
+  (if (text-turned? t)
+      (send dc draw-text (text-string t) x (+ y (text-height t)) #t 0 (/ (acos -1) 2))
+      (send dc draw-text (text-string t) x y #t 0)))
