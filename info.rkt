@@ -11,7 +11,6 @@
                "gui-lib"
                "math-lib"
                "pict-lib"
-               "plot-lib"
                "rackunit-lib"
                "readline-lib"
                "sandbox-lib"
@@ -20,5 +19,6 @@
                "wxme-lib"))
 (define build-deps '("at-exp-lib"
                      "drracket-tool-text-lib"
+                     "plot-lib"
                      "racket-doc"
                      "scribble-lib"))

@@ -107,7 +107,7 @@
 (define (fresh-namespace)
   (define-values (from to) (values (namespace-anchor->empty-namespace here)
                                    (make-base-empty-namespace)))
-  (for ([module (in-list (if (can-draw?) '(file/convertible plot/no-gui) '(file/convertible)))])
+  (for ([module (in-list (if (can-draw?) '(file/convertible pict) '(file/convertible)))])
     (parameterize ([current-namespace from]) (dynamic-require module #f))
     (namespace-attach-module from module to))
   to)

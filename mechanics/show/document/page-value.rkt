@@ -95,14 +95,16 @@
 ;; ---------------------------------------------------------------------------
 ;; Pictures
 
-;; An SVG of more bytes is replaced by its PNG.
+;; An SVG of more bytes is replaced by its PNG, which is drawn only then.
 (define largest-svg 1000000)
 
 (define (picture->markup p number)
-  (define-values (svg png) (values (shown-picture-svg p) (shown-picture-png p)))
-  (if (and svg (or (not png) (< (bytes-length svg) largest-svg)))
-      (svg->markup (bytes->string/utf-8 svg #\?) (format "\\1p~a-" number))
-      (format "<img alt=\"\" src=\"data:image/png;base64,~a\"/>" (base64-encode png #""))))
+  (define svg (shown-picture-svg p))
+  (define small? (and svg (< (bytes-length svg) largest-svg)))
+  (define png (and (not small?) (shown-picture-png p)))
+  (if png
+      (format "<img alt=\"\" src=\"data:image/png;base64,~a\"/>" (base64-encode png #""))
+      (svg->markup (bytes->string/utf-8 svg #\?) (format "\\1p~a-" number))))
 
 (define (svg->markup text prefixed)
   (regexp-replaces text `([#rx"^.*?(?=<svg)" ""]

@@ -17,27 +17,26 @@
 (require-on-demand ["../../motion/event/event.rkt" event-name])
 
 (provide value->shown
-         (struct-out shown-formula) (struct-out shown-table) (struct-out shown-picture)
-         (struct-out shown-text))
+         (struct-out shown-formula) (struct-out shown-table) (struct-out shown-text)
+         shown-picture? shown-picture-text shown-picture-svg shown-picture-png shown-picture-pdf)
 
 ;; tree : of its notation; notes : trees of the assumptions of its simplification
 (struct shown-formula (tree notes) #:transparent)
 ;; header : strings, or #f; rows : lists of trees
 (struct shown-table (header rows) #:transparent)
-;; bytes, or #f where the picture was not asked for in that format or cannot be had in it;
-;; text : in place of it
-(struct shown-picture (svg png pdf text) #:transparent)
+;; drawn : as file/convertible names a format -> bytes, or #f where the picture cannot be had in it;
+;; text : in place of the picture
+(struct shown-picture (drawn text))
 (struct shown-text (text) #:transparent)
 
 (define text-width 79)
 
-;; formats : those in which a picture is wanted
-(define (value->shown x [formats '(svg-bytes png-bytes pdf-bytes)])
+(define (value->shown x)
   (cond [(cyclic? x) (shown-text (printed x))]
         [(interaction? x) (interaction->shown x value->shown)]
         [(table-of x) => values]
         [(typeset? x) (formula x)]
-        [(convertible? x) (picture x formats)]
+        [(convertible? x) (picture x)]
         [else (shown-text (printed (simplified-result x text-width)))]))
 
 (define (printed x)
@@ -118,11 +117,20 @@
 ;; ---------------------------------------------------------------------------
 ;; Pictures
 
-(define (picture x formats)
-  (define (in-format format) (and (memq format formats) (convert x format #f)))
-  (define svg (in-format 'svg-bytes))
-  (define png (in-format 'png-bytes))
-  (define text (printed x))
-  (if (or svg png)
-      (shown-picture svg png (in-format 'pdf-bytes) text)
-      (shown-text text)))
+(define (shown-picture-svg p) ((shown-picture-drawn p) 'svg-bytes))
+(define (shown-picture-png p) ((shown-picture-drawn p) 'png-bytes))
+(define (shown-picture-pdf p) ((shown-picture-drawn p) 'pdf-bytes))
+
+;; What can draw itself later, as it is now, says so to the request 'picture-for-later with a
+;; procedure that takes a format; of others it is seen at once whether they can be drawn.
+(define (picture x)
+  (define later (convert x 'picture-for-later #f))
+  (define drawn (once-each (or later (lambda (format) (convert x format #f)))))
+  (if (or later (drawn 'svg-bytes) (drawn 'png-bytes))
+      (shown-picture drawn (printed x))
+      (shown-text (printed x))))
+
+;; Calls the procedure once with each argument.
+(define (once-each f)
+  (define known (make-hasheq))
+  (lambda (x) (hash-ref! known x (lambda () (f x)))))

@@ -4,9 +4,7 @@
 
 (require racket/class
          racket/gui/base
-         (only-in plot/no-gui linear-ticks pre-tick-value tick-label ticks-generate)
-         (only-in plot/utils ->pen-color)
-         "exploration.rkt" "../plot/pixels.rkt")
+         "exploration.rkt" "../plot/pixels.rkt" "../plot/plot-colors.rkt" "../plot/plot-ticks.rkt")
 
 (provide make-board board-canvas redraw-board! mark-on-board! board-picture
          ;; for tests: where a point of the plane is on the canvas
@@ -51,7 +49,7 @@
                  (max 20 (- width left right)) (max 20 (- height top bottom))))
   (define bitmap (make-bitmap (pixels-width p) (pixels-height p)))
   (put-background! b bitmap p)
-  (each-orbit-marked (board-exploration b) p ->pen-color)
+  (each-orbit-marked (board-exploration b) p color->bytes)
   (set-board-pixels! b p)
   (set-board-bitmap! b bitmap)
   (changed! b))
@@ -73,7 +71,7 @@
 
 ;; Marks new points of an orbit.
 (define (mark-on-board! b xs ys count color)
-  (mark! (drawn-pixels b) xs ys count (->pen-color color))
+  (mark! (drawn-pixels b) xs ys count (color->bytes color))
   (changed! b))
 
 ;; -> a bitmap of the whole canvas
@@ -138,21 +136,20 @@
   (send dc set-pen "black" 1 'solid)
   (send dc set-brush "white" 'transparent)
   (send dc draw-rectangle (- left 1) (- top 1) (+ width 2) (+ height 2))
-  (for ([t (in-list (ticks-between x-min x-max))])
-    (define-values (i j) (point->pixel p (pre-tick-value t) y-min))
+  (for ([t (in-list (numbers-between x-min x-max))])
+    (define-values (i j) (point->pixel p (tick-value t) y-min))
     (define-values (w h descent space) (send dc get-text-extent (tick-label t)))
     (send dc draw-line (+ left i) (+ top height) (+ left i) (+ top height 4))
     (send dc draw-text (tick-label t) (- (+ left i) (/ w 2)) (+ top height 6)))
-  (for ([t (in-list (ticks-between y-min y-max))])
-    (define-values (i j) (point->pixel p x-min (pre-tick-value t)))
+  (for ([t (in-list (numbers-between y-min y-max))])
+    (define-values (i j) (point->pixel p x-min (tick-value t)))
     (define-values (w h descent space) (send dc get-text-extent (tick-label t)))
     (send dc draw-line (- left 5) (+ top j) (- left 1) (+ top j))
     (send dc draw-text (tick-label t) (- left 8 w) (- (+ top j) (/ h 2)))))
 
 (define small (make-font #:size 8))
 
-(define (ticks-between low high)
-  (filter (lambda (t) (<= low (pre-tick-value t) high)) (ticks-generate (linear-ticks) low high)))
+(define (numbers-between low high) (filter tick-label (ticks-between low high)))
 
 (define (draw-box dc from to)
   (send dc set-pen "gray" 1 'short-dash)

@@ -41,8 +41,9 @@
   #:property prop:convertible
   (lambda (f request default)
     (cond [(eq? request 'text) (frame->text f)]
-          [(can-draw?) (frame->bytes f request default)]
-          [else default]))
+          [(not (can-draw?)) default]
+          [(eq? request 'picture-for-later) (present-picture f)]
+          [else (frame->bytes f request default)]))
   #:property prop:serializable
   (make-serialize-info (lambda (f) (stored-frame (seen f))) #'frame-deserialize-info #f
                        (or (current-load-relative-directory) (current-directory))))
@@ -147,8 +148,12 @@
   (format "(frame x from ~a to ~a, y from ~a to ~a: ~a)"
           x-min x-max y-min y-max (layers->text (frame-now f))))
 
-(define (frame->bytes f format [default #f])
-  (picture-bytes (frame-view f) (frame-now (seen f)) format default))
+(define (frame->bytes f format [default #f]) ((present-picture f) format default))
+
+;; -> a procedure: a format -> bytes, of the frame as it is now
+(define (present-picture f)
+  (define-values (v layers) (values (frame-view f) (frame-now (seen f))))
+  (lambda (format [default #f]) (picture-bytes v layers format default)))
 
 ;; ---------------------------------------------------------------------------
 ;; What the end of the program is to show (display/program-end.rkt)

@@ -36,7 +36,8 @@
 
 (define-syntax-rule (page-bytes context% v draw field ...)
   (let* ([port (open-output-bytes)]
-         [dc (new context% [width (view-width v)] [height (view-height v)] [output port] field ...)])
+         [dc (new context% [width (view-width v)] [height (view-height v)]
+                  [output port] field ...)])
     (send* dc (start-doc "picture") (start-page))
     (draw dc)
     (send* dc (end-page) (end-doc))
@@ -52,7 +53,8 @@
   (define (draw)
     (define a (plot-area dc v))
     (draw-box dc 0 0 (view-width v) (view-height v) "white" #f)
-    (for ([l (in-list layers)] #:when (eq? (layer-kind l) 'image)) (draw-raster dc a (layer-data l)))
+    (for ([l (in-list layers)] #:when (eq? (layer-kind l) 'image))
+      (draw-raster dc a (layer-data l)))
     (draw-axes dc a)
     (define outside (send dc get-clipping-region))
     (clip-to! dc a outside)

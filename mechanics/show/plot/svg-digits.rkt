@@ -1,6 +1,7 @@
 #lang racket/base
 ;; SVG made shorter: places of points in tenths of a pixel, where Cairo writes millionths.  The
-;; outlines of letters, among the definitions, stay as they are.
+;; outlines of letters, among the definitions, stay as they are.  The group of all has no name, so
+;; that pictures that look the same are the same.
 
 (require (only-in racket/math exact-round))
 
@@ -12,10 +13,14 @@
     (regexp-replace #px#"width=\"([\\d.]+)pt\" height=\"([\\d.]+)pt\"" svg
                     #"width=\"\\1\" height=\"\\2\""))
   (define end (cdar (regexp-match-positions #rx#"^(.*</defs>)?" text)))
-  (bytes-append (subbytes text 0 end)
-                (regexp-replace* #rx#" d=\"[^\"]*\"" (subbytes text end) path-in-tenths)))
+  (define drawn (regexp-replace #px#"<g id=\"surface\\d+\">" (subbytes text end) #"<g>"))
+  (bytes-append (subbytes text 0 end) (regexp-replace* #rx#" d=\"[^\"]*\"" drawn shortened-path)))
 
-(define (path-in-tenths d) (regexp-replace* #px#"-?\\d+[.]\\d+" d in-tenths))
+;; A dot is a line to its beginning: not all that show SVG draw a point that is closed.
+(define (shortened-path d)
+  (regexp-replace* #px#"M ([-.\\d]+ [-.\\d]+) Z"
+                   (regexp-replace* #px#"-?\\d+[.]\\d+" d in-tenths)
+                   #"M \\1 L \\1"))
 
 ;; #"-12.345678" -> #"-12.3"
 (define (in-tenths digits)

@@ -7,11 +7,14 @@
 
 (provide strokes)      ; (strokes svg color) -> (listof natural)
 
-;; The numbers of points of the paths stroked in a color, a list of three bytes.
+;; The numbers of points of the lines stroked in a color, a list of three bytes.  A path may have
+;; several, each of which begins with a move; a move alone strokes nothing.
 (define (strokes svg color)
-  (for/list ([path (in-list (regexp-match* #px"<path [^>]*>" svg))]
-             #:when (equal? (stroke-color path) color))
-    (length (regexp-match* #px"[MLC] " path))))
+  (for*/list ([path (in-list (regexp-match* #px"<path [^>]*>" svg))]
+              #:when (equal? (stroke-color path) color)
+              [line (in-list (regexp-match* #px"M [^M]*" path))]
+              #:when (regexp-match? #px"[LC] " line))
+    (length (regexp-match* #px"[MLC] " line))))
 
 (define (stroke-color path)
   (define found (regexp-match #px"\\bstroke(?::|=\")\\s*([^;\"]+)" path))
@@ -38,4 +41,7 @@
                         "style=\"stroke:#0A00ff\"")])
       (check-equal? (strokes (path attributes) '(10 0 255)) '(3) attributes)
       (check-equal? (strokes (path attributes) '(11 0 255)) '() attributes))
+    (check-equal? (strokes "<path stroke=\"#000000\" d=\"M 0 0 L 0 0 Z M 0 0 M 1 1 L 2 2 L 3 1\"/>"
+                           '(0 0 0))
+                  '(2 3))
     (check-equal? (strokes (path "fill=\"rgb(0%, 0%, 0%)\" stroke-width=\"1\"") '(0 0 0)) '())))

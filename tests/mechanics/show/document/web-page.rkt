@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Documents as pages: well-formed, with nothing in them that could be markup of its own.
 
-(require racket/list
+(require file/convertible
+         racket/list
          racket/string
          (only-in xml document-element read-xml xml->xexpr)
          mechanics mechanics/plot
@@ -162,5 +163,24 @@
   (skip-unless (can-draw?) "pictures on pages: the libraries that draw are not here"
     (define f (frame 0 1 0 1))
     (define before (value->shown f))
+    (define-values (svg png) (values (convert f 'svg-bytes) (convert f 'png-bytes)))
     (plot-line f 0 0 1 1)
-    (check-not-equal? (shown-picture-svg before) (shown-picture-svg (value->shown f)))))
+    (check-equal? (shown-picture-svg before) svg)
+    (check-equal? (shown-picture-png before) png)
+    (check-not-equal? svg (shown-picture-svg (value->shown f)))))
+
+(test-case "a picture is drawn in the formats that are asked for, once in each"
+  (define asked '())
+  (struct drawing ()
+    #:property prop:convertible
+    (lambda (d format default)
+      (set! asked (cons format asked))
+      (case format [(svg-bytes) #"<svg/>"] [(png-bytes) #"PNG"] [else default])))
+  (define shown (value->shown (drawing)))
+  (check-equal? (filter (lambda (format) (memq format '(png-bytes pdf-bytes))) asked) '())
+  (for ([_ 2])
+    (check-equal? (shown-picture-svg shown) #"<svg/>")
+    (check-equal? (shown-picture-png shown) #"PNG")
+    (check-false (shown-picture-pdf shown)))
+  (check-equal? (sort (remq* '(picture-for-later text) asked) symbol<?)
+                '(pdf-bytes png-bytes svg-bytes)))

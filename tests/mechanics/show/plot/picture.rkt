@@ -91,7 +91,7 @@
       (bytes->string/utf-8 (convert f 'svg-bytes)))
     (define-values (few many) (values (dotted 100) (dotted 30000)))
     (check-equal? (length (strokes few '(255 0 0))) 101)
-    (check-equal? (length (strokes many '(255 0 0))) 2)
+    (check-equal? (length (strokes many '(255 0 0))) 1)
     (check-equal? (length (regexp-match* #rx"<image " few)) 0)
     (check-true (pair? (regexp-match* #rx"<image " many)))
     (check-equal? (length (strokes many '(0 0 0))) (length (strokes few '(0 0 0)))))
