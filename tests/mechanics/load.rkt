@@ -12,7 +12,9 @@
          rackunit
          syntax/modresolve
          "support/house/graph.rkt"
-         "support/house/library.rkt")
+         "support/house/library.rkt"
+         "support/skip.rkt"
+         (only-in "../../mechanics/show/plot/on-demand.rkt" can-draw?))
 
 (define-runtime-path loud "runner/fixture/loud.rkt")
 
@@ -43,9 +45,9 @@
 ;; ---------------------------------------------------------------------------
 ;; Tracing
 
-;; The files loaded by requiring a module into a namespace where there is only
-;; racket/base.
-(define (loaded module-path)
+;; The files loaded by requiring a module into a namespace where there is only racket/base, and by
+;; what is done there afterwards.
+(define (loaded module-path [do void])
   (define files '())
   (define load (current-load/use-compiled))
   (define (note path name)
@@ -53,7 +55,8 @@
     (load path name))
   (parameterize ([current-namespace (make-base-empty-namespace)]
                  [current-load/use-compiled note])
-    (dynamic-require module-path #f))
+    (dynamic-require module-path #f)
+    (do))
   (remove-duplicates files))
 
 (define (unwanted files)
@@ -136,3 +139,19 @@
     (define-values (printed same?) (effects module-path))
     (check-equal? printed "")
     (check-true same?)))
+
+;; pict alone takes as much memory as all the rest of a first picture.
+(skip-unless (can-draw?) "the shared libraries of racket/draw are not installed: no pictures"
+  (test-case "a first picture loads neither Typed Racket nor pict"
+    (define (draw)
+      (define f ((dynamic-require 'mechanics/plot 'frame) 0 1 0 1))
+      ((dynamic-require 'mechanics/plot 'plot-function) f sin 0 1)
+      (for ([format '(png-bytes svg-bytes pdf-bytes)])
+        (check-pred bytes? ((dynamic-require 'file/convertible 'convert) f format))))
+    (define files (loaded 'mechanics/plot draw))
+    (define (from folder)
+      (define path (existing-collection folder))
+      (if path (filter (lambda (file) (inside? file path)) files) '()))
+    (check-not-equal? (from "racket/draw") '())
+    (for ([folder '("typed-racket" "typed" "plot" "math" "pict")])
+      (check-equal? (from folder) '() folder))))

@@ -2,6 +2,7 @@
 ;; Pictures of frames, in the formats that editors and documents ask for, and in files.
 
 (require file/convertible
+         (prefix-in g: (only-in mechanics * - cos ref))
          mechanics/plot
          (only-in mechanics/show/plot/on-demand why-not)
          (only-in pict pict-width pict-height)
@@ -115,6 +116,48 @@
     (check-equal? (blue) 0)
     (plot-contours f well '(-2 -3) #:color 'blue #:samples 51)
     (check-true (> (blue) 100)))
+
+  (test-case "a default phase portrait is a few curves, each in one piece, of few bytes"
+    (define f (frame -3.2 3.2 -10.0 10.0))
+    (define (energy state)
+      (g:- (g:* 1/2 (g:ref state 2) (g:ref state 2)) (g:* 9.8 (g:cos (g:ref state 1)))))
+    (plot-phase-portrait f energy)
+    (define svg (convert f 'svg-bytes))
+    (check-true (< (bytes-length svg) 50000) (format "~a bytes" (bytes-length svg)))
+    (define lines (strokes (bytes->string/utf-8 svg) '(190 190 190)))
+    (check-true (<= 12 (length lines) 24) (format "~a" lines))
+    (check-true (> (apply min lines) 10)))
+
+  (test-case "points on straight pieces are not drawn, and dashes are those of the line"
+    (define f (frame 0 10 0 10))
+    (plot-function f (lambda (x) (if (< x 5) x 5)) 0 10 #:color 'blue)
+    (plot-line f 0 1 10 1 #:color 'red #:style 'dot)
+    (define svg (bytes->string/utf-8 (convert f 'svg-bytes)))
+    (check-true (< (apply + (strokes svg '(0 0 255))) 110))
+    (check-equal? (strokes svg '(255 0 0)) '(2))
+    (check-regexp-match #rx"<path [^>]*stroke-dasharray[^>]*>" svg))
+
+  (test-case "a legend has a line for each label, in the order of drawing"
+    (define (with-labels . labels)
+      (define f (frame 0 1 0 1))
+      (for ([label (in-list labels)] [k (in-naturals 1)])
+        (plot-line f 2 2 3 3 #:color (list k k k) #:label label))
+      (bytes->string/utf-8 (convert f 'svg-bytes)))
+    (define svg (with-labels "one" #f "two"))
+    (define (heights k)
+      (map (lambda (m) (string->number (cadr m)))
+           (regexp-match* (pregexp (format "stroke:rgb[(]~a[^>]* d=\"M [\\d.]+ ([\\d.]+) L" k))
+                          svg #:match-select values)))
+    (check-equal? (map length (list (strokes svg '(1 1 1)) (strokes svg '(2 2 2))
+                                    (strokes svg '(3 3 3))))
+                  '(1 0 1))
+    (check-true (< (apply + (heights "0.39")) (apply + (heights "1.17")))))
+
+  (test-case "numbers of colors are those that they were"
+    (define color->bytes (dynamic-require 'mechanics/show/plot/plot-colors 'color->bytes))
+    (check-equal? (map color->bytes '(0 1 2 3 4 5 6 7 -3 128 red (10 20 200)))
+                  '((0 0 0) (127 0 0) (7 129 0) (0 2 123) (169 96 0) (0 54 85) (85 0 169)
+                    (146 0 71) (67 67 67) (0 0 0) (255 0 0) (10 20 200))))
 
   (test-case "the picture is the present one"
     (define f (drawn))
