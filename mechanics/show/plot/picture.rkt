@@ -3,7 +3,7 @@
 ;; racket/draw.
 
 (require (only-in racket/class new send send*)
-         (only-in racket/draw bitmap-dc% make-bitmap pdf-dc% region% svg-dc%)
+         (only-in racket/draw bitmap-dc% current-ps-setup make-bitmap pdf-dc% region% svg-dc%)
          (only-in racket/flonum in-flvector)
          "clipped-lines.rkt" "level-lines.rkt" "picture-layer.rkt" "plot-axes.rkt"
          "plot-canvas.rkt" "plot-colors.rkt" "plot-images.rkt" "plot-legend.rkt" "points.rkt"
@@ -23,9 +23,15 @@
   (case format
     [(png-bytes) (bitmap-bytes v draw 1)]
     [(png@2x-bytes) (bitmap-bytes v draw 2)]
-    [(svg-bytes) (shortened-svg (page-bytes svg-dc% v draw))]
-    [(pdf-bytes) (page-bytes pdf-dc% v draw [interactive #f] [as-eps #t])]
+    [(svg-bytes) (shortened-svg (page-bytes svg-dc% v draw 1 1))]
+    [(pdf-bytes) (pdf-bytes v draw)]
     [else #f]))
+
+;; The canvas itself scales what is drawn on it, but not the page.
+(define (pdf-bytes v draw)
+  (define-values (x-scale y-scale) (values (box 1) (box 1)))
+  (send (current-ps-setup) get-scaling x-scale y-scale)
+  (page-bytes pdf-dc% v draw (unbox x-scale) (unbox y-scale) [interactive #f] [as-eps #t]))
 
 (define (bitmap-bytes v draw scale)
   (define image (make-bitmap (view-width v) (view-height v) #:backing-scale scale))
@@ -34,9 +40,9 @@
   (send image save-file port 'png #:unscaled? #t)
   (get-output-bytes port))
 
-(define-syntax-rule (page-bytes context% v draw field ...)
+(define-syntax-rule (page-bytes context% v draw x-scale y-scale field ...)
   (let* ([port (open-output-bytes)]
-         [dc (new context% [width (view-width v)] [height (view-height v)]
+         [dc (new context% [width (* x-scale (view-width v))] [height (* y-scale (view-height v))]
                   [output port] field ...)])
     (send* dc (start-doc "picture") (start-page))
     (draw dc)
