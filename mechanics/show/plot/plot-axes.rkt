@@ -18,9 +18,15 @@
 (define (area-place a)
   (define-values (x-min x-max y-min y-max) (apply values (view-bounds (area-view a))))
   (define-values (left bottom) (values (area-left a) (area-bottom a)))
-  (define x-scale (/ (- (area-right a) left) (- x-max x-min)))
-  (define y-scale (/ (- bottom (area-top a)) (- y-max y-min)))
-  (lambda (x y) (cons (+ left (* x-scale (- x x-min))) (- bottom (* y-scale (- y y-min))))))
+  (define-values (width height) (values (- (area-right a) left) (- bottom (area-top a))))
+  (define-values (across up) (values (share-between x-min x-max) (share-between y-min y-max)))
+  (lambda (x y) (cons (+ left (* width (across x))) (- bottom (* height (up y))))))
+
+;; -> procedure: x -> 0 at the low end, 1 at the high one, though their difference may be infinite
+(define (share-between low high)
+  (define unit (if (< (- high low) +inf.0) 1.0 0.5))
+  (define-values (from range) (values (* unit low) (- (* unit high) (* unit low))))
+  (lambda (x) (/ (- (* unit x) from) range)))
 
 (define (x-place a x) (car ((area-place a) x 0.0)))
 (define (y-place a y) (cdr ((area-place a) 0.0 y)))

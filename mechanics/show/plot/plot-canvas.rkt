@@ -31,7 +31,7 @@
   (define-values (short long)
     (partition (lambda (line) (and (eq? style 'solid) (null? (cddr line)))) lines))
   (send* dc
-    (set-pen (make-pen #:color (apply make-color color) #:width width #:style style
+    (set-pen (make-pen #:color (apply make-color color) #:width (min width 255) #:style style
                        #:cap 'round #:join 'round))
     (set-brush (make-brush #:style 'transparent)))
   (draw-together dc short)

@@ -8,7 +8,7 @@
 @(define session (make-picture-session '(require mechanics/book)))
 
 A picture is drawn in a @emph{frame}, a window of the plane, as in @|the-book|. Frames are
-in a library of their own, since what draws them takes a second to load:
+in a library of their own:
 @racket[(require mechanics/plot)]. @missing-pictures[]
 
 @section{Frames}

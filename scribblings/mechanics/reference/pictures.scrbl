@@ -8,9 +8,9 @@
 
 @defmodule[mechanics/plot #:packages ("mechanics")]
 
-Frames as in the book, drawn by Racket's @racketmodname[plot #:indirect] library,
-which is loaded when
-the first picture is made. @secref["guide-pictures"] tells how they are used.
+Frames as in the book, drawn by Racket's library @racketmodname[racket/draw #:indirect], which is
+loaded when the first picture is made. A function of the plane is drawn as lines, each in one
+piece; an SVG has places in tenths of a pixel. @secref["guide-pictures"] tells how they are used.
 @missing-pictures[]
 
 Whatever draws checks its numbers. A number that has no place in the plane, because it is
@@ -22,7 +22,7 @@ These keywords are common to what draws:
 
 @itemlist[
 @item{@racket[#:color]: a name, such as @racket['red] or @racket["steel blue"]; a small
-integer, for one of @racketmodname[plot #:indirect]'s colors, in which 0 is black;
+integer, as in Racket's library @racketmodname[plot #:indirect], with 0 for black;
 or a list of three
 bytes, red, green and blue.}
 @item{@racket[#:size], of points: their diameter in pixels. With @racket[#f] it follows the number

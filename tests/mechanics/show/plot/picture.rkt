@@ -187,6 +187,18 @@
     (plot-function f (lambda (x) +nan.0) 0 1)
     (check-equal? (png-size (convert f 'png-bytes)) '(400 400)))
 
+  (test-case "frames of all sizes, with whatever there may be in them"
+    (define (drawn-in f)
+      (plot-point f 1/2 1/2 #:size 1000 #:label "a label for which there is no room")
+      (plot-line f -1e308 -1e308 1e308 1e308 #:width 0 #:label "")
+      (plot-function f (lambda (x) (/ 1e300 (- x 0.50001))) 0 1)
+      (plot-contours f (lambda (x y) (g:* x y)) 0.1 #:samples 11)
+      (for ([format '(svg-bytes png-bytes pdf-bytes)]) (check-pred bytes? (convert f format))))
+    (drawn-in (frame 0 1 0 1 #:width 50 #:height 50 #:title "a long title" #:y-label "y"))
+    (drawn-in (frame 0 1 0 1 #:aspect-ratio 100))
+    (for ([bounds '((0 5e-324) (1 1.0000000000000002) (-1e308 1e308) (1e300 1e301))])
+      (drawn-in (frame (car bounds) (cadr bounds) 0 1))))
+
   (test-case "a hundred thousand points"
     (define f (frame 0 1 0 1))
     (for ([i (in-range 100000)])
