@@ -19,7 +19,7 @@
 ;; formats : of a picture; columns : that fit into a cell
 (define (value->bundle x [formats '(svg-bytes png-bytes)] #:columns [columns 80])
   (define text (printed x columns))
-  (define s (if (eq? (display-style) 'automatic) (value->shown x formats) (shown-text text)))
+  (define s (if (eq? (display-style) 'automatic) (value->shown x) (shown-text text)))
   (define page (and (shown-picture? s) (convert x 'html-bytes #f)))
   (for/fold ([bundle (hasheq (string->symbol "text/plain") text)])
             ([part (in-list (if page (list (page->part page s)) (shown->parts s columns)))])
@@ -37,9 +37,9 @@
   (format "~v" (simplified-result x columns manner)))
 
 ;; -> list of pairs of MIME type and text
-(define (shown->parts s columns)
+(define (shown->parts s columns formats)
   (cond [(shown-text? s) '()]
-        [(shown-picture? s) (picture->parts s)]
+        [(shown-picture? s) (picture->parts s formats)]
         [(and (shown-formula? s) (not (holds-report? (shown-formula-tree s))))
          (list (cons "text/latex" (formula->TeX s columns)))]
         [else (list (cons "text/html" (shown->markup s)))]))
@@ -54,11 +54,13 @@
    "\n\n"))
 
 ;; Where the picture cannot be drawn there is its text.
-(define (picture->parts s)
-  (define (part type bytes encode) (if bytes (list (cons type (encode bytes))) '()))
-  (append (part "image/svg+xml" (shown-picture-svg s)
+(define (picture->parts s formats)
+  (define (part type format of-picture encode)
+    (define bytes (and (memq format formats) (of-picture s)))
+    (if bytes (list (cons type (encode bytes))) '()))
+  (append (part "image/svg+xml" 'svg-bytes shown-picture-svg
                 (lambda (b) (regexp-replace #rx"^.*?(?=<svg)" (bytes->string/utf-8 b #\?) "")))
-          (part "image/png" (shown-picture-png s)
+          (part "image/png" 'png-bytes shown-picture-png
                 (lambda (b) (bytes->string/latin-1 (base64-encode b #""))))))
 
 ;; What moves is a page in a frame that may do nothing but run its script.  Where frames are taken
