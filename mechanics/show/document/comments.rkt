@@ -1,6 +1,6 @@
 #lang racket/base
-;; The text between the forms of a program as prose: comments, in paragraphs, and headings, which
-;; are comments beneath a rule of hyphens.
+;; The text between the forms of a program as prose: comments, in paragraphs, and headings.  A
+;; heading is a line beneath a rule of hyphens, one above a rule, or one marked as in Markdown, # Heading.
 
 (require racket/list
          racket/string
@@ -39,23 +39,39 @@
 ;; ---------------------------------------------------------------------------
 ;; Paragraphs and headings
 
+(define (blank? line) (string=? line ""))
 (define (rule? line) (regexp-match? #px"^[-=─*#]{5,}$" line))
+(define (underline? line) (regexp-match? #px"^={5,}$" line))
+
+;; # Heading, ## Heading -> its words, or #f
+(define (marked line)
+  (define m (regexp-match #px"^#{1,6}\\s+(.*?)\\s*#*$" line))
+  (and m (not (blank? (cadr m))) (cadr m)))
 
 (define (lines->pieces lines)
-  (define rest (dropf lines (lambda (l) (string=? l ""))))
+  (define rest (dropf lines blank?))
   (cond [(null? rest) '()]
         [(rule? (car rest))
          (define after (dropf (cdr rest) rule?))
-         (if (or (null? after) (string=? (car after) ""))
+         (if (or (null? after) (blank? (car after)))
              (lines->pieces after)
-             (cons (heading (car after)) (lines->pieces (cdr after))))]
+             (cons (heading (or (marked (car after)) (car after)))
+                   (lines->pieces (dropf (cdr after) rule?))))]
+        [(marked (car rest)) => (lambda (text) (cons (heading text) (lines->pieces (cdr rest))))]
+        [(underlined? (cdr rest)) (cons (heading (car rest)) (lines->pieces (cddr rest)))]
         [else
-         (define-values (block more) (splitf-at rest (lambda (l) (not (rule? l)))))
+         (define-values (block more)
+           (splitf-at rest (lambda (l) (not (or (rule? l) (marked l))))))
          (cons (prose (paragraphs block)) (lines->pieces more))]))
 
+;; Lines after a first one: a rule that belongs to it, and not to a line beneath.
+(define (underlined? lines)
+  (and (pair? lines) (rule? (car lines))
+       (or (underline? (car lines)) (null? (cdr lines)) (blank? (cadr lines)))))
+
 (define (paragraphs lines)
-  (define-values (paragraph others) (splitf-at lines (lambda (l) (not (string=? l "")))))
-  (define more (dropf others (lambda (l) (string=? l ""))))
+  (define-values (paragraph others) (splitf-at lines (lambda (l) (not (blank? l)))))
+  (define more (dropf others blank?))
   (cons (meant-lines paragraph) (if (null? more) '() (paragraphs more))))
 
 ;; A line with room for the first word of the next line was meant to end there, and so was a line
@@ -76,14 +92,19 @@
 
 (define longest-title 120)
 
-;; The first sentence of the opening comment, if it is short, is the title -> the title or
-;; `otherwise`, and the other pieces.
+;; The heading that the opening comment begins with, or its first sentence, if that is short, is the
+;; title -> the title or `otherwise`, and the other pieces.
 (define (take-title pieces otherwise)
-  (define first-lines
-    (and (pair? pieces) (prose? (car pieces)) (car (prose-paragraphs (car pieces)))))
-  (define line (and first-lines (string-normalize-spaces (car first-lines))))
-  (define end (and line (or (sentence-end line) (string-length line))))
-  (cond [(and line (<= end longest-title))
+  (define start (and (pair? pieces) (car pieces)))
+  (cond [(heading? start) (values (heading-text start) (cdr pieces))]
+        [(prose? start) (sentence-title pieces otherwise)]
+        [else (values otherwise pieces)]))
+
+(define (sentence-title pieces otherwise)
+  (define first-lines (car (prose-paragraphs (car pieces))))
+  (define line (string-normalize-spaces (car first-lines)))
+  (define end (or (sentence-end line) (string-length line)))
+  (cond [(<= end longest-title)
          (define left (cons (string-trim (substring line end)) (cdr first-lines)))
          (values (string-trim (substring line 0 end) "." #:left? #f)
                  (without-first pieces (remove "" left)))]

@@ -30,6 +30,21 @@
                 (list (heading "The motion") (prose '(("In numbers.")))))
   (check-equal? (gap->pieces (text ";; ------------------")) '()))
 
+(test-case "headings as in Markdown, and between or above rules"
+  (check-equal? (gap->pieces (text ";; # The pendulum" ";; It swings." ";;"
+                                   ";; ### Its energy ##" ";;#f"))
+                (list (heading "The pendulum") (prose '(("It swings.")))
+                      (heading "Its energy") (prose '(("#f")))))
+  (check-equal? (gap->pieces (text "#|" "# The pendulum" "" "Words" "## More" "|#"))
+                (list (heading "The pendulum") (prose '(("Words"))) (heading "More")))
+  (check-equal? (gap->pieces (text ";; =======" ";; The motion" ";; =======" ";; In numbers."))
+                (list (heading "The motion") (prose '(("In numbers.")))))
+  (check-equal? (gap->pieces (text ";; The motion" ";; =======" ";; In numbers." "" ";; The end"
+                                   ";; -------"))
+                (list (heading "The motion") (prose '(("In numbers."))) (heading "The end")))
+  (check-equal? (gap->pieces (text ";; Last words." ";; -------" ";; The motion" "" ";; ## " ";; #"))
+                (list (prose '(("Last words."))) (heading "The motion") (prose '(("## #"))))))
+
 (test-case "block comments are prose, with those inside; what #; leaves out is code"
   (check-equal? (gap->pieces "#| one\n#| two |# three |#")
                 (list (prose '(("one #| two |# three")))))
@@ -50,6 +65,11 @@
   (check-equal? (title '("How good is it?")) '("How good is it?" ()))
   (define long (make-string 200 #\a))
   (check-equal? (title (list long)) (list "file.rkt" (list (prose (list (list long)))))))
+
+(test-case "a heading at the start is the title"
+  (define-values (found rest)
+    (take-title (gap->pieces ";; # The pendulum. Small\n;;\n;; Words.") "file.rkt"))
+  (check-equal? (list found rest) (list "The pendulum. Small" (list (prose '(("Words.")))))))
 
 (test-case "without an opening comment the file's name is"
   (define-values (found rest) (take-title (list (code "x" 0)) "file.rkt"))
