@@ -5,7 +5,7 @@
 (require racket/list
          syntax-color/racket-lexer)
 
-(provide colored)
+(provide colored colored-lines)
 
 ;; text -> list of (sort . text), together the text; sort : 'comment, 'constant, 'form or #f
 (define (colored text)
@@ -41,3 +41,16 @@
          (cons same (group-consecutive others))]))
 
 (define (joined tokens) (cons (car (first tokens)) (apply string-append (map cdr tokens))))
+
+;; The same line by line, each with its newline.
+(define (colored-lines text)
+  (define parts
+    (for*/list ([part (in-list (colored text))]
+                [piece (in-list (regexp-match* #rx"[^\n]*\n|[^\n]+" (cdr part)))])
+      (cons (car part) piece)))
+  (let loop ([left parts])
+    (define-values (before end)
+      (splitf-at left (lambda (part) (not (regexp-match? #rx"\n" (cdr part))))))
+    (cond [(null? left) '()]
+          [(null? end) (list before)]
+          [else (cons (append before (list (car end))) (loop (cdr end)))])))

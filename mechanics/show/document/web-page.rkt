@@ -92,9 +92,16 @@
       (car (inline-xexprs (dotted (name (string->symbol (substring found 0 1))) dots)))))
   (cons (car texts) (append-map list letters (cdr texts))))
 
+;; A line that is broken goes on further to the right than it began, by as many columns as `--hang` says.
 (define (code->xexpr text)
-  `(pre ([class "code"])
-        (code ,@(for/list ([part (in-list (colored text))])
-                  (if (car part)
-                      `(span ([class ,(symbol->string (car part))]) ,(visible (cdr part)))
-                      (visible (cdr part)))))))
+  `(pre ([class "code"]) (code ,@(map line->xexpr (colored-lines text)))))
+
+(define (line->xexpr parts)
+  (define indentation (string-length (car (regexp-match #rx"^ *" (cdr (car parts))))))
+  `(span ([class "line"] [style ,(format "--hang:~ach" (min (+ indentation 4) deepest-hang))])
+         ,@(for/list ([part (in-list parts)])
+             (if (car part)
+                 `(span ([class ,(symbol->string (car part))]) ,(visible (cdr part)))
+                 (visible (cdr part))))))
+
+(define deepest-hang 12)

@@ -33,6 +33,14 @@
     (for ([width '(1200 390 320)])
       (check-equal? (of-page width "d.documentElement.scrollWidth") width))))
 
+(test-case "no line of a program is cut"
+  (skip-unless (browser?) "pages in a browser: Chromium is not here"
+    (for ([width '(1200 390 320)])
+      (define beyond
+        (of-page width (string-append "[...d.querySelectorAll('pre.code')]"
+                                      ".map(e => e.scrollWidth - e.clientWidth)")))
+      (check-equal? beyond '(0)))))
+
 (test-case "brackets stretch, for the page has its font"
   (skip-unless (browser?) "pages in a browser: Chromium is not here"
     (define heights

@@ -137,6 +137,17 @@
   (check-not-false (member '(constant . "1.5") (colored "(f 1.5)")))
   (check-false (assq 'form (colored "(f define)"))))
 
+(test-case "lines of a program stand by themselves, and hang by where they begin"
+  (check-equal? (colored-lines "(define x\n\n  1)")
+                '(((#f . "(") (form . "define") (#f . " x\n")) ((#f . "\n"))
+                  ((#f . "  ") (constant . "1") (#f . ")"))))
+  (define long (string-append "(a\n  b\n" (make-string 30 #\space) "c)"))
+  (define lines
+    (filter (lambda (x) (assq 'style (cadr x))) (elements 'span (parsed (page (code long 0))))))
+  (check-equal? (map (lambda (x) (cadr (assq 'style (cadr x)))) lines)
+                '("--hang:4ch" "--hang:6ch" "--hang:12ch"))
+  (check-equal? (string-append* (map text-in lines)) long))
+
 (test-case "markup for a line has no blocks, and texts and numbers have none"
   (check-equal? (value->line-markup 75) #f)
   (check-equal? (value->line-markup "a") #f)
