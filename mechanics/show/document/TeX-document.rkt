@@ -1,8 +1,8 @@
 #lang racket/base
 ;; A document for LaTeX, with amsmath.  Pictures are files beside it, in PDF where possible.
 ;;
-;; The program's text is set line by line, its characters by TeX-prose.rkt: so none of it is a
-;; command, and pdfLaTeX knows all characters.
+;; The program stands in it as it is written, in an environment of which nothing is a command; what
+;; characters beyond ASCII it has is declared before (TeX-prose.rkt).
 
 (require racket/path
          racket/string
@@ -24,11 +24,12 @@
                                        #""))
       (hash-set! names s (path->string (file-name-from-path file)))
       (cons file (or (shown-picture-pdf s) (shown-picture-png s) #""))))
+  (define body (string-append* (map (lambda (p) (piece->TeX p names)) (document-pieces d))))
   (values (string-append preamble
+                         (declarations (regexp-match* #rx"\\\\begin{program}.*?\\\\end{program}" body))
                          (format "\\title{~a}\n" (prose->TeX (document-title d)))
                          "\\author{}\\date{}\n\n\\begin{document}\n\\maketitle\n\n"
-                         (string-append* (map (lambda (p) (piece->TeX p names))
-                                              (document-pieces d)))
+                         body
                          "\\end{document}\n")
           pictures))
 
@@ -39,18 +40,31 @@
 \documentclass[a4paper]{article}
 \usepackage[utf8]{inputenc}
 \usepackage[T1]{fontenc}
-\usepackage{amsmath,graphicx}
+\usepackage{amsmath,graphicx,textcomp,verbatim}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
 \setlength{\textwidth}{16cm}\setlength{\oddsidemargin}{0pt}
 \setlength{\textheight}{24cm}\setlength{\topmargin}{-1.5cm}
 \setlength{\parindent}{0pt}\setlength{\parskip}{0.5\baselineskip}
 \allowdisplaybreaks
-% a line of a program, or of what it prints; a result
-\newcommand{\programline}[1]{\noindent\texttt{#1}\par}
+% a result
 \newcommand{\shown}[1]{\par\smallskip\noindent\hspace*{1.5em}$\displaystyle #1$\par\smallskip}
-\newenvironment{program}%
-  {\par\medskip\begingroup\footnotesize\setlength{\parskip}{0pt}\raggedright}%
-  {\par\endgroup\medskip}
+% programs, and what they print: lines as they are written; one that is too long goes on beneath
+\makeatletter
+\newenvironment{program}{\footnotesize
+  \def\@xobeysp{\ifvmode\leavevmode\nobreak\fi\ }%
+  \def\verbatim@processline{\rightskip 0pt plus 1fil\relax\hangindent 4em\hangafter 1
+    \the\verbatim@line\par}%
+  \verbatim}{\endverbatim}
+\begingroup\catcode`'=\active\catcode``=\active
+\g@addto@macro\@noligs{\let`\textasciigrave\let'\textquotesingle}\endgroup
+% characters of theirs beyond ASCII
+\ifdefined\DeclareUnicodeCharacter
+  \newcommand{\letter}[2]{\DeclareUnicodeCharacter{#1}{#2}}
+\else
+  \newcommand{\letter}[2]{\catcode"#1=\active\begingroup\lccode`\~="#1
+    \lowercase{\endgroup\protected\def~}{#2}}
+\fi
+\makeatother
 
 TeX
   )
@@ -72,12 +86,7 @@ TeX
         [else (shown->TeX (result-shown p) names)]))
 
 (define (program text)
-  (string-append
-   "\\begin{program}\n"
-   (string-append* (for/list ([line (in-list (string-split (string-trim text "\n") "\n"
-                                                           #:trim? #f))])
-                     (format "\\programline{~a}\n" (if (string=? line "") "~" (code->TeX line)))))
-   "\\end{program}\n\n"))
+  (format "\\begin{program}\n~a\n\\end{program}\n\n" (verbatim-text (string-trim text "\n"))))
 
 (define (shown->TeX s names)
   (cond [(shown-interaction? s)
@@ -102,14 +111,15 @@ TeX
         [(plain? t) (program (plain-text t))]
         [(and (listing? t) (ormap report? (listing-items t)))
          (string-append* (map tree-block (listing-items t)))]
-        [else (format "\\shown{~a}\n\n" (tree->TeX (fit t 80)))]))
+        [else (format "\\shown{~a}\n\n" (tree->TeX (fit t 80 #:typeset? #t)))]))
 
 (define (report-block t)
   (string-append
    "\\begin{flushleft}\n"
    (string-join
     (for/list ([l (in-list (report-lines t))])
-      (format "\\hspace*{~aem}~a" (* 2 (report-line-depth l))
+      (define depth (report-line-depth l))
+      (format "~a~a" (if (= depth 0) "" (format "\\hspace*{~aem}" (* 2 depth)))
               (string-join (cons (prose->TeX (report-line-label l))
                                  (map inline (report-line-parts l))))))
     "\\\\\n")
@@ -119,7 +129,7 @@ TeX
   (cond [(word? t) (prose->TeX (word-text t))]
         [(plain? t) (format "\\texttt{~a}" (code->TeX (plain-text t)))]
         [(and (row? t) (ormap word? (row-items t))) (string-append* (map inline (row-items t)))]
-        [else (format "$\\displaystyle ~a$" (tree->TeX (fit t 60)))]))
+        [else (format "$\\displaystyle ~a$" (tree->TeX (fit t 60 #:typeset? #t)))]))
 
 (define (table s)
   (define columns (apply max (map length (shown-table-rows s))))

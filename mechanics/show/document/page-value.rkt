@@ -57,7 +57,7 @@
         [else (formula->xexprs t)]))
 
 (define (formula->xexprs t)
-  (define-values (for-wide for-narrow) (values (fit t wide) (fit t narrow)))
+  (define-values (for-wide for-narrow) (values (fit t wide #:typeset? #t) (fit t narrow #:typeset? #t)))
   (define (block tree class) `(div ([class ,class]) ,(raw (tree->MathML tree #t))))
   (if (equal? for-wide for-narrow)
       (list (block for-wide "formula"))
@@ -74,7 +74,7 @@
 ;; tree -> element: a formula within a line
 (define inline-formula
   (make-parameter
-   (lambda (t) `(span ([class "inline"]) ,(raw (tree->MathML (fit t wide) #f))))))
+   (lambda (t) `(span ([class "inline"]) ,(raw (tree->MathML (fit t wide #:typeset? #t) #f)))))
 
 ;; Words stand in the font of the text, and so does a comma after a formula.
 (define (inline-xexprs t)

@@ -5,7 +5,7 @@
 ;; combining ones, and an accent's dots lie on the letter.
 
 (require "renderer.rkt"
-         "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt"
+         "../../algebra/notation/name.rkt"
          racket/class
          (only-in racket/list add-between)
          (only-in xml xexpr->string))
@@ -93,10 +93,6 @@
   (define stretchy (if (or (not trees) (ormap tall? trees)) "true" "false"))
   (define (fence form text) `(mo ([form ,form] [stretchy ,stretchy]) ,text))
   `(mrow ,(fence "prefix" open) ,@items ,(fence "postfix" close)))
-
-(define (tall? t)
-  (or (fraction? t) (radical? t) (column? t) (grid? t) (broken? t) (across? t)
-      (ormap tall? (tree-parts t))))
 
 (define (table rows alignment cell-attributes)
   `(mtable ([columnalign ,alignment] [displaystyle "true"])

@@ -39,7 +39,14 @@
 
 ;; Text as it stands within \text{...}.
 (define (escaped text)
-  (apply string-append (for/list ([c (in-string text)]) (character c))))
+  (apply string-append
+         (for/list ([c (in-string text)] [before (in-sequences '(#f) (in-string text))])
+           (if (and before (member (string before c) ligatures))
+               (string #\{ c #\})
+               (character c)))))
+
+;; What TeX would make one sign of.
+(define ligatures '("--" "''" "``" ",," "?`" "!`"))
 
 (define (character c)
   (cond [(hash-ref special c #f) => values]
@@ -51,8 +58,8 @@
 (define special
   (hasheqv #\\ "\\textbackslash{}" #\{ "\\{" #\} "\\}" #\$ "\\$" #\& "\\&" #\# "\\#" #\_ "\\_"
            #\% "\\%" #\^ "\\textasciicircum{}" #\~ "\\textasciitilde{}" #\< "\\textless{}"
-           #\> "\\textgreater{}" #\| "\\textbar{}" #\" "\\textquotedblright{}" #\- "{-}"
-           #\` "{`}" #\' "{'}" #\newline " " #\tab " "
+           #\> "\\textgreater{}" #\| "\\textbar{}" #\" "\\textquotedblright{}"
+           #\newline " " #\tab " "
            #\− "\\ensuremath{-}" #\∞ "\\ensuremath{\\infty}" #\… "\\dots{}"
            #\≤ "\\ensuremath{\\le}" #\≥ "\\ensuremath{\\ge}" #\· "\\ensuremath{\\cdot}"
            #\∂ "\\ensuremath{\\partial}" #\→ "\\ensuremath{\\to}"

@@ -36,9 +36,10 @@
     (define/override (superscripted base exponent) (string-append base "^{" exponent "}"))
     (define/override (rooted body) (format "\\sqrt{~a}" body))
     (define/override (enclosed open texts close trees)
+      (define stretch? (or (not trees) (ormap tall? trees)))
       (if (equal? open "|")
-          (fenced "\\lvert " (string-append* texts) "\\rvert ")
-          (fenced open (string-append* texts) close)))))
+          (fenced "\\lvert " (string-append* texts) "\\rvert " stretch?)
+          (fenced open (string-append* texts) close stretch?)))))
 
 (define TeX%
   (class TeX-pieces%
@@ -57,7 +58,9 @@
       (hash-ref commands (string->symbol text) (lambda () (format "\\operatorname{~a}" text))))
     (define/override (apply-bare head texts) (format "~a{~a}" head (string-append* texts)))
     (define/override (draw-across items)
-      (enclosed "[" (list (array (list (draw-all items)) ",")) "]" #f))
+      (define row (draw-all items))
+      (define several? (and (pair? row) (pair? (cdr row))))
+      (enclosed "[" (if several? (list (array (list row) ",")) row) "]" #f))
     (define/override (draw-list items) (string-join (draw-all items) ",\\quad "))
     (define/override (draw-continuation text body)
       (format "\\quad{}~a{}~a" (sign->TeX text) (draw body)))
@@ -81,19 +84,22 @@
   (hash-set* names-in-TeX 'sec "\\sec" 'csc "\\csc" 'cot "\\cot" 'coth "\\coth"))
 
 ;; Fences around what is no taller than a letter do not stretch, and keep to their distance.
-(define (fenced open body close)
-  (define tall? (regexp-match? #rx"frac|sqrt|begin|left|ddot|[|]" body))
-  (if tall?
+(define (fenced open body close stretch?)
+  (if stretch?
       (string-append "\\left" open body "\\right" close)
       (string-append open body close)))
 
 (define (environment name columns lines)
   (format "\\begin{~a}~a~a\\end{~a}" name columns (string-join lines "\\\\") name))
 
-;; rows of texts, the columns parted by a sign
+;; rows of texts, the columns parted by a sign.  Fractions are as large as outside of an array.
 (define (array rows sign)
   (define columns (if (null? rows) 1 (max 1 (length (car rows)))))
+  (define fractions? (ormap (lambda (row) (ormap has-fraction? row)) rows))
   (format "\\begin{array}{~a}~a\\end{array}" (make-string columns #\c)
           (string-join (for/list ([row (in-list rows)])
-                         (string-join row (string-append sign " & ")))
-                       " \\\\ ")))
+                         (string-join (map in-cell row) (string-append sign " & ")))
+                       (if fractions? " \\\\[1ex] " " \\\\ "))))
+
+(define (has-fraction? text) (regexp-match? #rx"\\\\frac" text))
+(define (in-cell text) (if (has-fraction? text) (string-append "\\displaystyle " text) text))

@@ -3,19 +3,20 @@
 ;; their factors, and within what stands between parentheses, above or below a fraction bar,
 ;; before anything is cut outside.
 ;;
-;; Widths are in columns of text, which serves the other ways of drawing well enough.
+;; Widths are in columns (width.rkt).
 
 (require "width.rkt"
          "../../algebra/notation/tree.rkt"
-         (only-in racket/list argmax))
+         (only-in racket/list append* argmax split-at-right))
 
 (provide fit)
 
 ;; Columns below which it is no use to cut: nesting is too deep.
 (define least-room 12)
 
-;; width : columns, or #f for a line of any length
-(define (fit t width) (if width (fitted t (max width least-room) (make-meter)) t))
+;; width : columns, or #f for a line of any length; typeset? : columns of type, not of text
+(define (fit t width #:typeset? [typeset? #f])
+  (if width (fitted t (max width least-room) (make-meter typeset?)) t))
 
 (define (fitted t width wide)
   (define (inner x [less 0]) (fitted x (max least-room (- width less)) wide))
@@ -68,23 +69,30 @@
 ;; A single part itself, or (whole parts) of several.
 (define (in-one parts whole) (if (null? (cdr parts)) (car parts) (whole parts)))
 
-;; One long factor is cut within, if the others leave it room.
+;; Factors are put on a line as long as they fit, one that can be cut within if half a line is left
+;; for it.
 (define (fit-product t width wide)
-  (define factors (product-factors t))
-  (define longest (argmax wide factors))
-  (define room (- width (- (wide t) (wide longest))))
-  (if (>= room (quotient width 2))
-      (product (for/list ([f (in-list factors)]) (if (eq? f longest) (fitted f room wide) f)))
-      (broken-product factors width wide)))
-
-(define (broken-product factors width wide)
-  (define rows (packed factors (lambda (f) (+ 1 (wide f))) (- width 2)))
-  (define lines
-    (for/list ([row (in-list rows)])
-      (in-one (for/list ([f (in-list row)]) (fitted f (max least-room (- width 4)) wide)) product)))
+  (define half (quotient width 2))
+  (define (size f) (+ 1 (if (cut-within? f width wide) (min half (wide f)) (wide f))))
+  (define rows (packed (product-factors t) size (+ width 1)))
+  (define room (if (null? (cdr rows)) width (max least-room (- width 4))))
+  (define lines (for/list ([row (in-list rows)]) (fit-factors row room wide)))
   (define (continued lines)
     (broken (cons (car lines) (for/list ([l (in-list (cdr lines))]) (continuation "·" l)))))
   (in-one lines continued))
+
+;; A function whose value fits on a line is not cut between its parentheses.
+(define (cut-within? factor width wide)
+  (not (or (null? (tree-parts factor))
+           (and (application? factor) (<= (wide factor) (- width 4))))))
+
+;; Of factors that are too wide for a line the longest is cut.
+(define (fit-factors factors width wide)
+  (define longest (argmax wide factors))
+  (define others (- (wide (product factors)) (wide longest)))
+  (in-one (for/list ([f (in-list factors)])
+            (if (eq? f longest) (fitted f (max least-room (- width others)) wide) f))
+          product))
 
 (define (fit-relation t width wide)
   (define left (relation-left t))
@@ -106,13 +114,24 @@
                          (in-lines arguments room wide)))
                #f))
 
-;; Items with commas, as many on a line as there is room for.
+;; Items with commas, as many on a line as there is room for.  One of several lines has them as lines
+;; of its own, and its comma at the end of the last.
 (define (in-lines items width wide)
   (define with-commas
     (for/list ([x (in-list items)] [left (in-range (length items) 0 -1)])
       (define y (fitted x width wide))
-      (if (= left 1) y (row (list y (word ", "))))))
-  (broken (for/list ([xs (in-list (packed with-commas wide width))]) (in-one xs row))))
+      (if (= left 1) y (with-comma y))))
+  (broken (append* (for/list ([xs (in-list (packed with-commas wide width))])
+                     (if (and (null? (cdr xs)) (broken? (car xs)))
+                         (broken-lines (car xs))
+                         (list (in-one xs row)))))))
+
+(define (with-comma t)
+  (cond [(broken? t)
+         (define-values (before end) (split-at-right (broken-lines t) 1))
+         (broken (append before (map with-comma end)))]
+        [(continuation? t) (continuation (continuation-sign t) (with-comma (continuation-body t)))]
+        [else (row (list t (word ", ")))]))
 
 ;; The items in rows as long as there is room.
 (define (packed items size width)

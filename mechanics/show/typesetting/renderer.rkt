@@ -8,7 +8,7 @@
          racket/class
          (only-in racket/list add-between append-map))
 
-(provide renderer% typesetter%)
+(provide renderer% typesetter% tall?)
 
 ;; ---------------------------------------------------------------------------
 ;; Pieces
@@ -132,10 +132,15 @@
             [(parenthesized? t) (draw-parenthesized (parenthesized-body t))]
             [(application? t) (draw-application t)]
             [(derivative? t) (draw-derivative (derivative-marks t) (derivative-function t))]
-            [(bars? t) (enclosed "|" (list (draw (bars-body t))) "|" #f)]
+            [(bars? t) (enclosed "|" (list (draw (bars-body t))) "|" (list (bars-body t)))]
             [(relation? t) (in-row (list (draw (relation-left t)) (sign (relation-sign t) 'relation)
                                          (draw (relation-right t))))]
             [else (draw-container t)]))))
+
+;; Is it taller than a letter?  Then brackets around it stretch.
+(define (tall? t)
+  (or (fraction? t) (radical? t) (column? t) (grid? t) (broken? t) (across? t)
+      (ormap tall? (tree-parts t))))
 
 ;; ---------------------------------------------------------------------------
 ;; With indices above and below letters

@@ -25,12 +25,35 @@
   (check-equal? (prose->TeX "10⁻⁸ θ\u307²")
                 (string-append "10\\ensuremath{^{-}}\\ensuremath{^{8}} "
                                "\\ensuremath{\\dot{\\ensuremath{\\theta}}}\\ensuremath{^{2}}"))
+  (check-equal? (prose->TeX "a-priori it's -- ''so''") "a-priori it's -{-} '{'}so'{'}")
   (check-equal? (code->TeX "(a  b)") "(a~~b)")
   (check-false (regexp-match? #px"(?<!\\\\)[$&#%_]|\\\\(end|input)" (prose->TeX evil))))
 
+;; The program environment of a text, and the lines that declare its characters.
+(define (program text)
+  (define-values (document pictures) (TeX (list (code text 0))))
+  (list (cadr (regexp-match #rx"\\\\begin{program}\n(.*?)\n\\\\end{program}\n" document))
+        (regexp-match* #px"(?m:^\\\\letter[{].*$)" document)))
+
+(test-case "a program is in it as it is written, and can be edited"
+  (define text "(define ((L 'm_1) local)\n\n  (* 1/2 #t \"50%\")) ; \\alpha & {x} -- ~^")
+  (check-equal? (program text) (list text '()))
+  (check-equal? (program "θ\u307 ½ é Ж")
+                '("θ\u307 ½ é Ж"
+                  ("\\letter{00BD}{\\ensuremath{\\tfrac{1}{2}}}"
+                   "\\letter{0307}{\\llap{\\ensuremath{\\dot{\\phantom{\\theta}}}}}"
+                   "\\letter{03B8}{\\ensuremath{\\theta}}" "\\letter{0416}{(U+416)}"))))
+
+(test-case "nothing in a program ends it"
+  (define end "\\end{program}\\end {program}\\end  {program}")
+  (check-false (regexp-match? #px"\\\\end *[{]" (car (program end))))
+  (check-equal? (string-replace (car (program end)) "\u200B" "") end)
+  (check-equal? (program "\u1B[0m\t\r") '("(U+1B)[0m    (U+D)" ())))
+
 (define all-kinds
   (list (heading evil) (prose (list (list evil "½ m (l θ\u307)², x → ∞, “quoted” – 10⁻⁸ ⟨x⟩ Ж")))
-        (code "(define (f x)\n\n  (* 1/2 x)) ; \\alpha_1 θ" 0) (folded "Tests" evil)
+        (code "(define (f x)\n\n  (* 1/2 x)) ; \\alpha_1 θ\u307 x\u20DB é Ж \u0 \uFFFE 𝐢" 0)
+        (folded "Tests" evil) (output "\\end{program} \\end {program} \\undefined")
         (output evil) (output (->text (up (/ 'a 'b) (sqrt (/ 'c 'd))))) (failure evil)
         (shown (* 1/2 'm (square 'thetadot))) (shown (up 'a (/ 'b 'c)))
         (shown (string->symbol evil)) (shown evil) (shown (sqrt (square 'x)))
