@@ -111,8 +111,12 @@
 
 (define (quotient-of above below)
   (define-values (negative? parts) (signs-apart (list above below)))
-  (define t (quotient-of-positives (car parts) (cadr parts)))
+  (define t (quotient-of-positives (without-parentheses (car parts))
+                                   (without-parentheses (cadr parts))))
   (if negative? (negated t) t))
+
+;; Above and below a bar none are needed.
+(define (without-parentheses t) (if (parenthesized? t) (parenthesized-body t) t))
 
 ;; A rational coefficient above is parted: (1/2 a)/b is a/(2 b).
 (define (quotient-of-positives above below)

@@ -34,10 +34,16 @@
   (when (directory-exists? from)
     (complain who "this is a folder, and no program\n  file: ~a" file))
   (define to
-    (simple-form-path
-     (or (option "-o") (path-replace-extension (file-name-from-path from) extension))))
+    (simple-form-path (or (option "-o") (path-replace-extension (home-of from) extension))))
   (check-new-file who to from extension)
   (values from to))
+
+;; Beside the program; in the current folder where that one may not be written.
+(define (home-of program)
+  (define folder (path-only program))
+  (if (memq 'write (file-or-directory-permissions folder))
+      program
+      (file-name-from-path program)))
 
 ;; As TeX or as a page, by the extension of the file -> the files written, pictures too
 (define (write-document who file d)

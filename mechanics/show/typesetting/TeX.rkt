@@ -92,14 +92,15 @@
 (define (environment name columns lines)
   (format "\\begin{~a}~a~a\\end{~a}" name columns (string-join lines "\\\\") name))
 
-;; rows of texts, the columns parted by a sign.  Fractions are as large as outside of an array.
+;; rows of texts, the columns parted by a sign.  Fractions are as large as outside of it.
 (define (array rows sign)
   (define columns (if (null? rows) 1 (max 1 (length (car rows)))))
   (define fractions? (ormap (lambda (row) (ormap has-fraction? row)) rows))
-  (format "\\begin{array}{~a}~a\\end{array}" (make-string columns #\c)
-          (string-join (for/list ([row (in-list rows)])
-                         (string-join (map in-cell row) (string-append sign " & ")))
-                       (if fractions? " \\\\[1ex] " " \\\\ "))))
+  (define lines
+    (for/list ([row (in-list rows)]) (string-join (map in-cell row) (string-append sign " & "))))
+  (cond [(and fractions? (= columns 1)) (environment "gathered" "" (map car rows))]
+        [else (format "\\begin{array}{~a}~a\\end{array}" (make-string columns #\c)
+                      (string-join lines (if fractions? " \\\\[2ex] " " \\\\ ")))]))
 
 (define (has-fraction? text) (regexp-match? #rx"\\\\frac" text))
 (define (in-cell text) (if (has-fraction? text) (string-append "\\displaystyle " text) text))

@@ -69,14 +69,21 @@
 ;; A single part itself, or (whole parts) of several.
 (define (in-one parts whole) (if (null? (cdr parts)) (car parts) (whole parts)))
 
-;; Factors are put on a line as long as they fit, one that can be cut within if half a line is left
-;; for it.
+;; One long factor is cut within, if the others leave it half a line.  Else factors are put on lines as
+;; long as they fit; short ones stand beside one that is to be cut.
 (define (fit-product t width wide)
-  (define half (quotient width 2))
-  (define (size f) (+ 1 (if (cut-within? f width wide) (min half (wide f)) (wide f))))
-  (define rows (packed (product-factors t) size (+ width 1)))
-  (define room (if (null? (cdr rows)) width (max least-room (- width 4))))
-  (define lines (for/list ([row (in-list rows)]) (fit-factors row room wide)))
+  (define factors (product-factors t))
+  (define longest (argmax wide factors))
+  (define room (- width (- (wide t) (wide longest))))
+  (if (and (cut-within? longest width wide) (>= room (quotient width 2)))
+      (fit-factors factors width wide)
+      (broken-product factors width wide)))
+
+(define (broken-product factors width wide)
+  (define most (quotient (* 3 width) 4))
+  (define (size f) (+ 1 (if (cut-within? f width wide) (min most (wide f)) (wide f))))
+  (define rows (packed factors size (- width 2)))
+  (define lines (for/list ([row (in-list rows)]) (fit-factors row (- width 4) wide)))
   (define (continued lines)
     (broken (cons (car lines) (for/list ([l (in-list (cdr lines))]) (continuation "·" l)))))
   (in-one lines continued))
@@ -86,7 +93,7 @@
   (not (or (null? (tree-parts factor))
            (and (application? factor) (<= (wide factor) (- width 4))))))
 
-;; Of factors that are too wide for a line the longest is cut.
+;; Side by side; the longest is cut if they are too wide.
 (define (fit-factors factors width wide)
   (define longest (argmax wide factors))
   (define others (- (wide (product factors)) (wide longest)))

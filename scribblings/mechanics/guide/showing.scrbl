@@ -18,8 +18,7 @@ In a checkout, where @exec{raco} knows no such command, these are
 @commandline{make show FILE=pendulum.rkt OUT=pendulum.html}
 @commandline{make tex FILE=pendulum.rkt OUT=pendulum.tex}
 
-Without @exec{-o} and @exec{OUT} the file has the name of the program, and is in the current
-folder.
+Without @exec{-o} and @exec{OUT} the file has the name of the program, and is beside it.
 
 @section{The contents of a page}
 
@@ -39,7 +38,8 @@ on paper and without a script;}
 
 Comments between the forms are the text of the page. A paragraph ends with an empty comment
 line. The first sentence, if it is short, is the title. A line beneath a rule of hyphens is
-a heading, and comments within a form stay there:
+a heading, and so is one that begins with @litchar{#}, as in @litchar{;; # The pendulum}; a heading
+at the start is the title. Comments within a form stay there:
 
 @codeblock|{
 #lang mechanics
@@ -72,7 +72,8 @@ passed on as you like.
 
 @section{LaTeX}
 
-The file needs the packages @tt{amsmath} and @tt{graphicx}. Pictures are files beside it, named
+The file needs packages that every LaTeX has: @tt{amsmath}, @tt{graphicx}, @tt{textcomp} and
+@tt{verbatim}. The program stands in it as it is written, to be edited. Pictures are files beside it, named
 after it, in PDF. It is made to be taken apart: each result stands in a @tt{\shown{...}} of its
 own. @racket[->TeX] makes the same of a single value.
 

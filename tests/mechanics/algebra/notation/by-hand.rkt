@@ -59,6 +59,15 @@
 
 ;; Dots stand over the letter, not over what stands below it.
 (lines TeX
+  [(/ (* -1 (+ a b)) c) "-\\frac{a + b}{c}"] [(/ a (* -1 (+ b c))) "-\\frac{a}{b + c}"]
+  [(/ (- (+ a b)) (- (+ c d))) "\\frac{a + b}{c + d}"])
+
+;; Brackets stretch by what they hold, not by how it is spelled.
+(lines TeX
+  [(* m (+ g xdotdot)) "m\\,(g + \\ddot{x})"] [(* m (+ left frac)) "m\\,(\\mathit{left} + \\mathit{frac})"]
+  [(* m (+ g (/ a b))) "m\\,\\left(g + \\frac{a}{b}\\right)"])
+
+(lines TeX
   [((D p_x) t) "\\dot{p}_{x}(t)"] [(((expt D 2) theta_1) t) "\\ddot{\\theta}_{1}(t)"]
   [(expt ((D f) x) 2) "(D f(x))^{2}"] [(expt (/ a b) 2) "\\left(\\frac{a}{b}\\right)^{2}"])
 

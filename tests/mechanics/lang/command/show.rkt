@@ -164,6 +164,13 @@
                 (command "show" "-o" "other.html" "good.rkt"))
   (check-equal? (file->string (build-path folder "other.html")) text))
 
+(test-case "a page is beside its program, wherever the reader is"
+  (make-directory (build-path folder "sub"))
+  (write-program (build-path "sub" "there.rkt") "#lang mechanics" "1")
+  (check-equal? (command "show" "sub/there.rkt") '(0 "sub/there.html\n"))
+  (check-equal? (command "tex" "sub/there.rkt") '(0 "sub/there.tex\n"))
+  (check-equal? (command "show" "sub/there.rkt" "-o" "there.html") '(0 "there.html\n")))
+
 (test-case "LaTeX is written"
   (check-equal? (command "tex" "good.rkt" "-o" "x.tex") '(0 "x.tex\n"))
   (check-true (string-contains? (file->string (build-path folder "x.tex")) "\\shown{2\\,x}")))

@@ -1,0 +1,52 @@
+#lang racket/base
+;; Formulas cut into lines: commas at the ends of lines, no product in scraps, the width of type.
+
+(require racket/string
+         mechanics
+         (prefix-in t: "../../../../mechanics/algebra/notation/tree.rkt")
+         (only-in "../../../../mechanics/generic/value-tree.rkt" value->tree)
+         "../../../../mechanics/show/typesetting/TeX.rkt"
+         "../../../../mechanics/show/typesetting/break.rkt"
+         "../../../../mechanics/show/typesetting/drawn-text.rkt"
+         "../../../../mechanics/show/typesetting/width.rkt"
+         "../../support/checks.rkt")
+
+(define (sum-of name n) (apply + (for/list ([i n]) (string->symbol (format "~a_~a" name i)))))
+
+;; Trees in it, of a sort.
+(define (parts-of-sort t sort?)
+  (define below (for/list ([part (t:tree-parts t)]) (parts-of-sort part sort?)))
+  (apply append (if (sort? t) (list t) '()) below))
+
+(test-case "a comma stands at the end of the last line of what it follows"
+  (define text (tree->text (fit (value->tree (down (sum-of 'alpha 12) 'y) #t) 30)))
+  (define with-comma (filter (lambda (line) (string-contains? line ",")) (string-split text "\n")))
+  (check-equal? (length with-comma) 1)
+  (check-regexp-match #rx"α₁₁," (car with-comma)))
+
+(define (pendulum-term) (* 'l_1 'l_2 'm_2 (cos (- 'theta_1 'theta_2)) 'thetadot_2))
+
+(test-case "a function that fits on a line is not cut within"
+  (define cut (fit (value->tree (* 'amplitude 'm (cos (- 'theta_1 'theta_2 'theta_3)) 'b) #t) 30))
+  (check-equal? (length (parts-of-sort cut t:broken?)) 1)
+  (check-false (ormap (lambda (a) (pair? (parts-of-sort a t:broken?)))
+                      (parts-of-sort cut t:application?))))
+
+(test-case "a short factor stands beside the long one that is cut"
+  (define t (value->tree (* 'm_2 (sum-of 'beta 12) (sin (- 'theta_1 'theta_2))) #t))
+  (define cut (fit t 24))
+  (check-regexp-match #px"^m_\\{2\\}\\\\,\\\\left[(]" (regexp-replace #rx"^.*?&" (tree->TeX cut) ""))
+  (for ([part (parts-of-sort cut t:product?)])
+    (check-true (> (length (t:product-factors part)) 1))))
+
+(test-case "type is narrower than text where there are indices, and no wider elsewhere"
+  (define t (value->tree (pendulum-term) #t))
+  (define (columns typeset?) ((make-meter typeset?) t))
+  (check-true (< (* 0.6 (columns #f)) (columns #t) (* 0.9 (columns #f))))
+  (check-equal? (fit t 22 #:typeset? #t) t)
+  (check-not-equal? (fit t 22) t))
+
+(test-case "a long factor keeps most of a line"
+  (define t (value->tree (* (sum-of 'beta 40) (sqrt (+ 1 'y)) (cos 'alpha) (sin 'omega)) #t))
+  (for ([line (cdr (string-split (tree->text (fit t 40)) "\n"))])
+    (check-true (<= (string-length line) 42))))
