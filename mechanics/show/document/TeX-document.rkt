@@ -26,7 +26,8 @@
       (cons file (or (shown-picture-pdf s) (shown-picture-png s) #""))))
   (define body (string-append* (map (lambda (p) (piece->TeX p names)) (document-pieces d))))
   (values (string-append preamble
-                         (declarations (regexp-match* #rx"\\\\begin{program}.*?\\\\end{program}" body))
+                         (declarations
+                          (regexp-match* #rx"\\\\begin{program}.*?\\\\end{program}" body))
                          (format "\\title{~a}\n" (prose->TeX (document-title d)))
                          "\\author{}\\date{}\n\n\\begin{document}\n\\maketitle\n\n"
                          body

@@ -49,7 +49,8 @@
 ;; Makes the characters known that stand in such lines.
 (define (declarations texts)
   (define found
-    (for*/hasheqv ([text (in-list texts)] [c (in-string text)] #:when (char>? c #\~)) (values c #t)))
+    (for*/hasheqv ([text (in-list texts)] [c (in-string text)] #:when (char>? c #\~))
+      (values c #t)))
   (string-append*
    (for/list ([c (in-list (sort (hash-keys found) char<?))]
               #:unless (string=? (string c) (escaped (string c))))

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; The text between the forms of a program as prose: comments, in paragraphs, and headings.  A
-;; heading is a line beneath a rule of hyphens, one above a rule, or one marked as in Markdown, # Heading.
+;; heading is a line beneath or above a rule of hyphens, or begins with # as in Markdown.
 
 (require racket/list
          racket/string

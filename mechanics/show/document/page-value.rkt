@@ -56,8 +56,10 @@
          (append-map tree->xexprs (listing-items t))]
         [else (formula->xexprs t)]))
 
+(define (fitted t width) (fit t width #:typeset? #t))
+
 (define (formula->xexprs t)
-  (define-values (for-wide for-narrow) (values (fit t wide #:typeset? #t) (fit t narrow #:typeset? #t)))
+  (define-values (for-wide for-narrow) (values (fitted t wide) (fitted t narrow)))
   (define (block tree class) `(div ([class ,class]) ,(raw (tree->MathML tree #t))))
   (if (equal? for-wide for-narrow)
       (list (block for-wide "formula"))
@@ -74,7 +76,7 @@
 ;; tree -> element: a formula within a line
 (define inline-formula
   (make-parameter
-   (lambda (t) `(span ([class "inline"]) ,(raw (tree->MathML (fit t wide #:typeset? #t) #f)))))
+   (lambda (t) `(span ([class "inline"]) ,(raw (tree->MathML (fitted t wide) #f)))))
 
 ;; Words stand in the font of the text, and so does a comma after a formula.
 (define (inline-xexprs t)

@@ -92,7 +92,7 @@
       (car (inline-xexprs (dotted (name (string->symbol (substring found 0 1))) dots)))))
   (cons (car texts) (append-map list letters (cdr texts))))
 
-;; A line that is broken goes on further to the right than it began, by as many columns as `--hang` says.
+;; A line that is broken goes on beneath, `--hang` from the left.
 (define (code->xexpr text)
   `(pre ([class "code"]) (code ,@(map line->xexpr (colored-lines text)))))
 

@@ -69,8 +69,8 @@
 ;; A single part itself, or (whole parts) of several.
 (define (in-one parts whole) (if (null? (cdr parts)) (car parts) (whole parts)))
 
-;; One long factor is cut within, if the others leave it half a line.  Else factors are put on lines as
-;; long as they fit; short ones stand beside one that is to be cut.
+;; One long factor is cut within, if the others leave it half a line.  Else factors are put on
+;; lines as long as they fit; short ones stand beside one that is to be cut.
 (define (fit-product t width wide)
   (define factors (product-factors t))
   (define longest (argmax wide factors))
@@ -121,8 +121,8 @@
                          (in-lines arguments room wide)))
                #f))
 
-;; Items with commas, as many on a line as there is room for.  One of several lines has them as lines
-;; of its own, and its comma at the end of the last.
+;; Items with commas, as many on a line as there is room for.  The comma of an item of several
+;; lines is at the end of the last.
 (define (in-lines items width wide)
   (define with-commas
     (for/list ([x (in-list items)] [left (in-range (length items) 0 -1)])

@@ -1,6 +1,6 @@
 #lang racket/base
-;; How many columns a formula takes when it is drawn: of text, whose characters are all as wide, or of
-;; type, where a column is 0.46 em, about a small letter.
+;; How many columns a formula takes when it is drawn: as text, whose characters are all as wide, or
+;; in type, where a column is 0.46 em, about a small letter.
 
 (require "../../algebra/notation/name.rkt" "../../algebra/notation/tree.rkt")
 

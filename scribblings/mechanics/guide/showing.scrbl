@@ -38,8 +38,8 @@ on paper and without a script;}
 
 Comments between the forms are the text of the page. A paragraph ends with an empty comment
 line. The first sentence, if it is short, is the title. A line beneath a rule of hyphens is
-a heading, and so is one that begins with @litchar{#}, as in @litchar{;; # The pendulum}; a heading
-at the start is the title. Comments within a form stay there:
+a heading, and so is one that begins with @litchar{#}, as in @litchar{;; # The pendulum}; a
+heading at the start is the title. Comments within a form stay there:
 
 @codeblock|{
 #lang mechanics
@@ -73,9 +73,9 @@ passed on as you like.
 @section{LaTeX}
 
 The file needs packages that every LaTeX has: @tt{amsmath}, @tt{graphicx}, @tt{textcomp} and
-@tt{verbatim}. The program stands in it as it is written, to be edited. Pictures are files beside it, named
-after it, in PDF. It is made to be taken apart: each result stands in a @tt{\shown{...}} of its
-own. @racket[->TeX] makes the same of a single value.
+@tt{verbatim}. The program stands in it as it is written, to be edited. Pictures are files beside
+it, named after it, in PDF. It is made to be taken apart: each result stands in a
+@tt{\shown{...}} of its own. @racket[->TeX] makes the same of a single value.
 
 @section[#:tag "showing-errors"]{Errors}
 

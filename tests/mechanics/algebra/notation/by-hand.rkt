@@ -64,7 +64,8 @@
 
 ;; Brackets stretch by what they hold, not by how it is spelled.
 (lines TeX
-  [(* m (+ g xdotdot)) "m\\,(g + \\ddot{x})"] [(* m (+ left frac)) "m\\,(\\mathit{left} + \\mathit{frac})"]
+  [(* m (+ g xdotdot)) "m\\,(g + \\ddot{x})"]
+  [(* m (+ left frac)) "m\\,(\\mathit{left} + \\mathit{frac})"]
   [(* m (+ g (/ a b))) "m\\,\\left(g + \\frac{a}{b}\\right)"])
 
 (lines TeX

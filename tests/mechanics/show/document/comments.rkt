@@ -42,7 +42,8 @@
   (check-equal? (gap->pieces (text ";; The motion" ";; =======" ";; In numbers." "" ";; The end"
                                    ";; -------"))
                 (list (heading "The motion") (prose '(("In numbers."))) (heading "The end")))
-  (check-equal? (gap->pieces (text ";; Last words." ";; -------" ";; The motion" "" ";; ## " ";; #"))
+  (check-equal? (gap->pieces (text ";; Last words." ";; -------" ";; The motion" ""
+                                   ";; ## " ";; #"))
                 (list (prose '(("Last words."))) (heading "The motion") (prose '(("## #"))))))
 
 (test-case "block comments are prose, with those inside; what #; leaves out is code"
