@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Compiles modules, several at a time where there are many, and says how far it is:
 ;;
-;;     racket compile.rkt [--jobs N] [--root file ...] file-or-folder ...
+;;     racket compile.rkt [--jobs N] [--DrRacket] [--root file ...] file-or-folder ...
 ;;
 ;; The roots are what matters: when all else is newer than its source, only what they stand
 ;; on is looked at, and only their errors are told.  An error elsewhere is left to whoever
@@ -15,13 +15,16 @@
          racket/lazy-require
          racket/list
          racket/path
-         racket/port)
+         racket/port
+         "DrRacket-files.rkt")
 
 (lazy-require [setup/parallel-build (parallel-compile-files)])
 
 (provide compile-files
          files-under         ; path -> (listof path): the modules below or at it
          compile-changed     ; folder, jobs, what -> ; raises the error of a file changed there
+         show-progress       ; text -> ; in place of the last one at a terminal
+         end-progress        ; ->
          outdated-files      ; paths -> those whose compiled form is not up to date
          raise-plainly       ; exception -> ; a mistake in a file without what led to it
          write-error-advice  ; message of an error -> what to do, or #f if it is not about writing
@@ -214,12 +217,13 @@
     [else (format "Compiling ~a files of" total)]))
 
 (define (print-progress done total seconds)
-  (define text (if (zero? total)
-                   (format "  ~a s" seconds)
-                   (format "  ~a of ~a compiled, ~a s" done total seconds)))
-  (if (terminal-port? (current-output-port))
-      (printf "\r~a" text)
-      (printf "~a\n" text)))
+  (show-progress (if (zero? total)
+                     (format "  ~a s" seconds)
+                     (format "  ~a of ~a compiled, ~a s" done total seconds))))
+
+(define (show-progress text)
+  (printf (if (terminal-port? (current-output-port)) "\r\e[K~a" "~a\n") text)
+  (flush-output))
 
 (define (end-progress)
   (when (terminal-port? (current-output-port)) (printf "\r\e[K"))
@@ -232,11 +236,13 @@
                                  (raise-plainly e))])
       (compile-file file)))
   (define jobs 2)
+  (define DrRacket? #f)
   (define roots '())
   (define paths
     (command-line
      #:once-each
      [("-j" "--jobs") n "compile <n> files at a time" (set! jobs (string->number n))]
+     ["--DrRacket" "for DrRacket, too, now and from now on" (set! DrRacket? #t)]
      #:multi
      [("-r" "--root") file "make sure of <file>"
                       (set! roots (cons (path->complete-path file) roots))]
@@ -244,4 +250,6 @@
      paths))
   (compile-files (append-map files-under (map path->complete-path paths)) jobs "mechanics"
                  #:roots roots)
-  (for-each compile-root roots))
+  (for-each compile-root roots)
+  (for ([path (in-list paths)] #:when (or DrRacket? (linked-for-DrRacket? path)))
+    (link-for-DrRacket path)))

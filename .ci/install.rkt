@@ -16,6 +16,7 @@
          racket/runtime-path
          racket/string
          (only-in setup/dirs find-pkgs-dir)
+         (only-in "DrRacket-files.rkt" link-for-DrRacket)
          (only-in "compile.rkt" unwritable-part))
 
 (define-runtime-path here "install.rkt")
@@ -58,7 +59,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Installing
 
-(define (install manual?)
+;; since : seconds when whoever wants it began to wait
+(define (install manual? since)
   (check-packages-folder)
   (define before (installed-in))
   (say (cond [(not before) "Installing mechanics in Racket ~a (~a), from ~a ..."]
@@ -66,6 +68,7 @@
               "mechanics is installed in Racket ~a (~a) from ~a; bringing it up to date ..."]
              [else "mechanics was installed in Racket ~a (~a); from now on it is ~a ..."])
        (version) (find-exe) checkout)
+  (link-for-DrRacket (build-path checkout "mechanics"))
   (define with-manual? (and manual? (can-make-manual?)))
   (when with-manual?
     (say "The manual takes some three minutes; make install DOCS=no does without."))
@@ -74,7 +77,9 @@
                     (scope-arguments)
                     (if with-manual? '() '("--no-docs"))
                     (list (path->string checkout))))
-  (say "mechanics is installed: #lang mechanics in DrRacket, racket -I mechanics at a terminal~a."
+  (say "mechanics is installed, after ~a s: #lang mechanics in DrRacket, racket -I mechanics at a \
+terminal~a."
+       (- (current-seconds) since)
        (if with-manual? ", raco docs mechanics for the manual" "")))
 
 ;; Racket's index of all manuals is a data base.
@@ -115,8 +120,11 @@
 (module+ main
   (define manual? #t)
   (define remove? #f)
+  (define since (current-seconds))
   (command-line
+   #:once-each
+   ["--since" seconds "count the time from <seconds> on" (set! since (string->number seconds))]
    #:once-any
    ["--no-docs" "leave the manual out" (set! manual? #f)]
    ["--remove" "remove the package" (set! remove? #t)])
-  (if remove? (remove-package) (install manual?)))
+  (if remove? (remove-package) (install manual? since)))

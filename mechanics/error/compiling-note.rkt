@@ -7,7 +7,9 @@
          tell-of-stale        ; paths of files in mechanics/, the folder that holds it ->
          nobody-waits?        ; -> boolean: is the program compiled to a file, or only looked at?
          uncompiled-text      ; folder that holds mechanics/ -> string
-         unread?)             ; port -> boolean
+         unread?              ; port -> boolean
+         for-DrRacket-alone?  ; -> boolean: does DrRacket compile for itself?
+         Racket-paths)        ; -> folders of compiled files but DrRacket's own
 
 ;; `raco make` and `raco setup` report their own progress.  A module that is expanded and not
 ;; declared is loaded by nobody, and nobody waits.
@@ -17,7 +19,12 @@
         [(and (not in-DrRacket?) (compiled-to-file?)) (void)]
         [(and in-DrRacket? (unread? (current-error-port)))
          (raise (exn:fail:unsupported text (current-continuation-marks)))]
+        [(and in-DrRacket? (prepared? facade)) (void)]
         [(first-in-namespace?) (note text)]))
+
+;; Loaded in DrRacket alone.
+(define (prepared? facade)
+  ((dynamic-require (build-path facade 'up "error" "DrRacket-run.rkt") 'prepare-Run) facade))
 
 ;; A facade in memory may load others, each of which would tell.  Each module is expanded with
 ;; instances of its own, so variables cannot keep that the note was written: a module declared in
@@ -66,9 +73,13 @@ Once and for all:  ~a"
               (command folder "compile"))))
 
 ;; DrRacket compiles with debugging a package one of whose files is open.
-(define (for-DrRacket-alone?)
-  (for/or ([path (in-list (use-compiled-file-paths))])
-    (regexp-match? #rx"drracket" (if (path? path) (path->string path) path))))
+(define (for-DrRacket-alone?) (ormap for-DrRacket? (use-compiled-file-paths)))
+
+(define (for-DrRacket? path)
+  (regexp-match? #rx"drracket" (if (path? path) (path->string path) path)))
+
+(define (Racket-paths)
+  (for/list ([path (in-list (use-compiled-file-paths))] #:unless (for-DrRacket? path)) path))
 
 (define (stale-text files folder)
   (format "mechanics is not compiled as it is now: ~a~a changed since, which may lead to strange \

@@ -2,4 +2,4 @@
 ;; `#lang mechanics` is read, coloured and indented as Racket is.
 mechanics
 #:wrapper1 (lambda (read) (tell-of-stale-files) (read))
-(require "stale-files.rkt")
+(require "../error/stale-files.rkt")

@@ -1,9 +1,11 @@
 #lang racket/base
 ;; How `make` compiles, and what it says meanwhile.
 
-(require racket/file
+(require compiler/cm
+         racket/file
          racket/port
          "support/checks.rkt" "support/folder.rkt"
+         (file "../../.ci/DrRacket-files.rkt")
          (file "../../.ci/compile.rkt"))
 
 (define (call-with-modules n f)
@@ -63,3 +65,28 @@
      (display-to-file "(module m0 '#%kernel 5)" (car files) #:exists 'truncate)
      (file-or-directory-modify-seconds (car files) (+ 10 (current-seconds)))
      (check-regexp-match #rx"^Compiling 1 file of" (said files "the tests")))))
+
+(test-case "DrRacket finds what Racket compiled, and compiles what has changed since"
+  (call-with-modules
+   2
+   (lambda (files)
+     (define-values (folder name _) (split-path (car files)))
+     (define debugging (build-path "compiled" "drracket" "errortrace"))
+     (define (compiled-by-DrRacket)     ; names of the files
+       (define found '())
+       (parameterize ([use-compiled-file-paths (list debugging (string->path "compiled"))]
+                      [current-namespace (make-base-empty-namespace)]
+                      [manager-compile-notify-handler (lambda (f) (set! found (cons f found)))])
+         (for ([file (in-list files)]) ((make-caching-managed-compile-zo) file)))
+       found)
+     (said files #f)
+     (check-false (linked-for-DrRacket? folder))
+     (link-for-DrRacket folder)
+     (link-for-DrRacket folder)
+     (check-true (linked-for-DrRacket? folder))
+     (check-equal? (compiled-by-DrRacket) '())
+     (display-to-file "(module m0 '#%kernel 10)" (car files) #:exists 'truncate)
+     (file-or-directory-modify-seconds (build-path folder "compiled" "m0_rkt.zo")
+                                       (- (current-seconds) 10))
+     (check-equal? (compiled-by-DrRacket) (list (car files)))
+     (check-false (link-exists? (build-path folder debugging "m0_rkt.zo"))))))

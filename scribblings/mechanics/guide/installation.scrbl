@@ -72,14 +72,18 @@ installation: Racket compiles a program of @filepath{examples/mechanics} when it
 @section[#:tag "not-compiled"]{The note that it is not compiled}
 
 Racket runs a library from its sources, too, but compiles it in memory then, at every start:
-half a minute for this one, and minutes in DrRacket. That is told before the wait, with what
-ends it once and for all: @exec{make compile} in the checkout. In DrRacket the sentence is
-below the program as soon as it is in the window, and in the lower window at @onscreen{Run};
-press @onscreen{Stop}, compile, and press @onscreen{Run} again. Files that have changed since
-they were compiled, as after an update of the checkout, are told likewise.
+half a minute for this one. That is told before the wait, with what ends it once and for all:
+@exec{make compile} in the checkout. Files that have changed since they were compiled, as after
+an update of the checkout, are told likewise.
 
-DrRacket compiles a package of which it shows a file once more, with debugging, which takes
-some minutes at the first @onscreen{Run}: keep your programs outside of the checkout.
+DrRacket would need minutes; so in a checkout that you may write in, @onscreen{Run} compiles the
+library first, once, and shows how far it is. @onscreen{Stop} stops that, and the next
+@onscreen{Run} goes on from there. Before, the sentence is below the program as soon as it is in
+the window.
+
+A package of which DrRacket shows a file it compiles once more, with debugging, which takes
+minutes. After @exec{make install} it need not, and programs of the checkout, such as the
+examples, run at once.
 
 @section[#:tag "drracket"]{DrRacket}
 

@@ -2,25 +2,28 @@
 ;; What is said of a library that is not compiled, when, and where it is heard first.
 
 (require compiler/find-exe
+         mechanics/error/DrRacket-run
          mechanics/error/compiling-note
          racket/file
          racket/list
          racket/port
          racket/runtime-path
          racket/system
-         mechanics/lang/stale-files
+         mechanics/error/stale-files
          "../support/checks.rkt"
          "../support/house/library.rkt" "../support/run-text.rkt" "../support/skip.rkt")
 
 (define-runtime-path room "../../../mechanics/error")
+(define-runtime-path compilers "../../../.ci")
 
-(define (call-in-copy f)
+;; more : names of other files of the room
+(define (call-in-copy f . more)
   (define folder (make-temporary-file "mechanics copy ~a" 'directory))
   (define copy (build-path folder "mechanics" "error"))
   (dynamic-wind
    (lambda () (make-directory* copy))
    (lambda ()
-     (for ([name '("uncompiled.rkt" "compiling-note.rkt" "note.rkt")])
+     (for ([name (append '("uncompiled.rkt" "compiling-note.rkt" "note.rkt") more)])
        (copy-file (build-path room name) (build-path copy name)))
      (f (path->string (path->directory-path folder)) (build-path copy "uncompiled.rkt")))
    (lambda () (delete-directory/files folder))))
@@ -106,6 +109,29 @@ Programs outside of /sicm/ need not wait, once mechanics is installed:  make -C 
      (check-equal? (stale) (list (last all)))
      (check-equal? (parameterize ([use-compiled-file-paths in-DrRacket]) (stale))
                    (list (last all))))))
+
+(test-case "a Run in DrRacket has the library compiled once, and shows how far that is"
+  (call-in-copy
+   (lambda (folder file)
+     (define main (write-facade folder "main.rkt" "error/note.rkt"))
+     (define (prepared)
+       (define out (open-output-string))
+       (parameterize ([current-error-port out]) (check-true (prepare-Run main)))
+       (get-output-string out))
+     (make-directory (build-path folder ".ci"))
+     (for ([name '("compile.rkt" "DrRacket-files.rkt")])
+       (copy-file (build-path compilers name) (build-path folder ".ci" name)))
+     (check-regexp-match
+      (string-append "^; mechanics is not compiled: this is done now, once, "
+                     "and takes about a minute.\n"
+                     "; Compiling 4 files of mechanics ...\n")
+      (prepared))
+     (check-equal? (prepared) "")
+     (check-equal? (racket main) ""))))
+
+(test-case "where it cannot be compiled a Run is told so"
+  (call-in-copy
+   (lambda (folder file) (check-false (prepare-Run (write-facade folder "main.rkt"))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Who requires a facade is told before anything else of the library is compiled

@@ -63,8 +63,10 @@
                 (lambda (s) (and (eq? (syntax-e s) 'raise-arguments-error)
                                  "raise-arguments-error; use complain-showing")))))
 
+;; error/ is below the floor of require-on-demand.
 (define (dynamic-requires name form)
-  (if (or (string-prefix? name "lang/") (equal? name "generic/on-demand.rkt"))
+  (if (or (string-prefix? name "lang/")
+          (member name '("generic/on-demand.rkt" "error/compiling-note.rkt")))
       '()
       (findings name form
                 (lambda (s) (and (head? s 'dynamic-require)

@@ -4,7 +4,7 @@
 
 (require compiler/compilation-path
          (only-in racket/list append*)
-         "../error/compiling-note.rkt")
+         "compiling-note.rkt")
 
 (provide tell-of-stale-files    ; ->
          stale-files)           ; path of a folder -> paths of stale files in it
