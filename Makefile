@@ -21,8 +21,6 @@ endif
 # Here sources change: what is compiled is compared with them, whatever is usual with you.
 unexport PLT_COMPILED_FILE_CHECK
 
-MANUAL = scribblings/mechanics/mechanics.scrbl
-
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
 .PHONY: help demo repl lab run show tex export attack lint lint-texts install uninstall \
         test tests test-quick test-manual test-figures test-export test-lab \
@@ -79,14 +77,16 @@ test-lab: compile
 # Racket is to find the package where it is installed, not here.
 with-own-collections = env $(if $(own-collections),PLTCOLLECTS='$(own-collections)',-u PLTCOLLECTS)
 no-docs := $(filter no No NO,$(DOCS))
+install: since := $(shell date +%s)
 install: known-docs compile
 	@$(call try-to-compile,.ci/install.rkt)
 	@$(if $(no-docs),,.ci/ensure-racket.sh manual)
-	@$(with-own-collections) $(RACKET) .ci/install.rkt $(if $(no-docs),--no-docs)
+	@$(with-own-collections) $(RACKET) .ci/install.rkt --since $(since) $(if $(no-docs),--no-docs)
 
 known-docs:
 	@case '$(DOCS)' in ''|yes|Yes|YES|no|No|NO) ;; \
 	    *) echo 'make install: DOCS is yes or no, not $(DOCS)' >&2; exit 2 ;; esac
+	@echo 'Installing mechanics: on two processors some $(if $(no-docs),minute,four minutes) ...'
 
 uninstall: racket
 	@$(with-own-collections) $(RACKET) .ci/install.rkt --remove
@@ -192,10 +192,9 @@ peers: writable
 	@build/python/bin/pip install --quiet heyoka casadi numpy scipy sympy jax diffrax
 
 docs: writable compile
-	@echo 'Building the manual ...'
-	@$(RACO) make $(wildcard examples/mechanics/*/*.rkt) $(MANUAL)
-	@$(RACO) scribble --quiet --htmls --dest build/doc \
-	    ++main-xref-in --redirect-main https://docs.racket-lang.org/ $(MANUAL)
+	@echo 'Building the manual: some three minutes ...'
+	@$(call try-to-compile,.ci/docs.rkt)
+	@$(RACKET) .ci/docs.rkt --jobs $(JOBS) build/doc
 	@echo 'The manual begins at build/doc/mechanics/index.html'
 
 # To be made again when results look different, and committed.

@@ -144,7 +144,7 @@ v of unknowns.
 
 SICM, first edition.}
 
-@section{Verdicts}
+@section[#:tag "canonical-verdicts"]{Verdicts}
 
 @defproc*[([(verify-canonical [C procedure?] [state structure?]) verdict?]
            [(verify-canonical [C procedure?] [H procedure?] [H-prime procedure?]

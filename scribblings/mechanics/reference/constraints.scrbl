@@ -151,7 +151,7 @@ Constraints that repeat each other leave their multipliers open: the error
                              (list string (holonomic twice)))
   state))]}
 
-@section{Motions}
+@section[#:tag "constrained-motions"]{Motions}
 
 @defproc[(constrained-state-derivative [L Lagrangian]
                                        [constraints (or/c constraint? list? up?)]

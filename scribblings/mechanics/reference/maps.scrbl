@@ -80,7 +80,7 @@ stands for a state:
 
 @sicm{3.6.1, p. 240}}
 
-@section{Orbits}
+@section[#:tag "reference-orbits"]{Orbits}
 
 @defproc[(iterated-map [map procedure?] [n exact-nonnegative-integer?]) procedure?]{
 
