@@ -38,7 +38,7 @@
                       (for/list ([x (in-list (listing-items t))]) (inner x))
                       (list (in-lines (listing-items t) width wide))))]
         [(grid? t)
-         (define share (quotient (- width 2) (max 1 (length (car (grid-rows t))))))
+         (define share (/ (- width 2) (max 1 (length (car (grid-rows t))))))
          (grid (for/list ([row (in-list (grid-rows t))])
                  (for/list ([x (in-list row)]) (fitted x (max least-room (- share 2)) wide))))]
         [(report? t) (report (for/list ([l (in-list (report-lines t))]) (fit-line l width wide)))]
@@ -75,12 +75,12 @@
   (define factors (product-factors t))
   (define longest (argmax wide factors))
   (define room (- width (- (wide t) (wide longest))))
-  (if (and (cut-within? longest width wide) (>= room (quotient width 2)))
+  (if (and (cut-within? longest width wide) (>= room (floor (/ width 2))))
       (fit-factors factors width wide)
       (broken-product factors width wide)))
 
 (define (broken-product factors width wide)
-  (define most (quotient (* 3 width) 4))
+  (define most (* 3/4 width))
   (define (size f) (+ 1 (if (cut-within? f width wide) (min most (wide f)) (wide f))))
   (define rows (packed factors size (- width 2)))
   (define lines (for/list ([row (in-list rows)]) (fit-factors row (- width 4) wide)))
@@ -106,7 +106,7 @@
   (define right (relation-right t))
   (define sign (relation-sign t))
   (define room (- width (wide left) 3))
-  (if (>= room (quotient width 2))
+  (if (>= room (floor (/ width 2)))
       (relation left sign (fitted right room wide))
       (broken (list (fitted left width wide)
                     (continuation sign (fitted right (- width 4) wide))))))

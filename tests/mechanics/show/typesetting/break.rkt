@@ -9,7 +9,8 @@
          "../../../../mechanics/show/typesetting/break.rkt"
          "../../../../mechanics/show/typesetting/drawn-text.rkt"
          "../../../../mechanics/show/typesetting/width.rkt"
-         "../../support/checks.rkt")
+         "../../../../mechanics/show/typesetting/MathML.rkt"
+         "../../support/checks.rkt" "../../support/golden/values.rkt")
 
 (define (sum-of name n) (apply + (for/list ([i n]) (string->symbol (format "~a_~a" name i)))))
 
@@ -45,6 +46,11 @@
   (check-true (< (* 0.6 (columns #f)) (columns #t) (* 0.9 (columns #f))))
   (check-equal? (fit t 22 #:typeset? #t) t)
   (check-not-equal? (fit t 22) t))
+
+(test-case "every formula can be cut for type of any width"
+  (for* ([entry values-to-typeset] [width '(1 13 24 41 60)])
+    (define t (value->tree (cdr entry) #t))
+    (check-pred string? (tree->MathML (fit t width #:typeset? #t) #t) (car entry))))
 
 (test-case "a long factor keeps most of a line"
   (define t (value->tree (* (sum-of 'beta 40) (sqrt (+ 1 'y)) (cos 'alpha) (sin 'omega)) #t))
