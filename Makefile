@@ -86,7 +86,7 @@ install: known-docs compile
 known-docs:
 	@case '$(DOCS)' in ''|yes|Yes|YES|no|No|NO) ;; \
 	    *) echo 'make install: DOCS is yes or no, not $(DOCS)' >&2; exit 2 ;; esac
-	@echo 'Installing mechanics: on two processors some $(if $(no-docs),minute,four minutes) ...'
+	@echo 'Installing mechanics: on two processors $(if $(no-docs),a minute,four minutes) ...'
 
 uninstall: racket
 	@$(with-own-collections) $(RACKET) .ci/install.rkt --remove

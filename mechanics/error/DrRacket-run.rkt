@@ -32,8 +32,9 @@
     (parameterize ([current-directory home]
                    [current-environment-variables (environment-with-library home)]
                    [current-subprocess-custodian-mode 'interrupt])
-      (subprocess #f #f 'stdout (find-exe) program "--jobs" (number->string (min 4 (processor-count)))
-                  "--DrRacket" "--root" "mechanics/main.rkt" "mechanics")))
+      (subprocess #f #f 'stdout (find-exe) program
+                  "--jobs" (number->string (min 4 (processor-count))) "--DrRacket"
+                  "--root" "mechanics/main.rkt" "mechanics")))
   (close-output-port in)
   (dynamic-wind
    void
