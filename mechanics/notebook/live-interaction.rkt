@@ -25,7 +25,7 @@
 (define (frame-bundle number values)
   (define i (hash-ref shown number #f))
   (if i
-      (outcome->bundle (interaction-outcome i (check-values i values)) '(png-bytes))
+      (outcome->bundle (interaction-outcome i (check-values i values)) '(svg-bytes))
       (words->bundle "the definitions that this rests on are gone: run its cell again")))
 
 (define (outcome->bundle x formats)

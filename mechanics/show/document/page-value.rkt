@@ -76,7 +76,7 @@
 ;; tree -> element: a formula within a line
 (define inline-formula
   (make-parameter
-   (lambda (t) `(span ([class "inline"]) ,(raw (tree->MathML (fitted t wide) #f)))))
+   (lambda (t) `(span ([class "inline"]) ,(raw (tree->MathML (fitted t wide) #f))))))
 
 ;; Words stand in the font of the text, and so does a comma after a formula.
 (define (inline-xexprs t)

@@ -113,7 +113,7 @@
     (define data (car (data-in (page-of (interact ([k 1 40]) (wave k))))))
     (check-equal? (frame-count data) 40)
     (define common (apply set-intersection (hash-ref data 'frames)))
-    (check-true (> (length common) 20)))
+    (with-check-info ([(quote common) (length common)]) (check-true (> (length common) 20))))
   (test-case "lines of one look that one frame has are one element, and many points an image"
     (define ((lines count) k)
       (define f (frame 0 10 0 10))
