@@ -22,7 +22,7 @@
   (define s (if (eq? (display-style) 'automatic) (value->shown x) (shown-text text)))
   (define page (and (shown-picture? s) (convert x 'html-bytes #f)))
   (for/fold ([bundle (hasheq (string->symbol "text/plain") text)])
-            ([part (in-list (if page (list (page->part page s)) (shown->parts s columns)))])
+            ([part (in-list (if page (list (page->part page s)) (shown->parts s columns formats)))])
     (hash-set bundle (string->symbol (car part)) (cdr part))))
 
 ;; The words of an error, in the place of a value

@@ -113,7 +113,7 @@
     (define data (car (data-in (page-of (interact ([k 1 40]) (wave k))))))
     (check-equal? (frame-count data) 40)
     (define common (apply set-intersection (hash-ref data 'frames)))
-    (with-check-info ([(quote common) (length common)]) (check-true (> (length common) 20))))
+    (with-check-info ([(quote common) (length common)]) (check-true (> (length common) 12))))
   (test-case "lines of one look that one frame has are one element, and many points an image"
     (define ((lines count) k)
       (define f (frame 0 10 0 10))
@@ -142,7 +142,7 @@
     text)
   (check-regexp-match "shown{x\\^{2}}\n\nat k = 2, s = a\\\\_b\n"
                       (TeX (interact ([k 2 9] [s "a_b"]) (expt 'x k))))
-  (check-regexp-match "division~by~zero" (TeX (interact ([k 0 9]) (/ 1 k)))))
+  (check-regexp-match "division by zero" (TeX (interact ([k 0 9]) (/ 1 k)))))
 
 ;; ---------------------------------------------------------------------------
 ;; In a browser
