@@ -93,7 +93,8 @@
                  ,@(if (kink-family? k) '("for integers" n) '())
                  ,@(if (eq? (kink-sort k) 'branch)
                        '("(of the formula alone: the angle goes on)")
-                       '()))])))
+                       '())
+                 ,@(if (eq? (kink-sort k) 'gap) '("(where all stays bounded on a side)") '()))])))
 
 (define (evidence z depth ways)
   (define (line label . content) (list (list depth label content)))

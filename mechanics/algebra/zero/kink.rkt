@@ -21,7 +21,7 @@
 ;; the cut of an angle.
 
 (require racket/list
-         "kink-place.rkt" "zero-surface.rkt"
+         "gap.rkt" "kink-place.rkt" "zero-surface.rkt"
          "../assumption/assumption-set.rkt" "../assumption/domain.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/read.rkt" "../expression/substitute.rkt" "../expression/symbols.rkt"
@@ -35,7 +35,7 @@
 (provide find-kinks (struct-out kink))
 
 ;; sort : 'kink, 'jump, 'branch (a jump of an angle by a whole turn, which its derivatives do not
-;; have) or 'no-value
+;; have), 'no-value, or 'gap (no value, and nothing that keeps a motion from passing)
 ;; expression : in which it is, such as |t − 2|
 ;; equations : (= t 2) ... or, where these cannot be solved for, (= u 0), and what else holds
 ;; there; solved? tells which.  family? : do they hold for each integer n?
@@ -70,7 +70,13 @@
                         assumptions (assumptions-automatic? A) '()))
       (define ks (together (kinks-of operations s)))
       (values ks (reverse (search-grounds s))))
-    (search-in-domain search-under (append-map needs-of domain) operations places A)))
+    (define-values (inside grounds)
+      (search-in-domain search-under (append-map needs-of domain) operations places A))
+    (define-values (gaps more)
+      (gaps-within (if (null? places) (list domain functions) (list domain))
+                   (search (if (null? places) variables unknowns) '() unknowns values? '() order
+                           (with-automatic-assumptions A #f) #f '())))
+    (values (append inside gaps) (remove-duplicates (append grounds more)))))
 
 ;; The search is repeated with the facts that hold wherever there are values, if it found kinks.
 ;; search-under : assumptions -> kinks and grounds
@@ -91,6 +97,19 @@
   (values (append inside (filter hole? all) (nowhere operations))
           (filter (lambda (d) (not (required? d find-nonzero)))
                   (remove-duplicates (remove* facts (append grounds more))))))
+
+;; groups : lists of expressions.  A quantity may have a gap where a Lagrangian has none.
+;; -> places where those of a group have a gap, and grounds on which there are no more
+(define (gaps-within groups s)
+  (define (surface? f)
+    (not (by-signs (lambda (k) (and (signs-decided? k) (not (eqv? k zero)))) f s)))
+  (define found
+    (for*/list ([es (in-list (remove-duplicates groups))]
+                [g (in-list (gaps es (search-variables s) surface? (search-assumptions s)))]
+                [k (in-value (located (candidate 'gap (car g) (cdr g) #f) s))]
+                #:when k)
+      k))
+  (values (together found) (reverse (search-grounds s))))
 
 ;; Is it (> (abs u) 0) with a u that is not 0 where all has a value?
 (define (required? datum find-nonzero)

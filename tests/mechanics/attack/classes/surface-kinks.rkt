@@ -1,6 +1,7 @@
 #lang racket/base
 ;; Questions about what jumps or turns on a surface, made of roots of sums of squares that
-;; vanish together there, or of a factor that touches zero; and about smooth neighbours.
+;; vanish together there, or of a factor that touches zero, or what has no value there and stays
+;; bounded; and about smooth neighbours.
 
 (require "../statement.rkt" "../template.rkt")
 
@@ -15,7 +16,7 @@
   (define entry (pick questions))
   (question-of (car entry)
                `(smooth ,@(for/list ([e (in-list (cdr entry))]) (list e place '(t x))))
-               `((K . ,(one-of roots u)) (J . ,(one-of jumps u)) (JT . ,(one-of jumps 't))
+               `((K . ,(one-of roots u)) (J . ,(one-of (pick steps) u)) (JT . ,(one-of jumps 't))
                  (M . ,(one-of moduli 'x)) (MT . ,(one-of moduli 't)) (B . ,(pick between)))))
 
 (define place '((t . 0) (x . 0) (y . 0) (v . 7/4) (u . 1) (p . 7/4) (h . 3/2) (k . 2)))
@@ -63,6 +64,17 @@
 (define jumps
   '((sgn (sqrt R)) (sgn (+ U (sqrt R))) (sgn (* U (sqrt R))) (sgn U) (abs (sgn R)) (sgn (+ h R))
     (* (sqrt R) (sgn R)) (sqrt R)))
+
+;; Without a value at U = 0; the last ones are unbounded, or lead to a value.
+(define gaps
+  '((/ U (abs U)) (/ (abs U) U) (/ U (sqrt (square U))) (* h U (expt (square U) -1/2))
+    (atan (/ 1 U)) (+ (atan U) (atan (/ 1 U))) (tanh (/ 1 U)) (/ 1 (+ 1 (exp (/ 1 U))))
+    (log (+ 2 (/ U (abs U)))) (exp (/ U (abs U))) (/ (abs U) (sin U)) (/ R (* U (abs U)))
+    (/ (sqrt R) U) (atan (/ (sqrt R) (square U))) (sin (/ (* h U) (sqrt R)))
+    (/ 1 U) (/ k (abs U)) (log (square U)) (exp (/ -1 (square U))) (/ (sin U) U)))
+
+(define steps (list jumps gaps))
+
 (define moduli
   '((/ (sqrt (+ (square U) (expt U 4))) (sqrt (+ 1 (square U)))) (sqrt (square U)) (abs U)
     (/ (sqrt (+ (square U) (square (* h U)))) (sqrt (+ 1 (square h))))

@@ -7,7 +7,8 @@
 ;;                                          claimed to be an expression, or #f
 ;;     (equivalent L1 L2 qs vs)             have they the same motions?
 ;;     (conserved L Q qs vs)                is Q conserved?
-;;     (smooth (e numbers variables) ...)   has e a value at the numbers, and no jump or kink?
+;;     (smooth (e numbers variables) ...)   has e a value at the numbers, or values beside them that
+;;                                          stay bounded, and no jump or kink?
 ;;     (domain e ...)                       have all of them values at one point?
 ;;     (found V)                            has V a value at each equilibrium that was found?
 
@@ -37,26 +38,38 @@
 (define step (expt 2 -40))
 (define least 1/1000)
 
-;; A place where another part of the question has no value is outside of it.
-(define (valued? entry) (rational? (number-at (car entry) (make-immutable-hasheq (cadr entry)))))
+;; A place where another part of the question has no value, and is not bounded, is outside of it.
+(define (valued? entry)
+  (or (rational? ((along-line entry) 0)) (bounded? (along-line entry))))
+
+;; Is the value 2⁻²⁰ away the same as 2⁻⁴⁰ away, or nearly, on both sides?
+(define (bounded? value)
+  (define (apart k) (let ([far (value (* k (expt 2 20)))] [near (value k)])
+                      (if (and (rational? far) (rational? near)) (abs (- far near)) 1)))
+  (and (< (apart 1) 1) (< (apart -1) 1)))
 
 ;; entry : (e ((symbol . number) ...) (variable ...))
+;; -> k -> the value k steps away from the point, on a line through it
+(define (along-line entry)
+  (define numbers (make-immutable-hasheq (cadr entry)))
+  (define direction (for/list ([_ (in-list (caddr entry))]) (pick '(1 -2 1/2 3/5))))
+  (lambda (k)
+    (number-at (car entry)
+               (shifted numbers (for/list ([s (in-list (caddr entry))] [d (in-list direction)])
+                                  (cons s (* k step d)))))))
+
 ;; On a line through the point the value jumps, or turns; else #f.  Two lines, as one may lie
 ;; in the surface.
 (define (rough entry)
-  (define numbers (make-immutable-hasheq (cadr entry)))
   (for/or ([_ (in-range 2)])
-    (define direction (for/list ([_ (in-list (caddr entry))]) (pick '(1 -2 1/2 3/5))))
-    (define (value k)
-      (number-at (car entry)
-                 (shifted numbers (for/list ([s (in-list (caddr entry))] [d (in-list direction)])
-                                    (cons s (* k step d))))))
+    (define value (along-line entry))
     (define-values (before here after) (values (value -1) (value 0) (value 1)))
-    (and (andmap rational? (list before here after))
-         (or (> (abs (- after here)) least)
-             (> (abs (- before here)) least)
-             (> (abs (/ (- (+ before after) (* 2 here)) step)) least))
-         (fault 'not-smooth numbers before after))))
+    (and (andmap rational? (list before after))
+         (or (> (abs (- after before)) least)
+             (and (rational? here)
+                  (or (> (abs (- before here)) least)
+                      (> (abs (/ (- (+ before after) (* 2 here)) step)) least))))
+         (fault 'not-smooth (make-immutable-hasheq (cadr entry)) before after))))
 
 ;; ---------------------------------------------------------------------------
 ;; Domains
