@@ -76,7 +76,11 @@
       (gaps-within (if (null? places) (list domain functions) (list domain))
                    (search (if (null? places) variables unknowns) '() unknowns values? '() order
                            (with-automatic-assumptions A #f) #f '())))
-    (values (append inside gaps) (remove-duplicates (append grounds more)))))
+    (define known (append-map kink-equations inside))
+    (define new (filter (lambda (k) (not (subset? (kink-equations k) known))) gaps))
+    (values (append inside new) (remove-duplicates (append grounds more)))))
+
+(define (subset? xs ys) (andmap (lambda (x) (member x ys)) xs))
 
 ;; The search is repeated with the facts that hold wherever there are values, if it found kinks.
 ;; search-under : assumptions -> kinks and grounds

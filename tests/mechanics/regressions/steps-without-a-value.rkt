@@ -24,7 +24,7 @@
 (define-check (check-gaps verdict equation)
   (with-check-info (['verdict verdict])
     (unless (and (undecided? verdict)
-                 (equal? (car (append* (gaps verdict))) equation))
+                 (equal? (format "~s" (car (append* (gaps verdict)))) (format "~s" equation)))
       (fail-check))))
 
 (test-case "what is asked of a step"
