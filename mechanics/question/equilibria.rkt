@@ -8,7 +8,7 @@
          "equilibrium.rkt" "argument-order.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/pi.rkt"
          "../algebra/expression/symbols.rkt"
-         "../algebra/solve/angles-in.rkt" "../algebra/solve/solve-equations.rkt"
+         "../algebra/solve/angles-in.rkt" "../algebra/solve/solve-by-cases.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
@@ -77,16 +77,26 @@
   (define local (as-local state))
   (check-generic-states 'equilibria local L (external-force 'equilibria force #f))
   (define q (coordinate local))
-  (define residual (simplify (residual-at-rest 'equilibria L force (time local) q)))
+  (define given-residual (residual-at-rest 'equilibria L force (time local) q))
+  (define residual (simplify given-residual))
   (check-constant 'equilibria residual (time local))
-  (define solutions (solve-equations (scalars residual) (scalars q) (assumptions-in-force)))
+  (define solutions
+    (solve-by-cases (scalars given-residual) (scalars q) (assumptions-in-force)))
   (unless solutions (raise-no-formula residual))
+  (when (null? solutions) (note-constant-force residual q))
   (note-other-period residual q)
   (note-other-turns L (time local) q residual)
   (for*/list ([s (in-list solutions)]
               [at (in-value (s:map/r (lambda (name) (value-of name (car s))) q))]
               #:when (in-domain? L force (time local) at))
     (equilibrium at (cdr s))))
+
+;; Where a force a is the same everywhere, nothing rests, unless a is 0.
+(define (note-constant-force residual q)
+  (for ([e (in-list (scalars residual))])
+    (define names (if (symbolic? e) (symbols-in e) '()))
+    (when (and (pair? names) (not (ormap (lambda (x) (memq x names)) (scalars q))))
+      (note-once (format "equilibria: there are none, unless ~a is 0" (value->text e))))))
 
 (define (value-of name solution)
   (cond [(assq name solution) => cdr]

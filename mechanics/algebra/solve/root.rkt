@@ -45,7 +45,10 @@
 
 ;; The value at x, or #f where there is none.
 (define (value-at e x value A)
-  (if-raised divided-by-zero? #f (simplify-expression (put e x value) A)))
+  (define there (if-raised divided-by-zero? #f (simplify-expression (put e x value) A)))
+  (and there
+       (not (some-node? (lambda (n) (eqv? 0 (divisor-of n))) there))
+       there))
 
 (define (quotient-of a b A) (simplify-expression (e:/ a b) A))
 
