@@ -11,7 +11,7 @@
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/symbols.rkt")
 
-(provide make-region region-free? region-place region-admits?)
+(provide make-region region-free? region-place region-borders region-admits?)
 
 ;; ranges : leaf -> interval (assumption/leaf-bounds.rkt)
 ;; conditions : ((tape . signs) ...)
@@ -58,6 +58,12 @@
   (cond [(infinite? low) (if (infinite? high) n (- (ceiling high) size))]
         [(< next high) next]
         [else (+ low (* (- high low) (/ size (+ size 1))))]))
+
+;; Numbers just within the bounds of the leaf
+(define (region-borders g leaf)
+  (define-values (low high) (interval-ends (bounds-of (region-ranges g) leaf)))
+  (append (if (infinite? low) '() (list (+ low 1/3) (+ low 1/1000)))
+          (if (infinite? high) '() (list (- high 1/3) (- high 1/1000)))))
 
 ;; Do the relations certainly hold where the leaves have these values?  p : the precision, in bits
 (define (region-admits? g lookup p)

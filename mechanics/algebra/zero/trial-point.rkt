@@ -8,8 +8,8 @@
          "point-value.rkt"
          "region.rkt")
 
-(provide make-question question-e question-residual question-certain?
-         integer-try fraction-try
+(provide make-question question-e question-residual question-place question-certain?
+         integer-try fraction-try placed-try
          look finding? finding-of-e
          exactly-not-zero? witness? listed-point shown)
 
@@ -19,8 +19,8 @@
 (struct question (e residual place value-of certain? decisive) #:authentic)
 
 ;; numbers : -> a source of numbers; others : of those for leaves that the residual lacks
-;; zeros : leaves that are to be 0
-(struct try (numbers others zeros) #:authentic)
+;; places : leaf -> the number that it is to be
+(struct try (numbers others places) #:authentic)
 
 ;; What was found at a point: a table leaf -> (place in the list . number), and the values there.
 (struct finding (leaves of-residual of-e) #:authentic)
@@ -32,11 +32,14 @@
             (not (or complex? (contains-flonum? e)))
             (if (eq? e residual) (hash) (decisive-leaves e))))
 
-(define (integer-try k zeros) (try-from integers-from k zeros))
-(define (fraction-try k zeros) (try-from fractions-from k zeros))
+(define (integer-try k places) (try-from integers-from k places))
+(define (fraction-try k places) (try-from fractions-from k places))
 
-(define (try-from source k zeros)
-  (try (lambda () (source k)) (lambda () (integers-from (+ 100 (abs k)))) zeros))
+(define (try-from source k places)
+  (try (lambda () (source k)) (lambda () (integers-from (+ 100 (abs k)))) places))
+
+;; The try, with x for one leaf
+(define (placed-try t leaf x) (struct-copy try t [places (hash-set (try-places t) leaf x)]))
 
 ;; ---------------------------------------------------------------------------
 ;; A look at a point
@@ -51,12 +54,11 @@
   (define next-other ((try-others t)))
   (define listed (make-hash))
   (define (number-of leaf arguments next)
-    (assigned seen leaf arguments (lambda () (region-place place leaf (next)))))
+    (assigned seen leaf arguments
+              (lambda ()
+                (or (hash-ref (try-places t) leaf #f) (region-place place leaf (next))))))
   (define (numbers leaf arguments)
-    (define x
-      (if (hash-ref (try-zeros t) leaf #f)
-          (assigned seen leaf arguments (lambda () 0))
-          (number-of leaf arguments next)))
+    (define x (number-of leaf arguments next))
     (hash-ref! listed leaf (lambda () (cons (hash-count listed) x)))
     x)
   (define (other-numbers leaf arguments) (number-of leaf arguments next-other))

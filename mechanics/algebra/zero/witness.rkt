@@ -17,7 +17,7 @@
 ;; masses, not negative ones.
 
 (require racket/list
-         "existence.rkt" "trial-point.rkt" "point-value.rkt" "region.rkt"
+         "existence.rkt" "further-tries.rkt" "trial-point.rkt" "point-value.rkt" "region.rkt"
          "../expression/flat-graph.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/symbols.rkt")
 
@@ -63,12 +63,16 @@
 
 ;; -> finding or #f
 (define (exact-witness q)
-  (define-values (under only-under) (leaves-under-functions (question-residual q)))
+  (define-values (under only-under)
+    (let-values ([(under only-under) (leaves-under-functions (question-residual q))])
+      (values (all-0 under) (all-0 only-under))))
   (define more
     (if (eqv? (hash-count under) (hash-count only-under)) '() (list (integer-try 0 under))))
   (for/or ([t (in-list (list* (integer-try 0 only-under) (integer-try 1 only-under) more))])
     (define f (look q t (first-precision q)))
     (and (finding? f) (exactly-not-zero? f) f)))
+
+(define (all-0 leaves) (for/hash ([leaf (in-hash-keys leaves)]) (values leaf 0)))
 
 ;; ---------------------------------------------------------------------------
 ;; Points with numbers for all leaves
@@ -94,7 +98,7 @@
 (define (search q tries)
   (let loop ([tries tries] [zeros '()])
     (cond
-      [(or (null? tries) (= (length zeros) point-limit)) (look-again q (reverse zeros))]
+      [(or (null? tries) (= (length zeros) point-limit)) (look-elsewhere q (reverse zeros))]
       [else
        (define f (look-twice q (car tries)))
        (cond [(symbol? f) (loop (cdr tries) zeros)]
@@ -105,6 +109,16 @@
 (define (look-twice q t)
   (define f (look q t (first-precision q)))
   (if (eq? f 'unknown) (look q t second-precision) f))
+
+;; zeros : the points that gave no decision.  They are looked at with more bits, then others.
+(define (look-elsewhere q zeros)
+  (define-values (witness value bound points) (look-again q zeros))
+  (define found
+    (and (not witness)
+         (for/or ([t (in-list (further-tries (question-e q) (question-place q)))])
+           (define f (look-twice q t))
+           (and (finding? f) (witness? f) (cons t f)))))
+  (if found (as-witness q (car found) (cdr found)) (values witness value bound points)))
 
 ;; The points that gave no decision, with more bits as long as these are of use.
 (define (look-again q zeros)
