@@ -10,7 +10,7 @@
          "canonical.rkt" "required-exponents.rkt" "symplectic-transformation.rkt"
          "transformation.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../calculus/derivative.rkt"
+         "../calculus/decimals-as-written.rkt" "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
@@ -49,7 +49,9 @@
      (when (and (procedure? M) (not (matrix? M)))
        (complain 'verify-symplectic
                  "a transformation is asked about at a state: (verify-symplectic C state)"))
-     (prove-zero (matrix-residual 'verify-symplectic M))]
+     (decimals-as-written
+      (prove-zero (matrix-residual 'verify-symplectic M)
+                  #:again (lambda (change) (verify-symplectic (change M)))))]
     [(C state) (verify-brackets 'verify-symplectic C state symplectic-transform?)]))
 
 (define (verify-brackets who C state residual)
@@ -77,8 +79,10 @@
   (define-values (residual survey)
     (survey-derivatives find-residual (scalars state) #:domain domain #:functions domain))
   (define (meaning) (meaning-of about state))
-  (define v (prove-zero residual #:variables (scalars state) #:surveys (list survey)
-                        #:domain domain #:meaning meaning #:again again))
+  (define v
+    (decimals-as-written
+     (prove-zero residual #:variables (scalars state) #:surveys (list survey)
+                 #:domain domain #:meaning meaning #:again again)))
   (if (refuted? v)
       (for/fold ([v v]) ([text (in-list (append (remarks)
                                                 (remark-on-exponents v residual state meaning)))])

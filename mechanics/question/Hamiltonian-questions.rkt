@@ -5,6 +5,7 @@
 
 (require "argument-order.rkt" "kink-survey.rkt" "question-meaning.rkt" "question-remarks.rkt"
          "../generic/define-plain.rkt" "../generic/function-check.rkt"
+         "../calculus/decimals-as-written.rkt"
          "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../hamiltonian/Poisson-bracket.rkt"
@@ -41,15 +42,16 @@
   (define states (states-along 'verify-Hamiltonian-solution q p))
   (define residual ((Hamilton-equations H #:force F) q p))
   (define domain (domain-of-states H states F))
-  (prove-zero residual
-              #:motion-domain domain
-              #:remarks (lambda () (remarks-on-states H states))
-              #:surveys (lambda () (surveys-of-states (Hamiltonian->state-derivative H #:force F)
-                                                      states residual domain))
-              #:meaning (lambda () (meaning-of-states H states))
-              #:again (lambda (change)
-                        (verify-Hamiltonian-solution (change H) (change q) (change p)
-                                                     #:force (and F (change F))))))
+  (decimals-as-written
+   (prove-zero residual
+               #:motion-domain domain
+               #:remarks (lambda () (remarks-on-states H states))
+               #:surveys (lambda () (surveys-of-states (Hamiltonian->state-derivative H #:force F)
+                                                       states residual domain))
+               #:meaning (lambda () (meaning-of-states H states))
+               #:again (lambda (change)
+                         (verify-Hamiltonian-solution (change H) (change q) (change p)
+                                                      #:force (and F (change F)))))))
 
 ;; ---------------------------------------------------------------------------
 ;; Conserved quantities
@@ -61,16 +63,17 @@
   (check-H-state who state)
   (check-symbols who state "state")
   (for ([f (in-list (list H Q F))] #:when (procedure? f)) (check-parameters who f state "state"))
-  (prove-residual-zero (lambda () ((rate-by-Hamiltonian who H Q F) state)) (scalars state)
-                       #:beside (list (survey-of-values (Q state)))
-                       #:domain (lambda () (values-at (list H Q F) state))
-                       #:within (lambda () (values-at (list H F) state))
-                       #:functions (lambda () (values-at (list H Q) state))
-                       #:remarks (lambda () (remarks-on-quantity Q state))
-                       #:meaning (lambda () (meaning-of-quantity-in-phase-space H Q state))
-                       #:again (lambda (change)
-                                 (conserved-by-Hamiltonian who (change H) (change Q) state
-                                                           (and F (change F))))))
+  (decimals-as-written
+   (prove-residual-zero (lambda () ((rate-by-Hamiltonian who H Q F) state)) (scalars state)
+                        #:beside (list (survey-of-values (Q state)))
+                        #:domain (lambda () (values-at (list H Q F) state))
+                        #:within (lambda () (values-at (list H F) state))
+                        #:functions (lambda () (values-at (list H Q) state))
+                        #:remarks (lambda () (remarks-on-quantity Q state))
+                        #:meaning (lambda () (meaning-of-quantity-in-phase-space H Q state))
+                        #:again (lambda (change)
+                                  (conserved-by-Hamiltonian who (change H) (change Q) state
+                                                            (and F (change F)))))))
 
 ;; state ↦ Q̇
 (define (rate-by-Hamiltonian who H Q F)

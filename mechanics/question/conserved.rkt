@@ -19,7 +19,7 @@
          "question-meaning.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
-         "../calculus/derivative.rkt"
+         "../calculus/decimals-as-written.rkt" "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/function-check.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/scalar.rkt"
@@ -60,16 +60,18 @@
   (define-values (change survey)
     (survey-derivatives (lambda () (find-rate state)) (scalars state)
                         #:domain within #:functions domain))
-  (define v (prove-zero change #:variables (scalars local) #:domain domain
-                        #:surveys (list (survey-of-values (Q state)) survey)
-                        #:resting-on conditions
-                        #:remarks (lambda () (append (remarks-on-quantity Q state)
-                                                     (remarks-on-kind L Q)
-                                                     (remarks-on-order L Q state)))
-                        #:meaning (lambda () (meaning-of-quantity L Q state force))
-                        #:again (lambda (change)
-                                  (verify-conserved (change L) (change Q) local
-                                                    #:force (and force (change force))))))
+  (define v
+    (decimals-as-written
+     (prove-zero change #:variables (scalars local) #:domain domain
+                 #:surveys (list (survey-of-values (Q state)) survey)
+                 #:resting-on conditions
+                 #:remarks (lambda () (append (remarks-on-quantity Q state)
+                                              (remarks-on-kind L Q)
+                                              (remarks-on-order L Q state)))
+                 #:meaning (lambda () (meaning-of-quantity L Q state force))
+                 #:again (lambda (change)
+                           (verify-conserved (change L) (change Q) local
+                                             #:force (and force (change force)))))))
   ;; a mass matrix without an inverse is refused: the state may be that of no motion
   (when (refuted? v)
     (call-with-quantity-last 'verify-conserved L Q state

@@ -2,6 +2,7 @@
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
 (require "kink-survey.rkt" "question-meaning.rkt" "question-remarks.rkt"
+         "../calculus/decimals-as-written.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/on-demand.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
@@ -32,17 +33,19 @@
              ((constrained-Lagrange-equations L constraints #:force outside) q multipliers)]
             [constraints ((eliminate-multipliers L constraints #:force outside) q)]
             [else ((Lagrange-equations L #:force outside #:order n) q)]))
-    (prove-zero residual
-                #:motion-domain (domain-of-solution L q n outside)
-                #:remarks (lambda () (remarks-on-solution L q n))
-                #:surveys (lambda () (surveys-of-solution L q n outside constraints residual))
-                #:meaning (lambda () (meaning-of-solution L q n outside))
-                #:again (lambda (change)
-                          (define (if-any x) (and x (change x)))
-                          (verify-solution (change L) (change q) (if-any dissipation)
-                                           #:force (if-any force) #:order n
-                                           #:constraints (if-any constraints)
-                                           #:multipliers (if-any multipliers))))))
+    (decimals-as-written
+     (prove-zero
+      residual
+      #:motion-domain (domain-of-solution L q n outside)
+      #:remarks (lambda () (remarks-on-solution L q n))
+      #:surveys (lambda () (surveys-of-solution L q n outside constraints residual))
+      #:meaning (lambda () (meaning-of-solution L q n outside))
+      #:again (lambda (change)
+                (define (if-any x) (and x (change x)))
+                (verify-solution (change L) (change q) (if-any dissipation)
+                                 #:force (if-any force) #:order n
+                                 #:constraints (if-any constraints)
+                                 #:multipliers (if-any multipliers)))))))
 
 (define (check-constrained n constraints)
   (unless constraints

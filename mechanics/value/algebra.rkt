@@ -27,7 +27,9 @@
  ["../algebra/zero/vanishing-factors.rkt" same-equations? symbol-alone?]
  ["../algebra/zero/common-domain.rkt" domain-expressions in-place-of somewhere-real?
                                      part-without-value]
- ["../algebra/zero/decimal-readings.rkt" too-many-to-read? reading-decimal reading-expression]
+ ["../algebra/zero/decimal-readings.rkt" too-many-to-read? reading-decimal
+                                         reading-expression readings-as-written
+                                         with-decimals-read]
  ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations
                              kink-solved? kink-family?]
  ["../algebra/zero/kept-meaning.rkt" make-meaning meaning-with meaningful? independent-equations
@@ -38,4 +40,4 @@
   zero-test-bound zero-test-points zero-test-reason zero-test-decimals
   zero-test-factor zero-test-core
   zero-test-conditions zero-test-ways zero-test-left-unexpanded
-  zero-test-grounds zero-test-assumptions])
+  zero-test-grounds zero-test-assumptions zero-test-as-read])

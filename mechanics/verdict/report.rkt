@@ -181,6 +181,7 @@
   (define size (zero-test-bound z))
   (line "evidence:"
         (cond [(reason->text (zero-test-reason z)) => values]
+              [(eqv? size 0.0) "decimals cancel, and decimals are rounded numbers"]
               [(eqv? size 0) (format "zero at ~a, exactly or modulo primes" (points->text points))]
               [else (format "at ~a, zero to within ~a" (points->text points)
                             (readable (* 1.05 size) 2))])))
@@ -203,10 +204,15 @@
                                   ",")
                      (in-the-way (length all))
                      (if r
-                         (list "," (short-datum (reading-expression r)) "for" (reading-decimal r))
+                         (list "," (as-typed (reading-expression r)) "for" (reading-decimal r))
                          '())))))
 
 (define most-decimals 4)
+
+;; (sqrt 8) would be a decimal again.
+(define (as-typed e)
+  (define d (short-datum e))
+  (if (pair? d) `(read-expression ',d) d))
 
 (define (in-the-way count)
   (append (if (> count most-decimals) (list (format "and ~a more" (- count most-decimals))) '())

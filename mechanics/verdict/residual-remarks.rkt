@@ -16,11 +16,14 @@
 ;; default : what to speak of where simplification made an exact 0 of it
 (define (remarks-on-rounding residual [default #f])
   (define found (or (ormap smallest-size (expressions-of residual)) default))
-  (if found
-      (list (format (string-append "~a may be no more than what rounding leaves, as of (sin pi): "
-                                   "exact numbers would tell, ':pi for π")
-                    (value->text found)))
-      '()))
+  (cond [(not found) '()]
+        [(zero? found)
+         (list (string-append "exact numbers would tell: 49/5 for 9.8, ':pi for π, "
+                              "(read-expression '(sqrt 2)) for the root of 2"))]
+        [else
+         (list (format (string-append "~a may be no more than what rounding leaves, as of "
+                                      "(sin pi): exact numbers would tell, ':pi for π")
+                       (value->text found)))]))
 
 ;; A flonum in e of the size of rounding, or #f.
 (define (smallest-size e)

@@ -12,7 +12,7 @@
 
 (provide make-verdict verdict? kinks->text
          ;; for those who ask again
-         verdict-question verdict-given with-remark)
+         verdict-question verdict-given with-remark with-readings)
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
@@ -48,6 +48,11 @@
 ;; The verdict with one more remark, before the others.
 (define (with-remark v text)
   (struct-copy verdict v [remarks (cons text (verdict-remarks v))]))
+
+;; The proof, which rests on decimals read so.
+(define (with-readings v readings)
+  (struct-copy verdict v
+               [tests (for/list ([z (in-list (verdict-tests v))]) (zero-test-as-read z readings))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Asking

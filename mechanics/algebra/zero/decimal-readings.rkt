@@ -22,7 +22,7 @@
          "../expression/flat-graph.rkt"
          "../expression/operation.rkt" "../expression/pi.rkt" "../expression/substitute.rkt")
 
-(provide read-decimal decimals-in read-decimals too-many-to-read?
+(provide read-decimal decimals-in read-decimals readings-as-written too-many-to-read?
          with-decimals-read all-different? (struct-out reading))
 
 ;; What is exactly e, for the algebra.
@@ -60,6 +60,13 @@
   (substitute-expression e (for/list ([r (in-list readings)])
                              (cons (reading-decimal r) (reading-expression r)))))
 
+;; The flonums of an expression as they are written, with few digits; #f if one is not
+(define (readings-as-written e)
+  (define readings
+    (for/list ([x (in-list (decimals-in (expression->plain-tape e)))])
+      (reading x (and (rational? x) (as-written x)))))
+  (and (andmap reading-expression readings) readings))
+
 ;; -> an exact expression, or #f
 (define (read-decimal x)
   (cond [(not (rational? x)) #f]
@@ -89,7 +96,7 @@
          [(2) (make-node op:sqrt (list f))]
          [else (make-node op:expt (list f (/ 1 degree)))])))
 
-;; What was written with few digits, such as 6.674e-11.
+;; What was written with few digits, such as 6.674e-11; else #f
 (define (as-written x)
   (define mantissa (car (regexp-match #rx"^[^e]*" (number->string x))))
   (define digits (filter char-numeric? (string->list mantissa)))

@@ -34,7 +34,7 @@
          zero-test-bound zero-test-points zero-test-reason zero-test-decimals
          zero-test-factor zero-test-core
          zero-test-conditions zero-test-ways zero-test-left-unexpanded
-         zero-test-grounds zero-test-assumptions)
+         zero-test-grounds zero-test-assumptions zero-test-as-read)
 
 ;; status : 'proved, 'refuted or 'undecided
 ;; witness : #f or ((expression . number) ...)  value : the residual's there
@@ -67,6 +67,9 @@
 (define (zero-test-left-unexpanded z) (form-unexpanded (settled-form z)))
 
 (define (settled-form z) (at-last (zero-test-form z)))
+
+;; The same proof, of what these readings were made in
+(define (zero-test-as-read z readings) (struct-copy zero-test-result z [decimals readings]))
 
 (define (make-form e A variables)
   (if (and (number? e) (not (rational? (magnitude e))))
