@@ -26,7 +26,7 @@
  ["../algebra/simplify/simplify-expression.rkt" simplify-expression]
  ["../algebra/zero/vanishing-factors.rkt" same-equations? symbol-alone?]
  ["../algebra/zero/common-domain.rkt" domain-expressions in-place-of somewhere-real?
-                                     part-without-value]
+                                     part-without-value unexpected-domain]
  ["../algebra/zero/decimal-readings.rkt" too-many-to-read? reading-decimal
                                          reading-expression readings-as-written
                                          with-decimals-read]

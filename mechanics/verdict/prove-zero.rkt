@@ -150,7 +150,17 @@
   (define elsewhere (assumptions-off-kinks A kinks (or (zero-test-witness z) '())))
   (if elsewhere (zero-test leaf elsewhere variables) z))
 
-(define (verify-equal a b) (prove-zero (difference a b)))
+(define (verify-equal a b)
+  (define v (prove-zero (difference a b)))
+  (define conditions
+    (if (proved? v)
+        (append-map (lambda (e) (unexpected-domain e (assumptions-in-force)))
+                    (filter expression? (list a b)))
+        '()))
+  (if (null? conditions)
+      v
+      (with-remark v (format "both sides are real where ~a"
+                             (joined (map value->text (remove-duplicates conditions)) ", ")))))
 
 ;; a - b, where flonums are not subtracted yet: what is lost to rounding shows
 ;; only beside the numbers themselves.  Beside 0 there is nothing to show it.

@@ -18,7 +18,7 @@
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/declare-relations.rkt" "../simplify/known-sign.rkt"
          "../simplify/simplify-expression.rkt"
-         "../../error/refusal.rkt")
+         "../../error/refusal.rkt" (only-in "../../numeric/finite-number.rkt" exact-rational?))
 
 (provide solve-by-cases)
 
@@ -109,8 +109,6 @@
     (and there
          (not (and (exact-rational? there) (not (eqv? there 0))))
          (not (some-node? (lambda (n) (eqv? 0 (divisor-of n))) there)))))
-
-(define (exact-rational? x) (and (rational? x) (exact? x)))
 
 (define (strict-condition c equations solution A)
   (define e (cadr c))

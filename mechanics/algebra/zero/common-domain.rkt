@@ -9,11 +9,15 @@
 
 (require racket/list
          "existence.rkt"
-         "../assumption/assumption-set.rkt" "../assumption/reference-point.rkt"
+         "../assumption/assumption-set.rkt" "../assumption/domain.rkt"
+         "../assumption/reference-point.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/operation.rkt" "../expression/substitute.rkt")
+         "../expression/operation.rkt" "../expression/read.rkt"
+         "../expression/substitute.rkt" "../expression/symbols.rkt"
+         "../simplify/declare-relations.rkt" "../simplify/known-sign.rkt"
+         "../simplify/simplify-expression.rkt")
 
-(provide domain-expressions in-place-of somewhere-real? part-without-value)
+(provide domain-expressions in-place-of somewhere-real? part-without-value unexpected-domain)
 
 ;; xs : values -> those of the expressions among them that may lack a real value somewhere
 (define (domain-expressions xs)
@@ -43,3 +47,19 @@
            (define args (if (node? e) (node-args e) '()))
            (define part (findf (lambda (a) (not (somewhere-real? (list a) A))) args))
            (if part (smallest part) e))]))
+
+;; Relations, as datums, that hold where e has a real value, and nowhere where all its symbols are
+;; positive: c ≤ 0 of √(−c).  A reader who thinks of positive numbers would not expect them.
+(define (unexpected-domain e A)
+  (define needs (if (node? e) (domain-relations e) '()))
+  (define B
+    (if (null? needs)
+        A
+        (with-relations A (for/list ([s (in-list (symbols-in e))]) `(> ,s 0)))))
+  (remove-duplicates
+   (for*/list ([r (in-list needs)]
+               [sign (in-value (known-sign (relation-expression r) B))]
+               #:when (and sign (not (signs-within? (number-signs sign) (relation-signs r)))))
+     (list (if (signs-within? zero (relation-signs r)) '>= '>)
+           (expression->datum (simplify-expression (relation-expression r) A))
+           0))))

@@ -15,7 +15,11 @@ mean, with an example for each.
 An expression has a value at a point if each of its parts has a real value there. Two
 expressions are equal if they are equal wherever both have values. @italic{Proved} says
 that this is so, and that there is such a point. @italic{Refuted} shows a point where both
-have values, and these differ.
+have values, and these differ. So equal means: where both sides are real. If one side is real
+nowhere among positive symbols, a note names the condition:
+
+@examples[#:eval session #:label #f
+(verify-equal (sqrt (* 'c 'd)) (* (sqrt (- 'c)) (sqrt (- 'd))))]
 
 So @formula{1/√x} is @formula{√(1/x)}, for where x is negative neither has a value; and of what
 has a value nowhere, nothing is proved:
@@ -99,7 +103,15 @@ zero of the force, and the logarithm in the potential has no value there:
 (verify-solution L-wall (lambda (t) 1))
 (equilibria L-wall (up 't 'x 'v))]
 
-A potential that has no value at a place has no kink there, and a motion cannot pass through it.
+A potential that grows beyond all bounds at a place has no kink there, and a motion cannot pass
+through it. One that has no value there and stays bounded on a side may be a step:
+
+@examples[#:eval session #:label #f
+(define ((L-in V) s) (- (* 1/2 'm (square (velocity s))) (V (coordinate s))))
+(define (verify-free V) (verify-solution (L-in V) (lambda (t) (* 'v t))))
+(verify-free (lambda (x) (/ x (abs x))))
+(define L-centre (L-in (lambda (x) (/ 'k (abs x)))))
+(verify-conserved L-centre (Lagrangian->energy L-centre) (up 't 'x 'v))]
 
 @section{Kinks}
 
@@ -121,6 +133,13 @@ are more than two dozen none is read.
 (verify-solution (L-harmonic 'm 9.8) (lambda (t) (* 'a (cos (* (sqrt (/ 9.8 'm)) t)))))
 (verify-solution (L-harmonic 1 2) (lambda (t) (cos (* (sqrt 2.0) t))))
 (verify-solution (L-harmonic 1 2) (lambda (t) (cos (* 1.41421356 t))))]
+
+Decimals that cancel before the library sees them, as 2 · 4.9 and 9.8, are read as they are written
+if they have few digits:
+
+@examples[#:eval session #:label #f
+(define (L-falling s) (- (* 1/2 (square (velocity s))) (* 9.8 (coordinate s))))
+(verify-solution L-falling (lambda (t) (- 10 (* 4.9 (square t)))))]
 
 Better write what you mean. @racket[(sqrt 2)] is a number, and Racket has no exact one for
 it; a symbol has all its digits, and so has @racket[':pi], which is π:

@@ -241,13 +241,13 @@ directions without inertia leave it undetermined.
                      [#:force force (or/c #f procedure?) #f])
          (listof equilibrium?)]{
 
-The coordinates at which a system that rests stays at rest, by formulas in the
-parameters, those that always exist first. Each comes with conditions for it to be real.
-A coordinate that may be anything is its own symbol; of angles there are all of a
-turn, exactly if the parameters are exact: @racket[':pi] is π. Where the period is not a whole
-part of a turn, as that of @racket[(cos (* 'k x))], those within one period are found, and a
-note says so; and so it does where the system is another one a turn on, as with the potential
-@racket[(- (cos x) (/ x 2))].
+The coordinates at which a system that rests stays at rest, by formulas in the parameters, those
+that always exist first. Each comes with conditions for it to be real. A coordinate that may be
+anything is its own symbol, perhaps under conditions; where an absolute value, or the root of a
+square, has a kink, each side is solved by itself. Of angles there are all of a turn, exactly if
+the parameters are exact: @racket[':pi] is π. Where the period is not a whole part of a turn, as
+that of @racket[(cos (* 'k x))], those within one period are found, and a note says so; and so it
+does where the system is another one a turn on, as with the potential @racket[(- (cos x) (/ x 2))].
 
 The equations are factored and solved one after the other: factors that are linear in
 an unknown, and those in one unknown that are quadratic in it or in a power of it, or of degree

@@ -27,7 +27,10 @@ they are.
 
 @defproc[(verify-equal [a value] [b value]) verdict?]{
 
-Whether the difference is zero.
+Whether two values are equal wherever both sides are real.
+
+If one side is real nowhere where all symbols are positive, as the root of −c, a note tells where it
+is: see @secref["what-proved-means"].
 
 A difference that vanishes for any numbers in place of its flonums is proved to be zero. One that
 vanishes just for the flonums it contains may do so by rounding. Then each flonum is read as the
@@ -201,9 +204,9 @@ For each scalar that is not zero, a pair of its factor and its core.
 
 Places that keep a zero residual from being proved: a function that was differentiated has a kink or
 a jump there, which its derivative does not see, or a path has no value. Each place is a list of
-@racket['kink], @racket['jump], @racket['branch] or @racket['no-value], an expression, and equations
-that hold there; a branch is a jump of the formula alone, where an angle goes on by a whole turn;
-an @racketidfont{n} in a series of places stands for any integer, and @racketidfont{:pi} is π. A
+@racket['kink], @racket['jump], @racket['branch], @racket['no-value] or @racket['gap], an
+expression, and equations that hold there; a branch is a jump of the formula alone, where an angle
+goes on by a whole turn; an @racketidfont{n} in a series of places stands for any integer, and @racketidfont{:pi} is π. A
 refutation has none. There is none either where the expression is known not to vanish: by its form,
 as @racket[(+ 1 (square t))], or by a declaration.
 
@@ -213,7 +216,8 @@ Kinks are looked for by the procedures that judge derivatives: @racket[verify-so
 @racket[verify-canonical], @racket[verify-Hamilton-Jacobi],
 @racket[Frobenius-test] and their relatives; @racket[prove-zero] and
 @racket[verify-equal] judge values. Of a Lagrangian or a quantity only kinks and jumps
-count: a potential may have poles, and where it has no value it has no kink.
+count: a potential may have poles, and where it grows beyond all bounds it has no kink. A gap is a
+place without a value where it stays bounded on a side, as of @racket[(/ x (abs x))].
 
 A distance such as the root of @math{x² + y²} is 0 at a point, and is no kink unless a path leads
 there; the root of @math{x² + x⁴} is 0 on a line, and is one. The library tells them apart by the

@@ -1,6 +1,6 @@
 #lang racket/base
-;; A body falls 4.9 t² where g is 9.8: that was undecided, as decimals alone prove nothing.  They are
-;; read as they were written, if they are short.
+;; A body falls 4.9 t² where g is 9.8: that was undecided, as decimals alone prove nothing.  They
+;; are read as they were written, if they are short.
 
 (require mechanics
          (only-in mechanics/book L-free-particle)

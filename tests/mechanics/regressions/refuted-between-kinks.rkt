@@ -43,5 +43,6 @@
                                (lambda (t) (* 'A (cos (* (sqrt (abs (/ 'k 'm))) t)))))))
 
 (test-case "what is true there stays so"
-  (assuming ('(> x 1)) (check-pred proved? (verify-equal (abs (square-less-1 x)) (square-less-1 x))))
+  (assuming ('(> x 1))
+    (check-pred proved? (verify-equal (abs (square-less-1 x)) (square-less-1 x))))
   (check-false (refuted? (verify-equal (abs (+ (square x) (* -1 x) 1)) (+ (square x) (* -1 x) 1)))))
