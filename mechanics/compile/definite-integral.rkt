@@ -5,7 +5,8 @@
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt"
-         "../generic/branches.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/branches.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
 
 (require-on-demand
@@ -32,7 +33,8 @@
 (define (check-no-variable f low high tolerance)
   (when (and (symbol? low) (not (and (real? tolerance) (< 0 tolerance 0.1))))
     (complain 'definite-integral
-              (string-append "expected a function and two ends; the function says which variable is "
+              (string-append "expected a function and two ends; the function says which variable "
+                             "is "
                              "meant: (definite-integral f ~a ~a)\n  given: ~a, ~a and ~a after it")
               (value->text high) (value->text tolerance)
               (value->text low) (value->text high) (value->text tolerance))))

@@ -16,8 +16,8 @@
 
 (require ffi/unsafe
          ffi/unsafe/port
-         "cell-input.rkt" "cell.rkt" "changed-pictures.rkt" "mime-bundle.rkt" "names-at-cursor.rkt" "protocol.rkt"
-         "text-stream.rkt"
+         "cell-input.rkt" "cell.rkt" "changed-pictures.rkt" "mime-bundle.rkt"
+         "names-at-cursor.rkt" "protocol.rkt" "text-stream.rkt"
          "../error/complain.rkt" "../error/progress.rkt"
          "../generic/on-demand.rkt"
          "../lang/session-start.rkt"

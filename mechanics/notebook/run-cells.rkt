@@ -9,7 +9,7 @@
 
 (define-namespace-anchor here)
 
-;; Runs cells until one fails -> for each cell its outputs as Jupyter has them; and the failure or #f
+;; Runs cells until one fails -> for each cell its outputs as Jupyter has them; the failure or #f
 (define (run-cells cells)
   (parameterize ([current-namespace (namespace-anchor->empty-namespace here)]
                  [current-input-port (open-input-string "")]

@@ -9,7 +9,8 @@
 (require racket/fixnum
          racket/flonum
          racket/list
-         "jet-degrees.rkt" "jet-graph.rkt" "jet-operation-kernels.rkt" "jet-nodes.rkt" "jet-coefficient-rows.rkt"
+         "jet-coefficient-rows.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-nodes.rkt"
+         "jet-operation-kernels.rkt"
          "jet-sum-kernels.rkt" "../program.rkt"
          "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/kernels.rkt"
          "../../numeric/Taylor/linear-system.rkt"

@@ -79,8 +79,8 @@
   (check-equal? (displays "(plot-point g 0.1 0.1)") (list (list name #t)))
   (check-equal? (displays "(begin (plot-point g 0.2 0.2) g)") (list (list name #f)))
   (check-equal? (displays "(+ 1 1)") '((#f #f)))
-  (check-equal? (displays "(interact ([k 1 2]) (define h (frame 0 1 0 1)) (plot-point h 0.5 0.5) h)")
-                '()))
+  (run "(define (dot k) (define h (frame 0 2 0 1)) (plot-point h k 0.5) h)")
+  (check-equal? (displays "(interact ([k 1 2]) (dot k))") '()))
 
 ;; ---------------------------------------------------------------------------
 ;; Lines of a session

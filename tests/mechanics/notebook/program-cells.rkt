@@ -37,7 +37,8 @@
 
 (test-case "odd programs, byte for byte"
   (for ([text
-         (list "#lang mechanics" "#lang mechanics\n" "#lang mechanics\n\n\n" "#lang mechanics\n(+ 1 2)"
+         (list "#lang mechanics" "#lang mechanics\n" "#lang mechanics\n\n\n"
+               "#lang mechanics\n(+ 1 2)"
                "; first\n\n#lang mechanics\n\n\n\n(f)\n\n\n; x\n\n  (g)\n   \n(h)\n\n\n"
                "#lang mechanics\r\n\r\n(f\r\n\r\n 1)\r\n\r\n; a\r\n; b\r\n\r\n(g)\r\n"
                "#lang mechanics\n\n  (f)\n\n(g) ; θ 力\n"
@@ -70,10 +71,12 @@
 
 (test-case "cells keep their texts and kinds"
   (check-cells-kept
-   (fresh '(code "(f)") '(markdown "A *word*, a $x^2$\n\n- an item\n\n# A heading") '(code "(g)\n\n(h)")
+   (fresh '(code "(f)") '(markdown "A *word*, a $x^2$\n\n- an item\n\n# A heading")
+          '(code "(g)\n\n(h)")
           '(raw "any text\n\n(") '(code "; a comment alone") '(code "(not closed")
           '(code ",help D") '(code "") '(markdown "") '(code ";;; end\n\n;;; cell")
-          '(markdown ";;; end") '(raw "(provide f)") '(code "(provide f)") '(markdown "two\\_words"))))
+          '(markdown ";;; end") '(raw "(provide f)") '(code "(provide f)")
+          '(markdown "two\\_words"))))
 
 (test-case "prose that was not touched stays as it was written; prose that was is written anew"
   (define-values (header cells)
@@ -94,7 +97,8 @@
 
 (test-case "sources may be lists of lines"
   (define-values (header cells)
-    (bytes->notebook 'program "x" #"{\"cells\":[{\"cell_type\":\"code\",\"source\":[\"(f\\n\",\" 1)\"]}]}"))
+    (bytes->notebook
+     'program "x" #"{\"cells\":[{\"cell_type\":\"code\",\"source\":[\"(f\\n\",\" 1)\"]}]}"))
   (check-equal? (kinds+sources cells) '((code "(f\n 1)"))))
 
 (test-case "what is no notebook, and no program with #lang"
