@@ -33,9 +33,9 @@
 (define (check-no-variable f low high tolerance)
   (when (and (symbol? low) (not (and (real? tolerance) (< 0 tolerance 0.1))))
     (complain 'definite-integral
-              (string-append "expected a function and two ends; the function says which variable "
-                             "is "
-                             "meant: (definite-integral f ~a ~a)\n  given: ~a, ~a and ~a after it")
+              (string-append "expected a function and two ends; the function says which "
+                             "variable is meant: (definite-integral f ~a ~a)\n"
+                             "  given: ~a, ~a and ~a after it")
               (value->text high) (value->text tolerance)
               (value->text low) (value->text high) (value->text tolerance))))
 

@@ -17,7 +17,7 @@
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/function-check.rkt" "../generic/function.rkt" "../generic/kind.rkt"
          "../generic/multiplied-function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          (only-in "../value/compose.rkt" compose))
 

@@ -10,11 +10,11 @@
 ;; none, or the solution has none, where e is 0.
 
 (require racket/list
-         "factors.rkt" "nonzero-conditions.rkt" "root.rkt" "solve-equations.rkt"
+         "factors.rkt" "nonzero-conditions.rkt" "solve-equations.rkt"
          "../assumption/assumption-set.rkt" "../assumption/domain.rkt"
          (only-in "../assumption/signs.rkt" signs-within? zero)
          "../expression/constant-value.rkt" "../expression/expression.rkt"
-         "../expression/nodes.rkt" "../expression/operation.rkt" "../expression/read.rkt"
+         "../expression/nodes.rkt" "../expression/operation.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/declare-relations.rkt" "../simplify/known-sign.rkt"
          "../simplify/simplify-expression.rkt"

@@ -12,7 +12,7 @@
          "../assumption/assumption-set.rkt" "../assumption/domain.rkt"
          "../assumption/reference-point.rkt" "../assumption/signs.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/operation.rkt" "../expression/read.rkt"
+         "../expression/operation.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/declare-relations.rkt" "../simplify/known-sign.rkt"
          "../simplify/simplify-expression.rkt")

@@ -2,7 +2,6 @@
 ;; SICM 1.5, The Euler-Lagrange Equations (pp. 23-37).
 
 (require mechanics
-         mechanics/scmutils
          mechanics/book
          "../support/checks.rkt" "../support/session.rkt")
 

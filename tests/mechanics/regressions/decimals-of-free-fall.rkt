@@ -3,7 +3,6 @@
 ;; are read as they were written, if they are short.
 
 (require mechanics
-         (only-in mechanics/book L-free-particle)
          "../support/checks.rkt")
 
 (define ((L-falling g) (up t x v)) (- (* 1/2 (square v)) (* g x)))
