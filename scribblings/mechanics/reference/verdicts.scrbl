@@ -207,8 +207,8 @@ a jump there, which its derivative does not see, or a path has no value. Each pl
 @racket['kink], @racket['jump], @racket['branch], @racket['no-value] or @racket['gap], an
 expression, and equations that hold there; a branch is a jump of the formula alone, where an angle
 goes on by a whole turn; an @racketidfont{n} in a series of places stands for any integer, and
-@racketidfont{:pi} is π. A refutation has none. There is none either where the expression is known not to vanish: by its form,
-as @racket[(+ 1 (square t))], or by a declaration.
+@racketidfont{:pi} is π. A refutation has none. There is none either where the expression is known
+not to vanish: by its form, as @racket[(+ 1 (square t))], or by a declaration.
 
 Kinks are looked for by the procedures that judge derivatives: @racket[verify-solution],
 @racket[verify-conserved], @racket[verify-ignorable], @racket[verify-equilibrium],
