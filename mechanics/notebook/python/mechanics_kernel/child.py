@@ -4,6 +4,7 @@ Its messages, and what it or a program of a cell writes on the standard descript
 procedures by threads of their own.  It leads a session: what a cell started can be ended with it.
 """
 
+import codecs
 import json
 import os
 import resource
@@ -24,17 +25,21 @@ def memory_limit():
     units = {"K": 1 << 10, "M": MEGABYTE, "G": 1 << 30}
     try:
         return int(float(text[:-1]) * units[text[-1]] if text[-1:] in units else float(text))
-    except ValueError:
+    except (ValueError, OverflowError):
         return 2 << 30
 
 
 class Child:
-    """receive(message) and write(name, text) are called on threads; ended(words) once."""
+    """On threads: receive(child, message), write(name, text), and ended(child, words) once.
+
+    The owner notes in ready that it has begun, and in end_words how it ended.
+    """
 
     def __init__(self, receive, write, ended):
         self.receive, self.ended = receive, ended
         self.limit = memory_limit()
-        self.reason = None
+        self.reason = self.end_words = None
+        self.ready = False
         self.sending = threading.Lock()
         self.process, self.requests, self.answers = self._start()
         self.readers = [self._thread(self._read_stream, pipe, name, write)
@@ -60,7 +65,10 @@ class Child:
         """Behind the watch, for a cell that takes memory faster than it looks."""
         if hasattr(resource, "prlimit"):
             most = self.limit + 1024 * MEGABYTE
-            resource.prlimit(pid, resource.RLIMIT_DATA, (most, most))
+            try:
+                resource.prlimit(pid, resource.RLIMIT_DATA, (most, most))
+            except (OSError, ValueError, OverflowError):
+                pass
 
     @staticmethod
     def _thread(target, *arguments):
@@ -83,11 +91,12 @@ class Child:
 
     def _read_answers(self):
         while length := self.answers.readline():
-            self.receive(json.loads(self.answers.read(int(length))))
+            self.receive(self, json.loads(self.answers.read(int(length))))
         self.process.wait()
+        self._kill_group()
         for reader in self.readers:
             reader.join(0.5)
-        self.ended(self.reason or self._words())
+        self.ended(self, self.reason or self._words())
 
     def _words(self):
         code = self.process.returncode
@@ -98,8 +107,12 @@ class Child:
 
     @staticmethod
     def _read_stream(pipe, name, write):
-        while data := os.read(pipe.fileno(), 65536):
-            write(name, data.decode("utf-8", "replace"))
+        decoder = codecs.getincrementaldecoder("utf-8")("replace")
+        data = True
+        while data:
+            data = os.read(pipe.fileno(), 65536)
+            if text := decoder.decode(data, final=not data):
+                write(name, text)
 
     # Ends
 
@@ -132,6 +145,9 @@ class Child:
     def kill(self, reason):
         self.reason = reason
         self.end_started()
+        self._kill_group()
+
+    def _kill_group(self):
         try:
             os.killpg(self.process.pid, signal.SIGKILL)
         except OSError:

@@ -12,13 +12,17 @@ import ipywidgets
 
 MOST_LABELS = 1000
 PATIENCE = 0.5
+GONE = "the definitions that this rests on are gone: run its cell again"
 
 
 class Worker:
-    """ask(number, values, id) and stop(id) talk to the process; next_id() names a request."""
+    """ask(interaction, values, id) and stop(id) talk to the process; next_id() names a request.
 
-    def __init__(self, ask, stop, next_id):
-        self.ask, self.stop, self.next_id = ask, stop, next_id
+    ask answers None where the process of the interaction has ended; tell(problem) is for failures.
+    """
+
+    def __init__(self, ask, stop, next_id, tell):
+        self.ask, self.stop, self.next_id, self.tell = ask, stop, next_id, tell
         self.waiting = {}
         self.something = threading.Condition()
         threading.Thread(target=self.work, daemon=True).start()
@@ -32,12 +36,19 @@ class Worker:
         while True:
             with self.something:
                 self.something.wait_for(lambda: self.waiting)
-                interaction, values = self.waiting.popitem()
-            self.show(interaction, values)
+                interaction = next(iter(self.waiting))
+                values = self.waiting.pop(interaction)
+            try:
+                self.show(interaction, values)
+            except Exception as problem:
+                self.tell(problem)
 
     def show(self, interaction, values):
         number = self.next_id()
-        answer = self.ask(interaction.number, values, number)
+        answer = self.ask(interaction, values, number)
+        if answer is None:
+            interaction.show({"text/plain": GONE})
+            return
         while not answer_within(answer, PATIENCE):
             if interaction in self.waiting:
                 self.stop(number)
@@ -53,8 +64,8 @@ def answer_within(answer, seconds):
 
 
 class Interaction:
-    def __init__(self, message, worker):
-        self.number, self.worker = message["number"], worker
+    def __init__(self, message, worker, child):
+        self.number, self.worker, self.child = message["number"], worker, child
         self.controls = [control_widget(c) for c in message["controls"]]
         self.output = ipywidgets.Output()
         self.show(message["data"])

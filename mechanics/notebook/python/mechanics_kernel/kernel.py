@@ -21,14 +21,17 @@ PATIENCE = 3.0
 
 DEAF = ("; the computation does not stop yet: it may be in a library in C\n"
         "; interrupted once more, its process is ended, with all definitions\n")
+ENDED = "the process that evaluates cells has ended"
 LOST = "; a new one is there, without the definitions: run their cells again"
+NOT_BEGUN = "; it was not ready yet: with each cell another start is tried"
 
 
 class Cell:
     """A cell that is run.  Events come from other threads: (kind, ...)."""
 
-    def __init__(self, number, parent, ident, code):
+    def __init__(self, number, parent, ident, code, silent):
         self.number, self.parent, self.ident, self.code = number, parent, ident, code
+        self.silent, self.child = silent, None
         self.loop = asyncio.get_running_loop()
         self.events = asyncio.Queue()
         self.interrupts = 0
@@ -54,6 +57,7 @@ class MechanicsKernel(Kernel):
         self.last_request = {}
         self.progress_shown = None
         self.shutting_down = False
+        self.starting = threading.Lock()
         comms = comm.get_comm_manager()
         for kind in ("comm_open", "comm_msg", "comm_close"):
             self.shell_handlers[kind] = getattr(comms, kind)
@@ -62,43 +66,76 @@ class MechanicsKernel(Kernel):
     def start_child(self):
         self.child = Child(self.receive, self.write, self.child_ended)
 
+    def replace_child(self, child):
+        """Another in the place of one that has ended."""
+        try:
+            self.start_child()
+        except OSError as problem:
+            child.ready, child.end_words = False, f"{ENDED}, and no other starts: {problem}"
+
     # From the Racket process, on threads of its own
 
-    def receive(self, message):
-        kind = message.pop("kind")
-        if kind == "stream":
+    def receive(self, child, message):
+        try:
+            self.take(child, message)
+        except Exception as problem:
+            self.write_problem(problem)
+
+    def write_problem(self, problem):
+        self.write("stderr", f"; the kernel failed: {type(problem).__name__}: {problem}\n")
+
+    def take(self, child, message):
+        kind, cell = message.pop("kind"), self.cell
+        if kind == "ready":
+            child.ready = True
+        elif kind == "stream":
             self.write(message["name"], message["text"])
         elif kind == "shown":
             self.show(message["data"], message.get("display"), message.get("update", False))
         elif kind == "interaction":
-            self.show_interaction(message)
+            self.show_interaction(child, message)
         elif kind == "progress":
             self.show_progress(message["text"])
-        elif kind == "input" and self.cell:
-            self.cell.put("input")
+        elif kind == "input" and cell:
+            cell.put("input")
         elif kind == "done":
             self.answer(message.pop("id"), message)
 
     def answer(self, number, message):
-        if self.cell and number == self.cell.number:
-            self.cell.put("done", message)
+        cell = self.cell
+        if number == self.frame:
+            self.frame = None
+        if cell and number == cell.number:
+            cell.put("done", message)
         else:
             future = self.asked.pop(number, None)
-            if future:
-                future.set_result(message)
+            if future and not future.done():
+                try:
+                    future.set_result(message)
+                except concurrent.futures.InvalidStateError:  # cancelled just now
+                    pass
 
-    def child_ended(self, words):
+    def child_ended(self, child, words):
+        """One that was never ready is replaced by the next cell: else this could go on forever."""
         if self.shutting_down:
             return
-        self.start_child()
-        for number in list(self.asked):
-            self.answer(number, {"status": "error"})
-        if self.cell:
-            self.cell.put("ended", words)
-        else:
+        with self.starting:
+            child.end_words = words
+            self.frame = self.progress_shown = None
+            for number in list(self.asked):
+                self.answer(number, {"status": "error"})
+            cell = self.cell
+            if child.ready:
+                self.replace_child(child)
+        if cell and cell.child is child:
+            cell.put("ended", child.end_words)
+        elif child.ready:
             self.write("stderr", f"; {words}\n{LOST}\n")
 
     def publish(self, kind, content):
+        cell = self.cell
+        if cell and cell.silent:
+            return
         self.session.send(self.iopub_socket, kind, content, parent=self.last_request,
                           ident=self._topic(kind))
 
@@ -124,34 +161,43 @@ class MechanicsKernel(Kernel):
 
     # Interactions
 
-    def show_interaction(self, message):
+    def show_interaction(self, child, message):
         """Widgets are loaded with the first one."""
         from .interaction import Interaction
 
-        shown = Interaction(message, self.worker)
+        shown = Interaction(message, self.worker, child)
         self.show(shown.bundle(message["data"]))
 
     @functools.cached_property
     def worker(self):
         from .interaction import Worker
 
-        def ask(number, values, id):
+        def ask(interaction, values, id):
+            if interaction.child is not self.child:
+                return None
             self.frame = id
-            return self.asking(id, do="frame", number=number, values=values)
+            return self.asking(id, do="frame", number=interaction.number, values=values)
 
         return Worker(ask, lambda id: self.child.send(do="break", id=id),
-                      lambda: next(self.numbers))
+                      lambda: next(self.numbers), self.write_problem)
 
     # Cells
 
     async def do_execute(self, code, silent, store_history=True, user_expressions=None,
                          allow_stdin=False):
-        cell = Cell(next(self.numbers), self.get_parent("shell"), self._parent_ident["shell"], code)
-        self.last_request = cell.parent
-        cell.processes = self.child.started()
-        self.cell = cell
+        cell = Cell(next(self.numbers), self.get_parent("shell"), self._parent_ident["shell"], code,
+                    silent)
+        if not silent:
+            self.last_request = cell.parent
+        with self.starting:
+            cell.child = child = self.child
+            self.cell = cell
+            if child.end_words:
+                self.replace_child(child)
         try:
-            self.child.send(do="cell", id=cell.number, code=code)
+            cell.processes = child.started()
+            if child.end_words or not child.send(do="cell", id=cell.number, code=code):
+                cell.put("ended", child.end_words or ENDED)
             return await self.follow(cell, allow_stdin, silent)
         finally:
             self.cell = None
@@ -160,17 +206,19 @@ class MechanicsKernel(Kernel):
         while True:
             kind, *rest = await cell.events.get()
             if kind == "input":
-                line = await self.read_line(cell) if allow_stdin else None
-                if line is None and not cell.interrupts:
+                if allow_stdin:
+                    line = await self.read_line(cell)
+                    if line is not None and not cell.child.send(do="input", text=line):
+                        cell.put("ended", cell.child.end_words or ENDED)
+                else:
                     self.write("stderr", "; this front end has no lines to read\n")
-                    self.child.send(do="break", id=cell.number)
-                elif line is not None:
-                    self.child.send(do="input", text=line)
+                    cell.child.send(do="break", id=cell.number)
             elif kind == "ended":
-                return self.failed(cell, {"message": f"{rest[0]}\n{LOST}", "line": None}, silent)
+                message = f"{rest[0]}\n{LOST if cell.child.ready else NOT_BEGUN}"
+                return self.failed(cell, {"message": message, "line": None}, silent)
             else:
                 if cell.interrupts:
-                    self.child.end_started(cell.processes)
+                    cell.child.end_started(cell.processes)
                 if rest[0]["status"] == "ok":
                     return {"status": "ok", "execution_count": self.execution_count,
                             "payload": [], "user_expressions": {}}
@@ -185,17 +233,18 @@ class MechanicsKernel(Kernel):
         return {"status": "error", "execution_count": self.execution_count, **content}
 
     async def read_line(self, cell):
-        """A line that is typed, or None if the cell is interrupted."""
+        """A line that is typed, or None if the cell is interrupted or has ended."""
+        before = cell.interrupts
         self.drop_old_lines()
         self.session.send(self.stdin_socket, "input_request", {"prompt": "", "password": False},
                           parent=cell.parent, ident=cell.ident)
-        while not cell.interrupts:
+        while cell.interrupts == before and cell.events.empty():
             try:
                 _, reply = self.session.recv(self.stdin_socket, mode=zmq.NOBLOCK)
-            except Exception:
-                reply = None
-            if reply:
-                return reply["content"]["value"]
+                if reply:
+                    return reply["content"]["value"]
+            except (zmq.ZMQError, ValueError, KeyError):
+                pass
             await asyncio.sleep(0.02)
         return None
 
@@ -209,16 +258,16 @@ class MechanicsKernel(Kernel):
     # Interrupts come on the thread of the control channel
 
     async def interrupt_request(self, stream, ident, parent):
-        cell = self.cell
+        cell, frame = self.cell, self.frame
+        if frame:
+            self.child.send(do="break", id=frame)
         if cell:
             cell.interrupts += 1
             if cell.interrupts > 1 and cell.deaf.is_set():
-                self.child.kill("the process that evaluates cells was ended")
+                cell.child.kill("the process that evaluates cells was ended")
             else:
-                self.child.send(do="break", id=cell.number)
+                cell.child.send(do="break", id=cell.number)
                 self.watch_interrupt(cell)
-        elif self.frame:
-            self.child.send(do="break", id=self.frame)
         self.session.send(stream, "interrupt_reply", {"status": "ok"}, parent, ident=ident)
 
     def watch_interrupt(self, cell):
