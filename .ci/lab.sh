@@ -2,7 +2,7 @@
 # JupyterLab with our kernel, in a Python environment of its own:
 #
 #     lab.sh install    makes the environment build/lab, if it is not there
-#     lab.sh start      and opens JupyterLab in it, at the notebooks of the examples
+#     lab.sh start      and opens JupyterLab in it, at notebooks of examples, build/notebooks
 #     lab.sh test       and runs the tests of the kernel in it
 #
 # Versions are those of requirements.txt.  Python's part for environments is installed on Debian and
@@ -12,6 +12,8 @@ set -eu
 cd "$(dirname "$0")/.."
 
 lab=build/lab
+notebooks=build/notebooks
+root=
 python=${PYTHON:-python3}
 wanted=mechanics/notebook/python/requirements.txt
 
@@ -61,15 +63,26 @@ install() {
 # Bound to this machine alone, with a token.
 start() {
     say 'JupyterLab opens in the browser; without one, its address is below.  Ctrl-C twice ends it.'
-    exec env JUPYTER_CONFIG_DIR="$PWD/$lab/config" "$lab/bin/jupyter" lab --ServerApp.ip=127.0.0.1 \
-        --ServerApp.root_dir="$PWD/examples/mechanics/notebooks" \
-        ${ROOT:+--allow-root} "$@"
+    exec env JUPYTER_CONFIG_DIR="$PWD/build/lab-config" "$lab/bin/jupyter" lab \
+        --ServerApp.ip=127.0.0.1 --ServerApp.root_dir="$PWD/$notebooks" $root "$@"
+}
+
+# Those of the examples with controls; what the reader changed stays.
+make_notebooks() {
+    mkdir -p "$notebooks"
+    for program in examples/mechanics/interactive/*.rkt; do
+        made="$notebooks/$(basename "$program" .rkt).ipynb"
+        case $program in */info.rkt) continue ;; esac
+        [ -e "$made" ] || "${RACKET:-racket}" -l- mechanics/lang/command/raco notebook \
+            -o "$made" "$program" >/dev/null
+    done
 }
 
 case ${1:-} in
     install) install ;;
     start)   install
-             [ "$(id -u)" -ne 0 ] || ROOT=yes
+             make_notebooks
+             [ "$(id -u)" -ne 0 ] || root=--allow-root
              shift
              start "$@" ;;
     test)    install

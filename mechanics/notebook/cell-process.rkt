@@ -18,7 +18,7 @@
          ffi/unsafe/port
          "cell-input.rkt" "cell.rkt" "changed-pictures.rkt" "mime-bundle.rkt"
          "names-at-cursor.rkt" "protocol.rkt" "text-stream.rkt"
-         "../error/complain.rkt" "../error/progress.rkt"
+         "../error/complain.rkt" "../error/progress.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
          "../lang/session-start.rkt"
          "../show/display/receiving-printer.rkt"
@@ -29,7 +29,8 @@
 
 (define-namespace-anchor here)
 
-;; send : message -> void; output, errors : text streams; input : cell-input
+;; send : message -> void; output, errors : text streams; input : cell-input;
+;; pictures : changed-pictures
 (struct kernel (send output errors input pictures))
 
 ;; The id of the cell that is evaluated, or #f; and of the last that is to be broken, which may not
@@ -61,7 +62,7 @@
 ;; A session as at a prompt, whose results are sent.
 (define (start! k)
   (namespace-require 'mechanics)
-  (error-display-handler (lambda (message e) (write-string message (current-error-port))))
+  (error-display-handler (lambda (message e) (eprintf "~a\n" message)))
   (current-print (output-receiver (lambda (x) (show! k x)) (current-output-port)))
   (current-reporter (reporter (progress-port (kernel-send k)) current-inexact-milliseconds))
   (exit-handler refuse-exit)
@@ -75,7 +76,7 @@
 ;; Requests
 
 (define (read-requests k in evaluator end)
-  (define m (read-message in))
+  (define m (with-handlers ([exn:fail? (lambda (e) eof)]) (read-message in)))
   (cond [(eof-object? m) (end 0)]
         [else
          (case (hash-ref m 'do)
@@ -92,21 +93,29 @@
 (define (in-turn f) (parameterize-break #f (call-with-semaphore turn f)))
 
 (define (answer k m)
+  (define fields
+    (with-handlers ([raised? (lambda (e) (hasheq 'status "error" 'line 'null 'interrupted #f
+                                                 'message (raised-message e)))])
+      (answer-fields k m)))
+  ((kernel-send k) (hash-set* fields 'kind "done" 'id (hash-ref m 'id))))
+
+(define (raised-message e) (if (exn? e) (exn-message e) (format "raised: ~e" e)))
+
+(define (answer-fields k m)
   (define (code) (hash-ref m 'code))
   (define (cursor) (hash-ref m 'cursor))
-  (define fields
-    (case (hash-ref m 'do)
-      [("cell") (run-cell k (hash-ref m 'id) (code))]
-      [("frame") (run-frame k (hash-ref m 'id) (hash-ref m 'number) (hash-ref m 'values))]
-      [("complete") (completion (code) (cursor))]
-      [("describe") (description (code) (cursor))]
-      [else (hasheq 'status (cell-completeness (code)))]))
-  ((kernel-send k) (hash-set* fields 'kind "done" 'id (hash-ref m 'id))))
+  (case (hash-ref m 'do)
+    [("cell") (run-cell k (hash-ref m 'id) (code))]
+    [("frame") (run-frame k (hash-ref m 'id) (hash-ref m 'number) (hash-ref m 'values))]
+    [("complete") (completion (code) (cursor))]
+    [("describe") (description (code) (cursor))]
+    [else (hasheq 'status (cell-completeness (code)))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Cells
 
 (define (run-cell k id code)
+  (forget-request! (kernel-input k))
   (for-each begin-cell! (list (kernel-output k) (kernel-errors k)))
   (define failed
     (call-breakably id
@@ -114,8 +123,7 @@
                       (parameterize ([current-picture-watcher
                                       (lambda (x) (note-change! (kernel-pictures k) x))])
                         (begin0 (evaluate-cell code (lambda (x) ((current-print) x)))
-                                (show-changed! (kernel-pictures k)
-                                               (lambda (x again?) (show! k x again?))))))
+                                (show-changed! (kernel-pictures k) (lambda (x) (show! k x #t))))))
                     (lambda () (failure "interrupted" #f #t))))
   (flush-C-output)
   (send-output! k)
@@ -161,19 +169,21 @@
   (define flush (get-ffi-obj 'fflush #f (_fun _pointer -> _int) (lambda () void)))
   (flush #f))
 
-(define (show! k x [again? #f])
+;; in-place? : where it was shown before, if it was
+(define (show! k x [in-place? #f])
   (unless (void? x)
     (define m
       (parameterize ([current-picture-watcher #f])
-        (if (live? x) (interaction-message x) (shown-message k x again?))))
+        (if (live? x) (interaction-message x) (shown-message k x in-place?))))
     (send-output! k)
-    ((kernel-send k) m)))
+    ((kernel-send k) m)
+    (note-shown! (kernel-pictures k) x)))
 
-;; again? : in the place where it was shown before
-(define (shown-message k x again?)
-  (define name (display-name (kernel-pictures k) x))
+(define (shown-message k x in-place?)
+  (define p (kernel-pictures k))
+  (define name (display-name p x))
   (define m (hasheq 'kind "shown" 'data (value->bundle x)))
-  (if name (hash-set* m 'display name 'update again?) m))
+  (if name (hash-set* m 'display name 'update (and in-place? (shown-before? p x))) m))
 
 ;; ---------------------------------------------------------------------------
 

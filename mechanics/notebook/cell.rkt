@@ -40,6 +40,9 @@
 
 (define (evaluate form show!)
   (check-kind form)
+  (unless (eq? (head-of form) 'provide) (evaluate-at-prompt form show!)))
+
+(define (evaluate-at-prompt form show!)
   (call-with-continuation-prompt
    (lambda ()
      (call-with-values
@@ -79,17 +82,20 @@
             (string-append "a notebook has one language, this one; leave the line #lang out\n"
                            "  a program of another language is a file: (require \"file.rkt\")")))
 
-;; Submodules are parts of a file.
+;; Submodules are parts of a file.  So is `provide`, which does no harm where it is left out.
 (define (check-kind form)
-  (define head (and (pair? (syntax-e form)) (syntax->datum (car (syntax-e form)))))
+  (define head (head-of form))
   (when (memq head '(module module* module+))
     (complain 'cell "(~a ...) is part of a file; in a cell its forms stand by themselves" head)))
+
+(define (head-of form) (and (pair? (syntax-e form)) (syntax->datum (car (syntax-e form)))))
 
 ;; -> "complete", "incomplete" or "invalid", as the front end asks when Return is pressed
 (define (cell-completeness text)
   (with-handlers ([exn:fail:read:eof? (lambda (e) "incomplete")]
-                  [exn:fail:read? (lambda (e) "invalid")])
-    (forms-in text)
+                  [exn:fail? (lambda (e) "invalid")])
+    ;; a question may not load what a text names
+    (forms-in text #:reader? #f)
     "complete"))
 
 ;; ---------------------------------------------------------------------------

@@ -12,7 +12,7 @@
 ;; code : text of the cell; cursor : in characters -> message
 (define (completion code cursor)
   (define-values (start end) (name-around code cursor))
-  (define beginning (substring code start cursor))
+  (define beginning (substring code start (min cursor (string-length code))))
   (define matches
     (for/list ([name (in-list (if (string=? beginning "") '() (completions beginning)))]
                [_ (in-range most-matches)])
@@ -47,7 +47,8 @@
   (get-output-string out))
 
 ;; -> start and end of the name that the cursor is in or behind
-(define (name-around code cursor)
+(define (name-around code given)
+  (define cursor (min given (string-length code)))
   (define (name-character? i)
     (define c (string-ref code i))
     (not (or (char-whitespace? c) (memv c delimiters))))

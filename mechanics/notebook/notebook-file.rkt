@@ -54,7 +54,9 @@
   (define cells (and (hash? x) (hash-ref x 'cells #f)))
   (unless (and (list? cells) (andmap hash? cells))
     (complain who "~a is no notebook of Jupyter, in its format 4" name))
-  (values (text-at x '(metadata mechanics header) usual-header)
+  ;; metadata that would bring in what no cell shows is not taken
+  (define header (text-at x '(metadata mechanics header) usual-header))
+  (values (if (header? header) header usual-header)
           (for/list ([c (in-list cells)]) (json->cell who c))))
 
 (define (json->cell who c)
@@ -67,7 +69,8 @@
   (define source (source->text who (hash-ref c 'source "")))
   (cell kind source
         (text-at c '(metadata mechanics text) source)
-        (text-at c '(metadata mechanics after) #f)))
+        (let ([after (text-at c '(metadata mechanics after) #f)])
+          (and after (gap? after) after))))
 
 ;; A text, or its lines
 (define (source->text who x)

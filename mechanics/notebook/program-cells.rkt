@@ -15,7 +15,7 @@
 
 (provide program->cells cells->program
          (struct-out cell)
-         usual-header usual-gap)
+         usual-header usual-gap header? gap?)
 
 ;; kind : 'code, 'markdown or 'raw; source : as the notebook shows it; text : as it stands in the
 ;; program, or #f; after : what stands between it and the next cell
@@ -39,6 +39,11 @@
     (complain who "the program does not begin with #lang; only such a program becomes a notebook"))
   (values (bytes->string/utf-8 (car m))
           (body->cells who (subbytes text (bytes-length (car m))))))
+
+;; Is the text the header of a program, and no more?  Is it what may stand between cells?
+(define (header? text) (equal? (list (string->bytes/utf-8 text))
+                               (regexp-match header-pattern (string->bytes/utf-8 text))))
+(define (gap? text) (regexp-match? #px"^\\s*$" text))
 
 (define (body->cells who text)
   (define end (caar (regexp-match-positions #px#"\\s*$" text)))
@@ -79,7 +84,9 @@
     (define form
       (with-handlers ([exn:fail:read? (lambda (e) (complain who "the program cannot be read: ~a"
                                                             (exn-message e)))])
-        (parameterize ([read-accept-reader #t]) (read-syntax 'program port))))
+        ;; to divide a text loads nothing that it names
+        (parameterize ([read-accept-reader #f] [read-accept-lang #f])
+          (read-syntax 'program port))))
     (define start (if (eof-object? form) (bytes-length text) (- (syntax-position form) 1)))
     (define end (if (eof-object? form) start (+ start (syntax-span form))))
     (append (comment-parts (subbytes text from start) from)
@@ -147,7 +154,10 @@
   (define texts (map cell->text cells))
   (define afters
     (for/list ([c (in-list cells)] [k (in-range (length cells) 0 -1)])
-      (or (cell-after c) (if (= k 1) "\n" usual-gap))))
+      (define after (cell-after c))
+      (cond [(= k 1) (or after "\n")]
+            [(and after (regexp-match? #rx"\n[ \t\r]*\n" after)) after]
+            [else usual-gap])))
   (string-append* header (append-map list texts afters)))
 
 (define (cell->text c)

@@ -1,9 +1,12 @@
 #lang racket/base
 ;; The cells of a notebook run in this process, for a notebook that is written with its results.
 
-(require "cell.rkt" "mime-bundle.rkt" "program-cells.rkt"
+(require (only-in racket/port open-output-nowhere)
+         "cell.rkt" "changed-pictures.rkt" "live-interaction.rkt" "mime-bundle.rkt"
+         "program-cells.rkt"
          "../lang/session-start.rkt"
-         "../show/display/receiving-printer.rkt")
+         "../show/display/program-end.rkt" "../show/display/receiving-printer.rkt"
+         "../show/interact/live-result.rkt")
 
 (provide run-cells)
 
@@ -17,6 +20,7 @@
                  [error-display-handler
                   (lambda (message e) (write-string message (current-error-port)))])
     (namespace-require 'mechanics)
+    (parameterize ([current-print (output-receiver void (open-output-nowhere))]) (start-session!))
     (for/fold ([outputs '()] [failed #f] #:result (values (reverse outputs) failed))
               ([c (in-list cells)])
       (define-values (found why)
@@ -34,15 +38,21 @@
     (unless (string=? text "")
       (get-output-bytes written #t)     ; empties it
       (add! (hasheq 'output_type "stream" 'name "stdout" 'text text))))
+  (define pictures (make-changed-pictures))
   (define (show! x)
     (unless (void? x)
+      (define data
+        (parameterize ([current-picture-watcher #f])
+          (if (live? x) (hash-ref (interaction-message x) 'data) (value->bundle x))))
       (add-text!)
-      (add! (hasheq 'output_type "display_data" 'metadata (hasheq) 'data (value->bundle x)))))
+      (add! (hasheq 'output_type "display_data" 'metadata (hasheq) 'data data))
+      (note-shown! pictures x)))
   (define failed
     (parameterize ([current-output-port written] [current-error-port written]
+                   [current-picture-watcher (lambda (x) (note-change! pictures x))]
                    [current-print (output-receiver show! written)])
-      (start-session!)
-      (evaluate-cell code (lambda (x) ((current-print) x)))))
+      (begin0 (evaluate-cell code (lambda (x) ((current-print) x)))
+              (show-changed! pictures show!))))
   (add-text!)
   (when failed (add! (failure->output failed)))
   (values (reverse outputs) failed))

@@ -66,6 +66,7 @@
   (> (cond [(>= byte #xF0) 4] [(>= byte #xE0) 3] [(>= byte #xC0) 2] [else 1]) k))
 
 (define (begin-cell! s)
+  (set-text-stream-pending! s #"")
   (set-text-stream-sent! s 0)
   (set-text-stream-dropped! s 0))
 

@@ -69,13 +69,19 @@
   (for/fold ([sign sign] [rest 1]
              #:result (if (eqv? rest 1)
                           sign
-                          (simplify-expression (substitute-expression (e:* sign rest) decimals) A)))
+                          (sign-with-values (e:* sign rest) A decimals)))
             ([f (in-list (if (expression-node? rest) (expression-factors rest B) '()))])
     (if (numeric? (car f))
         (values (* sign (or (sign-by-balls (car f) decimals) 0)) rest)
         (values sign (e:* rest (car f))))))
 
 (define (expression-node? e) (or (node? e) (symbol? e)))
+
+;; Beside symbols the decimals are what they are.
+(define (sign-with-values e A decimals)
+  (define-values (sign rest)
+    (sign-and-rest (simplify-expression (substitute-expression e decimals) A) A))
+  (if (eqv? rest 1) sign (e:* sign rest)))
 
 ;; 1 or −1, or #f
 (define (sign-by-balls e decimals)

@@ -14,12 +14,16 @@
 ;; -> roots, or #f
 (define (radical-roots f x automatic solve)
   (define A (with-automatic-assumptions automatic #f))
-  (define r (findf (lambda (r) (occurs? x r)) (roots-in f)))
+  (define (roots-of-x e) (filter (lambda (r) (occurs? x r)) (roots-in e)))
+  (define roots (roots-of-x f))
   (define (norm P Q) (simplify-expression (e:- (e:expt P 2) (e:expt Q 2)) A))
-  (and r
-       (let*-values ([(P Q) (parts-by-root f r)]
-                     [(found) (map solve (filter (lambda (g) (occurs? x g))
-                                                 (vanishing-factors (norm P Q) A)))])
+  ;; a root within a logarithm stays: then it would never end
+  (define (solve-simpler g) (and (< (length (roots-of-x g)) (length roots)) (solve g)))
+  (and (pair? roots)
+       (let*-values ([(P Q) (parts-by-root f (car roots))]
+                     [(found) (map solve-simpler
+                                   (filter (lambda (g) (occurs? x g))
+                                           (vanishing-factors (norm P Q) A)))])
          (and (andmap values found)
               (append-map (lambda (root) (of-opposite-signs root P Q A)) (append* found))))))
 

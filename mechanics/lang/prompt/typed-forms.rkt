@@ -7,12 +7,12 @@
 (provide forms-in one-line)
 
 ;; -> list of syntaxes, or an error of the reader, exn:fail:read:eof if the text ends inside a form
-;; line : the number of the first line
-(define (forms-in text [line 1])
+;; line : the number of the first line; reader? : may #lang and #reader load what they name?
+(define (forms-in text [line 1] #:reader? [reader? #t])
   (define port (open-input-string text))
   (port-count-lines! port)
   (set-port-next-location! port line 0 1)
-  (parameterize ([read-accept-reader #t])
+  (parameterize ([read-accept-reader reader?])
     (port->list (lambda (port) (read-syntax 'prompt port)) port)))
 
 ;; The lines of a text as one, to be recalled and edited; the text itself where a comment or

@@ -50,7 +50,7 @@ then.}
 @item{The key Tab completes a name, and shows how it is called; Shift-Tab shows what
 @racket[(help name)] says of it.}]
 
-@section{Sliders}
+@section{Sliders in cells}
 
 @racketblock[
 (require mechanics/plot)

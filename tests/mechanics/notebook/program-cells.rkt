@@ -101,6 +101,21 @@
      'program "x" #"{\"cells\":[{\"cell_type\":\"code\",\"source\":[\"(f\\n\",\" 1)\"]}]}"))
   (check-equal? (kinds+sources cells) '((code "(f\n 1)"))))
 
+(test-case "metadata bring no code that no cell shows, and no text loads what it names"
+  (define-values (header cells)
+    (bytes->notebook
+     'program "x"
+     (jsexpr->bytes
+      (hasheq 'metadata (hasheq 'mechanics (hasheq 'header "#lang mechanics\n(hidden)\n"))
+              'cells (for/list ([code '("; note" "(f)")])
+                       (hasheq 'cell_type "code" 'source code
+                               'metadata (hasheq 'mechanics (hasheq 'after "\n\n(hidden)\n\n"
+                                                                    'text "(hidden)"))))))))
+  (check-equal? header usual-header)
+  (check-equal? (cells->program header cells)
+                "#lang mechanics\n\n;;; cell\n; note\n;;; end\n\n(f)\n")
+  (check-cells-kept (fresh '(code "#reader \"no-such-file.rkt\" x") '(code "(f)"))))
+
 (test-case "what is no notebook, and no program with #lang"
   (check-message "program: x.ipynb is no notebook of Jupyter, in its format 4"
     (bytes->notebook 'program "x.ipynb" #"{]"))

@@ -53,6 +53,7 @@ class MechanicsKernel(Kernel):
         super().__init__(**settings)
         self.numbers = itertools.count(1)
         self.asked = {}
+        self.displays = {}
         self.cell = self.frame = None
         self.last_request = {}
         self.progress_shown = None
@@ -146,7 +147,18 @@ class MechanicsKernel(Kernel):
         content = {"data": data, "metadata": {}}
         if display:
             content["transient"] = {"display_id": display}
+            update = self.still_shown(display) and update
         self.publish("update_display_data" if update else "display_data", content)
+
+    def still_shown(self, display):
+        """Not where an earlier run of this cell showed it: that output is gone."""
+        here = (self.last_request.get("metadata") or {}).get("cellId")
+        run = self.last_request["header"]["msg_id"]
+        cell, last = self.displays.get(display, (None, None))
+        gone = last is None or (cell == here and last != run)
+        if gone:
+            self.displays[display] = (here, run)
+        return not gone
 
     def show_progress(self, text):
         """One line, which changes."""

@@ -118,6 +118,20 @@ class OneCell(unittest.TestCase):
         finally:
             lab.close()
 
+    def test_a_cell_that_draws_is_run_again(self):
+        lab = Lab()
+        try:
+            lab.open("again.ipynb", ["(require mechanics/plot)\n(define g (frame 0 1 0 1))",
+                                     "(plot-point g 0.5 0.5)"])
+            lab.run_all()
+            lab.cell(1).locator("img").first.wait_for(timeout=60_000)
+            lab.cell(1).locator(".cm-content").click()
+            lab.page.keyboard.press("Shift+Enter")
+            time.sleep(3)
+            self.assertEqual(lab.cell(1).locator("img").count(), 1)
+        finally:
+            lab.close()
+
     def test_restart_and_run_again(self):
         lab = Lab()
         try:
