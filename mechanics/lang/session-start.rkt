@@ -4,7 +4,7 @@
 (require "unknown-name/unknown-names.rkt" "printer.rkt"
          (only-in "../error/note.rkt" start-session-of-notes!))
 
-(provide start-session! set-handlers!)
+(provide start-session! set-handlers! error->text)
 
 ;; more : advice on how the rest of a long result is seen, as `install-printer!` takes it
 (define (start-session! . more)
@@ -16,3 +16,11 @@
   (apply install-printer! more)
   (install-hints!)
   (start-session-of-notes!))
+
+;; x : raised; otherwise : a template for the text of what is no exception
+;; -> the text that the session's display of errors prints
+(define (error->text x otherwise)
+  (define port (open-output-string))
+  (parameterize ([current-error-port port])
+    ((error-display-handler) (if (exn? x) (exn-message x) (format otherwise x)) x))
+  (regexp-replace #rx"\n+$" (get-output-string port) ""))

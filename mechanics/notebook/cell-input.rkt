@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a program in a cell reads.  Where it reads and nothing is there, a line is asked for; it
+;; The input of a program in a cell.  Where it reads and nothing is there, a line is asked for; it
 ;; waits for an event meanwhile, so that it can be interrupted.
 ;;
 ;; Only the thread that makes the port asks: `system` has a thread copy all input to a command,

@@ -16,16 +16,14 @@
 
 (require ffi/unsafe
          ffi/unsafe/port
-         "cell-input.rkt" "cell.rkt" "changed-pictures.rkt" "mime-bundle.rkt"
-         "names-at-cursor.rkt" "protocol.rkt" "text-stream.rkt"
+         "cell-input.rkt" "cell.rkt" "changed-pictures.rkt" "names-at-cursor.rkt" "protocol.rkt"
+         "text-stream.rkt"
          "../error/complain.rkt" "../error/progress.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
          "../lang/session-start.rkt"
-         "../show/display/receiving-printer.rkt"
-         "../show/display/program-end.rkt"
-         "../show/interact/live-result.rkt")
+         "../show/display/receiving-printer.rkt")
 
-(require-on-demand ["live-interaction.rkt" interaction-message frame-bundle])
+(require-on-demand ["live-interaction.rkt" frame-bundle])
 
 (define-namespace-anchor here)
 
@@ -95,11 +93,9 @@
 (define (answer k m)
   (define fields
     (with-handlers ([raised? (lambda (e) (hasheq 'status "error" 'line 'null 'interrupted #f
-                                                 'message (raised-message e)))])
+                                                 'message (told e)))])
       (answer-fields k m)))
   ((kernel-send k) (hash-set* fields 'kind "done" 'id (hash-ref m 'id))))
-
-(define (raised-message e) (if (exn? e) (exn-message e) (format "raised: ~e" e)))
 
 (define (answer-fields k m)
   (define (code) (hash-ref m 'code))
@@ -120,10 +116,9 @@
   (define failed
     (call-breakably id
                     (lambda ()
-                      (parameterize ([current-picture-watcher
-                                      (lambda (x) (note-change! (kernel-pictures k) x))])
-                        (begin0 (evaluate-cell code (lambda (x) ((current-print) x)))
-                                (show-changed! (kernel-pictures k) (lambda (x) (show! k x #t))))))
+                      (call-showing-changes (kernel-pictures k)
+                                            (lambda () (evaluate-cell code))
+                                            (lambda (x) (show! k x #t))))
                     (lambda () (failure "interrupted" #f #t))))
   (flush-C-output)
   (send-output! k)
@@ -172,18 +167,10 @@
 ;; in-place? : where it was shown before, if it was
 (define (show! k x [in-place? #f])
   (unless (void? x)
-    (define m
-      (parameterize ([current-picture-watcher #f])
-        (if (live? x) (interaction-message x) (shown-message k x in-place?))))
+    (define m (result-message (kernel-pictures k) x in-place?))
     (send-output! k)
     ((kernel-send k) m)
     (note-shown! (kernel-pictures k) x)))
-
-(define (shown-message k x in-place?)
-  (define p (kernel-pictures k))
-  (define name (display-name p x))
-  (define m (hasheq 'kind "shown" 'data (value->bundle x)))
-  (if name (hash-set* m 'display name 'update (and in-place? (shown-before? p x))) m))
 
 ;; ---------------------------------------------------------------------------
 

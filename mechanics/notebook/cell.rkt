@@ -5,20 +5,20 @@
 ;; A cell of which a part cannot be read evaluates nothing.  Where a form fails, the values before
 ;; it have been shown, and the failure names its line.
 
-(require (only-in racket/string string-trim)
-         "../error/complain.rkt"
+(require "../error/complain.rkt"
          "../lang/prompt/lines.rkt" "../lang/prompt/session-entry.rkt"
-         "../lang/prompt/typed-forms.rkt")
+         "../lang/prompt/typed-forms.rkt"
+         "../lang/session-start.rkt")
 
-(provide evaluate-cell cell-completeness end-in-menu
+(provide evaluate-cell cell-completeness end-in-menu told
          (struct-out failure))
 
 ;; message : in the session's words; line : of the form that failed, or #f where all of the cell
 ;; was refused; interrupted? : by a break
 (struct failure (message line interrupted?))
 
-;; show! : value -> void, for each value but void; -> #f, or a failure
-(define (evaluate-cell text show!)
+;; Values go to the current printer -> #f, or a failure
+(define (evaluate-cell text)
   (define line #f)
   (define (note-line! form) (set! line (or (syntax-line form) line)))
   (with-handlers* ([exn:break? (lambda (e) (failure "interrupted" line #t))]
@@ -26,7 +26,7 @@
     (define entries (read-entries text))
     (for* ([e (in-list entries)] [form (in-list (forms-of e))])
       (note-line! form)
-      (evaluate form show!))
+      (evaluate form))
     #f))
 
 ;; At a prompt end of file leaves the session; a notebook has a menu for that.
@@ -38,19 +38,18 @@
 
 (define end-in-menu "a notebook is left by closing it, and its kernel ended in the menu Kernel")
 
-(define (evaluate form show!)
+(define (evaluate form)
   (check-kind form)
-  (unless (eq? (head-of form) 'provide) (evaluate-at-prompt form show!)))
+  (unless (eq? (head-of form) 'provide) (evaluate-at-prompt form)))
 
-(define (evaluate-at-prompt form show!)
+(define (evaluate-at-prompt form)
   (call-with-continuation-prompt
    (lambda ()
      (call-with-values
       (lambda ()
         ((current-eval)
          (namespace-syntax-introduce (datum->syntax #f (cons '#%top-interaction form) form))))
-      (lambda results
-        (for ([x (in-list results)] #:unless (void? x)) (show! x)))))
+      (lambda results (for-each (current-print) results))))
    (default-continuation-prompt-tag)
    (lambda (thunk) (thunk))))
 
@@ -98,12 +97,5 @@
     (forms-in text #:reader? #f)
     "complete"))
 
-;; ---------------------------------------------------------------------------
-;; Failures
-
-;; The text that a prompt would print.
-(define (told e)
-  (define text (open-output-string))
-  (parameterize ([current-error-port text])
-    ((error-display-handler) (if (exn? e) (exn-message e) (format "uncaught: ~e" e)) e))
-  (string-trim (get-output-string text) "\n"))
+;; x : raised -> the text that a prompt would print
+(define (told x) (error->text x "uncaught: ~e"))

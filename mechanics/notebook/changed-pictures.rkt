@@ -2,7 +2,14 @@
 ;; Frames that a cell draws in, as it should be seen: a frame that changed is shown at the end of
 ;; its cell, once; where it was shown before, it is shown anew in its place.
 
-(provide make-changed-pictures note-change! shown-before? display-name note-shown! show-changed!)
+(require "mime-bundle.rkt"
+         "../generic/on-demand.rkt"
+         "../show/display/program-end.rkt"
+         "../show/interact/live-result.rkt")
+
+(require-on-demand ["live-interaction.rkt" interaction-message])
+
+(provide make-changed-pictures call-showing-changes result-message note-shown!)
 
 ;; names : picture -> the name of its display; changed : those to be shown, the latest first;
 ;; shown : picture -> #t; prefix, count : of names, which no other process and picture has
@@ -21,15 +28,25 @@
   (unless (memq x (changed-pictures-changed p))
     (set-changed-pictures-changed! p (cons x (changed-pictures-changed p)))))
 
-;; The name of the display of a picture that changed, #f of other values
-(define (display-name p x) (hash-ref (changed-pictures-names p) x #f))
-
 (define (note-shown! p x)
   (hash-set! (changed-pictures-shown p) x #t)
   (set-changed-pictures-changed! p (remq x (changed-pictures-changed p))))
 
-(define (shown-before? p x) (hash-ref (changed-pictures-shown p) x #f))
+;; (f), and then shows the pictures that changed meanwhile.  show! : picture -> any
+(define (call-showing-changes p f show!)
+  (parameterize ([current-picture-watcher (lambda (x) (note-change! p x))])
+    (begin0 (f)
+            (for-each show! (reverse (changed-pictures-changed p))))))
 
-;; show! : picture -> any
-(define (show-changed! p show!)
-  (for-each show! (reverse (changed-pictures-changed p))))
+;; x : a value -> message.  in-place? : where it was shown before, if it was
+(define (result-message p x in-place?)
+  (define m
+    (parameterize ([current-picture-watcher #f])
+      (if (live? x)
+          (interaction-message x)
+          (hasheq 'kind "shown" 'data (value->bundle x)))))
+  (define name (hash-ref (changed-pictures-names p) x #f))
+  (if name
+      (hash-set* m 'display name
+                 'update (and in-place? (hash-ref (changed-pictures-shown p) x #f)))
+      m))

@@ -2,7 +2,7 @@
 ;; Interactions in a notebook: the front end shows their controls, and asks for the value where
 ;; they are moved to.
 ;;
-;; Those that were shown are kept under numbers, as long as their cells may be on the page.
+;; Interactions that were shown are kept under numbers, for their cells may still be on the page.
 
 (require "mime-bundle.rkt"
          "../show/interact/control.rkt" "../show/interact/interaction.rkt"

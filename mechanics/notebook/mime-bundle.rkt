@@ -18,8 +18,9 @@
 
 ;; formats : of a picture; columns : that fit into a cell
 (define (value->bundle x [formats '(svg-bytes png-bytes)] #:columns [columns 80])
-  (define text (printed x columns))
-  (define s (if (eq? (display-style) 'automatic) (value->shown x) (shown-text text)))
+  (define see (seen-once))
+  (define text (printed x columns see))
+  (define s (if (eq? (display-style) 'automatic) (value->shown x see) (shown-text text)))
   (define page (and (shown-picture? s) (convert x 'html-bytes #f)))
   (for/fold ([bundle (hasheq (string->symbol "text/plain") text)])
             ([part (in-list (if page (list (page->part page s)) (shown->parts s columns formats)))])
@@ -32,9 +33,9 @@
           (string->symbol "text/html") (xexpr->string `(pre ([style ,style]) ,text))))
 
 ;; As a prompt prints it.
-(define (printed x columns)
+(define (printed x columns see)
   (define manner (if (eq? (display-style) 'automatic) 'expression (manner-here)))
-  (format "~v" (simplified-result x columns manner)))
+  (format "~v" (simplified-result x columns manner see)))
 
 ;; -> list of pairs of MIME type and text
 (define (shown->parts s columns formats)
@@ -63,7 +64,7 @@
           (part "image/png" 'png-bytes shown-picture-png
                 (lambda (b) (bytes->string/latin-1 (base64-encode b #""))))))
 
-;; What moves is a page in a frame that may do nothing but run its script.  Where frames are taken
+;; An animation is a page in a frame that may do nothing but run its script.  Where frames are taken
 ;; out, as in a notebook that is not trusted, the picture in it is left.
 (define (page->part page s)
   (define m (regexp-match #rx#"viewBox=\"0 0 [0-9.]+ ([0-9.]+)\"" page))
@@ -73,10 +74,8 @@
          `(iframe ([sandbox "allow-scripts"]
                    [style ,(format "width: 100%; height: ~apx; border: 0" height)]
                    [srcdoc ,(bytes->string/utf-8 page)])
-                  (img ([alt ,(shown-picture-text s)] [src ,(data-url (shown-picture-png s))]))))))
-
-(define (data-url png)
-  (format "data:image/png;base64,~a" (base64-encode (or png #"") #"")))
+                  (img ([alt ,(shown-picture-text s)]
+                        [src ,(png->URL (or (shown-picture-png s) #""))]))))))
 
 ;; MathJax looks for TeX in the formulas alone, not in what a program wrote.
 (define (shown->markup s)

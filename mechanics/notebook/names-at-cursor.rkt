@@ -30,7 +30,7 @@
         [c (joined (call-lines (car (card-signatures c)) 500) " ")]
         [else ""]))
 
-;; What (help name) says.
+;; The card that (help name) prints
 (define (description code cursor)
   (define-values (start end) (name-around code cursor))
   (define name (substring code start end))

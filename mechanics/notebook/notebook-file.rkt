@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Notebooks as files: cells in Jupyter's format, version 4.5, a cell a line.
 ;;
-;; What a program has beyond the sources of its cells is in their metadata, under `mechanics`: the
+;; The rest of a program, beside its cells' sources, is in their metadata, under `mechanics`: the
 ;; text as it stands in the program, and what follows it.  Outputs are written where a notebook is
 ;; run as it is made; they are not read.
 

@@ -63,7 +63,7 @@
     gap))
 
 ;; ---------------------------------------------------------------------------
-;; What is not divided: forms, comments of several lines, and cells between lines that mark them
+;; Parts that stay whole: forms, comments of several lines, and cells between lines that mark them
 
 (define marked-cell #px#"(?m:^;;; (?:cell|markdown|raw)\r?$)(?s:.*?)(?m:^;;; end\r?$)")
 

@@ -2,11 +2,9 @@
 ;; The cells of a notebook run in this process, for a notebook that is written with its results.
 
 (require (only-in racket/port open-output-nowhere)
-         "cell.rkt" "changed-pictures.rkt" "live-interaction.rkt" "mime-bundle.rkt"
-         "program-cells.rkt"
+         "cell.rkt" "changed-pictures.rkt" "program-cells.rkt"
          "../lang/session-start.rkt"
-         "../show/display/program-end.rkt" "../show/display/receiving-printer.rkt"
-         "../show/interact/live-result.rkt")
+         "../show/display/receiving-printer.rkt")
 
 (provide run-cells)
 
@@ -34,25 +32,21 @@
   (define written (open-output-string))
   (define (add! output) (set! outputs (cons output outputs)))
   (define (add-text!)
-    (define text (get-output-string written))
+    ;; and empties the port
+    (define text (bytes->string/utf-8 (get-output-bytes written #t) #\uFFFD))
     (unless (string=? text "")
-      (get-output-bytes written #t)     ; empties it
       (add! (hasheq 'output_type "stream" 'name "stdout" 'text text))))
   (define pictures (make-changed-pictures))
   (define (show! x)
     (unless (void? x)
-      (define data
-        (parameterize ([current-picture-watcher #f])
-          (if (live? x) (hash-ref (interaction-message x) 'data) (value->bundle x))))
+      (define data (hash-ref (result-message pictures x #f) 'data))
       (add-text!)
       (add! (hasheq 'output_type "display_data" 'metadata (hasheq) 'data data))
       (note-shown! pictures x)))
   (define failed
     (parameterize ([current-output-port written] [current-error-port written]
-                   [current-picture-watcher (lambda (x) (note-change! pictures x))]
                    [current-print (output-receiver show! written)])
-      (begin0 (evaluate-cell code (lambda (x) ((current-print) x)))
-              (show-changed! pictures show!))))
+      (call-showing-changes pictures (lambda () (evaluate-cell code)) show!)))
   (add-text!)
   (when failed (add! (failure->output failed)))
   (values (reverse outputs) failed))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a program writes, sent on while it is written.
+;; The output of a program, sent on while it is written.
 ;;
 ;; A stream is a port for the program, and a thread that sends what was written some fifty times a
 ;; second.  A program that writes faster waits for it.  More than a million bytes of a cell are

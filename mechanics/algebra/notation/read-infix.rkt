@@ -8,7 +8,7 @@
 ;;     power    := [−] primary [** power]
 ;;
 ;; The signs * and ^ (or **) are not written by infix.rkt where it can do without, but by people.
-;; What people write otherwise, read-paper.rkt makes tokens of this grammar.
+;; Other spellings are made tokens of this grammar by read-paper.rkt.
 
 (require "formula-tokens.rkt" "one-line-name.rkt" "read-terms.rkt"
          "../../error/complain.rkt")

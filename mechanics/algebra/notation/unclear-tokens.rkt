@@ -53,7 +53,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Parentheses
 
-;; Those of a call touch the name, those of a factor do not.  -> is it clear which they are?
+;; Parentheses of a call touch the name, those of a factor do not.  -> is it clear which they are?
 (define (settle-parentheses! v)
   (for/and ([t (in-vector v)] [i (in-naturals)] #:when (kind? t 'open))
     (define spaced? (spaced-open v i))

@@ -117,7 +117,7 @@
       (list '> e 0)
       c))
 
-;; What may not be 0 if the solution, and the equations there, are to have values: factors
+;; Factors that may not be 0 if the solution, and the equations there, are to have values
 (define (barred-factors equations solution A)
   (for*/list ([e (in-list (append (map cdr solution) equations))]
               [n (in-list (if (node? e) (nodes-in e) '()))]

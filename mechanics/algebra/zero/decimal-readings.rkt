@@ -96,7 +96,7 @@
          [(2) (make-node op:sqrt (list f))]
          [else (make-node op:expt (list f (/ 1 degree)))])))
 
-;; What was written with few digits, such as 6.674e-11; else #f
+;; A decimal of few digits, such as 6.674e-11, as the fraction that was written; else #f
 (define (as-written x)
   (define mantissa (car (regexp-match #rx"^[^e]*" (number->string x))))
   (define digits (filter char-numeric? (string->list mantissa)))

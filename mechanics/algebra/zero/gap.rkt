@@ -54,7 +54,7 @@
 
 (define (root-or-size? e) (or (headed? e op:abs) (headed? e op:sqrt)))
 
-;; What may not be 0 if n is to have a value
+;; Expressions that may not be 0 if n is to have a value
 (define (excluding-zero n)
   (for/list ([r (in-list (node-relations n))] #:unless (signs-within? zero (relation-signs r)))
     (relation-expression r)))

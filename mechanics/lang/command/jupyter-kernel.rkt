@@ -10,6 +10,7 @@
          racket/file
          racket/port
          racket/runtime-path
+         (only-in racket/string string-trim)
          racket/system
          "../../error/complain.rkt")
 
@@ -82,7 +83,8 @@
     (complain 'jupyter "there is no ~a; --python names the Python that Jupyter runs in"
               (or given "python3")))
   (define lacking
-    (string-trim-end
+    (string-trim
+     #:left? #f
      (with-output-to-string
        (lambda ()
          (parameterize ([current-error-port (current-output-port)])
@@ -93,5 +95,4 @@
               (simplify-path (build-path package-folder "requirements.txt"))))
   (path->string python))
 
-(define (string-trim-end text) (regexp-replace #px"\\s+$" text ""))
 (define (last-line text) (car (regexp-match #px"[^\n]*$" text)))

@@ -7,6 +7,7 @@
 
 (require racket/path
          "watch.rkt"
+         (only-in "../session-start.rkt" error->text)
          "../unknown-name/unknown-names.rkt"
          (only-in "../../error/refusal.rkt" raised?)
          "../../show/display/receiving-printer.rkt"
@@ -112,15 +113,10 @@
 
 ;; The message as it is printed where a program is run, with its hints.
 (define (message e)
-  (define port (open-output-string))
-  (parameterize ([current-error-port port]
-                 [error-display-handler (error-display-handler)]
+  (parameterize ([error-display-handler (error-display-handler)]
                  [error-print-source-location #f])
     (install-hints!)
-    (if (exn? e)
-        ((error-display-handler) (exn-message e) e)
-        (eprintf "raised, though it is no error: ~v" e)))
-  (regexp-replace #rx"\n+$" (get-output-string port) ""))
+    (error->text e "raised, though it is no error: ~v")))
 
 ;; The number of the form that was running; in a program that could not be compiled, of the form
 ;; that the error names, or #f.

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What was found as text, each with how to open it:
+;; Findings as text, each with the way to open it:
 ;;
 ;;     Rayleigh-dissipation  The dissipation function of forces that oppose velocities.
 ;;     Friction, in: From Newton to Lagrange

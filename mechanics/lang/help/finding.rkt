@@ -1,5 +1,5 @@
 #lang racket/base
-;; What the search finds.  Prefab, so that a table of findings can be written into compiled code.
+;; Findings of the search.  Prefab, so that a table of findings can be written into compiled code.
 
 (provide (struct-out finding))
 

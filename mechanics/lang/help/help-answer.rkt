@@ -103,7 +103,7 @@
       (list (format "Nothing is found for ~s; (help) tells what can be asked." text))
       lines))
 
-;; What the text finds; where it finds nothing for want of a letter, what another spelling does.
+;; Findings for the text; where a letter is wrong and there are none, those of another spelling.
 (define (lines-about text)
   (define-values (found all-words?) (find-in-table (table-of-search) text))
   (define otherwise (respelled (table-of-search) text))

@@ -17,13 +17,13 @@
 
 (provide simplified-result plain-result unprintable?
          ;; for documents
-         shown-throughout)
+         shown-throughout seen-once)
 
 ;; What to print in place of x; ours takes lines of at most `width` columns.  manner : one of
 ;; those of manner-here (display-style.rkt); a special (print-shown.rkt) where that is 'snip
 ;; What contains itself is left to Racket.
-(define (simplified-result x width [manner 'expression])
-  (define see (seen-once))
+;; see : as seen-once gives it, where others show x as well
+(define (simplified-result x width [manner 'expression] [see (seen-once)])
   (cond [(cyclic? x) x]
         [(or (eq? manner 'expression) (not (formula? x))) (expression-result x width see)]
         [else (typeset-result x width manner see)]))

@@ -16,7 +16,7 @@
          "../typesetting/MathML.rkt" "../typesetting/break.rkt"
          "shown-result.rkt")
 
-(provide shown->xexprs tree->xexprs inline-xexprs inline-formula visible raw markup)
+(provide shown->xexprs tree->xexprs inline-xexprs inline-formula visible raw markup png->URL)
 
 (define wide 80)
 (define narrow 40)
@@ -105,8 +105,11 @@
   (define small? (and svg (< (bytes-length svg) largest-svg)))
   (define png (and (not small?) (shown-picture-png p)))
   (if png
-      (format "<img alt=\"\" src=\"data:image/png;base64,~a\"/>" (base64-encode png #""))
+      (format "<img alt=\"\" src=\"~a\"/>" (png->URL png))
       (svg->markup (bytes->string/utf-8 svg #\?) (format "\\1p~a-" number))))
+
+;; A picture as an address that holds it
+(define (png->URL png) (format "data:image/png;base64,~a" (base64-encode png #"")))
 
 (define (svg->markup text prefixed)
   (regexp-replaces text `([#rx"^.*?(?=<svg)" ""]

@@ -31,13 +31,14 @@
 
 (define text-width 79)
 
-(define (value->shown x)
+;; see : as in simplified-result (display/result.rkt)
+(define (value->shown x [see (seen-once)])
   (cond [(cyclic? x) (shown-text (printed x))]
         [(interaction? x) (interaction->shown x value->shown)]
         [(table-of x) => values]
-        [(typeset? x) (formula x)]
+        [(typeset? x) (formula x see)]
         [(convertible? x) (picture x)]
-        [else (shown-text (printed (simplified-result x text-width)))]))
+        [else (shown-text (printed (simplified-result x text-width 'expression see)))]))
 
 (define (printed x)
   (parameterize ([print-as-expression #t]) (format "~v" x)))
@@ -65,16 +66,16 @@
 ;; A variable, and not a word such as 'proved.
 (define (letter? s) (not (eq? 'word (parts-sort (name-parts s)))))
 
-(define (formula x)
-  (define-values (value grounds) (as-result x))
+(define (formula x see)
+  (define-values (value grounds) (as-result x see))
   (define tree (value->tree value #t))
   (if (plain? tree)
       (shown-text (plain-text tree))
       (shown-formula tree (map labelled-note grounds))))
 
 ;; Simplified as at a prompt, or as it is, if that fails -> value, and assumptions
-(define (as-result x)
-  (with-handlers ([exn:fail? (lambda (e) (values x '()))]) (shown-throughout x)))
+(define (as-result x [see (seen-once)])
+  (with-handlers ([exn:fail? (lambda (e) (values x '()))]) (shown-throughout x see)))
 
 (define (labelled-note n) (row (list (word (string-append (note-label n) " ")) (note->tree n))))
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What comes of a body: its value, or the words of what it raised.
+;; The outcome of a body: its value, or the words of its error.
 
 (require "../../error/refusal.rkt"
          "../../generic/describe.rkt" "../../generic/value-struct.rkt")

@@ -11,6 +11,7 @@
 (provide
  run-program         ; (run-program file environment argument ...) -> what it prints, a string
  environment-with    ; (environment-with display) -> environment variables
+ run-without-display ; (run-without-display file who) -> what it prints; who's refusals in that
  call-with-display   ; (call-with-display use) : (use display); the file SCREEN_FILE has its pixels
  display-server      ; -> path or #f
  test-windows)       ; (test-windows name program expected argument ...)
@@ -29,6 +30,13 @@
   (define copy (environment-variables-copy (current-environment-variables)))
   (environment-variables-set! copy #"DISPLAY" display)
   copy)
+
+;; who : the procedure that would open a window
+(define (run-without-display program who)
+  (define output (run-program program (environment-with #"nowhere:99")))
+  (define refusal
+    (pregexp (format "(?m:^)~a: no window can be opened here\n  reason: [^\n]+\n" who)))
+  (values output (regexp-match* refusal output)))
 
 (define (display-server) (find-executable-path "Xvfb"))
 

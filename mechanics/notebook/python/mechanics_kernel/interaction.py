@@ -6,6 +6,7 @@ second while newer values wait.  So the last picture is that of the last values,
 pictures on its way.
 """
 
+import concurrent.futures
 import threading
 
 import ipywidgets
@@ -49,18 +50,12 @@ class Worker:
         if answer is None:
             interaction.show({"text/plain": GONE})
             return
-        while not answer_within(answer, PATIENCE):
+        while not concurrent.futures.wait([answer], PATIENCE).done:
             if interaction in self.waiting:
                 self.stop(number)
         data = answer.result().get("data")
         if data:
             interaction.show(data)
-
-
-def answer_within(answer, seconds):
-    done = threading.Event()
-    answer.add_done_callback(lambda _: done.set())
-    return done.wait(seconds)
 
 
 class Interaction:
