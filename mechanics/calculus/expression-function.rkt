@@ -8,7 +8,7 @@
          "../generic/up-down.rkt"
          "../value/shape.rkt")
 
-(provide evaluate-generically evaluate-at expression-derivative)
+(provide evaluate-generically evaluate-at expression-derivative apply-generically)
 
 ;; The value of e with values in place of symbols, ((symbol . value) ...).
 (define (evaluate-generically e point)

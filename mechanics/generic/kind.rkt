@@ -15,7 +15,8 @@
  (struct-out generic-op) operation-by-values
  other-number? comparand
  rank:scalar rank:number rank:dual rank:structure rank:matrix rank:quaternion rank:function
- rank:operator rank:series)
+ rank:operator rank:series
+ rank:manifold-function rank:field)
 
 ;; rank      : where it stands when kinds meet
 ;; describe  : value -> string, as error messages name it ("an up tuple of 2")
@@ -32,10 +33,12 @@
 ;; component : value index -> the part that `ref` gives; #f where there is none
 ;; parts     : of carriers, what their own floor wants to know of them
 ;; order     : of carriers, value -> the highest power of its infinitesimal that is kept
+;; judged    : value -> what a verdict judges in its place, a structure of expressions, and the
+;;             list of symbols that stand there for any value; #f: the value itself
 ;; notation  : value (value -> tree) -> the tree it is typeset by (notation.rkt); #f: that of
 ;;             its datum
 (struct kind (rank describe datum map unary binary comparand zero? same? arity closed?
-              component parts notation order)
+              component parts notation order judged)
   #:authentic)
 
 (define (make #:rank rank #:describe describe #:datum datum
@@ -43,9 +46,9 @@
               #:comparand [comparand #f] #:zero? [zero? (lambda (x) #f)]
               #:same? [same? #f] #:arity [arity #f] #:closed? [closed? #f]
               #:component [component #f] #:parts [parts #f] #:notation [notation #f]
-              #:order [order (lambda (x) 1)])
+              #:order [order (lambda (x) 1)] #:judged [judged #f])
   (kind rank describe datum map unary binary comparand zero? same? arity closed? component parts
-        notation order))
+        notation order judged))
 
 ;; (make-kind #:rank rank #:describe describe ...): the procedures may be defined after the kind.
 (define-syntax (make-kind stx)
@@ -53,7 +56,7 @@
     #hasheq([#:describe . (x)] [#:datum . (x)] [#:map . (f x)]
             [#:unary . (op x)] [#:binary . (op a b)] [#:comparand . (x)] [#:zero? . (x)]
             [#:same? . (same? a b)] [#:arity . (x)] [#:component . (x i)]
-            [#:notation . (x see)] [#:order . (x)]))
+            [#:notation . (x see)] [#:order . (x)] [#:judged . (x)]))
   (define (later option f)
     (define xs (and (identifier? f) (hash-ref arguments (syntax-e option) #f)))
     (if xs #`(lambda #,xs (#,f . #,xs)) f))
@@ -101,6 +104,8 @@
 (define rank:function 6)
 (define rank:operator 7)
 (define rank:series 8)
+(define rank:manifold-function 13/2)    ; takes functions in, and is taken by operators
+(define rank:field 15/2)                ; a vector field takes operators in
 
 ;; Is x a real number of another type than Racket's?  Its comparand is Racket's number of
 ;; the same value.

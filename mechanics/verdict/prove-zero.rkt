@@ -14,7 +14,7 @@
          "../error/hint.rkt"
          "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/algebra.rkt" "../value/assumptions.rkt" "../value/operator.rkt"
          "../value/series/series-access.rkt" "../value/series/series.rkt")
 
@@ -195,10 +195,14 @@
 (define (at-symbolic-arguments x arguments variables note!)
   (map-leaves
    (lambda (leaf)
+     (define (judge-instead value fresh)
+       (at-symbolic-arguments value (append arguments fresh) variables note!))
      (cond [(operator? leaf) (raise-operator leaf)]
+           [(and (has-kind? leaf) (kind-judged (kind-of leaf)))
+            => (lambda (judged) (call-with-values (lambda () (judged leaf)) judge-instead))]
            [(procedure? leaf)
             (define fresh (fresh-arguments leaf))
-            (at-symbolic-arguments (apply leaf fresh) (append arguments fresh) variables note!)]
+            (judge-instead (apply leaf fresh) fresh)]
            [(symbolic? leaf) (rename-arguments leaf arguments variables)]
            [else leaf]))
    (with-terms x note!)))

@@ -1,0 +1,88 @@
+#lang racket/base
+;; Calculus of expressions in the symbols of a chart.
+;;
+;; Everything that geometry computes is a vector of such expressions, a graph with shared nodes.
+;; Derivatives are taken of all of them in one walk for each coordinate: a node becomes itself
+;; plus an infinitesimal, so that what the derivative has in common with the value is shared.
+
+(require "manifold.rkt" "component-array.rkt"
+         (rename-in "../algebra/elimination/minors.rkt" [operations ring-of])
+         "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
+         "../algebra/expression/operation.rkt"
+         "../calculus/dual.rkt" "../calculus/expression-function.rkt"
+         "../calculus/perturbed-value.rkt"
+         "../generic/arithmetic.rkt" "../generic/up-down.rkt"
+         "../value/simplify.rkt")
+
+(provide derivatives-by-coordinates derivatives-by-coordinates-at
+         evaluate-components inverse-of-matrix determinant-of-matrix tidied)
+
+;; -> a vector with, for each coordinate of C, the vector of derivatives of the expressions
+(define (derivatives-by-coordinates es C)
+  (for/vector ([x (in-vector (coordinate-system-symbols C))])
+    (if (for/and ([e (in-vector es)]) (number? e))
+        (make-vector (vector-length es) 0)
+        (derivatives-by es x))))
+
+(define (derivatives-by es x)
+  (define tag (fresh-tag))
+  (define values-and-slopes
+    (node-fold (joined es)
+               (lambda (leaf) (if (eq? leaf x) (perturb tag x) leaf))
+               (lambda (n arguments)
+                 (define value (apply-generically (node-head n) arguments))
+                 (if (tuple? value) value (make-dual tag n (tangent-part value tag))))))
+  (for/vector #:length (vector-length es) ([v (in-vector (structure-elements values-and-slopes))])
+    (tangent-part v tag)))
+
+(define (joined es) (make-node op:up (vector->list es)))
+
+;; The same, evaluated at coordinates.
+(define (derivatives-by-coordinates-at es C x)
+  (for/vector ([d (in-vector (derivatives-by-coordinates es C))]) (evaluate-components d C x)))
+
+;; The expressions with coordinates in place of the symbols of C.
+;; x : the coordinates, as of a point
+(define (evaluate-components es C x)
+  (define symbols (coordinate-system-symbols C))
+  (define xs (if (tuple? x) (tuple-elements x) (vector x)))
+  (if (for/and ([s (in-vector symbols)] [x (in-vector xs)]) (eq? s x))
+      es
+      (structure-elements
+       (evaluate-generically (joined es)
+                             (for/list ([s (in-vector symbols)] [x (in-vector xs)]) (cons s x))))))
+
+;; ---------------------------------------------------------------------------
+;; Matrices, n by n, as components of two indices
+
+(define ring (ring-of g:+ g:- g:*))
+
+(define (rows-of M n)
+  (for/vector #:length n ([i (in-range n)])
+    (for/vector #:length n ([j (in-range n)]) (vector-ref M (+ (* n i) j)))))
+
+(define (determinant-of-matrix M n)
+  (tidied ((make-minors ring (rows-of M n)) (all-lines n) (all-lines n))))
+
+;; complain : called where the determinant is 0
+(define (inverse-of-matrix M n complain)
+  (define minor (make-minors ring (rows-of M n)))
+  (define d (tidied (minor (all-lines n) (all-lines n))))
+  (when (eqv? d 0) (complain))
+  (build-components n 2 (lambda (ij)
+                          (define c (cofactor ring minor n (cadr ij) (car ij)))
+                          (if (eqv? c 0) 0 (tidied (g:/ c d))))))
+
+;; ---------------------------------------------------------------------------
+
+;; An expression in normal form, where that is likely to be the smaller one: what is 0 is seen to
+;; be.  Large ones, and those that grow, stay graphs.
+(define (tidied e)
+  (cond [(or (not (node? e)) (> (graph-size e) large)) e]
+        [else
+         (define simple (simplify-strictly e))
+         (if (> (graph-size simple) (* 2 (graph-size e))) e simple)]))
+
+(define large 300)                      ; nodes
+
+(define (graph-size e) (if (node? e) (tape-length (expression->plain-tape e)) 1))

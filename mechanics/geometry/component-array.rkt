@@ -1,0 +1,53 @@
+#lang racket/base
+;; Components of tensors: n^k expressions in a vector, the last index running fastest.
+
+(require "../generic/arithmetic.rkt")
+
+(provide build-components component sum-of-products contract-first apply-to-index
+         sum-over)
+
+;; f : indices, a list of k -> component
+(define (build-components n k f)
+  (define size (expt n k))
+  (define v (make-vector size 0))
+  (for ([place (in-range size)])
+    (vector-set! v place (f (indices-of place n k))))
+  v)
+
+(define (indices-of place n k)
+  (for/fold ([indices '()] [place place] #:result indices) ([_ (in-range k)])
+    (values (cons (remainder place n) indices) (quotient place n))))
+
+(define (place-of n indices)
+  (for/fold ([place 0]) ([i (in-list indices)]) (+ (* n place) i)))
+
+(define (component v n indices) (vector-ref v (place-of n indices)))
+
+;; Σ f(i) for i below n; sums of many exact zeros cost nothing.
+(define (sum-over n f)
+  (for/fold ([sum 0]) ([i (in-range n)])
+    (define term (f i))
+    (if (eqv? term 0) sum (g:+ sum term))))
+
+;; Σ aᵢ bᵢ, where b is computed only beside what is not 0
+(define (sum-of-products n a b)
+  (sum-over n (lambda (i)
+                (define x (a i))
+                (if (eqv? x 0) 0 (times x (b i))))))
+
+(define (times x y) (if (or (eqv? x 0) (eqv? y 0)) 0 (g:* x y)))
+
+;; Σᵢ T[i …] aᵢ: the components of the rest
+(define (contract-first T n a)
+  (define size (quotient (vector-length T) n))
+  (for/vector #:length size ([place (in-range size)])
+    (sum-of-products n (lambda (i) (vector-ref a i))
+                     (lambda (i) (vector-ref T (+ (* i size) place))))))
+
+;; T with index p (of k) replaced by M: T'[… j …] = Σᵢ M(j, i) T[… i …]
+(define (apply-to-index T n k p M)
+  (define stride (expt n (- k p 1)))
+  (for/vector #:length (vector-length T) ([place (in-range (vector-length T))])
+    (define j (remainder (quotient place stride) n))
+    (define base (- place (* j stride)))
+    (sum-of-products n (lambda (i) (vector-ref T (+ base (* i stride)))) (lambda (i) (M j i)))))

@@ -1,0 +1,278 @@
+#lang racket/base
+;; Fields: vector fields, forms and tensors of any type, by their components.
+;;
+;; A field of k arguments has n^k components in every chart: its values at basis vectors, where it
+;; takes a vector, and at basis 1-forms, where it takes a 1-form.  (A vector field takes a
+;; 1-form.)  They are expressions in the chart's symbols, found once for each chart.
+;;
+;; A field *over a map* μ from M to N has a tensor of N at each point of M: the velocity of a curve
+;; is one.  Its components in a chart of M refer to the chart of N in which μ gives its points.
+;; All else is the case that μ is the identity.
+
+(require "chart-calculus.rkt" "component-array.rkt" "manifold.rkt" "manifold-function.rkt"
+         "point.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
+         "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt"
+         "../value/operator.rkt" "../value/shape.rkt")
+
+(provide field? make-field native-field
+         field-home field-over field-types field-form? field-rank field-datum
+         vector-field? form? form-field? tensor?
+         components-in components-over place-over target-dimension
+         common-over common-field-home
+         derivative-along apply-field
+         (struct-out place))
+
+;; ---------------------------------------------------------------------------
+;; The struct
+
+(define kind:field
+  (make-kind #:rank rank:field
+             #:describe (lambda (T) (describe-field T))
+             #:datum field-datum
+             #:judged (lambda (T) (judge-field T))
+             #:arity (lambda (T) (arithmetic-shift 1 (if (vector-field? T) 1 (field-rank T))))
+             #:unary (lambda (op T) (of-field op T))
+             #:binary (lambda (op a b) (of-fields op a b))))
+
+;; home : coordinate system or #f;  over : a map, #f for the identity
+;; types : list of 'vector and '1form, the arguments
+;; form? : is it a form, antisymmetric?  components : coordinate system -> vector
+(value-struct field (home over types form? components make-datum)
+  #:kind kind:field
+  #:property prop:procedure (lambda (T . arguments) (apply-field T arguments)))
+
+(define (field-datum T) ((field-make-datum T)))
+(define (field-rank T) (length (field-types T)))
+
+(define (make-field home types find make-datum #:over [over #f] #:form? [form? #f])
+  (field home over types form? (once-a-chart find) make-datum))
+
+(define (vector-field? x) (and (field? x) (equal? (field-types x) '(1form))))
+(define (form-field? x) (and (field? x) (field-form? x)))
+(define (form? x) (form-field? x))
+(define (tensor? x) (field? x))
+
+(define (describe-field T)
+  (define over (if (field-over T) " over a map" ""))
+  (cond [(vector-field? T) (string-append "a vector field" over)]
+        [(form-field? T) (format "a ~a-form~a" (field-rank T) over)]
+        [else (format "a tensor field of ~a arguments~a" (field-rank T) over)]))
+
+;; ---------------------------------------------------------------------------
+;; Components
+
+;; In the chart C of the manifold that the field is on, or of its map's source.
+(define (components-in T C) ((field-components T) C))
+
+;; Where the point of a map is: in which chart, at which coordinates, in the symbols of C
+(struct place (system coordinates) #:authentic)
+
+(define (place-over map C)
+  (if map
+      (let ([m (map (generic-point C))])
+        (unless (point? m)
+          (complain 'geometry "a map between manifolds gives points\n  map: ~a\n  it gave: ~a"
+                    (value->text map) (describe-with-value m)))
+        (place (point-system m) (point-coordinates m)))
+      (place C (coordinate-tuple (coordinate-system-symbols C)))))
+
+(define (target-dimension p) (coordinate-system-dimension (place-system p)))
+
+;; The components of T at the points of a map, which T is over or is taken along.
+(define (components-over T map C)
+  (cond [(or (not map) (field-over T)) (components-in T C)]
+        [else
+         (define p (place-over map C))
+         (evaluate-components (components-in T (place-system p)) (place-system p)
+                              (place-coordinates p))]))
+
+;; The map that fields are over; a field that is over none is taken along.
+(define (common-over who fields)
+  (for/fold ([over #f]) ([T (in-list fields)])
+    (define own (and (field? T) (field-over T)))
+    (cond [(not own) over]
+          [(or (not over) (eq? own over)) own]
+          [else (complain who "these are over different maps\n  maps: ~a and ~a"
+                          (value->text over) (value->text own))])))
+
+;; The home of what is made of these fields and functions: of those over the map, if there is one.
+(define (common-field-home who xs)
+  (define over (common-over who xs))
+  (define (home x)
+    (cond [(field? x) (and (eq? (field-over x) over) (field-home x))]
+          [else (home-of x)]))
+  (define home-of-fields (apply common-home who #:of (lambda (x) (and (field? x) (home x))) xs))
+  (or home-of-fields (apply common-home who #:of home xs)))
+
+;; A field of which the components in the chart A are known.
+;; find : -> vector of expressions in the symbols of A
+(define (native-field A types find make-datum #:form? [form? #f])
+  (make-field A types
+              (lambda (C) (if (same-chart? A C) (find) (carried-over (find) types A C)))
+              make-datum #:form? form?))
+
+;; Components in A become those in C: an index of a vector goes with ∂x/∂c, one of a 1-form with
+;; the inverse of that.
+(define (carried-over components types A C)
+  (unless (eq? (coordinate-system-manifold A) (coordinate-system-manifold C))
+    (common-home 'geometry #:of values A C))
+  (define n (coordinate-system-dimension C))
+  (define x (coordinates-in A (generic-point C)))
+  (define xs (if (tuple? x) (tuple-elements x) (vector x)))
+  (define slopes (derivatives-by-coordinates xs C))              ; [j][i] = ∂xᵢ/∂cⱼ
+  (define (slope i j) (vector-ref (vector-ref slopes j) i))
+  (define inverse
+    (and (memq '1form types)
+         (inverse-of-matrix (build-components n 2 (lambda (ij) (apply slope ij))) n
+                            (lambda () (complain 'geometry "the charts ~a and ~a do not agree"
+                                                 (value->text A) (value->text C))))))
+  (define k (length types))
+  (for/fold ([T (evaluate-components components A x)]) ([type (in-list types)] [p (in-naturals)])
+    (apply-to-index T n k p
+                    (if (eq? type 'vector)
+                        (lambda (j i) (slope i j))
+                        (lambda (j i) (component inverse n (list j i)))))))
+
+;; ---------------------------------------------------------------------------
+;; Application: of vector fields to functions, of all others to as many fields as they take
+
+(define (apply-field T arguments)
+  (cond [(vector-field? T)
+         (unless (= (length arguments) 1)
+           (complain-of-arity (value->text T) "a vector field takes 1 function; it was given ~a"
+                              (length arguments)))
+         (derivative-along T (car arguments))]
+        [else
+         (check-arguments T arguments)
+         (contracted T arguments)]))
+
+(define (contracted T arguments)
+  (define who (value->text T))
+  (define all (cons T arguments))
+  (define over (common-over who all))
+  (make-manifold-function
+   (common-field-home who all)
+   (lambda (C)
+     (define n (target-dimension (place-over over C)))
+     (vector-ref (for/fold ([rest (components-over T over C)]) ([a (in-list arguments)])
+                   (contract-first rest n (components-over a over C)))
+                 0))
+   (lambda () (cons (value->datum T) (map value->datum arguments)))))
+
+(define (check-arguments T arguments)
+  (define types (field-types T))
+  (unless (= (length types) (length arguments))
+    (complain-of-arity (value->text T) "~a takes ~a: ~a\n  it was given ~a" (describe-field T)
+                       (if (= (length types) 1) "1 field" (format "~a fields" (length types)))
+                       types (length arguments)))
+  (for ([a (in-list arguments)] [type (in-list types)] [i (in-naturals 1)])
+    (define right? (if (eq? type 'vector) (vector-field? a) (and (field? a)
+                                                                  (equal? (field-types a) '(vector)))))
+    (unless right?
+      (complain (value->text T) "argument ~a: expected ~a\n  given: ~a" i
+                (if (eq? type 'vector) "a vector field" "a 1-form")
+                (describe-with-value a)))))
+
+;; v f = Σᵢ vⁱ ∂ᵢf; of a tuple of functions, the tuple.
+(define (derivative-along v f)
+  (unless (function-of-points? f)
+    (complain (value->text v) "a vector field acts on functions on a manifold\n  given: ~a~a"
+              (describe-with-value f)
+              (if (field? f) "\n  fields have a Lie-derivative and a covariant-derivative" "")))
+  (define over (field-over v))
+  (define home (if over (field-home v) (common-field-home (value->text v) (list v f))))
+  (make-manifold-function
+   home
+   (lambda (C)
+     (define p (place-over over C))
+     (define e (expression-in f (place-system p)))
+     (define es (list->vector (scalars e)))
+     (define slopes
+       (derivatives-by-coordinates-at es (place-system p) (place-coordinates p)))
+     (define components (components-in v C))
+     (define rates
+       (for/list ([j (in-range (vector-length es))])
+         (sum-of-products (vector-length components)
+                          (lambda (i) (vector-ref components i))
+                          (lambda (i) (vector-ref (vector-ref slopes i) j)))))
+     (list->structure e rates))
+   (lambda () (list (value->datum v) (value->datum f)))))
+
+;; ---------------------------------------------------------------------------
+;; Arithmetic
+
+(define (of-fields op a b)
+  (case (generic-op-name op)
+    [(+ -) (cond [(eqv? b 0) a]
+                 [(and (eqv? a 0) (field? b)) (if (eq? (generic-op-name op) '+) b (multiple op -1 b))]
+                 [(and (field? a) (field? b)) (sum op a b)]
+                 [else (with-operators op a b)])]
+    [(*) (cond [(and (field? a) (field? b)) (product op a b)]
+               [(or (tuple? a) (tuple? b)) (distributed op a b)]
+               [(and (field? b) (function-of-points? a)) (multiple op a b)]
+               [(and (field? a) (function-of-points? b)
+                     (not (vector-field? a))) (multiple op b a)]
+               [else (with-operators op a b)])]
+    [(/) (if (and (field? a) (function-of-points? b))
+             (multiple op (g:/ 1 b) a)
+             (raise-inapplicable op a b))]
+    [else (with-operators op a b)]))
+
+(define (sum op a b)
+  (unless (equal? (field-types a) (field-types b))
+    (raise-inapplicable-because op "fields are added that take the same arguments" a b))
+  (define combine (generic-op-procedure op))
+  (define over (common-over (generic-op-name op) (list a b)))
+  (make-field (common-field-home (generic-op-name op) (list a b)) (field-types a)
+              (lambda (C)
+                (for/vector ([x (in-vector (components-over a over C))]
+                             [y (in-vector (components-over b over C))])
+                  (combine x y)))
+              (lambda () (list (generic-op-name op) (value->datum a) (value->datum b)))
+              #:over over #:form? (and (field-form? a) (field-form? b))))
+
+(define (multiple op f T)
+  (make-field (common-field-home '* (list T f)) (field-types T)
+              (lambda (C)
+                (define c (expression-in f C))
+                (for/vector ([x (in-vector (components-in T C))])
+                  (if (eqv? x 0) 0 (g:* c x))))
+              (lambda () (list '* (value->datum f) (value->datum T)))
+              #:over (field-over T) #:form? (field-form? T)))
+
+(define (distributed op a b)
+  (if (tuple? a)
+      (structure-map (lambda (x) (g:* x b)) (adopt a))
+      (structure-map (lambda (x) (g:* a x)) (adopt b))))
+
+;; Forms multiply as `wedge` says, which asks for this product; vector fields as operators.
+(define (product op a b)
+  (if (and (vector-field? a) (vector-field? b))
+      (with-operators op a b)
+      (raise-inapplicable-because op "forms are multiplied by wedge" a b)))
+
+(define (with-operators op a b)
+  ((generic-op-procedure op) (as-operator a) (as-operator b)))
+
+(define (as-operator x)
+  (cond [(vector-field? x)
+         (make-primitive-operator (lambda (f) (derivative-along x f)) (lambda () (value->datum x)))]
+        [(field? x)
+         (complain 'geometry "~a is no operator\n  given: ~a" (describe-field x) (value->text x))]
+        [else x]))
+
+(define (of-field op T)
+  (case (generic-op-name op)
+    [(negate) (multiple op -1 T)]
+    [(exp) ((generic-op-procedure op) (as-operator T))]
+    [else (raise-inapplicable op T)]))
+
+;; ---------------------------------------------------------------------------
+;; Verdicts: on the components in the home chart
+
+(define (judge-field T)
+  (judged-in (field-home T) T
+             (lambda (C) (up-of (components-in T C)))))

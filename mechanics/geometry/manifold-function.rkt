@@ -1,0 +1,153 @@
+#lang racket/base
+;; Functions on manifolds: values that know the chart they were given in.
+;;
+;; Such a function is asked for the expression that it is in the symbols of a chart, once for each
+;; chart; its value at a point is that of the expression.  The names of the coordinates in its
+;; home chart are those that a verdict on it speaks of.
+
+(require "chart-calculus.rkt" "manifold.rkt" "point.rkt"
+         "../algebra/expression/expression.rkt"
+         "../calculus/literal-function.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
+         "../generic/kind.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
+         "../value/shape.rkt" "../value/signature.rkt")
+
+(provide manifold-function? make-manifold-function manifold-function-home
+         expression-in home-of common-home function-of-points?
+         judged-in
+         literal-of-coordinates literal-manifold-function constant-manifold-function
+         zero-manifold-function one-manifold-function)
+
+(define kind:manifold-function
+  (make-kind #:rank rank:manifold-function
+             #:describe (lambda (f) "a function on a manifold")
+             #:datum (lambda (f) ((manifold-function-make-datum f)))
+             #:arity (lambda (f) 2)
+             #:judged (lambda (f) (judged-in (manifold-function-home f) f
+                                             (lambda (C) (expression-in f C))))
+             #:unary on-value
+             #:binary on-values))
+
+;; home : coordinate system or #f;  at : coordinate system -> expression, or a structure of such
+(value-struct manifold-function (home at make-datum)
+  #:kind kind:manifold-function
+  #:property prop:procedure
+  (case-lambda
+    [(f m) (value-at-point f m)]
+    [(f . ms) (complain-of-arity (value->text f) "takes a point; it was given ~a values"
+                                 (length ms))]))
+
+(define (make-manifold-function home at make-datum)
+  (manifold-function home (once-a-chart at) make-datum))
+
+;; f in the symbols of C.  A number or an expression is the constant function; a tuple, the tuple
+;; of its parts; any other procedure is a function of points.
+(define (expression-in f C)
+  (cond [(manifold-function? f) ((manifold-function-at f) C)]
+        [(tuple? f) (structure-map (lambda (part) (expression-in part C)) (adopt f))]
+        [(procedure? f) (f (generic-point C))]
+        [else f]))
+
+(define (value-at-point f m)
+  (define home (manifold-function-home f))
+  (unless (and (point? m) (not home))
+    (check-point m (and home (coordinate-system-manifold home))))
+  (define C (point-system m))
+  (evaluate-structure (expression-in f C) C (point-coordinates m)))
+
+(define (evaluate-structure e C x)
+  (if (tuple? e)
+      (list->structure e (vector->list (evaluate-components (list->vector (scalars e)) C x)))
+      (vector-ref (evaluate-components (vector e) C x) 0)))
+
+;; ---------------------------------------------------------------------------
+;; Arithmetic: pointwise
+
+(define (on-value op f)
+  (define apply-op (generic-op-procedure op))
+  (make-manifold-function (manifold-function-home f)
+                          (lambda (C) (apply-op (expression-in f C)))
+                          (lambda () (list (generic-op-name op) (value->datum f)))))
+
+(define (on-values op f g)
+  (cond [(or (tuple? f) (tuple? g)) (distributed op f g)]
+        [else
+         (define combine (generic-op-procedure op))
+         (make-manifold-function
+          (common-home (generic-op-name op) f g)
+          (lambda (C) (combine (expression-in f C) (expression-in g C)))
+          (lambda () (list (generic-op-name op) (value->datum f) (value->datum g))))]))
+
+(define (distributed op f g)
+  (define combine (generic-op-procedure op))
+  (case (generic-op-name op)
+    [(* /) (if (tuple? f)
+               (structure-map (lambda (x) (combine x g)) (adopt f))
+               (structure-map (lambda (x) (combine f x)) (adopt g)))]
+    [else (raise-inapplicable op f g)]))
+
+;; Is f what expression-in takes as a function: of points, or a constant?
+(define (function-of-points? f)
+  (or (manifold-function? f) (scalar? f)
+      (and (tuple? f) (for/and ([part (in-vector (tuple-elements f))]) (function-of-points? part)))
+      (and (procedure? f) (not (has-kind? f)))
+      (and (has-kind? f) (eqv? (kind-rank (kind-of f)) rank:function))))
+
+;; ---------------------------------------------------------------------------
+;; Homes
+
+(define (home-of x) (if (manifold-function? x) (manifold-function-home x) #f))
+
+;; The first home there is; all are of one manifold.
+(define (common-home who #:of [home-of home-of] . xs)
+  (for/fold ([home #f]) ([x (in-list xs)])
+    (define own (home-of x))
+    (cond [(not own) home]
+          [(not home) own]
+          [(eq? (coordinate-system-manifold own) (coordinate-system-manifold home)) home]
+          [else (raise-other-manifold who home own xs)])))
+
+(define (raise-other-manifold who home own xs)
+  (complain who "these live on different manifolds, ~a and ~a\n  given: ~a"
+            (value->text (coordinate-system-manifold home))
+            (value->text (coordinate-system-manifold own))
+            (value->text xs)))
+
+;; For verdicts: what x is in its home chart, in symbols of the names there; and these symbols.
+;; find : coordinate system -> expression or structure
+(define (judged-in home x find)
+  (unless home
+    (complain 'prove-zero "~a does not say on which manifold it is\n  ~a" (value->text x)
+              "ask about its value at a point: (f ((point R2-rect) (up 'x 'y)))"))
+  (define symbols
+    (for/vector ([s (in-vector (coordinate-system-names home))])
+      (string->uninterned-symbol (symbol->string s))))
+  (values (evaluate-structure (find home) home (coordinate-tuple symbols))
+          (vector->list symbols)))
+
+;; ---------------------------------------------------------------------------
+;; Literal and constant functions
+
+;; (literal-manifold-function 'f R2-rect): f of the coordinates there, an unknown function
+(define (literal-manifold-function name C)
+  (check-argument 'literal-manifold-function symbol? name "a quoted name, such as 'f")
+  (check-coordinate-system 'literal-manifold-function C)
+  (define f (literal-of-coordinates name C))
+  (make-manifold-function C
+                          (lambda (B) (f (coordinates-in C (generic-point B))))
+                          (lambda () name)))
+
+;; An unknown function of the coordinates of C
+(define (literal-of-coordinates name C)
+  (define n (coordinate-system-dimension C))
+  (if (= n 1)
+      (literal-function name)
+      (literal-function name `(-> (UP ,@(for/list ([_ (in-range n)]) 'Real)) Real))))
+
+(define (constant-manifold-function value)
+  (make-manifold-function #f (lambda (C) value) (lambda () (value->datum value))))
+
+(define zero-manifold-function (constant-manifold-function 0))
+(define one-manifold-function (constant-manifold-function 1))
