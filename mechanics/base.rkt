@@ -6,16 +6,19 @@
 (tell-if-uncompiled)
 
 (require "algebra/expression/write.rkt"
-         "calculus/derivative.rkt" "calculus/gradient.rkt" "calculus/literal-function.rkt"
+         "calculus/derivative.rkt" (except-in "calculus/gradient.rkt" gradient)
+         "calculus/literal-function.rkt"
          "calculus/Taylor.rkt"
          "error/failure.rkt"
          "generic/arithmetic.rkt" "generic/compare.rkt" "generic/elementary.rkt"
          "generic/sums-and-products.rkt" "generic/predicates.rkt" "generic/rounding.rkt"
+         (only-in "geometry/extended-names.rkt" commutator gradient)
          "lang/conditional.rkt" "lang/pattern/pattern.rkt"
          (only-in "numeric/constants.rkt" pi :pi :-pi :pi/2 :2pi golden-ratio)
          (except-in "value/assumptions.rkt"
                     assumptions-in-force call-assuming note-used! undeclared)
-         "value/compose.rkt" "value/operator.rkt" "value/principal-value.rkt" "value/rewrite.rkt"
+         "value/compose.rkt" (except-in "value/operator.rkt" commutator)
+         "value/principal-value.rkt" "value/rewrite.rkt"
          "value/signature.rkt" "value/simplify.rkt" (except-in "value/structure.rkt" up down)
          (only-in "value/shape.rkt" typical-object)
          "value/complex.rkt" "value/vector.rkt"

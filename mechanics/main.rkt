@@ -11,7 +11,9 @@
          "compile/on-demand.rkt"
          "constraint/on-demand.rkt"
          "algebra/notation/formula-style.rkt"
-         "canonical/on-demand.rkt" "reduction/on-demand.rkt" "pendulum/on-demand.rkt"
+         (except-in "canonical/on-demand.rkt" Lie-derivative)
+         "reduction/on-demand.rkt" "pendulum/on-demand.rkt"
+         (only-in "geometry/extended-names.rkt" Lie-derivative raise)
          "show/display/on-demand.rkt" "show/display/print-expression.rkt"
          "show/display/printing-procedures.rkt"
          (only-in "show/display/display-style.rkt" display-style)
@@ -75,6 +77,8 @@
  ->H-state H-state? compatible-H-state? momentum momenta state->qp
  literal-Hamiltonian-state degrees-of-freedom
  (all-from-out "hamiltonian/on-demand.rkt")
+ ;; derivatives along fields, and exceptions
+ Lie-derivative raise
  ;; canonical transformations, with the names of both editions
  (all-from-out "canonical/on-demand.rkt" "reduction/on-demand.rkt" "pendulum/on-demand.rkt")
  (rename-out [F->CH F->CT])

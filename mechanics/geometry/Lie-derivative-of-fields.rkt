@@ -7,7 +7,7 @@
 ;;
 ;; That of a vector field is the bracket, [X, Y] = X Y − Y X as operators on functions.
 
-(require "chart-calculus.rkt" "component-array.rkt" "field.rkt" "manifold.rkt"
+(require "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt" "manifold-chart.rkt"
          "manifold-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Bases: vector fields and the 1-forms that are dual to them.
 
-(require "chart-calculus.rkt" "component-array.rkt" "field.rkt" "manifold.rkt"
-         "manifold-function.rkt" "point.rkt"
+(require "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt" "manifold-chart.rkt"
+         "manifold-function.rkt" "manifold-point.rkt"
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"

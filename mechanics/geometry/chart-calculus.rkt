@@ -5,7 +5,7 @@
 ;; Derivatives are taken of all of them in one walk for each coordinate: a node becomes itself
 ;; plus an infinitesimal, so that what the derivative has in common with the value is shared.
 
-(require "manifold.rkt" "component-array.rkt"
+(require "manifold-chart.rkt" "component-array.rkt"
          (rename-in "../algebra/elimination/minors.rkt" [operations ring-of])
          "../algebra/expression/expression.rkt" "../algebra/expression/flat-graph.rkt"
          "../algebra/expression/operation.rkt"
@@ -84,5 +84,3 @@
          (if (> (graph-size simple) (* 2 (graph-size e))) e simple)]))
 
 (define large 300)                      ; nodes
-
-(define (graph-size e) (if (node? e) (tape-length (expression->plain-tape e)) 1))

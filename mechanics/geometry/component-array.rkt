@@ -4,7 +4,7 @@
 (require "../generic/arithmetic.rkt")
 
 (provide build-components component sum-of-products contract-first apply-to-index
-         sum-over)
+         sum-over times)
 
 ;; f : indices, a list of k -> component
 (define (build-components n k f)

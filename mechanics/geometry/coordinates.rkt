@@ -7,7 +7,7 @@
 ;; The pattern is a name, or a tuple of patterns.
 
 (require (for-syntax racket/base)
-         "basis.rkt" "manifold.rkt" "manifold-function.rkt" "point.rkt"
+         "basis.rkt" "manifold-chart.rkt" "manifold-function.rkt" "manifold-point.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/up-down.rkt")
 

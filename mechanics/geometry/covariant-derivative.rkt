@@ -9,8 +9,8 @@
 ;; Of a field over a map μ the symbols are those at the points of μ, and vᵏ beside them is the
 ;; image of v: the derivative along a curve is the case that v = d/dt.
 
-(require "chart-calculus.rkt" "component-array.rkt" "connection.rkt" "field.rkt" "manifold.rkt"
-         "manifold-function.rkt" "maps-between-manifolds.rkt" "point.rkt"
+(require "chart-calculus.rkt" "component-array.rkt" "connection.rkt" "tensor-field.rkt" "manifold-chart.rkt"
+         "manifold-function.rkt" "maps-between-manifolds.rkt" "manifold-point.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"

@@ -11,14 +11,14 @@
 ;;     (dω)(∂ᵢ₀ … ∂ᵢₖ) = Σₘ (−1)ᵐ ∂ᵢₘ ω(∂ᵢ₀ … without ∂ᵢₘ … ∂ᵢₖ).
 
 (require (only-in racket/list check-duplicates combinations permutations range)
-         "chart-calculus.rkt" "component-array.rkt" "field.rkt" "manifold.rkt"
+         "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt" "manifold-chart.rkt"
          "manifold-function.rkt"
          "../algebra/elimination/block-form.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt")
 
-(provide wedge exterior-derivative interior-product Alt)
+(provide wedge exterior-derivative interior-product Alt vectors)
 
 (define (check-form who w) (check-argument who form-field? w "a form, such as dx"))
 
@@ -55,6 +55,8 @@
               (lambda () (list 'wedge (value->datum a) (value->datum b)))
               #:over over #:form? #t))
 
+
+;; The types of the arguments of a form of rank k
 (define (vectors k) (for/list ([_ (in-range k)]) 'vector))
 
 ;; (sign first-places other-places) for each

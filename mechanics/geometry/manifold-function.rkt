@@ -5,7 +5,7 @@
 ;; chart; its value at a point is that of the expression.  The names of the coordinates in its
 ;; home chart are those that a verdict on it speaks of.
 
-(require "chart-calculus.rkt" "manifold.rkt" "point.rkt"
+(require "chart-calculus.rkt" "manifold-chart.rkt" "manifold-point.rkt"
          "../algebra/expression/expression.rkt"
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"

@@ -7,7 +7,7 @@
 
 (require (only-in racket/vector vector-append)
          "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "connection.rkt"
-         "field.rkt" "manifold.rkt" "manifold-function.rkt" "maps-between-manifolds.rkt"
+         "tensor-field.rkt" "manifold-chart.rkt" "manifold-function.rkt" "maps-between-manifolds.rkt"
          "standard-manifolds.rkt"
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"
@@ -20,7 +20,7 @@
          literal-metric make-metric components->metric metric->components
          coordinate-system->metric make-Minkowski-metric S2-metric metric-over-map
          metric:invert inverse-metric-components
-         metric->Christoffel-1 metric->Christoffel-2 metric->Cartan)
+         metric->Christoffel-1 metric->Christoffel-2 metric->Cartan metric->Riemann)
 
 (define (metric? x) (and (field? x) (equal? (field-types x) '(vector vector))))
 (define (check-metric who g) (check-argument who metric? g "a metric, a tensor of two vectors"))
@@ -177,3 +177,43 @@
        by-j))
     (Christoffel->symbols second))
    basis))
+
+;; ---------------------------------------------------------------------------
+;; Its curvature, with all indices below: ((metric->Riemann g) W V X Y) is g(W, R(X, Y) V).  Its
+;; components need no more of the inverse than the products of symbols,
+;;
+;;     R_abkl = ∂ₖΓ_abl − ∂ₗΓ_abk + Σ gᵐⁿ (Γ_mal Γ_nbk − Γ_mak Γ_nbl).
+
+(define (metric->Riemann g [basis #f])
+  (check-metric 'metric->Riemann g)
+  (make-field (or (field-home g) (home-of-basis basis)) '(vector vector vector vector)
+              (lambda (C) (curvature-below g C (coordinate-system-dimension C)))
+              (lambda () (list 'metric->Riemann (value->datum g)))))
+
+(define (curvature-below g C n)
+  (define inverse (inverse-metric-components g C))
+  (define lowered (symbols-below g C n))
+  (define slopes (derivatives-by-coordinates lowered C))
+  (define (symbol . is) (component lowered n is))
+  (define (slope k . is) (component (vector-ref slopes k) n is))
+  (define (product a l b k)
+    (sum-over n (lambda (m)
+                  (sum-of-products n (lambda (p) (component inverse n (list m p)))
+                                   (lambda (p) (times (symbol m a l) (symbol p b k)))))))
+  (define (entry a b k l)
+    (tidied (g:+ (g:- (slope k a b l) (slope l a b k))
+                 (g:- (product a l b k) (product a k b l)))))
+  (with-antisymmetric-ends n entry))
+
+;; Components of four indices that f gives for a < b and k < l, antisymmetric in each pair
+(define (with-antisymmetric-ends n f)
+  (define known
+    (build-components n 4 (lambda (abkl)
+                            (define-values (a b k l) (apply values abkl))
+                            (if (and (< a b) (< k l)) (f a b k l) 0))))
+  (define (sorted x y z) (if (< x y) z (g:- z)))
+  (build-components
+   n 4 (lambda (abkl)
+         (define-values (a b k l) (apply values abkl))
+         (define z (component known n (list (min a b) (max a b) (min k l) (max k l))))
+         (if (eqv? z 0) 0 (sorted a b (sorted k l z))))))

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Indices up and down: vectors as 1-forms and back, by a metric; contractions and traces.
 
-(require "basis.rkt" "component-array.rkt" "field.rkt" "manifold.rkt" "manifold-function.rkt"
-         "metric.rkt" "connection.rkt" "covariant-derivative.rkt" "curvature.rkt"
+(require "basis.rkt" "component-array.rkt" "tensor-field.rkt" "manifold-chart.rkt" "manifold-function.rkt"
+         "metric.rkt" "connection.rkt" "covariant-derivative.rkt" "curvature-tensor.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt")

@@ -3,8 +3,8 @@
 ;;
 ;; Rⁿ is its own place.  Sⁿ lies in Rⁿ⁺¹ as the vectors of length 1; SO(3) among the matrices.
 
-(require (only-in racket/list take drop)
-         "manifold.rkt"
+(require (only-in racket/list drop drop-right last take)
+         "manifold-chart.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/sums-and-products.rkt"
          "../generic/up-down.rkt"
          "../rigid/rotation.rkt"
@@ -101,8 +101,8 @@
 (attach 'spherical 'north-pole S^n #f angles->unit unit->angles sphere-names)
 
 ;; The axis of the angles lies along the first axis of space.
-(define (turned u) (cons (car (reverse u)) (reverse (cdr (reverse u)))))
-(define (turned-back u) (append (cdr u) (list (car u))))
+(define (turned u) (cons (last u) (drop-right u 1)))
+(define (turned-back u) (append (drop u 1) (take u 1)))
 
 (attach 'spherical 'tilted S^n #f
         (lambda (x) (turned (angles->unit x))) (lambda (u) (unit->angles (turned-back u)))

@@ -68,9 +68,10 @@
 ;; -> the residual, and ((scalar . test) ...) for the scalars of x
 (define (judge-all x A variables kinks)
   (define tests '())
+  (define known (make-hash))            ; tensors have equal components
   (define residual
     (map-leaves (lambda (leaf)
-                  (define z (judge leaf A variables kinks))
+                  (define z (hash-ref! known leaf (lambda () (judge leaf A variables kinks))))
                   (set! tests (cons (cons leaf z) tests))
                   (note-used! (zero-test-grounds z))
                   (zero-test-residual z))

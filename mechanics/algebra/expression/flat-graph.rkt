@@ -8,7 +8,8 @@
 (require racket/fixnum
          "expression.rkt" "operation.rkt")
 
-(provide (struct-out tape) expression->tape expression->plain-tape tape-length tape->expression)
+(provide (struct-out tape) expression->tape expression->plain-tape tape-length tape->expression
+         graph-size)
 
 ;; items : vector of numbers, symbols and nodes, the whole expression last
 ;; heads : vector of the heads of nodes, #f for numbers and symbols: loops that need
@@ -17,6 +18,9 @@
 (struct tape (items heads operands) #:authentic)
 
 (define (tape-length t) (vector-length (tape-items t)))
+
+;; The number of nodes, numbers and symbols of an expression
+(define (graph-size e) (if (node? e) (tape-length (expression->plain-tape e)) 1))
 
 ;; Nodes with the same head and the same operands, in any order they may have, are
 ;; one item.

@@ -26,7 +26,7 @@
 
 (provide Lie-derivative Lie-derivative-procedure flow-derivative
          ;; for what is made of it
-         on-quantity graph-size)
+         on-quantity)
 
 ;; F ↦ {F, H}
 (define (Lie-derivative H) (derivation-of 'Lie-derivative H 0))
@@ -140,8 +140,6 @@
 
 (define large 500)                      ; nodes of a graph
 (define swelling 4)
-
-(define (graph-size e) (if (node? e) (tape-length (expression->plain-tape e)) 1))
 
 ;; ---------------------------------------------------------------------------
 ;; Powers as brackets of functions

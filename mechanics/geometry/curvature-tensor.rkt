@@ -9,7 +9,7 @@
 ;; and Ricci's tensor is R_bl = Σ Rᵃ_bal.
 
 (require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "connection.rkt"
-         "covariant-derivative.rkt" "field.rkt" "manifold.rkt" "manifold-function.rkt"
+         "covariant-derivative.rkt" "tensor-field.rkt" "manifold-chart.rkt" "manifold-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt")

@@ -9,8 +9,8 @@
 ;; is one.  Its components in a chart of M refer to the chart of N in which μ gives its points.
 ;; All else is the case that μ is the identity.
 
-(require "chart-calculus.rkt" "component-array.rkt" "manifold.rkt" "manifold-function.rkt"
-         "point.rkt"
+(require "chart-calculus.rkt" "component-array.rkt" "manifold-chart.rkt" "manifold-function.rkt"
+         "manifold-point.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
@@ -271,8 +271,20 @@
     [else (raise-inapplicable op T)]))
 
 ;; ---------------------------------------------------------------------------
-;; Verdicts: on the components in the home chart
+;; Verdicts: on the components in the home chart, a tuple of tuples, one level for each argument
 
 (define (judge-field T)
   (judged-in (field-home T) T
-             (lambda (C) (up-of (components-in T C)))))
+             (lambda (C)
+               (nested (components-in T C) (target-dimension (place-over (field-over T) C))
+                       (field-types T)))))
+
+(define (nested components n types)
+  (define width (quotient (vector-length components) n))
+  (define (part i)
+    (if (null? (cdr types))
+        (vector-ref components i)
+        (nested (for/vector #:length width ([j (in-range width)])
+                  (vector-ref components (+ (* i width) j)))
+                n (cdr types))))
+  ((if (eq? (car types) 'vector) down-of up-of) (build-vector n part)))

@@ -4,7 +4,7 @@
 ;; A point remembers the chart and the coordinates that it was given by: in that chart it has
 ;; them as they are, in another those of its place.
 
-(require "manifold.rkt"
+(require "manifold-chart.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
