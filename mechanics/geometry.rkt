@@ -7,10 +7,12 @@
 (require "geometry/basis.rkt" "geometry/connection.rkt" "geometry/coordinates.rkt"
          "geometry/covariant-derivative.rkt" "geometry/curvature-tensor.rkt"
          "geometry/exterior-calculus.rkt" "geometry/extended-names.rkt" "geometry/tensor-field.rkt"
-         "geometry/flat-operators.rkt" "geometry/flow.rkt" "geometry/Hodge-star.rkt"
+         "geometry/flat-operators.rkt" "geometry/flow.rkt" "geometry/geodesic-motion.rkt"
+         "geometry/Hodge-star.rkt"
          "geometry/integral-of-form.rkt" "geometry/manifold-chart.rkt"
          "geometry/manifold-function.rkt" "geometry/maps-between-manifolds.rkt"
-         "geometry/metric.rkt" "geometry/manifold-point.rkt" "geometry/raising-and-lowering.rkt"
+         "geometry/metric.rkt" (except-in "geometry/motion-on-manifold.rkt" follow-in-charts)
+         "geometry/manifold-point.rkt" "geometry/raising-and-lowering.rkt"
          "geometry/standard-manifolds.rkt")
 
 (provide
@@ -63,4 +65,7 @@
  contract drop1 drop2 raise1 raise2 trace2down trace2up orthonormalize
  scalar-curvature Einstein-tensor
  Hodge-star volume-form codifferential gradient curl divergence Laplacian
- Grad Div Curl Lap)
+ Grad Div Curl Lap
+ ;; motions
+ evolve-on Lagrangian-in-chart trajectory-point trajectory-chart-changes
+ metric->Lagrangian geodesic-state-derivative evolve-geodesic evolve-parallel-transport)

@@ -14,7 +14,7 @@
          "../generic/wrong-argument.rkt")
 
 (provide make-manifold-type attach-patch attach-coordinate-system
-         make-manifold manifold? manifold-dimension
+         make-manifold manifold? manifold-dimension manifold-charts
          patch coordinate-system-at coordinate-system
          coordinate-system? coordinate-system-manifold coordinate-system-dimension
          coordinate-system-names coordinate-system-symbols
@@ -101,6 +101,14 @@
 (define (coordinate-system name patch)
   (check-argument 'coordinate-system patch-of? patch "a patch, such as (patch 'origin R2)")
   (coordinate-system-at name (patch-of-name patch) (patch-of-manifold patch)))
+
+;; All that there are
+(define (manifold-charts m)
+  (for/list ([r (in-list (manifold-family-recipes m))]
+             #:when ((recipe-makes r) (manifold-dimension m)))
+    (coordinate-system-at (recipe-name r) (recipe-patch r) m)))
+
+(define (manifold-family-recipes m) (reverse (family-recipes (manifold-family m))))
 
 ;; The same system each time it is asked for.  printed : how it prints, if not as this call
 (define (coordinate-system-at name patch-name m [printed #f])

@@ -20,7 +20,7 @@
          literal-metric make-metric components->metric metric->components
          coordinate-system->metric make-Minkowski-metric S2-metric metric-over-map
          metric:invert inverse-metric-components
-         metric->Christoffel-1 metric->Christoffel-2 metric->Cartan metric->Riemann)
+         metric->Christoffel-1 metric->Christoffel-2 metric->Cartan metric->Riemann flat-place)
 
 (define (metric? x) (and (field? x) (equal? (field-types x) '(vector vector))))
 (define (check-metric who g) (check-argument who metric? g "a metric, a tensor of two vectors"))

@@ -1,0 +1,60 @@
+#lang racket/base
+;; The chart that is fit for a place.
+;;
+;; Near a place where coordinates are singular, some change of them hardly moves the point.  With
+;; the metric G that a chart has from the space its places are in, 1/tr G⁻¹ is at most the square of
+;; the least speed of a point whose coordinates change by 1 in a unit of time: 0 where the chart is
+;; singular, sin²θ/(1 + sin²θ) for the angles on a sphere.
+
+(require "chart-calculus.rkt" "component-array.rkt" "manifold-chart.rkt" "manifold-point.rkt"
+         "metric.rkt" "tensor-field.rkt"
+         "../error/refusal.rkt"
+         "../generic/arithmetic.rkt" "../generic/up-down.rkt"
+         "../numeric/constants.rkt"
+         "../value/shape.rkt")
+
+(provide chart-fitness coordinates-or-none fittest-chart coordinate-periods)
+
+;; C -> a function of the coordinates
+(define chart-fitness
+  (once-a-chart
+   (lambda (C)
+     (define n (coordinate-system-dimension C))
+     (define inverse
+       (inverse-of-matrix (components-in (coordinate-system->metric C) C) n void))
+     (define trace (sum-over n (lambda (i) (component inverse n (list i i)))))
+     (define e (vector (tidied (g:/ 1 trace))))
+     (lambda (x) (vector-ref (evaluate-components e C x) 0)))))
+
+;; Of the point m in the chart C, or #f where it has none
+(define (coordinates-or-none C m)
+  (define x (if-raised refusal? #f ((chart C) m)))
+  (and x (numeric? x) (andmap finite? (scalars x)) x))
+
+(define (finite? x) (< -inf.0 x +inf.0))
+
+;; -> the chart of the list where the point's fitness is greatest, and that fitness
+(define (fittest-chart charts m)
+  (for/fold ([best #f] [most 0] #:result (values best most)) ([C (in-list charts)])
+    (define w (fitness-at C m))
+    (if (> w most) (values C w) (values best most))))
+
+(define (fitness-at C m)
+  (define x (coordinates-or-none C m))
+  (define w
+    (if x (if-raised refusal? 0 ((chart-fitness C) x)) 0))
+  (if (and (real? w) (finite? w)) w 0))
+
+;; For each coordinate, 2π if a turn of it comes back to the same place, else #f.
+(define (coordinate-periods C)
+  (define n (coordinate-system-dimension C))
+  (define x (for/list ([k (in-range n)]) (+ 0.4 (/ k 7.0))))
+  (define (place xs)
+    (scalars-of-place (coordinates->place C (coordinate-tuple (list->vector xs)))))
+  (define here (place x))
+  (for/vector ([k (in-range n)])
+    (define turned (for/list ([a (in-list x)] [i (in-naturals)]) (if (= i k) (+ a (* 2 pi)) a)))
+    (and (for/and ([a (in-list here)] [b (in-list (place turned))]) (< (abs (- a b)) 1e-9))
+         (* 2 pi))))
+
+(define (scalars-of-place p) (vector->list (flat-place p)))
