@@ -46,7 +46,9 @@
   (if (and (real? w) (finite? w)) w 0))
 
 ;; For each coordinate, 2π if a turn of it comes back to the same place, else #f.
-(define (coordinate-periods C)
+(define coordinate-periods (once-a-chart (lambda (C) (periods-of C))))
+
+(define (periods-of C)
   (define n (coordinate-system-dimension C))
   (define x (for/list ([k (in-range n)]) (+ 0.4 (/ k 7.0))))
   (define (place xs)

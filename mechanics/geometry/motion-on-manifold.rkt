@@ -74,8 +74,6 @@
         s)
       (last stretches)))
 
-(define (between? a x b) (or (<= a x b) (>= a x b)))
-
 ;; -> a list of (time from to)
 (define (trajectory-chart-changes tr)
   (check-argument 'trajectory-chart-changes manifold-trajectory? tr a-motion)
