@@ -120,7 +120,7 @@
 (define (judged-in home x find)
   (unless home
     (complain 'prove-zero "~a does not say on which manifold it is\n  ~a" (value->text x)
-              "ask about its value at a point: (f ((point R2-rect) (up 'x 'y)))"))
+              "apply it to fields, or ask at a point: (f ((point R2-rect) (up 'x 'y)))"))
   (define symbols
     (for/vector ([s (in-vector (coordinate-system-names home))])
       (string->uninterned-symbol (symbol->string s))))

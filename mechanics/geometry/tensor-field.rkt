@@ -104,8 +104,8 @@
   (define (home x)
     (cond [(field? x) (and (eq? (field-over x) over) (field-home x))]
           [else (home-of x)]))
-  (define home-of-fields (apply common-home who #:of (lambda (x) (and (field? x) (home x))) xs))
-  (or home-of-fields (apply common-home who #:of home xs)))
+  (define all (apply common-home who #:of home xs))
+  (or (for/or ([x (in-list xs)]) (and (field? x) (home x))) all))
 
 ;; A field of which the components in the chart A are known.
 ;; find : -> vector of expressions in the symbols of A
@@ -255,19 +255,21 @@
       (raise-inapplicable-because op "forms are multiplied by wedge" a b)))
 
 (define (with-operators op a b)
+  (define (other? x) (and (field? x) (not (vector-field? x))))
+  (when (or (other? a) (other? b)) (raise-inapplicable op a b))
   ((generic-op-procedure op) (as-operator a) (as-operator b)))
 
 (define (as-operator x)
-  (cond [(vector-field? x)
-         (make-primitive-operator (lambda (f) (derivative-along x f)) (lambda () (value->datum x)))]
-        [(field? x)
-         (complain 'geometry "~a is no operator\n  given: ~a" (describe-field x) (value->text x))]
-        [else x]))
+  (if (vector-field? x)
+      (make-primitive-operator (lambda (f) (derivative-along x f)) (lambda () (value->datum x)))
+      x))
 
 (define (of-field op T)
   (case (generic-op-name op)
     [(negate) (multiple op -1 T)]
-    [(exp) ((generic-op-procedure op) (as-operator T))]
+    [(exp) (if (vector-field? T)
+               ((generic-op-procedure op) (as-operator T))
+               (raise-inapplicable op T))]
     [else (raise-inapplicable op T)]))
 
 ;; ---------------------------------------------------------------------------
