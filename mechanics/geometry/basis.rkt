@@ -6,7 +6,7 @@
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/sums-and-products.rkt" "../generic/up-down.rkt"
+         "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../value/shape.rkt")
 
@@ -186,7 +186,8 @@
               #:form? #t))
 
 ;; action : fields -> function on the manifold, linear in each;  types : list of 'vector and '1form
-(define (with-argument-types action types [home #f])
+(define (with-argument-types action types [home #f]
+                             [make-datum (call-datum 'with-argument-types action types)])
   (define who 'with-argument-types)
   (check-argument who procedure? action "a function of fields")
   (check-argument who (lambda (t) (and (pair? t) (list? t)
@@ -203,7 +204,7 @@
                     (apply action (for/list ([i (in-list indices)] [t (in-list types)])
                                     (vector-ref (if (eq? t 'vector) vectors forms) i)))
                     C))))
-              (lambda () (list who (value->datum action) `',types))))
+              make-datum))
 
 ;; ---------------------------------------------------------------------------
 ;; Components with respect to a basis: functions on the manifold

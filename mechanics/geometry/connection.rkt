@@ -12,7 +12,8 @@
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt")
+         "../generic/printed-function.rkt" "../generic/value-struct.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide make-Cartan Cartan? Cartan->forms Cartan->basis check-Cartan connection-coefficients
          make-connection
@@ -22,9 +23,8 @@
 
 ;; forms : down tuple (by j) of up tuples (by i) of the ωⁱⱼ
 ;; coefficients : coordinate system -> Γᵃ_bk as components of the indices a, b, k
-(value-struct Cartan (forms basis coefficients)
-  #:datum (lambda (c)
-            (list 'make-Cartan (value->datum (Cartan-forms c)) (value->datum (Cartan-basis c)))))
+(value-struct Cartan (forms basis coefficients make-datum)
+  #:datum (lambda (c) ((Cartan-make-datum c))))
 
 ;; symbols : down tuple (by k) of down tuples (by j) of up tuples (by i) of Γⁱⱼₖ
 (value-struct Christoffel (symbols basis)
@@ -51,7 +51,8 @@
 
 (define (make-Cartan forms basis)
   (define n (check-parts 'make-Cartan forms basis 2 "1-forms: a down tuple of up tuples"))
-  (Cartan forms basis (once-a-chart (lambda (C) (coefficients-of forms basis n C)))))
+  (Cartan forms basis (once-a-chart (lambda (C) (coefficients-of forms basis n C)))
+          (call-datum 'make-Cartan forms basis)))
 
 (define (check-parts who parts basis depth expected)
   (check-basis who basis)
@@ -92,13 +93,13 @@
 ;; From coefficients in charts, of which the forms are made
 
 ;; basis : the one that the forms refer to;  home : the chart that verdicts are asked in
-(define (make-connection find basis)
+(define (make-connection find basis make-datum)
   (define coefficients (once-a-chart find))
   (define n (basis->dimension basis))
   (define forms
     (down-of (for/vector ([j (in-range n)])
                (up-of (for/vector ([i (in-range n)]) (connection-form coefficients basis i j))))))
-  (Cartan forms basis coefficients))
+  (Cartan forms basis coefficients make-datum))
 
 ;; ωⁱⱼ(∂ₖ) = Σ ẽⁱₐ (∂ₖ eⱼᵃ + Σ_b Γᵃ_bk eⱼᵇ)
 (define (connection-form coefficients basis i j)
@@ -125,7 +126,7 @@
 (define (Cartan-transform c basis)
   (check-Cartan 'Cartan-transform c)
   (check-basis 'Cartan-transform basis)
-  (make-connection (Cartan-coefficients c) basis))
+  (make-connection (Cartan-coefficients c) basis (call-datum 'Cartan-transform c basis)))
 
 ;; The connection without torsion that has the same geodesics.
 (define (symmetrize-Cartan c)
@@ -138,7 +139,8 @@
                             (define-values (a b k) (apply values abk))
                             (g:* 1/2 (g:+ (component Gamma n abk)
                                           (component Gamma n (list a k b)))))))
-                   (Cartan-basis c)))
+                   (Cartan-basis c)
+                   (call-datum 'symmetrize-Cartan c)))
 
 ;; ---------------------------------------------------------------------------
 ;; Christoffel's symbols

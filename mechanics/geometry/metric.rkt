@@ -42,7 +42,8 @@
   (native-field C '(vector vector) find (lambda () name)))
 
 ;; g : vector fields u, v -> function
-(define (make-metric g [home #f]) (with-argument-types g '(vector vector) home))
+(define (make-metric g [home #f])
+  (with-argument-types g '(vector vector) home (call-datum 'make-metric g)))
 
 ;; components : a tuple of tuples of functions on the manifold
 (define (components->metric components basis)
@@ -130,7 +131,7 @@
 (define (metric->Cartan g basis)
   (check-metric 'metric->Cartan g)
   (check-basis 'metric->Cartan basis)
-  (make-connection (lambda (C) (Levi-Civita g C)) basis))
+  (make-connection (lambda (C) (Levi-Civita g C)) basis (call-datum 'metric->Cartan g basis)))
 
 (define (Levi-Civita g C)
   (define n (coordinate-system-dimension C))
