@@ -4,7 +4,7 @@
 (require (only-in racket/list append-map))
 
 (provide plain-form refuse adjacent? prime-before? quoted-name about-prime form->text operands
-         without-commas before-colon escaped?)
+         without-commas before-colon escaped? with-typed-names typed-name)
 
 ;; stx with `form` in place of its keyword; stx may be the keyword alone.
 (define (plain-form form stx)
@@ -27,6 +27,24 @@
 (define (escaped? id)
   (define span (syntax-span id))
   (and span (not (= span (string-length (symbol->string (syntax-e id)))))))
+
+;; A form that was read from the text, each name of which that lost signs keeps its part of the
+;; text: \sin\theta is the name sintheta to Racket.
+(define (with-typed-names stx text)
+  (define (part id)
+    (define start (- (syntax-position id) 1))
+    (substring text start (+ start (syntax-span id))))
+  (cond [(identifier? stx) (if (escaped? stx) (syntax-property stx typed (part stx)) stx)]
+        [(syntax->list stx)
+         => (lambda (parts)
+              (datum->syntax stx (for/list ([p (in-list parts)]) (with-typed-names p text))
+                             stx stx))]
+        [else stx]))
+
+;; -> text or #f
+(define (typed-name id) (syntax-property id typed))
+
+(define typed 'mechanics:typed)
 
 ;; Does the second begin with a quote that touches the first, as in x't?
 (define (prime-before? one other)

@@ -21,7 +21,7 @@
   (cond [(null? forms) #f]
         [(not (on-one-line? forms)) (call-beside forms known?)]
         [(printed data known?)]
-        [(in-other-words data known?)]
+        [(and (not (ormap TeX? forms)) (in-other-words data known?))]
         [(several-definitions? data)
          "no comma separates definitions; each has a line of its own, as (define x 3)"]
         [(definition-by-sign forms known?)
@@ -95,17 +95,21 @@
   (define data (map syntax->datum forms))
   (define form
     (and (or (ormap sign? (cdr data))
-             (ormap braces? forms)
+             (ormap TeX-like? forms)
              (goes-on? forms)
+             (prime-within? forms)
              (and (ormap (lambda (d) (with-unknown? d known?)) data)
                   (not (ormap (lambda (d) (racket-form? d known?)) data))))
          (prefix-form forms known?)))
-  (cond [(and form (memq (car form) '(+ - * / expt < > = <= >=)))
-         ((written "operations come first: ~a") form)]
-        [(and form (symbol? (car form))) ((written "a call stands in parentheses: ~a") form)]
-        [(or (infix? data) (ormap signed-name? data) (ormap braces? forms) (goes-on? forms))
+  (cond [(and form (advice-to-write form))]
+        [(or (infix? data) (ormap signed-name? data) (ormap TeX-like? forms) (goes-on? forms))
          about-formulas]
         [else #f]))
+
+;; m x'^2
+(define (prime-within? forms)
+  (for/or ([f (in-list forms)] [next (in-list (cdr forms))])
+    (and (identifier? f) (prime-before? f next))))
 
 ;; Does a form touch the arguments of a call, as in f(x)g(x)?
 (define (goes-on? forms)
@@ -123,8 +127,10 @@
 (define (racket-form? d known?)
   (and (pair? d) (symbol? (car d)) (known? (car d)) (pair? (cdr d)) (not (infix? d))))
 
-;; TeX's
+;; TeX's braces, and its commands
 (define (braces? form) (eqv? (syntax-property form 'paren-shape) #\{))
+(define (TeX? form) (and (identifier? form) (typed-name form) #t))
+(define (TeX-like? form) (or (braces? form) (TeX? form)))
 
 ;; A word of prose, as no letter of a formula is
 (define (word? d) (regexp-match? #px"^\\p{L}{2,}[.,]?$" (symbol->string d)))
@@ -172,7 +178,8 @@
 
 ;; text : of an unfinished entry -> advice on x', or #f
 (define (prime-alone text)
-  (define found (regexp-match #px"^\\s*('?)([^\\s()\\[\\]\"';`,#|]+)'+\\s*$" text))
+  (define found
+    (regexp-match #px"^(?:[^()\\[\\]\"`;#|]*\\s)?('?)([^\\s()\\[\\]\"';`,#|]+)'+\\s*$" text))
   (cond [(not found) #f]
         [(formula-like? (string->symbol (caddr found))) about-formulas]
         [(equal? (cadr found) "'")

@@ -34,9 +34,10 @@
     ("its name is ceiling" ceil)
     ("its name is modulo" mod)
     ("the derivative of a function f is (D f), a partial one ((partial 0) f)"
-     diff deriv differentiate d/dt d/dx d/dq ddt Dt-of Diff pdiff)
+     diff deriv differentiate d/dt d/dx d/dq ddt Dt-of Diff pdiff ∂)
     ("its name is gradient" grad nabla)
-    ("integrals are (definite-integral f a b)" integrate integral int Int Integrate NIntegrate quad)
+    ("integrals are (definite-integral f a b)" integrate integral int Int Integrate NIntegrate quad
+     ∫)
     ("a sum over i is (for/sum ([i 10]) (f i))" sum Sum)
     ("its name is for/product" prod Prod)
     ("its name is determinant" det Det)
@@ -44,6 +45,11 @@
     ("its name is dot-product" dot)
     ("its name is cross-product" cross)
     ("its name is euclidean-norm" norm)
+    ("its name is literal-function" literal-fn Function)
+    ("its name is Lagrange-equations" EulerLagrange EulerEquations euler_equations LagrangesMethod)
+    ("a series cut off is (series:head s n), its terms are shown by series:print" series->list)
+    ("a picture is written by (graphics-save f \"picture.png\"), after (require mechanics/plot)"
+     save savefig save-picture export-plot)
     ("tuples are (up x y ...)" vec Vector tuple array Array)
     ("its name is steady-precessions" steady-precession)
     ("its name is substitute" subs subst replace-all)
@@ -55,22 +61,24 @@
     ("a symbol is quoted, as 'x, and needs no declaration" symbols Symbol syms var)
     ("its name is pi; exactly it is ':pi" PI Pi π)
     ("its name is Gamma" Γ)
-    ("its name is ->TeX" ->tex-equation ->tex ->latex)
+    ("its name is ->TeX" ->tex-equation ->tex ->latex latex tex TeX)
+    ("a formula as on paper is read by (read-infix \"½ m v²\")" parse-TeX read-TeX parse sympify)
     ("its name is simplify" Simplify FullSimplify)
     ("infinity is +inf.0" inf Inf infinity Infinity oo ∞ :infinity :+infinity +infinity)
     ("infinity is +inf.0, its opposite -inf.0" -inf -infinity -Infinity -oo -∞ :-infinity)
     ("the true value is #t, the false one #f" true false True False)
-    ("a definition is (define (f x) ...)" def defun function)
+    ("a definition is (define (f x) ...)" def defn defun function)
     ("a function without a name is (lambda (x) ...)" fn fun)
     (,about-degrees deg degree degrees :degree °)
     (,about-units
      kg meter meters metre metres newton newtons joule joules m/s m/s^2 m/s² m/s/s rad/s)
-    ("a library is loaded by (require mechanics/plot)" import from using)
+    ("a library is loaded by (require mechanics/plot)" import from using include)
     ("numbers in a row are (in-range 10), or as a list (iota 10)" range linspace arange)
     ("a component is (ref x 0), one of a list (list-ref x 0)" first second third nth getitem)
     ("what is typed is printed; in a program, (print-expression x) prints" disp puts)
     ("leave with (exit) or Ctrl-D" quit bye)
-    ("ask (help), (help verify-solution) or (help \"constraint\")" ? ?? man info apropos doc)
+    ("ask (help), (help verify-solution) or (help \"constraint\")" ? ?? man info apropos doc
+     search search-help lookup)
     ("a definition is (define x 3)" := ≔ <-)
     ("what is not equal is (not (= a b))" != ≠ /= <>)
     ("what is repeated is (for ([i 10]) ...), or a function that calls itself" while loop repeat)
@@ -103,6 +111,8 @@
 ;; (pattern sentence) ...; the first pattern that fits holds
 (define patterns
   `(;; dx/dt, x_dot, x-dot, ẋ in two characters
+    (#px"^∂(?:\\p{L}|[_0-9])*/∂(?:\\p{L}|[_0-9])+$"
+     "a partial derivative of L is ((partial 1) L), a function of the state")
     (#px"^d((?:\\p{L}|[_0-9])+)/dt$" ,about-rate)
     (#px"^(\\p{L}+)[-_]dot$" ,about-rate)
     (#px"^(\\p{L})\u307$" ,about-rate)

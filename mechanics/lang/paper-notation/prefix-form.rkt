@@ -9,7 +9,7 @@
          "../written-form.rkt"
          "../../algebra/notation/read-paper.rkt")
 
-(provide prefix-form text->prefix-form typed-formula about-escapes)
+(provide prefix-form text->prefix-form typed-formula about-escapes advice-to-write)
 
 ;; forms : in a row, syntaxes or data; known? : symbol -> is it a name of something?
 ;; -> the form to write instead, a datum, or #f
@@ -38,10 +38,21 @@
   (define form (and (not (regexp-match? #px"\\s" text)) (text->prefix-form text '() known?)))
   (and (pair? form) form))
 
-;; k*|x|, which Racket reads as the name k*x; and |x - y| -> advice, or #f
+;; form : that was read in place of what was typed -> advice, or #f for the value of a call
+(define (advice-to-write form)
+  (define sentence
+    (cond [(not (pair? form)) "it is written ~a"]
+          [(not (symbol? (car form))) #f]
+          [(memq (car form) '(+ - * / expt < > = <= >=)) "operations come first: ~a"]
+          [else "a call stands in parentheses: ~a"]))
+  (and sentence (format sentence (form->text form))))
+
+;; k*|x|, which Racket reads as the name k*x; |x - y|, and TeX's \frac12 -> advice, or #f
 (define (about-escapes stx)
   (define name (syntax-e stx))
   (cond [(not (and (symbol? name) (escaped? stx))) #f]
+        [(prefix-form (list stx))
+         => (lambda (form) (and (not (eq? form name)) (advice-to-write form)))]
         [(regexp-match? #px"\\s" (symbol->string name))
          "bars stand around a name with spaces in it; an absolute value is (abs x)"]
         [(formula-like? name) about-formulas]

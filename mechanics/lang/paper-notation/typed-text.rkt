@@ -70,8 +70,11 @@
       text))
 
 ;; A backslash, of \alpha, is no part of the name that Racket reads; of more it is not known where
-;; they stood.
+;; they stood, but at the prompt.
 (define (name-text form w)
+  (or (and (syntax? form) (typed-name form)) (name-as-read form w)))
+
+(define (name-as-read form w)
   (define text (symbol->string (content form)))
   (define escapes (- (or (and (syntax? form) (syntax-span form)) (string-length text))
                      (string-length text)))

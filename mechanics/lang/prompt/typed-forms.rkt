@@ -2,7 +2,8 @@
 ;; The forms in a typed text, which may hold several, or end inside one: then more lines are read.
 
 (require racket/port
-         (only-in racket/string string-join string-trim))
+         (only-in racket/string string-join string-trim)
+         (only-in "../written-form.rkt" with-typed-names))
 
 (provide forms-in one-line)
 
@@ -13,7 +14,8 @@
   (port-count-lines! port)
   (set-port-next-location! port line 0 1)
   (parameterize ([read-accept-reader reader?])
-    (port->list (lambda (port) (read-syntax 'prompt port)) port)))
+    (for/list ([form (in-list (port->list (lambda (port) (read-syntax 'prompt port)) port))])
+      (if (regexp-match? #rx"\\\\" text) (with-typed-names form text) form))))
 
 ;; The lines of a text as one, to be recalled and edited; the text itself where a comment or
 ;; a string does not let them be joined.

@@ -58,6 +58,11 @@
   ("x^2 + y^2" (+ (expt x 2) (expt y 2)))
   ("x²+y²" (+ (expt x 2) (expt y 2)))
   ("x^-2" (expt x -2))
+  ("m x'^2" (* m xdot xdot))
+  ("L = 1/2 m x'^2 - 1/2 k x^2" (define (L (up t x xdot)) (- (* 1/2 m xdot xdot) (* 1/2 k x x))))
+  ("m x'' + c x' + k x = 0" (= (+ (* m xdotdot) (* c xdot) (* k x)) 0))
+  ("m x''(t) + k x(t)" (+ (* m (((expt D 2) x) t)) (* k (x t))))
+  ("sin 30°" (sin (* 30 (/ pi 180))))
   ("1/x^2" (/ 1 (expt x 2)))
   ("x^(1/2)" (sqrt x))
   ("2x" (* 2 x))
@@ -275,7 +280,7 @@
  (may
   ("@(t) A*cos(w*t)" (lambda (t) (* A (cos (* w t)))))
   ("x.^-1" (/ 1 x)))
- (none "a\\b" "1:10" "[1, 2]" "x' * y" "2^3^2"))
+ (none "a\\b" "1:10" "[1, 2]" "x' * y" "x'y" "x''' + 1" "2^3^2"))
 
 (Maxima
  (must
@@ -314,7 +319,21 @@
   ("\\alpha + \\beta" (+ alpha beta))
   ("\\tfrac{1}{2} k x^2" (* 1/2 k x x))
   ("10^{-3} x" (* 1/1000 x))
-  ("\\omega_0^2 x" (* omega_0 omega_0 x)))
+  ("\\omega_0^2 x" (* omega_0 omega_0 x))
+  ("\\alphax" (* alpha x))
+  ("\\frac12m v^2" (* 1/2 m v v))
+  ("\\frac1{2m}" (/ 1 (* 2 m)))
+  ("\\frac1x" (/ 1 x))
+  ("\\frac p{2m} + 1" (+ 1 (/ p (* 2 m))))
+  ("\\sqrt2" (sqrt 2))
+  ("\\sqrt 2 x" (* (sqrt 2) x))
+  ("\\sinx" (sin x))
+  ("\\sin\\theta" (sin theta))
+  ("A \\cos(\\omegat)" (* A (cos (* omega t))))
+  ("\\dot\\theta^2" (* thetadot thetadot))
+  ("\\frac12 m l^2 \\dot\\theta^2 + m g l \\cos\\theta"
+   (+ (* 1/2 m l l thetadot thetadot) (* m g l (cos theta))))
+  ("$\\frac12 m v^2$" (* 1/2 m v v)))
  (may
   ("\\frac{1}{2}mv^2" (* 1/2 m v v))
   ("\\frac12 m v^2" (* 1/2 m v v))

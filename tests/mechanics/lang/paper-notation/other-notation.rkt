@@ -50,6 +50,11 @@
   (check-suggestion 'import "a library is loaded by (require mechanics/plot)")
   (check-suggestion 'quit "leave with (exit) or Ctrl-D")
   (check-suggestion '? "ask (help), (help verify-solution) or (help \"constraint\")")
+  (check-suggestion 'search "ask (help), (help verify-solution) or (help \"constraint\")")
+  (check-suggestion 'latex "its name is ->TeX")
+  (check-suggestion 'EulerLagrange "its name is Lagrange-equations")
+  (check-suggestion '∂L/∂x
+                    "a partial derivative of L is ((partial 1) L), a function of the state")
   (check-suggestion ':= "a definition is (define x 3)"))
 
 (test-case "units and degrees"

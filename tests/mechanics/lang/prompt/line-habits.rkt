@@ -104,9 +104,19 @@
   (check-line "x'(t)" said)
   (check-equal? (prime-alone "x'") said)
   (check-equal? (prime-alone "  x'' ") said)
+  (check-equal? (prime-alone "F = -c x'") said)
   (check-equal? (prime-alone "'x'") "a quote stands before a name, and none behind it: 'x")
   (check-false (prime-alone "(list '"))
   (check-false (prime-alone "'")))
+
+(test-case "numbers, and commands of TeX"
+  (check-line "6.67 × 10^-11" "it is written 6.67e-11")
+  (check-line "\\frac12" "it is written 1/2")
+  (check-line "\\dot x" "it is written xdot")
+  (check-line "\\dot\\theta" "it is written thetadot")
+  (check-line "\\alpha" #f)
+  (check-line "A \\cos\\omega t" "operations come first, as in (* 2 x)")
+  (check-line "\\partial L" "operations come first, as in (* 2 x)"))
 
 (test-case "lines that were printed"
   (check-line "> (+ 1 2)" "> is the prompt's, not part of what is typed: (+ 1 2)")
