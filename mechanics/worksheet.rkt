@@ -11,7 +11,9 @@
 (provide (all-from-out "main.rkt" "lang/worksheet-forms.rkt"))
 
 (module reader syntax/module-reader
-  mechanics/worksheet)
+  mechanics/worksheet
+  #:wrapper1 (lambda (read) (tell-of-stale-files) (read))
+  (require "error/stale-files.rkt"))
 
 (module configure-runtime racket/base
   (require "lang/runtime.rkt"))

@@ -2,7 +2,8 @@
 ;; What D and partial say when they are misused.
 
 (require "literal-function.rkt"
-         "../algebra/expression/write.rkt"
+         (only-in "../algebra/expression/expression.rkt" node?)
+         "../algebra/expression/symbols.rkt" "../algebra/expression/write.rkt"
          "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/elementary.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/multiplied-function.rkt" "../generic/up-down.rkt"
@@ -20,6 +21,9 @@
                    (format (string-append "\n  the constant function is (lambda (t) '~a), "
                                           "an unknown one (literal-function '~a)")
                            x x)]
+                  [(and (node? x) (pair? (symbols-in x)))
+                   (format "\n  the function with this value is (lambda (~a) ~a)"
+                           (car (symbols-in x)) (value->text x))]
                   [else (list-hint x)])))
 
 ;; (D f x), where ((D f) x) is meant.

@@ -119,7 +119,9 @@
                    (cond [(symbol? f)
                           (format "; (literal-function '~a) makes a function of it" f)]
                          [(number? f)
-                          (format "; (constant-function ~a) makes a function of it" f)]
+                          (format (string-append "; (constant-function ~a) makes a function of it"
+                                                 "\n  a component is (ref s 0)")
+                                  f)]
                          [else ""]))]))
 
 (define-syntax-rule (define-constructor make)

@@ -22,7 +22,8 @@
                               "(read-expression '(sqrt 2)) for the root of 2"))]
         [else
          (list (format (string-append "~a may be no more than what rounding leaves, as of "
-                                      "(sin pi): exact numbers would tell, ':pi for π")
+                                      "(sin pi): exact numbers would tell, ':pi for π, "
+                              "(read-expression '(sqrt 2)) for the root of 2")
                        (value->text found)))]))
 
 ;; A flonum in e of the size of rounding, or #f.

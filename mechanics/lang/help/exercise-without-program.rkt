@@ -1,14 +1,14 @@
 #lang racket/base
-;; Exercises of the book that have no program, since their answer is no formula and no number to
-;; compare, each with the page that is nearest to it.
+;; Exercises of the book that have no program of their own, each with the reason and with the page
+;; that is nearest to it.  A reason fits in the line of a finding.
 
 (provide exercises-without-program)
 
-(define no-answer "It has no program: its answer is no formula that could be compared.")
-
 ;; (number page sentence)
 (define exercises-without-program
-  (for/list ([e (in-list '(("1.1" "chapter-1") ("1.2" "chapter-1") ("1.23" "chapter-1")
-                           ("2.7" "chapter-2") ("2.13" "chapter-2")
-                           ("9.1" "derivatives") ("9.2" "derivatives")))])
-    (list (car e) (cadr e) no-answer)))
+  '(("1.1" "chapter-1" "No program: degrees of freedom are counted by looking.")
+    ("1.2" "chapter-1" "No program: many coordinates are right, none is the answer.")
+    ("1.23" "chapter-1" "No program: asked are the steps between two formulas.")
+    ("2.7" "chapter-2" "No program: the answer depends on the body you measure.")
+    ("2.13" "chapter-2" "No program: asked is an explanation, no formula.")
+    ("9.2" "derivatives" "The functions of exercise 9.1; its program has both forms.")))

@@ -13,6 +13,9 @@
     (#rx"(^|: )if: " ,(string-append "it is written (if (> x 0) x (- x)), with a value for either "
                                      "case; for one, (when (> x 0) x)"))
     (#rx"(^|: )cond: bad" "it is written (cond [(> x 0) x] [else (- x)])")
+    (#rx"#%app: bad syntax\n[^\n]* [.] " "no dot stands between the parts of a call: (square 2)")
+    (#rx"require: bad module-path string"
+     "a file by its full path is (require (file \"/home/me/system.rkt\"))")
     (#rx"==: this match expander" "equality is (= a b)")
     (#rx"the last form is not an expression" "a definition has no value; an expression comes last")
     (#rx"(^|: )for[/a-z*]*: bad " "it is written (for/list ([i 10]) (* i i))")
@@ -33,7 +36,7 @@
 
 ;; Where a file was named, newer versions of Racket write the module path as #<path:...>.
 (define for-modules
-  '((#rx"cannot open module file\n  module path: ([^\n]*/)?mechanics(/[a-z]*)?>?\n"
+  '((#rx"cannot open module file\n  module path: ([^\n]*/)?mechanics(/[a-zA-Z-]*)?>?\n"
      "the libraries are mechanics, mechanics/plot and mechanics/book")
     (#rx"cannot open module file\n.*system error: no such file"
      "there is no such file; its place is told from that of the file that requires it")))

@@ -8,6 +8,7 @@
 
 (require (for-syntax racket/base
                      "suggestion.rkt")
+         (only-in racket/path file-name-from-path)
          "../paper-notation/expansion-advice.rkt" "../wrong-call/call-hint.rkt" "suggestion.rkt"
          "../../error/message-words.rkt"
          "../../generic/on-demand.rkt")
@@ -78,10 +79,16 @@
 (define (explained message e entry)
   (cond [(exn:fail:read? e)
          (define-values (line problem) (unreadable e))
-         (string-append "read: " problem)]
+         (format "~a: ~a" (or (place-in-file e) "read") problem)]
         [else
          (string-append (if (exn:fail:contract? e) (in-our-words message e) message)
                         (or (hint-for message e entry) ""))]))
+
+;; exn:fail:read -> the file and line that could not be read; #f for what was typed
+(define (place-in-file e)
+  (for/or ([place (in-list (exn:fail:read-srclocs e))])
+    (and (path? (srcloc-source place))
+         (format "~a, line ~a" (file-name-from-path (srcloc-source place)) (srcloc-line place)))))
 
 ;; Makes the current error display ours.  Idempotent.
 (define (install-hints!)

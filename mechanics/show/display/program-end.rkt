@@ -96,6 +96,7 @@
     (when (eqv? status 0) (show-unseen! p))
     (define open (open-windows p))
     (unless (null? open)
+      (flush-output)
       (note "the program has ended; its windows stay until they are closed, or until Ctrl-C")
       (for ([w (in-list open)]) ((window-wait w) (window-closed w))))))
 

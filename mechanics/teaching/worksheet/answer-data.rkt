@@ -75,4 +75,5 @@
 (define (not-a-value x)
   (cond [(and (procedure? x) (not (tuple? x)))
          "it is a function where an expression is expected: it takes one argument more"]
-        [else (format "it is ~a" (describe x))]))
+        [else (format "it is ~a~a" (describe x)
+                      (if (string? x) "; a number has no quotation marks and no unit" ""))]))

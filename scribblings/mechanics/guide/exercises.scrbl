@@ -40,6 +40,10 @@ by your own before you read on.
 
 @exercise-table[7]
 
+@section{The book's appendix}
+
+@exercise-table[9]
+
 @section{A condition: Kepler's third law}
 
 A verdict that refutes says when it would not. Here that is the answer.

@@ -93,7 +93,8 @@
   "D: needs a function; x is a number-like expression\n"
   "  the constant function is (lambda (t) 'x), an unknown one (literal-function 'x)"]
  [(D (g:sin 'x))
-  "D: needs a function; (sin x) is a number-like expression"]
+  "D: needs a function; (sin x) is a number-like expression\n"
+  "  the function with this value is (lambda (x) (sin x))"]
  [(D (list V V))
   "D: needs a function; (V V) is a list\n  a list is not a tuple; use (up x y ...)"]
  [(D (matrix-by-rows '(1 2)))
@@ -104,7 +105,7 @@
 
 (says
  [((D (up V 3)) 't)
-  "application: a tuple applies its components to the arguments, but the component 3 of (up V 3) is not a function; (constant-function 3) makes a function of it"])
+  "application: a tuple applies its components to the arguments, but the component 3 of (up V 3) is not a function; (constant-function 3) makes a function of it\n  a component is (ref s 0)"])
 
 ;; ---------------------------------------------------------------------------
 ;; Indices

@@ -110,6 +110,11 @@ Programs outside of /sicm/ need not wait, once mechanics is installed:  make -C 
      (check-equal? (parameterize ([use-compiled-file-paths in-DrRacket]) (stale))
                    (list (last all))))))
 
+(test-case "both languages tell of stale files when they are read"
+  (for ([reader '(mechanics/lang/reader (submod mechanics/worksheet reader))])
+    (dynamic-require reader (void))
+    (check-regexp-match #rx"stale-files" (format "~s" (module->imports reader)))))
+
 (test-case "a Run in DrRacket has the library compiled once, and shows how far that is"
   (call-in-copy
    (lambda (folder file)

@@ -58,7 +58,7 @@
 
 (test-case "a component that is no function is named when the tuple is applied"
   (check-exn
-   #rx"^application: a tuple applies its components to the arguments, but the component 3 of [(]up 3 sin[)] is not a function; [(]constant-function 3[)] makes a function of it$"
+   #rx"^application: a tuple applies its components to the arguments, but the component 3 of [(]up 3 sin[)] is not a function; [(]constant-function 3[)] makes a function of it\n  a component is [(]ref s 0[)]$"
    (lambda () ((up 3 g:sin) 0)))
   (check-exn
    #rx"but the component x of [(]down x[)] is not a function; [(]literal-function 'x[)] makes a function of it$"

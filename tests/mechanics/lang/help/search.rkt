@@ -4,6 +4,7 @@
 (require (for-label mechanics/lang/help/search-table)
          mechanics/lang/help/cards
          mechanics/lang/help/finding
+         mechanics/lang/help/finding-lines
          mechanics/lang/help/search
          mechanics/lang/help/words
          racket/list
@@ -55,13 +56,25 @@
       (check-eq? (finding-kind (car (found text))) 'exercise))))
 
 (test-case "exercises that have no program are found as well, and figures and chapters are"
-  (for ([number '("1.1" "1.2" "1.23" "2.7" "2.13" "9.1" "9.2")])
-    (check-equal? (finding-title (car (found number))) (string-append "Exercise " number)))
+  (for ([number '("1.1" "1.2" "1.23" "2.7" "2.13" "9.2")])
+    (define first-found (car (found number)))
+    (check-equal? (finding-title first-found) (string-append "Exercise " number))
+    (check-false (string-contains? (car (found-lines (list first-found))) "…") number))
+  (check-equal? (car (found-lines (found "exercise 1.1")))
+                "Exercise 1.1: No program: degrees of freedom are counted by looking.")
   (for ([chapter '(1 2 3 4 5 6 7)])
     (check-equal? (first-answer (format "chapter ~a" chapter)) (format "chapter-~a" chapter)))
   (check-equal? (first-answer "figure 4.9") "figures/figure-4-9.rkt")
   (check-equal? (first-answer "equation 7.88") "exercises/exercise-7-4.rkt")
   (check-equal? (first-answer "equation 1.150") "exercises/exercise-3-16.rkt"))
+
+(test-case "words of students stand for those of the manual"
+  (check-equal? (first-answer "L4") "questions/triangle-points.rkt")
+  (check-equal? (first-answer "Lagrange points") "questions/triangle-points.rkt")
+  (check-equal? (first-answer "orbital elements") "interactive/Kepler.rkt")
+  (check-eq? (first-answer "export a plot") 'graphics-save)
+  (check-eq? (first-answer "substitute numbers") 'substitute)
+  (check-equal? (first-answer "type a formula from paper") "guide-formulas"))
 
 (test-case "programs that are found are there"
   (for ([f (in-vector (vector-ref (table-of-search) 0))]

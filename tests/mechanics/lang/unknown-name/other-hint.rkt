@@ -1,7 +1,8 @@
 #lang racket/base
 ;; What is said beneath messages of Racket's own forms and procedures, at the prompt.
 
-(require racket/string
+(require racket/file
+         racket/string
          "../../support/checks.rkt" "../../support/run-text.rkt")
 
 ;; What an input is answered with, on the error port, without its first line; which of those
@@ -32,6 +33,20 @@
    (last-lines (string-append "(module m racket/base (define x 1) (define x 2)) "))
    '("a module of Racket defines a name once; in #lang mechanics it may be defined again")))
 
+(test-case "a dot in a call, and the full path of a file"
+  (check-equal? (last-lines "(square . 2)" "(require \"/no/file.rkt\")")
+                '("no dot stands between the parts of a call: (square 2)"
+                  "a file by its full path is (require (file \"/home/me/system.rkt\"))")))
+
+(test-case "a file that ends inside a form is told with its line"
+  (define file (make-temporary-file "open~a.rkt"))
+  (call-with-output-file file #:exists 'truncate
+    (lambda (port) (write-string "#lang mechanics\n(square 3" port)))
+  (define-values (folder name folder?) (split-path file))
+  (check-equal? (last-lines (format "(require (file ~s))" (path->string file)))
+                (list (format "~a, line 2: the ( there is never closed" name)))
+  (delete-file file))
+
 (test-case "values"
   (check-equal? (last-lines "(car (up 1 2))" "(length (down 1 2))" "(list-ref (up 1 2) 0)"
                             "(map sin (up 1 2))" "(set! never-defined 3)")
@@ -45,8 +60,9 @@
                 '("in: (up t x)")))
 
 (test-case "libraries"
-  (check-equal? (last-lines "(require mechanics/books)" "(require \"mechanics\")")
-                (list libraries libraries))
+  (check-equal? (last-lines "(require mechanics/books)" "(require \"mechanics\")"
+                            "(require mechanics/Plot)")
+                (list libraries libraries libraries))
   (check-equal?
    (last-lines "(require \"no-such-file.rkt\")")
    '("there is no such file; its place is told from that of the file that requires it")))
