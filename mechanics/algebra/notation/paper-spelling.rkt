@@ -58,7 +58,8 @@
 ;; The name behind a backslash: alpha, thetadot, and alphax, which lacks a space; or #f
 (define (Greek-factors name)
   (define ends
-    (for/list ([n (in-range 2 (+ 1 (string-length name)))] #:when (Greek-name? (substring name 0 n)))
+    (for/list ([n (in-range 2 (+ 1 (string-length name)))]
+               #:when (Greek-name? (substring name 0 n)))
       n))
   (define end (and (pair? ends) (apply max ends)))
   (define rest (and end (substring name end)))

@@ -4,13 +4,13 @@
 ;;
 ;; The formula behind the sign may have unknown letters.  Beside arguments they become parameters,
 ;; as the book writes them: ((x A omega) t).  Without arguments they are symbols; but a formula
-;; with a t is a path, and one with a v and the name L a Lagrangian, a function of the local tuple.
+;; with a t is a path, and one with a v and the name L, or a p and the name H, a function of the state.
 
 (require racket/list
          "prefix-form.rkt" "typed-text.rkt"
          "../written-form.rkt")
 
-(provide definition-by-sign procedure-elsewhere Lagrangian-by-sign?)
+(provide definition-by-sign procedure-elsewhere state-by-sign)
 
 ;; forms : of a line; known? : symbol -> boolean -> the definition, a datum, or #f
 (define (definition-by-sign forms known?)
@@ -79,8 +79,7 @@
             (remove-duplicates (operands value))))
   (cond [(null? letters) (list 'define head value)]
         [(pair? head) (list 'define (cons (cons (car head) letters) (cdr head)) value)]
-        [(and (eq? head 'L) (velocities-in letters))
-         => (lambda (velocities) (Lagrangian head letters velocities value))]
+        [(rates-in head letters) => (lambda (rates) (function-of-state head letters rates value))]
         [(memq 't letters) (with-letters (list head 't) value known?)]
         [else (list 'define head (quoted value letters))]))
 
@@ -94,31 +93,39 @@
         [else d]))
 
 ;; ---------------------------------------------------------------------------
-;; Lagrangians
+;; Lagrangians and Hamiltonians
 
-;; v, or those with dots, xdot; #f without any
-(define (velocities-in letters)
-  (define dotted (filter coordinate-of letters))
-  (cond [(memq 'v letters) '(v)]
-        [(pair? dotted) dotted]
+;; v of L and p of H, or those of several coordinates, xdot and p_x; #f without any
+(define (rates-in name letters)
+  (define alone (case name [(L) 'v] [(H) 'p] [else #f]))
+  (define marked (filter (lambda (s) (coordinate-of name s)) letters))
+  (cond [(not alone) #f]
+        [(memq alone letters) (list alone)]
+        [(pair? marked) marked]
         [else #f]))
 
-;; xdot -> x
-(define (coordinate-of letter)
-  (define found (regexp-match #px"^(.+)(?<!dot)dot$" (symbol->string letter)))
+;; xdot of L, p_x of H -> x
+(define (coordinate-of name letter)
+  (define found
+    (regexp-match (if (eq? name 'H) #px"^p_(.+)$" #px"^(.+)(?<!dot)dot$") (symbol->string letter)))
   (and found (string->symbol (cadr found))))
 
-(define (Lagrangian name letters velocities value)
+(define (function-of-state name letters rates value)
   (define coordinates
-    (if (equal? velocities '(v))
+    (if (memq (car rates) '(v p))
         (list (or (findf (lambda (s) (memq s letters)) '(q x y z r theta)) 'q))
-        (map coordinate-of velocities)))
-  (define (tuple names) (if (null? (cdr names)) (car names) (cons 'up names)))
-  (define local (list 'up 't (tuple coordinates) (tuple velocities)))
-  `(define ((,name ,@(remove* (flatten local) letters)) ,local) ,value))
+        (map (lambda (s) (coordinate-of name s)) rates)))
+  (define (tuple make names) (if (null? (cdr names)) (car names) (cons make names)))
+  (define state
+    (list 'up 't (tuple 'up coordinates) (tuple (if (eq? name 'H) 'down 'up) rates)))
+  `(define ((,name ,@(remove* (flatten state) letters)) ,state) ,value))
 
-;; Is it a definition that `Lagrangian` made?
-(define (Lagrangian-by-sign? form)
+;; Of a definition that function-of-state made: what it is a function of; else #f
+(define (state-by-sign form)
   (define head (cadr form))
-  (and (pair? head) (pair? (car head)) (eq? (caar head) 'L)
-       (pair? (cadr head)) (eq? (car (cadr head)) 'up)))
+  (and (pair? head) (pair? (car head))
+       (pair? (cadr head)) (eq? (car (cadr head)) 'up)
+       (case (caar head)
+         [(L) "a Lagrangian is a function of (up t q v)"]
+         [(H) "a Hamiltonian is a function of (up t q p)"]
+         [else #f])))

@@ -26,9 +26,8 @@
          "no comma separates definitions; each has a line of its own, as (define x 3)"]
         [(definition-by-sign forms known?)
          => (lambda (form)
-              ((written (if (Lagrangian-by-sign? form)
-                            "a Lagrangian is a function of (up t q v): ~a"
-                            "a definition is written ~a"))
+              (define state (state-by-sign form))
+              ((written (if state (string-append state ": ~a") "a definition is written ~a"))
                form))]
         [(procedure-elsewhere forms known?) => (written "a function is written ~a")]
         [(null? (cdr data)) (about-escapes (car forms))]

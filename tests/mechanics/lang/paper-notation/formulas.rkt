@@ -21,7 +21,7 @@
 ;; What is offered
 
 (define leads
-  (string-append "(?:operations come first: | is written |of [(]up t q v[)]: |a product is |"
+  (string-append "(?:operations come first: | is written |of [(]up t q [vp][)]: |a product is |"
                  "in parentheses: )"))
 
 ;; text : typed at the prompt -> the datum that is offered in its place, or #f

@@ -58,6 +58,9 @@
   ("x^2 + y^2" (+ (expt x 2) (expt y 2)))
   ("x²+y²" (+ (expt x 2) (expt y 2)))
   ("x^-2" (expt x -2))
+  ("H = p^2/(2m) + k x^2/2" (define (H (up t x p)) (+ (/ (* p p) (* 2 m)) (/ (* k x x) 2))))
+  ("H = (p_x^2 + p_y^2)/2 + g y"
+   (define (H (up t (up x y) (down p_x p_y))) (+ (/ (+ (* p_x p_x) (* p_y p_y)) 2) (* g y))))
   ("m x'^2" (* m xdot xdot))
   ("L = 1/2 m x'^2 - 1/2 k x^2" (define (L (up t x xdot)) (- (* 1/2 m xdot xdot) (* 1/2 k x x))))
   ("m x'' + c x' + k x = 0" (= (+ (* m xdotdot) (* c xdot) (* k x)) 0))
