@@ -60,7 +60,7 @@
   (define size (fxmin (fx+ inputs 24) longest-block))
   (tape (kind-rank k) (kind-describe k) (kind-datum k) (kind-map k) unary binary
         (kind-comparand k) (kind-zero? k) (kind-same? k) (kind-arity k) (kind-closed? k)
-        (kind-component k) (kind-parts k) (kind-notation k) (kind-order k)
+        (kind-component k) (kind-parts k) (kind-notation k) (kind-order k) (kind-judged k)
         tag inputs inputs (if flonums? size 0) 0 (make-fxvector size) (make-slopes size flonums?)
         '()))
 
