@@ -8,7 +8,6 @@
 (require racket/file
          racket/list
          racket/runtime-path
-         racket/string
          scribble/base
          (only-in "program.rkt" program-link))
 
@@ -63,7 +62,7 @@
 ;; "1.6.2, in pp. 37–68", or no more than the section where the pages are not known.
 (define (place e)
   (define section (exercise-section e))
-  (define whole (string-join (take (string-split section ".") 2) "."))
+  (define whole (car (regexp-match #rx"^[0-9]+([.][0-9]+)?" section)))
   (define range (hash-ref pages whole #f))
   (cond [(not range) section]
         [(string=? section whole) (string-append section ", pp. " range)]

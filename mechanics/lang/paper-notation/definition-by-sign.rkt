@@ -4,7 +4,8 @@
 ;;
 ;; The formula behind the sign may have unknown letters.  Beside arguments they become parameters,
 ;; as the book writes them: ((x A omega) t).  Without arguments they are symbols; but a formula
-;; with a t is a path, and one with a v and the name L, or a p and the name H, a function of the state.
+;; with a t is a path, and one with a v and the name L, or a p and the name H, a function of the
+;; state.
 
 (require racket/list
          "prefix-form.rkt" "typed-text.rkt"

@@ -188,7 +188,7 @@
  [(+ (* 'm 'v 'v) (* 'm 'g 'x)) wrong 0 "one term has another factor"]
  [(* -1 'm (+ (* 1/2 'v 'v) (* 'g 'x))) wrong 0 "the sign is the opposite"]
  [(up 'a 'b) wrong 0]
- ["text" failed 0])
+ ["text" failed 0 "it is a string; a number has no quotation marks and no unit"])
 
 (define pair (an-exercise expression ('key (up 'a (* 2 'b)))))
 (judges pair
