@@ -9,6 +9,6 @@
   '(("1.1" "chapter-1" "No program: degrees of freedom are counted by looking.")
     ("1.2" "chapter-1" "No program: many coordinates are right, none is the answer.")
     ("1.23" "chapter-1" "No program: asked are the steps between two formulas.")
-    ("2.7" "chapter-2" "No program: the answer depends on the body you measure.")
-    ("2.13" "chapter-2" "No program: asked is an explanation, no formula.")
+    ("2.7" "chapter-2" "No program of its own; this page is the nearest.")
+    ("2.13" "chapter-2" "No program of its own; this page is the nearest.")
     ("9.2" "derivatives" "The functions of exercise 9.1; its program has both forms.")))
