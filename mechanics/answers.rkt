@@ -1,9 +1,10 @@
 #lang racket/base
-;; What a student's file of a worksheet requires: holes, and what checks the answers.
+;; What a student's file or notebook requires: holes, and what checks the answers.
 
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)
 
-(require "teaching/worksheet/answer-data.rkt" "teaching/worksheet/check-answers.rkt")
+(require "teaching/worksheet/answer-data.rkt" "teaching/worksheet/cell-check.rkt"
+         "teaching/worksheet/check-answers.rkt")
 
-(provide unanswered check-answers)
+(provide unanswered check-answers exercises check)

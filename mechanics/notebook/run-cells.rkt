@@ -1,10 +1,9 @@
 #lang racket/base
 ;; The cells of a notebook run in this process, for a notebook that is written with its results.
 
-(require (only-in racket/port open-output-nowhere)
-         "cell.rkt" "changed-pictures.rkt" "program-cells.rkt"
-         "../lang/session-start.rkt"
-         "../show/display/receiving-printer.rkt")
+(require "cell-session.rkt" "cell.rkt" "changed-pictures.rkt"
+         "../show/display/receiving-printer.rkt"
+         "../show/notebook/program-cells.rkt")
 
 (provide run-cells)
 
@@ -12,20 +11,17 @@
 
 ;; Runs cells until one fails -> for each cell its outputs as Jupyter has them; the failure or #f
 (define (run-cells cells)
-  (parameterize ([current-namespace (namespace-anchor->empty-namespace here)]
-                 [current-input-port (open-input-string "")]
-                 [exit-handler (lambda (code) (error 'exit "the program ends itself"))]
-                 [error-display-handler
-                  (lambda (message e) (write-string message (current-error-port)))])
+  (parameterize ([current-namespace (namespace-anchor->empty-namespace here)])
     (namespace-require 'mechanics)
-    (parameterize ([current-print (output-receiver void (open-output-nowhere))]) (start-session!))
-    (for/fold ([outputs '()] [failed #f] #:result (values (reverse outputs) failed))
-              ([c (in-list cells)])
-      (define-values (found why)
-        (if (and (eq? (cell-kind c) 'code) (not failed))
-            (run-cell (cell-source c))
-            (values '() failed)))
-      (values (cons found outputs) why))))
+    (call-as-session
+     (lambda ()
+       (for/fold ([outputs '()] [failed #f] #:result (values (reverse outputs) failed))
+                 ([c (in-list cells)])
+         (define-values (found why)
+           (if (and (eq? (cell-kind c) 'code) (not failed))
+               (run-cell (cell-source c))
+               (values '() failed)))
+         (values (cons found outputs) why))))))
 
 (define (run-cell code)
   (define outputs '())

@@ -11,7 +11,8 @@
          "../../teaching/worksheet/check-answers.rkt" "../../teaching/worksheet/exercise.rkt"
          "../../teaching/worksheet/judgment.rkt"
          "../../teaching/class/class-page.rkt" "../../teaching/class/class-tables.rkt"
-         "../../teaching/class/grade.rkt" "../../teaching/class/submission.rkt")
+         "../../teaching/class/grade.rkt" "../../teaching/class/notebook-answers.rkt"
+         "../../teaching/class/submission.rkt")
 
 (provide check-command)
 
@@ -93,7 +94,7 @@
   (define s (file->submission (settings-path w)))
   (define worksheet
     (cond [(settings-worksheet w) => (lambda (file) (load-worksheet who file))]
-          [(submission-text s) (worksheet-within (settings-path w) (submission-text s))]
+          [(submission-text s) (worksheet-within s (settings-path w))]
           [else (complain who "~a\n  file: ~a" (submission-problem s) (settings-path w))]))
   (define r (grade w worksheet (list s)))
   (define g (first (class-report-graded r)))
@@ -106,8 +107,12 @@
 (define (settled? j) (memq (judgment-status j) '(right kept)))
 
 ;; A worksheet of the exercises in the student's file.
-(define (worksheet-within file text)
-  (define exercises (sealed-exercises text))
+(define (worksheet-within s file)
+  (define text (submission-text s))
+  (define exercises
+    (if (submission-notebook? s)
+        (ormap sealed-exercises (notebook-sources text))
+        (sealed-exercises text)))
   (unless exercises
     (complain who (string-append "the file holds no worksheet, and none is given, as in "
                                     "--worksheet pendulum.rkt\n  file: ~a")
@@ -117,4 +122,4 @@
 ;; The hints depend on earlier tries.
 (define (tell g file)
   (for ([text (in-list (graded-remarks g))]) (printf "~a\n" text))
-  (tell-judgments (graded-answers g) file))
+  (tell-judgments-of-file (graded-answers g) file))

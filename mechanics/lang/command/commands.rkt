@@ -30,7 +30,7 @@
             "the same for LaTeX, with amsmath; pictures are files beside it" TeX-command)
    (command "new" "FILE" "a worksheet to begin with: a template for teachers" new-command)
    (command "worksheet" "FILE [-o student.rkt]"
-            "a worksheet's file for students, and the page to hand out, in HTML and TeX"
+            "a worksheet's file and notebook for students, and the page, in HTML and TeX"
             worksheet-command)
    (command "handout" "FILE [--to html|tex] [--answers] [-o file]"
             "the page of a worksheet alone, for teachers with its answers; or of a program"

@@ -6,7 +6,7 @@
          "written-files.rkt"
          "../program-file.rkt"
          "../../error/complain.rkt"
-         "../../notebook/notebook-file.rkt" "../../notebook/program-cells.rkt"
+         "../../show/notebook/notebook-file.rkt" "../../show/notebook/program-cells.rkt"
          "../../show/plot/picture-file.rkt"
          "../../generic/on-demand.rkt")
 

@@ -7,7 +7,9 @@
          racket/runtime-path
          "load-worksheet.rkt" "show-program.rkt" "written-files.rkt"
          "../../error/complain.rkt"
-         "../../teaching/worksheet/handout.rkt" "../../teaching/worksheet/student-file.rkt")
+         "../../show/plot/picture-file.rkt"
+         "../../teaching/worksheet/handout.rkt" "../../teaching/worksheet/student-file.rkt"
+         "../../teaching/worksheet/student-notebook.rkt")
 
 (provide new-command worksheet-command handout-command)
 
@@ -35,13 +37,14 @@
   (define student
     (simple-form-path (or (option "-o") (format "~a-student.rkt" (base-name file)))))
   (check-new-file who student (simple-form-path file) #".rkt")
-  (define pages
-    (for/list ([extension (in-list '(#".html" #".tex"))])
-      (path-replace-extension student extension)))
+  (define (beside extension) (path-replace-extension student extension))
+  (define notebook (beside #".ipynb"))
+  (define pages (map beside '(#".html" #".tex")))
   (write-text who student (worksheet->student-file w))
+  (write-file who notebook (worksheet->student-notebook w))
   (define d (worksheet->document w))
   (for ([page (in-list pages)]) (write-document who page d))
-  (print-paths (cons student pages))
+  (print-paths (list* student notebook pages))
   0)
 
 (define (base-name file)

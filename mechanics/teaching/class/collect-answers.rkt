@@ -7,33 +7,34 @@
 
 (require racket/match
          racket/port
-         "answer-lines.rkt" "process-cost.rkt" "evaluate.rkt" "isolation.rkt"
+         "answer-lines.rkt" "process-cost.rkt" "evaluate.rkt" "isolation.rkt" "submission.rkt"
          "../worksheet/exercise.rkt")
 
 (provide collect-answers collected-from (struct-out collected))
 
 ;; answers : hasheq of answers (answer-lines.rkt), by name
 ;; problem : why there are not more, or #f
-;; spent   : seconds that the program has cost
-(struct collected (answers problem spent) #:transparent)
+;; spent   : seconds that the program has cost; outline : of a notebook (submission.rkt), or #f
+(struct collected (answers problem spent outline) #:transparent)
 
 (define most-output 250000)
 
-;; exercises : of the worksheet; text : the program -> collected
-(define (collect-answers i exercises text)
+;; exercises : of the worksheet; s : a submission with a text -> collected
+(define (collect-answers i exercises s)
   (define custodian (make-custodian))
   (dynamic-wind
    void
    (lambda ()
      (parameterize ([current-custodian custodian])
-       (run i (request->text i exercises text))))
+       (run i (request->text i exercises s))))
    (lambda () (custodian-shutdown-all custodian))))
 
 (define (seconds-to-run i) (* 2/3 (isolation-seconds i)))
 
-(define (request->text i exercises text)
+(define (request->text i exercises s)
   (format "~s\n" (request (and (not (waits-known?)) (seconds-to-run i))
-                          (isolation-megabytes i) (map without-key exercises) text)))
+                          (isolation-megabytes i) (map without-key exercises)
+                          (submission-text s) (submission-notebook? s))))
 
 ;; The exercise without all parts but those that tell how an answer is applied.
 (define (without-key e)
@@ -61,7 +62,12 @@
 ;; text : output of the process; how : it ended, one of done, ended, late, long
 (define (collected-from text how [spent 0])
   (define found (read-answer-lines text))
-  (collected (hash-remove (hash-remove found '*program*) '*ready*) (problem-of found how) spent))
+  (define outline
+    (match (hash-ref found '*outline* #f)
+      [(list 'text text) text]
+      [_ #f]))
+  (collected (for/fold ([f found]) ([name '(*program* *ready* *outline*)]) (hash-remove f name))
+             (problem-of found how) spent outline))
 
 ;; start : a reading; read-on : last reading -> the present one
 ;; -> text; done, late or long; and the cost since the process wrote its first line, which says
@@ -98,5 +104,5 @@
         [(eq? end 'long) "it wrote without end, and was stopped"]
         [program (string-append "it does not run: " program)]
         [(not (hash-has-key? found '*ready*)) "Racket could not be started for it"]
-        [(= 1 (hash-count found)) "it ended without an answer"]
+        [(= 1 (hash-count (hash-remove found '*outline*))) "it ended without an answer"]
         [else #f]))

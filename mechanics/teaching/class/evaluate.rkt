@@ -8,15 +8,15 @@
 ;;
 ;; It reads a request, and writes a line for each answer (answer-lines.rkt).
 
-(require "answer-lines.rkt" "open-program.rkt"
+(require "answer-lines.rkt" "notebook-answers.rkt" "open-program.rkt"
          "../worksheet/check-answers.rkt" "../worksheet/exercise-kind.rkt"
          "../worksheet/exercise.rkt")
 
 (provide evaluate-request (struct-out request))
 
-;; seconds : or #f, where the cost is watched from outside
-;; exercises : without keys; text : the program
-(struct request (seconds megabytes exercises text) #:prefab)
+;; seconds : or #f, where the cost is watched from outside; exercises : without keys
+;; text : the program, or the notebook
+(struct request (seconds megabytes exercises text notebook?) #:prefab)
 
 ;; in, out : ports
 (define (evaluate-request in out)
@@ -25,9 +25,9 @@
     (write-line-of name d out)
     (flush-output out))
   (write-lines '*ready* '(unanswered))
-  (define (open)
-    (parameterize ([checking? #f])
-      (open-program (request-text r) (request-seconds r) (request-megabytes r))))
+  (define open
+    (with-handlers ([exn:fail? (lambda (x) (lambda () (program #f (reason x) (hasheq))))])
+      (opener r (lambda (outline) (write-lines '*outline* (list 'text outline))))))
   (define p (open))
   (when (program-problem p) (write-lines '*program* (list 'failed (program-problem p))))
   (for/fold ([p p]) ([e (in-list (request-exercises r))] #:when (program-evaluator p))
@@ -35,6 +35,20 @@
     (when d (write-lines (exercise-name e) d))
     (if (program-ended? p) (open) p))
   (void))
+
+;; -> procedure that opens what was handed in; tell : outline of a notebook -> any
+(define (opener r tell)
+  (define-values (text seconds megabytes)
+    (values (request-text r) (request-seconds r) (request-megabytes r)))
+  (define open
+    (cond [(request-notebook? r)
+           (define sources (notebook-sources text))
+           (tell (notebook-outline text))
+           ;; a room above this one, as the language itself is
+           (define run (dynamic-require 'mechanics/notebook/cell-session 'cell-failure))
+           (lambda () (open-cells sources run seconds megabytes))]
+          [else (lambda () (open-program text seconds megabytes))]))
+  (lambda () (parameterize ([checking? #f]) (open))))
 
 ;; A program that does not define the name leaves it unanswered, unless it did not run to its end.
 (define (answer-of p e)

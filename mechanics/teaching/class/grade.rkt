@@ -71,18 +71,20 @@
 
 ;; Gives a result even where the system has no process left to start: a thread waits for it.
 (define (collect-one i exercises s)
-  (define (none problem) (collected (hasheq) problem 0))
+  (define (none problem) (collected (hasheq) problem 0 #f))
   (with-handlers ([exn:fail? (lambda (x)
                                (none (string-append "it could not be evaluated: "
                                                     (exn-message x))))])
     (if (submission-text s)
-        (collect-answers i exercises (submission-text s))
+        (collect-answers i exercises s)
         (none (submission-problem s)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Judgment
 
-(define (grade-one exercises s found known seconds)
+(define (grade-one exercises handed-in found known seconds)
+  (define outline (and (submission-notebook? handed-in) (or (collected-outline found) "")))
+  (define s (if outline (with-outline handed-in outline) handed-in))
   (define problem (collected-problem found))
   (define nothing (if problem '(failed) '(unanswered)))
   (define answers

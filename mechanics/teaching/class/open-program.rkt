@@ -2,13 +2,15 @@
 ;; A student's program, run in a sandbox of Racket's.
 ;;
 ;; A program that cannot be run as a whole, because of a misspelt name for example, is run form by
-;; form, as if it were typed at a prompt: so a mistake in one answer voids no other.
+;; form, as if it were typed at a prompt: so a mistake in one answer voids no other.  The cells of a
+;; notebook are run one after the other, as the kernel of notebooks would.
 
 (require racket/match
          racket/sandbox
+         "../worksheet/defined-names.rkt"
          (only-in "../../error/refusal.rkt" raised?))
 
-(provide open-program answer-in program-ended? (struct-out program) reason)
+(provide open-program open-cells answer-in program-ended? (struct-out program) reason)
 
 ;; evaluator : or #f, if no form could be run
 ;; problem   : why it does not run as a whole, or #f
@@ -17,31 +19,36 @@
 
 ;; seconds : of each evaluation, or #f
 (define (open-program text seconds megabytes)
-  (define (limited make)
-    (parameterize ([sandbox-namespace-specs
-                    (append (sandbox-namespace-specs) '(mechanics mechanics/answers))]
-                   [sandbox-eval-limits (list seconds megabytes)]
-                   [sandbox-memory-limit megabytes]
-                   [sandbox-input #f]
-                   [sandbox-output #f]
-                   [sandbox-error-output #f]
-                   [sandbox-propagate-exceptions #t]
-                   [sandbox-propagate-breaks #f]
-                   [sandbox-gui-available #f])
-      (make)))
+  (define (limited make) (call-limited make seconds megabytes))
   (with-handlers ([void (lambda (x) (open-by-forms text x limited))])
     (program (limited (lambda () (make-module-evaluator text))) #f (hasheq))))
+
+;; make : -> evaluator
+(define (call-limited make seconds megabytes)
+  (parameterize ([sandbox-namespace-specs
+                  (append (sandbox-namespace-specs) '(mechanics mechanics/answers))]
+                 [sandbox-eval-limits (list seconds megabytes)]
+                 [sandbox-memory-limit megabytes]
+                 [sandbox-input #f]
+                 [sandbox-output #f]
+                 [sandbox-error-output #f]
+                 [sandbox-propagate-exceptions #t]
+                 [sandbox-propagate-breaks #f]
+                 [sandbox-gui-available #f])
+    (make)))
 
 ;; x : the value raised when the program was run as a whole
 (define (open-by-forms text x limited)
   (with-handlers ([void (lambda (_) (program #f (reason x) (hasheq)))])
     (define evaluator
       (and (exn:fail? x) (not (out-of-bounds? x)) (regexp-match? our-language text)
-           (limited (lambda () (make-evaluator 'mechanics #:requires '(mechanics/answers))))))
+           (limited make-prompt)))
     (program evaluator (reason x)
              (if evaluator
                  (call-in-sandbox-context evaluator (lambda () (run-forms text)))
                  (hasheq)))))
+
+(define (make-prompt) (make-evaluator 'mechanics #:requires '(mechanics/answers)))
 
 (define our-language #px"^#lang mechanics[ \t]*\r?\n")
 
@@ -60,6 +67,28 @@
            (loop (cond [(not name) failures]
                        [x (hash-set failures name (reason x))]
                        [else (hash-remove failures name)]))])))
+
+;; ---------------------------------------------------------------------------
+;; Cells
+
+;; sources : texts of cells; run : cell -> why it failed, a text, or #f
+(define (open-cells sources run seconds megabytes)
+  (with-handlers ([void (lambda (x) (program #f (reason x) (hasheq)))])
+    (define evaluator (call-limited make-prompt seconds megabytes))
+    (with-handlers ([void (lambda (x) (program evaluator (reason x) (hasheq)))])
+      (program evaluator #f
+               (call-in-sandbox-context evaluator (lambda () (run-cells sources run)))))))
+
+;; What a cell that fails would have defined, and nothing has defined, has that failure. -> failures
+(define (run-cells sources run)
+  (for/fold ([failures (hasheq)]) ([source (in-list sources)])
+    (define failure (run source))
+    (for/fold ([failures failures]) ([name (in-list (defined-names source))])
+      (if (and failure (not (defined? name)))
+          (hash-set failures name failure)
+          (hash-remove failures name)))))
+
+;; ---------------------------------------------------------------------------
 
 ;; (define name ...), (define ((name a) b) ...) -> name, or #f
 (define (name-defined form)

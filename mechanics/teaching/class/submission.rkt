@@ -1,30 +1,34 @@
 #lang racket/base
 ;; Submissions: the files of a folder, inspected before any of them is run.
 ;;
-;; Each program of the folder, a file ending with .rkt, is a submission, and so is a folder in it
-;; that holds one such file, as learning platforms deliver them.  Links are not followed.
+;; Each program of the folder, a file ending with .rkt, is a submission, and each notebook, ending
+;; with .ipynb; and so is a folder in it that holds one such file, as learning platforms deliver
+;; them.  Links are not followed.
 
 (require (only-in racket/list filter-map)
          racket/path
          (only-in racket/string string-trim)
          "../../error/complain.rkt")
 
-(provide (struct-out submission) folder->submissions file->submission)
+(provide (struct-out submission) folder->submissions file->submission with-outline)
 
 ;; id      : string, by which it is listed
 ;; person  : the name in its line ";; Name:", or the id
-;; text    : the program, or #f
+;; text    : the program, or the notebook as it stands in its file, or #f
 ;; problem : why there is no program, or #f
-(struct submission (id person text problem) #:transparent)
+(struct submission (id person text problem notebook?) #:transparent)
 
+;; Pictures are in notebooks, too.
 (define largest 1000000)
+(define largest-notebook 4000000)
 
 ;; who : in whose name is complained
 (define (folder->submissions who folder)
   (define entries (sort (directory-list folder) string<? #:key by-number #:cache-keys? #t))
-  (define found (filter-map (lambda (name) (entry->submission folder name)) entries))
+  (define found (filter-map (lambda (name) (entry->submission folder name entries)) entries))
   (when (null? found)
-    (complain who "there is no submission, no file that ends with .rkt\n  folder: ~a" folder))
+    (complain who "there is no submission, no file that ends with .rkt or .ipynb\n  folder: ~a"
+              folder))
   found)
 
 ;; student-2 stands before student-10.
@@ -33,10 +37,14 @@
     (string-append (make-string (max 0 (- 12 (string-length digits))) #\0) digits))
   (regexp-replace* #px"\\d+" (path->text path) filled))
 
-(define (entry->submission folder name)
+;; entries : of the folder; two files of one name keep their extensions
+(define (entry->submission folder name entries)
   (define path (build-path folder name))
   (define id (path->text name))
-  (cond [(program? name) (file->submission path (regexp-replace #rx"[.]rkt$" id ""))]
+  (define plain (regexp-replace #px"[.](?:rkt|ipynb)$" id ""))
+  (define (also? extension) (member (string->path (string-append plain extension)) entries))
+  (cond [(program? name)
+         (file->submission path (if (and (also? ".rkt") (also? ".ipynb")) id plain))]
         [(link-exists? path) #f]
         [(directory-exists? path) (subfolder->submission path id)]
         [else #f]))
@@ -44,14 +52,15 @@
 (define (subfolder->submission path id)
   (define programs (filter program? (directory-list path)))
   (cond [(hidden? id) #f]
-        [(null? programs) (without-program id "the folder has no file that ends with .rkt")]
+        [(null? programs) (without-program id "the folder has no file that ends with .rkt or .ipynb")]
         [(pair? (cdr programs))
-         (without-program id "the folder has several files that end with .rkt")]
+         (without-program id "the folder has several files that end with .rkt or .ipynb")]
         [else (file->submission (build-path path (car programs)) id)]))
 
-(define (without-program id problem) (submission id id #f problem))
+(define (without-program id problem) (submission id id #f problem #f))
 
-(define (program? name) (regexp-match? #rx#"[.]rkt$" (path->bytes name)))
+(define (program? name) (regexp-match? #rx#"[.](rkt|ipynb)$" (path->bytes name)))
+(define (notebook? path) (path-has-extension? path #".ipynb"))
 (define (hidden? id) (or (regexp-match? #rx"^[.]" id) (equal? id "compiled")))
 
 ;; A name may be any bytes.
@@ -59,26 +68,37 @@
 
 (define (file->submission path [id (path->text (file-name-from-path path))])
   (define (problem text) (without-program id text))
+  (define most (if (notebook? path) largest-notebook largest))
   (cond [(link-exists? path) (problem "it is a link to another place, and was not opened")]
-        [(directory-exists? path) (problem "it is a folder, though its name ends with .rkt")]
+        [(directory-exists? path) (problem "it is a folder, though its name ends as a file's")]
         [(not (file-exists? path)) (problem "there is no such file")]
         ;; a pipe or a device would be read without end
         [(not (eq? 'file (file-or-directory-type path))) (problem "it is no file of text")]
-        [(> (file-size path) largest)
-         (problem (format "it has ~a bytes; at most ~a are read" (file-size path) largest))]
-        [else (bytes->submission id (read-at-most path))]))
+        [(> (file-size path) most)
+         (problem (format "it has ~a bytes; at most ~a are read~a" (file-size path) most
+                          (if (notebook? path) about-outputs "")))]
+        [else (bytes->submission id (read-at-most path most) (notebook? path))]))
 
-(define (read-at-most path)
-  (define bytes (call-with-input-file path (lambda (in) (read-bytes largest in))))
+(define about-outputs
+  "; Clear Outputs of All Cells, in the menu Edit, and saving it make it smaller")
+
+(define (read-at-most path most)
+  (define bytes (call-with-input-file path (lambda (in) (read-bytes most in))))
   (if (eof-object? bytes) #"" bytes))
 
-(define (bytes->submission id bytes)
+(define (bytes->submission id bytes notebook?)
   (define text (with-handlers ([exn:fail:contract? (lambda (e) #f)]) (bytes->string/utf-8 bytes)))
   (cond [(not text) (without-program id "it is no text in UTF-8")]
         [(string=? "" (string-trim text)) (without-program id "it is empty")]
-        [else (submission id (person-in text id) text #f)]))
+        ;; what a notebook holds is told by the process that reads it
+        [notebook? (submission id id text #f #t)]
+        [else (submission id (person-in text id) text #f #f)]))
 
 (define (person-in text id)
   (define m (regexp-match #px"(?m:^;+[ \t]*Name:[ \t]*([^\r\n]{1,80}))" text))
   (define name (if m (string-trim (cadr m)) ""))
   (if (string=? name "") id name))
+
+;; outline : the lines of a notebook that tell its author and what it defines
+(define (with-outline s outline)
+  (struct-copy submission s [person (person-in outline (submission-id s))] [text outline]))

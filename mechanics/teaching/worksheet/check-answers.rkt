@@ -4,11 +4,12 @@
 
 (require (for-syntax racket/base)
          (only-in racket/file file->string file->value write-to-file)
-         (only-in racket/list remove-duplicates)
+         (only-in racket/list count index-of remove-duplicates)
          "answer-data.rkt" "defined-names.rkt" "exercise-kind.rkt" "exercise.rkt"
          "judge.rkt" "judgment-words.rkt" "judgment.rkt" "sealed-exercises.rkt")
 
-(provide check-answers checking? sealed-exercises tell-judgments)
+(provide check-answers checking? judged-answer-to sealed-exercises
+         tell-judgments tell-judgments-of-file tell-total)
 
 ;; #f while answers are collected for the teacher.
 (define checking? (make-parameter #t))
@@ -39,7 +40,7 @@
   (define (without-unbound pair)
     (syntax-case pair ()
       [(name value)
-       (and (identifier? #'value) (not (identifier-binding #'value)))
+       (and (identifier? #'value) (not (identifier-binding #'value 0 #t)))
        #'(name unanswered)]
       [_ pair])))
 
@@ -48,20 +49,24 @@
     (define exercises (unseal sealed))
     (define file (and file-name (bytes->path file-name)))
     (for ([note (in-list (definition-notes exercises (text-of file)))]) (printf "~a\n" note))
-    (tell-judgments
+    (tell-judgments-of-file
      (for/list ([e (in-list exercises)])
        (define found (assq (exercise-name e) answers))
-       (define d (answer-of-kind e (if found (cdr found) unanswered)))
-       (judged e d (judge e d)))
+       (judged-answer-to e (if found (cdr found) unanswered)))
      file)))
+
+;; x : the answer, a value
+(define (judged-answer-to e x)
+  (define d (answer-of-kind e x))
+  (judged e d (judge e d)))
 
 ;; The file as it was saved last.
 (define (text-of file)
   (with-handlers ([exn:fail? (lambda (x) "")]) (if file (file->string file) "")))
 
-;; The exercises in the envelope of a student's file, given as text; or #f
+;; The exercises in the envelope of a student's file or notebook, given as text; or #f
 (define (sealed-exercises text)
-  (define m (regexp-match #rx"[(]check-answers(.*)$" text))
+  (define m (regexp-match #rx"[(](?:check-answers|exercises)(.*)$" text))
   (define parts
     (if m (regexp-match* #px"\"([A-Za-z0-9+/=]+)\"" (cadr m) #:match-select cadr) '()))
   (and (pair? parts) (unseal (apply string-append parts))))
@@ -69,35 +74,41 @@
 ;; ---------------------------------------------------------------------------
 ;; Judgments, printed
 
-;; all : judged answers; file : the student's, or #f
-(define (tell-judgments all [file #f])
-  (define tries (count-tries file (filter wanting? all)))
-  (for ([j (in-list all)] [i (in-naturals 1)])
-    (printf "~a. ~a\n" i (judgment->text j #:hints (if (wanting? j) (hints-due j tries) '()))))
+;; all : judged answers; tries : the wrong answers before, each once; exercises : of the worksheet
+;; -> the wrong answers, with those of this time
+(define (tell-judgments all [before '()] [exercises (map judged-exercise all)])
+  (define tries (with-wrong-answers before (filter wanting? all)))
+  (for ([j (in-list all)])
+    (define number (+ 1 (index-of exercises (judged-exercise j))))
+    (printf "~a. ~a\n" number
+            (judgment->text j #:hints (if (wanting? j) (hints-due j tries) '()))))
+  tries)
+
+(define (tell-total all)
   (printf "~a of ~a.\n" (number->text (sum-of-points all))
           (counted-points (total-points (map judged-exercise all)))))
 
+;; The wrong answers are kept in a file beside the student's, `file`.
+(define (tell-judgments-of-file all [file #f])
+  (define place (and file (path-replace-extension file #".tries")))
+  (define before (if place (read-tries place) '()))
+  (define tries (tell-judgments all before))
+  (tell-total all)
+  (when (and place (not (equal? tries before))) (write-tries place tries)))
+
 ;; The hints that come after so many wrong answers.
 (define (hints-due j tries)
-  (define given (hash-ref tries (judged-name j)))
+  (define given (count (lambda (entry) (eq? (judged-name j) (car entry))) tries))
   (for/list ([h (in-list (exercise-hints (judged-exercise j)))] #:when (<= (hint-after h) given))
     (hint-text h)))
 
 ;; ---------------------------------------------------------------------------
-;; Wrong answers, counted
+;; Wrong answers, each once: the name of its exercise, and a number that tells it from others
 
-;; wrong : the wrong answers of this run -> hasheq, from the name of an exercise to the number of
-;; different wrong answers so far
-(define (count-tries file wrong)
-  (define place (and file (path-replace-extension file #".tries")))
-  (define before (if place (read-tries place) '()))
-  (define all
-    (remove-duplicates
-     (append before (for/list ([j (in-list wrong)])
-                      (list (judged-name j) (equal-hash-code (format "~s" (judged-answer j))))))))
-  (when (and place (not (equal? all before))) (write-tries place all))
-  (for/fold ([counts (hasheq)]) ([entry (in-list all)])
-    (hash-update counts (car entry) add1 0)))
+(define (with-wrong-answers before wrong)
+  (remove-duplicates
+   (append before (for/list ([j (in-list wrong)])
+                    (list (judged-name j) (equal-hash-code (format "~s" (judged-answer j))))))))
 
 (define (read-tries place)
   (define found (with-handlers ([exn:fail? (lambda (e) '())]) (file->value place)))

@@ -13,7 +13,7 @@
          "../../generic/value-tree.rkt"
          "../../value/read-expression.rkt" "../../value/simplify.rkt")
 
-(provide worksheet->document)
+(provide worksheet->document text->parts)
 
 ;; answers? : with the keys
 (define (worksheet->document w #:answers? [answers? #f])

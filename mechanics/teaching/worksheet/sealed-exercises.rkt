@@ -21,7 +21,7 @@
 ;; string -> exercises
 (define (unseal text)
   (define (broken . _)
-    (complain 'check-answers "the last lines of this worksheet were changed; take a new copy"))
+    (complain 'worksheet "the lines that hold its exercises were changed; take a new copy"))
   (with-handlers ([exn:fail? broken])
     (define found (read-untrusted (inflated (base64-decode (string->bytes/latin-1 text)))))
     (unless (and (list? found) (andmap exercise? found)) (broken))

@@ -6,7 +6,7 @@
          "exercise-kind.rkt" "exercise.rkt" "judgment-words.rkt" "sealed-exercises.rkt"
          "../../show/display/filled-lines.rkt")
 
-(provide worksheet->student-file)
+(provide worksheet->student-file sealed-pieces)
 
 (define (worksheet->student-file w)
   (string-append
@@ -46,8 +46,12 @@
           (string-join (for/list ([e (in-list exercises)])
                          (format "[~a ~a]" (exercise-name e) (exercise-name e)))
                        "\n ")
-          (string-join (for/list ([part (in-list (pieces (seal exercises) 90))]) (format "~s" part))
-                       "\n ")))
+          (sealed-pieces exercises)))
+
+;; The envelope, as strings in lines
+(define (sealed-pieces exercises)
+  (string-join (for/list ([part (in-list (pieces (seal exercises) 90))]) (format "~s" part))
+               "\n "))
 
 (define (pieces text size)
   (for/list ([start (in-range 0 (string-length text) size)])

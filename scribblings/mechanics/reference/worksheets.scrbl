@@ -185,7 +185,7 @@ not have; of numbers powers of ten, 2, 2π, degrees, the reciprocal, squares, an
 
 @defmodule[mechanics/answers #:packages ("mechanics")]
 
-What the file needs that @exec{raco mechanics worksheet} writes for students.
+What the file and the notebook need that @exec{raco mechanics worksheet} writes for students.
 
 @defthing[unanswered any/c]{
 
@@ -205,13 +205,31 @@ is nearly the same, it is asked whether that is the answer.
  [two 2]
  "01Au1kitSC1KzixOVSgpz1fIK81NSi1SULJXUtDQVFDOSCzOSC0EsowUDEECILESTU0A")]}
 
+@defproc[(exercises [sealed string?] ...) void?]{
+
+Opens the envelope of a worksheet, whose pieces are the strings, for @racket[check]; what stands in
+a notebook's first cell and is not written by hand. Strings that were changed are refused.}
+
+@defform[(check name ...+)]{
+
+Judges the answers to the exercises of these names, as their definitions are now, and prints what is
+found; of several their points as well. It stands in a notebook beneath each answer. A name without
+a definition is not answered. A hint comes with a wrong answer; as long as the session lasts wrong
+answers are counted, each once. A name that no exercise has, and a worksheet whose first cell was not
+run, are told.
+
+@examples[#:eval answers
+(exercises "01Au1kitSC1KzixOVSgpz1fIK81NSi1SULJXUtDQVFDOSCzOSC0EsowUDEECILESTU0A")
+(define two 3)
+(check two)]}
+
 @section[#:tag "commands-for-teaching"]{Commands}
 
 @tabular[#:sep @hspace[2] #:row-properties '(top)
 (list
  (list @exec{raco mechanics new FILE} "writes a worksheet to begin with")
  (list @exec{raco mechanics worksheet FILE}
-       "writes the students' file, and the page to hand out in HTML and in TeX")
+       "writes the students' file and notebook, and the page to hand out in HTML and in TeX")
  (list @exec{raco mechanics handout FILE} @elem{writes the page alone: @exec{--to html} or
        @exec{tex}, with @exec{--answers} for yourself; of another program the page that
        @exec{show} makes})
@@ -236,6 +254,12 @@ A program that cannot be run as a whole, for a name in it is unknown or a defini
 by @exec{check} form by form. What is wrong with it is said once; answers that can be had are
 judged as ever, and one that cannot says what it failed with. Of a program in which a form cannot be
 read, for a parenthesis is missing, what stands before that form is judged.
+
+FILE and the files of a class may be notebooks, which end with @exec{.ipynb}. Their cells with code
+are run one after the other, as a kernel would, and what fails in a cell costs what the cell would
+have defined. Nothing else in a notebook counts: not its outputs, nor what they say of order. A
+notebook is refused with a word if it has attachments, more than 4 MB, a key of its JSON twice in one
+object, or parts nested more than 64 deep.
 
 The seconds count from when the library is loaded: two thirds of them are for the program, the rest
 for judging what it answers. Time in which a program waits for a processor is not counted, where

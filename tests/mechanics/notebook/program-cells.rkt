@@ -5,7 +5,7 @@
          racket/file
          racket/list
          racket/runtime-path
-         mechanics/notebook/notebook-file mechanics/notebook/program-cells
+         mechanics/show/notebook/notebook-file mechanics/show/notebook/program-cells
          "../support/checks.rkt" "../support/messages.rkt")
 
 (define-runtime-path examples "../../../examples/mechanics")
@@ -117,7 +117,8 @@
   (check-cells-kept (fresh '(code "#reader \"no-such-file.rkt\" x") '(code "(f)"))))
 
 (test-case "what is no notebook, and no program with #lang"
-  (check-message "program: x.ipynb is no notebook of Jupyter, in its format 4"
+  (check-message
+      "program: x.ipynb is no notebook of Jupyter, in its format 4: its JSON has a mistake"
     (bytes->notebook 'program "x.ipynb" #"{]"))
   (check-message "program: x.ipynb is no notebook of Jupyter, in its format 4"
     (bytes->notebook 'program "x.ipynb" #"{\"cells\": 1}"))

@@ -40,7 +40,7 @@
 
 (test-case "a worksheet becomes the student's file and a page, in HTML and TeX"
   (check-equal? (command "worksheet" "first.rkt")
-                '(0 "first-student.rkt\nfirst-student.html\nfirst-student.tex\n"))
+                '(0 "first-student.rkt\nfirst-student.ipynb\nfirst-student.html\nfirst-student.tex\n"))
   (define student (text "first-student.rkt"))
   (check-true (string-contains? student "(define period unanswered)"))
   (check-true (string-contains? student "\n(define ((T m l) (up t theta thetadot))\n  (* 1/2")
@@ -232,7 +232,7 @@
 
 (test-case "an envelope that was changed is told"
   (write-text "torn.rkt" (regexp-replace #rx"\n \"...." (text "first-student.rkt") "\n \"AAAA"))
-  (check-refused #rx"the last lines of this worksheet were changed" "check" "torn.rkt"))
+  (check-refused #rx"the lines that hold its exercises were changed" "check" "torn.rkt"))
 
 ;; What is wrong with a worksheet is said when it is made.  Each is a module of its own.
 (define (check-worksheet pattern . lines)

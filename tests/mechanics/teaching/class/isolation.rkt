@@ -18,7 +18,7 @@
 
 (define w (make-worksheet "Levels" #f "levels"
                           (list (make-exercise 'frequency 'expression "?" '((key k))))))
-(define honest (submission "ann" "ann" "#lang mechanics\n(define frequency 'k)\n" #f))
+(define honest (submission "ann" "ann" "#lang mechanics\n(define frequency 'k)\n" #f #f))
 
 (define (level-reached strictest)
   (call-with-isolation 512 10 #:strictest strictest isolation-level))

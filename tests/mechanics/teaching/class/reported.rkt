@@ -29,7 +29,7 @@
    (class-report w #f
                  (for/list ([a (in-list answers)] [i (in-naturals)])
                    (define d (list 'answer a))
-                   (graded (submission (format "~a" i) (format "~a" i) "" #f)
+                   (graded (submission (format "~a" i) (format "~a" i) "" #f #f)
                            (list (judged e d (judge e d))) #f '())))))
 
 (test-case "what went wrong is counted, and what has no name as well"
@@ -41,7 +41,7 @@
 
 (test-case "an answer that fails is told with its reason, and not where the program is at fault"
   (define (page-with d problem)
-    (class->page (class-report w #f (list (graded (submission "a" "a" "" #f)
+    (class->page (class-report w #f (list (graded (submission "a" "a" "" #f #f)
                                                   (list (judged e d (judge e d))) problem '())))))
   (check-regexp-match #rx"class=\"judged failed\".*it has no value"
                       (page-with '(failed "it has no value") "it does not run: no"))

@@ -22,7 +22,7 @@
   (bytes->string/latin-1 (base64-encode (get-output-bytes out) #"")))
 
 (define (check-refused bytes)
-  (check-exn #rx"the last lines of this worksheet were changed"
+  (check-exn #rx"worksheet: the lines that hold its exercises were changed"
              (lambda () (unseal (envelope bytes)))
              (format "~s" (subbytes bytes 0 (min 40 (bytes-length bytes))))))
 

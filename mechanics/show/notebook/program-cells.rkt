@@ -11,9 +11,9 @@
 
 (require racket/list
          racket/string
-         "../error/complain.rkt")
+         "../../error/complain.rkt")
 
-(provide program->cells cells->program
+(provide program->cells cells->program Markdown-escaped
          (struct-out cell)
          usual-header usual-gap header? gap?)
 
@@ -143,8 +143,11 @@
    (for/list ([line (in-list (map without-semicolons (lines-of text)))])
      (if (regexp-match? #px"^(?:    |#{1,6} |[-=]{3,}$)" line)
          line
-         (regexp-replace* #px"[\\\\`*_<>$\\[\\]|~]" line "\\\\&")))
+         (Markdown-escaped line)))
    "\n"))
+
+;; So that a text reads as it is
+(define (Markdown-escaped text) (regexp-replace* #px"[\\\\`*_<>$\\[\\]|~]" text "\\\\&"))
 
 ;; ---------------------------------------------------------------------------
 ;; To a program

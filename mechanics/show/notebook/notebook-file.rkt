@@ -9,16 +9,18 @@
          racket/list
          racket/match
          racket/string
-         "program-cells.rkt"
-         "../error/complain.rkt")
+         "bounded-JSON.rkt" "program-cells.rkt"
+         "../../error/complain.rkt")
 
 (provide notebook->bytes bytes->notebook)
 
-;; outputs : a list for each cell, of those that were run, or '()
-(define (notebook->bytes header cells [outputs (map (lambda (_) '()) cells)])
+;; outputs : a list for each cell, of those that were run, or '(); folded? : is the source of a cell
+;; to be shown only where it is asked for?
+(define (notebook->bytes header cells [outputs (map (lambda (_) '()) cells)]
+                         #:folded? [folded? (lambda (c) #f)])
   (define parts
     (for/list ([c (in-list cells)] [k (in-naturals 1)] [o (in-list outputs)])
-      (jsexpr->bytes (cell->json c k o (= k (length cells))))))
+      (jsexpr->bytes (cell->json c k o (= k (length cells)) (folded? c)))))
   (define metadata
     (hasheq 'kernelspec (hasheq 'name "mechanics" 'display_name "mechanics" 'language "racket")
             'language_info (hasheq 'name "racket" 'file_extension ".rkt")
@@ -28,36 +30,45 @@
 
 (define (join-bytes parts between) (apply bytes-append (add-between parts between)))
 
-(define (cell->json c k outputs last?)
+(define (cell->json c k outputs last? folded?)
   (define kind (cell-kind c))
   (define usual-after (if last? "\n" usual-gap))
   (define-values (text after) (values (cell-text c) (cell-after c)))
   (define kept
-    (for/hasheq ([key (in-list '(text after))]
-                 [value (in-list (list (and (not (equal? text (cell-source c))) text)
-                                       (and (not (equal? after usual-after)) after)))]
-                 #:when value)
-      (values key value)))
+    (table 'text (and (not (equal? text (cell-source c))) text)
+           'after (and (not (equal? after usual-after)) after)))
   (define fields
     (hasheq 'id (format "cell-~a" k)
             'cell_type (symbol->string kind)
-            'metadata (if (hash-empty? kept) (hasheq) (hasheq 'mechanics kept))
+            'metadata (table 'mechanics (and (not (hash-empty? kept)) kept)
+                             'jupyter (and folded? (hasheq 'source_hidden #t)))
             'source (cell-source c)))
   (if (eq? kind 'code) (hash-set* fields 'execution_count 'null 'outputs outputs) fields))
+
+;; Without those that are #f
+(define (table . keys+values)
+  (for/hasheq ([(key value) (in-hash (apply hasheq keys+values))] #:when value) (values key value)))
 
 ;; ---------------------------------------------------------------------------
 ;; Reading
 
-;; -> header and cells.  name : of the file, for messages
-(define (bytes->notebook who name text)
-  (define x (with-handlers ([exn:fail? (lambda (e) #f)]) (bytes->jsexpr text)))
+;; -> header and cells.  name : of the file, for messages; attachments? : may cells have some, which
+;; are left out?
+(define (bytes->notebook who name text #:attachments? [attachments? #t])
+  (define (refuse why) (complain who "~a is no notebook of Jupyter, in its format 4~a" name why))
+  (define x (read-bounded-JSON text (lambda (why) (refuse (string-append ": " why)))))
   (define cells (and (hash? x) (hash-ref x 'cells #f)))
-  (unless (and (list? cells) (andmap hash? cells))
-    (complain who "~a is no notebook of Jupyter, in its format 4" name))
+  (unless (and (list? cells) (andmap hash? cells)) (refuse ""))
   ;; metadata that would bring in what no cell shows is not taken
   (define header (text-at x '(metadata mechanics header) usual-header))
   (values (if (header? header) header usual-header)
-          (for/list ([c (in-list cells)]) (json->cell who c))))
+          (for/list ([c (in-list cells)])
+            (unless (or attachments? (member (hash-ref c 'attachments #f) '(#f #hasheq())))
+              (complain who about-attachments))
+            (json->cell who c))))
+
+(define about-attachments
+  "a cell holds an attachment, such as a picture that was pasted, which is not read; take it out")
 
 (define (json->cell who c)
   (define kind
