@@ -109,7 +109,7 @@ END
   (check-equal? (last-of "(check two)") "2. two: not answered (0 of 1 point)\n")
   (check-regexp-match #rx"^check: there is no exercise tow; did you mean two[?]"
                       (last-of "(check tow)"))
-  (check-regexp-match #rx"^check: expected names of exercises, as in \\(check motion\\)"
+  (check-regexp-match #rx"check: expected names of exercises, as in \\(check motion\\)"
                       (last-of "(check 'two)"))
   (check-regexp-match #rx"^worksheet: the lines that hold its exercises were changed; take a new copy"
                       (last-of "(exercises \"AAAA\")")))
