@@ -22,7 +22,7 @@ endif
 unexport PLT_COMPILED_FILE_CHECK
 
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
-.PHONY: help demo repl lab run show tex export attack lint lint-texts install uninstall \
+.PHONY: help demo repl lab notebooks run show tex export attack lint lint-texts install uninstall \
         test tests test-quick test-manual test-figures test-export test-lab \
         elsewhere bench peers export-python docs pictures clean \
         racket writable libraries editing compile begin-tests known-docs
@@ -31,6 +31,7 @@ help:
 	@echo 'make demo    a tour in five screens: Lagrange equations, proposed paths, verdicts'
 	@echo 'make repl    a prompt with history, completion and help'
 	@echo 'make lab     notebooks: JupyterLab with our kernel, in build/lab (installs it there first)'
+	@echo 'make notebooks   all examples, worksheets and the guide as notebooks with results, in build/notebooks'
 	@echo 'make run     run a file            (FILE=my-system.rkt, ARGS="..." for what it is told)'
 	@echo 'make compile compiles the library, which all of these do as well'
 	@echo 'make install mechanics in your Racket, in some four minutes    (DOCS=no: one, without it)'
@@ -73,6 +74,12 @@ lab: compile
 
 test-lab: compile
 	@.ci/lab.sh test
+
+# ONLY=text for those with it in their names
+notebooks: writable compile
+	@$(call try-to-compile,.ci/notebooks.rkt .ci/notebook-work.rkt scribblings/mechanics/guide.scrbl \
+	    scribblings/mechanics/guide-notebook.rkt)
+	@$(RACKET) .ci/notebooks.rkt --jobs $(JOBS) $(if $(ONLY),--only "$(ONLY)") build/notebooks
 
 # Racket is to find the package where it is installed, not here.
 with-own-collections = env $(if $(own-collections),PLTCOLLECTS='$(own-collections)',-u PLTCOLLECTS)

@@ -9,8 +9,9 @@
 
 (define-namespace-anchor here)
 
-;; Runs cells until one fails -> for each cell its outputs as Jupyter has them; the failure or #f
-(define (run-cells cells)
+;; Runs cells, unless on? until one fails -> for each cell its outputs as Jupyter has them; the last
+;; failure or #f
+(define (run-cells cells #:on? [on? #f])
   (parameterize ([current-namespace (namespace-anchor->empty-namespace here)])
     (namespace-require 'mechanics)
     (call-as-session
@@ -18,10 +19,10 @@
        (for/fold ([outputs '()] [failed #f] #:result (values (reverse outputs) failed))
                  ([c (in-list cells)])
          (define-values (found why)
-           (if (and (eq? (cell-kind c) 'code) (not failed))
+           (if (and (eq? (cell-kind c) 'code) (or on? (not failed)))
                (run-cell (cell-source c))
-               (values '() failed)))
-         (values (cons found outputs) why))))))
+               (values '() #f)))
+         (values (cons found outputs) (or why failed)))))))
 
 (define (run-cell code)
   (define outputs '())

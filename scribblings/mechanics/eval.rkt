@@ -1,8 +1,9 @@
 #lang racket/base
 ;; The prompts that the manual's examples run at.
 
-(require racket/sandbox scribble/example scribble/manual
-         "look/typeset.rkt"
+(require (for-syntax racket/base)
+         racket/sandbox (prefix-in s: scribble/example) scribble/manual
+         "example-cells.rkt" "look/typeset.rkt"
          (only-in "../../mechanics/numeric/bigfloat/bigfloat-arithmetic.rkt" check-bigfloats)
          (only-in "../../mechanics/show/plot/on-demand.rkt" why-not))
 
@@ -13,27 +14,35 @@
 ;; Columns of a page of the manual that a result may fill.
 (define page-columns 66)
 
+;; Scribble's, or what makes a cell of a notebook
+(define-syntax (examples stx)
+  (syntax-case stx ()
+    [(_ #:eval session part ...)
+     (with-syntax ([forms (datum->syntax stx (list* #'written-forms (cdr (syntax->list stx))) stx)])
+       #'(if (cell-session? session)
+             (cells-block session forms)
+             (s:examples #:eval session part ...)))]))
+
 ;; A prompt of `#lang mechanics`, which prints as the prompt of a reader does.
 (define (make-session . forms)
-  (define session (apply make-base-eval #:lang 'mechanics #:pretty-print? #f forms))
-  (call-in-sandbox-context session install-printer)
-  (call-in-sandbox-context session choose-expressions)
-  session)
+  (session-of forms #:pretty-print? #f install-printer choose-expressions))
+
+(define (session-of forms #:lang [lang 'mechanics] #:pretty-print? pretty? . preparations)
+  (cond [(examples-as-cells?) (cell-session (and (eq? lang 'mechanics) forms))]
+        [else
+         (define session (apply s:make-base-eval #:lang lang #:pretty-print? pretty? forms))
+         (for ([prepare (in-list preparations)]) (call-in-sandbox-context session prepare))
+         session]))
 
 ;; The same with `mechanics/plot`, and with Racket's printer for what is no part of
 ;; mechanics, which puts pictures on the page.
 (define (make-picture-session . forms)
-  (define session
-    (apply make-base-eval #:lang 'mechanics #:pretty-print? #t '(require mechanics/plot) forms))
-  (call-in-sandbox-context session install-printer)
-  (call-in-sandbox-context session choose-expressions)
-  session)
+  (session-of (cons '(require mechanics/plot) forms)
+              #:pretty-print? #t install-printer choose-expressions))
 
 ;; A prompt that puts typeset results on the page.
 (define (make-typeset-session . forms)
-  (define session (apply make-base-eval #:lang 'mechanics #:pretty-print? #t forms))
-  (call-in-sandbox-context session install-printer)
-  session)
+  (session-of forms #:pretty-print? #t install-printer))
 
 ;; The session's library typesets, for its values are no others'.
 (define (install-printer)
@@ -56,9 +65,9 @@
 
 ;; A prompt of plain Racket: what happens where `mechanics` was forgotten.
 (define (make-racket-session)
-  (make-base-eval #:lang 'racket/base #:pretty-print? #f))
+  (session-of '() #:lang 'racket/base #:pretty-print? #f))
 
-(define close-session close-eval)
+(define (close-session session) (unless (cell-session? session) (s:close-eval session)))
 
 ;; Examples in numbers of higher precision, without their results where the manual is
 ;; built on a machine that cannot compute them.

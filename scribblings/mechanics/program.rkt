@@ -12,7 +12,7 @@
          scribble/core
          (only-in scribble/html-properties link-resource)
          (only-in scribble/manual typeset-code filepath)
-         "look/typeset.rkt"
+         "example-cells.rkt" "look/typeset.rkt"
          (only-in "../../mechanics/lang/help/program-heading.rkt" program-heading)
          (only-in "../../mechanics/show/plot/on-demand.rkt" can-draw?))
 
@@ -24,6 +24,9 @@
 ;; it is run, and the picture or the animation that it provides under that name, if it does.
 ;; context : syntax whose bindings the code is linked by.
 (define (program name context)
+  (if (examples-as-cells?) (para "This is " (program-link name) ".") (whole-program name context)))
+
+(define (whole-program name context)
   (define path (build-path examples name))
   (define-values (output picture animation) (run path))
   (list* (para "This is " (program-link name) ":")
@@ -49,9 +52,15 @@
       (apply verbatim #:indent 2 (add-between (string-split x "\n" #:trim? #f) "\n"))
       (nested #:style 'inset x)))
 
-;; A program's name, which leads to a copy of it among the pages of the manual.
+;; A program's name, which leads to a copy of it among the pages of the manual; in a notebook, to its
+;; notebook.
 (define (program-link name [text (filepath (format "examples/mechanics/~a" name))])
-  (elem #:style (style #f (list (link-resource (build-path examples name)))) text))
+  (elem #:style (style #f (list (if (examples-as-cells?)
+                                    (target-url (notebook-of name))
+                                    (link-resource (build-path examples name)))))
+        text))
+
+(define (notebook-of name) (format "../~a" (path-replace-extension name #".ipynb")))
 
 ;; The programs of a folder, each with what its first lines say of it.
 (define (program-table folder)

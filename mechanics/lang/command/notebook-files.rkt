@@ -3,8 +3,9 @@
 
 (require racket/file
          racket/path
-         "written-files.rkt"
+         "watch.rkt" "written-files.rkt"
          "../program-file.rkt"
+         (only-in "../redefinition/late-definitions.rkt" late-definitions)
          "../../error/complain.rkt"
          "../../show/notebook/notebook-file.rkt" "../../show/notebook/program-cells.rkt"
          "../../show/plot/picture-file.rkt"
@@ -27,10 +28,27 @@
         (values (map (lambda (_) '()) cells) #f)))
   (write-file 'notebook to (notebook->bytes header cells outputs))
   (print-paths (list to))
+  (tell-late-definitions name from)
   (cond [failed
          (eprintf "~a did not run to its end:\n~a\n" name (failure-message failed))
          1]
         [else 0]))
+
+;; What a program allows and a notebook, whose cells run one after the other, does not
+(define (tell-late-definitions name file)
+  (define stx (call-with-program file (lambda (in) (read-whole-program 'notebook name file in))))
+  (for ([found (in-list (late-definitions-of (module-forms stx)))])
+    (eprintf (string-append "~a, line ~a: ~a is used there and defined in line ~a, which a program "
+                            "knows before;\n  in a notebook put the definition first\n")
+             name (cadr found) (car found) (caddr found))))
+
+(define-namespace-anchor here)
+
+(define (late-definitions-of forms)
+  (parameterize ([current-namespace (namespace-anchor->empty-namespace here)])
+    (namespace-require 'mechanics)
+    (define meant (map namespace-syntax-introduce forms))
+    (eval (datum->syntax #f (cons #'late-definitions meant)))))
 
 (define (program-command arguments)
   (define-values (from to option) (files 'program arguments #".rkt" '()))

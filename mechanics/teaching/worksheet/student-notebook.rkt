@@ -13,16 +13,16 @@
 
 (provide worksheet->student-notebook)
 
-;; -> bytes
-(define (worksheet->student-notebook w)
+;; run : cells -> outputs of each, or #f -> bytes
+(define (worksheet->student-notebook w [run #f])
   (define opening (opening-cell (exercises-of w)))
-  (notebook->bytes
-   usual-header
-   (append (list (text-cell (title-text w)) opening)
-           (append-map (part->cells (numbered-exercises w)) (worksheet-parts w))
-           (list (text-cell "### All answers")
-                 (code-cell (check-call (map exercise-name (exercises-of w))))))
-   #:folded? (lambda (c) (eq? c opening))))
+  (define cells
+    (append (list (text-cell (title-text w)) opening)
+            (append-map (part->cells (numbered-exercises w)) (worksheet-parts w))
+            (list (text-cell "### All answers")
+                  (code-cell (check-call (map exercise-name (exercises-of w)))))))
+  (notebook->bytes usual-header cells (if run (run cells) (map (lambda (_) '()) cells))
+                   #:folded? (lambda (c) (eq? c opening))))
 
 (define (text-cell text) (cell 'markdown text #f #f))
 (define (code-cell text) (cell 'code text #f #f))

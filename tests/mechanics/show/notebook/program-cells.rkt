@@ -6,9 +6,9 @@
          racket/list
          racket/runtime-path
          mechanics/show/notebook/notebook-file mechanics/show/notebook/program-cells
-         "../support/checks.rkt" "../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt")
 
-(define-runtime-path examples "../../../examples/mechanics")
+(define-runtime-path examples "../../../../examples/mechanics")
 
 (define (cells-of text)
   (define-values (header cells) (program->cells 'notebook (string->bytes/utf-8 text)))
