@@ -124,7 +124,7 @@ new worksheet handout check: compile
 	@if [ -z "$(FILE)" ]; then echo 'make $@ FILE=... ; make help says more' >&2; exit 2; fi
 	@$(call try-to-compile,$(COMMAND)/raco.rkt $(COMMAND)/worksheet-files.rkt \
 	    $(COMMAND)/check-answers-of.rkt mechanics/worksheet.rkt mechanics/answers.rkt \
-	    mechanics/teaching/class/evaluate-main.rkt)
+	    $(COMMAND)/evaluate-submission.rkt)
 	@$(MAKE) --no-print-directory -s $@-file
 
 new-file:

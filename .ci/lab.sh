@@ -69,9 +69,9 @@ start() {
 
 # Those of the examples with controls; what the reader changed stays.
 make_notebooks() {
-    mkdir -p "$notebooks"
+    mkdir -p "$notebooks/interactive"
     for program in examples/mechanics/interactive/*.rkt; do
-        made="$notebooks/$(basename "$program" .rkt).ipynb"
+        made="$notebooks/interactive/$(basename "$program" .rkt).ipynb"
         case $program in */info.rkt) continue ;; esac
         [ -e "$made" ] || "${RACKET:-racket}" -l- mechanics/lang/command/raco notebook \
             -o "$made" "$program" >/dev/null

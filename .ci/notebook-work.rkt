@@ -108,7 +108,9 @@
       [("program") (program-notebook source)]
       [("worksheet") (worksheet-notebook source)]
       [("page") (page-notebook source failing)]))
-  (call-with-output-file to #:exists 'truncate (lambda (out) (write-bytes notebook out)))
+  (call-with-output-file to #:exists 'truncate (lambda (out) (void (write-bytes notebook out))))
   (when problem
     (eprintf "~a\n" problem)
+    ;; to be made again
+    (file-or-directory-modify-seconds to 0)
     (exit 1)))

@@ -95,21 +95,21 @@
   (subprocess-wait process)
   (and (not (eqv? 0 (subprocess-status process))) (string-trim (string-append said complaint))))
 
-;; -> for each task #f or a text
+;; -> hash from those tasks that went wrong to why
 (define (make-all folder tasks jobs)
-  (define left (for/list ([t (in-list tasks)]) (cons t (make-channel))))
   (define seats (make-semaphore jobs))
-  (for ([l (in-list left)])
+  (define done (make-channel))
+  (for ([t (in-list tasks)])
     (thread (lambda ()
-              (channel-put (cdr l) (call-with-semaphore
-                                    seats (lambda () (make-one folder (car l))))))))
+              (define why (call-with-semaphore seats (lambda () (make-one folder t))))
+              (channel-put done (cons t why)))))
   (define start (current-seconds))
   (begin0
-    (for/list ([l (in-list left)] [k (in-naturals 1)])
-      (begin0 (channel-get (cdr l))
-              (when (or (terminal-port? (current-output-port)) (= 0 (remainder k 25)))
-                (show-progress (format "  ~a of ~a, ~a s" k (length left)
-                                       (- (current-seconds) start))))))
+    (for/fold ([wrong (hasheq)]) ([k (in-range 1 (+ 1 (length tasks)))])
+      (define result (channel-get done))
+      (when (or (terminal-port? (current-output-port)) (= 0 (remainder k 25)))
+        (show-progress (format "  ~a of ~a, ~a s" k (length tasks) (- (current-seconds) start))))
+      (if (cdr result) (hash-set wrong (car result) (cdr result)) wrong))
     (end-progress)))
 
 ;; ---------------------------------------------------------------------------
@@ -138,18 +138,16 @@
   (define chosen
     (filter (lambda (t) (and (string-contains? (task-name t) only) (not (made? folder t)))) all))
   (printf "Running ~a notebooks, each in a process of its own ...\n" (length chosen))
-  (define found (make-all folder chosen jobs))
-  (write-bytes-to (notebook->bytes usual-header (index-cells all)) (build-path folder "index.ipynb"))
-  (define wrong
-    (for/list ([t (in-list chosen)] [why (in-list found)] #:when why)
-      (eprintf "~a: ~a\n" (task-name t) why)
-      t))
+  (define wrong (make-all folder chosen jobs))
+  (define index (build-path folder "index.ipynb"))
+  (write-bytes-to (notebook->bytes usual-header (index-cells all)) index)
+  (for ([(t why) (in-hash wrong)]) (eprintf "~a: ~a\n" (task-name t) why))
   (define (count-of kind) (count (lambda (t) (eq? (task-kind t) kind)) chosen))
   (printf (string-append "~a programs, ~a worksheets, ~a pages of the guide in ~a s; "
                          "~a as they should be, ~a not\nThe list of them is ~a\n")
           (count-of 'program) (count-of 'worksheet) (count-of 'page) (- (current-seconds) start)
-          (- (length chosen) (length wrong)) (length wrong) (build-path folder "index.ipynb"))
-  (null? wrong))
+          (- (length chosen) (hash-count wrong)) (hash-count wrong) index)
+  (hash-empty? wrong))
 
 (module+ main
   (define jobs 2)

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The manual's examples as cells of notebooks: where a page is loaded for that, its examples are not
-;; evaluated, but stand in the document as they are written, for guide-notebook.rkt.
+;; The manual's examples as cells of notebooks: where a page is loaded for that, its examples are
+;; not evaluated, but stand in the document as they are written, for guide-notebook.rkt.
 
 (require (for-syntax racket/base racket/file)
          scribble/core)
@@ -28,7 +28,7 @@
 ;; (written-forms part ...) : the parts of `examples` -> pairs as above
 (define-syntax (written-forms stx)
   (define (text-between first-form last-form)
-    (define text (file->string (syntax-source stx)))
+    (define text (file->string (syntax-source first-form)))
     (substring text (- (syntax-position first-form) 1)
                (+ (syntax-position last-form) (syntax-span last-form) -1)))
   (define (heads form) (and (pair? (syntax-e form)) (syntax-e (car (syntax-e form)))))

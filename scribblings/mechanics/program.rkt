@@ -52,8 +52,8 @@
       (apply verbatim #:indent 2 (add-between (string-split x "\n" #:trim? #f) "\n"))
       (nested #:style 'inset x)))
 
-;; A program's name, which leads to a copy of it among the pages of the manual; in a notebook, to its
-;; notebook.
+;; A program's name, which leads to a copy of it among the pages of the manual; in a notebook, to
+;; its notebook.
 (define (program-link name [text (filepath (format "examples/mechanics/~a" name))])
   (elem #:style (style #f (list (if (examples-as-cells?)
                                     (target-url (notebook-of name))

@@ -46,7 +46,7 @@
 
 (define (run i request)
   (define-values (process out in err)
-    (start-isolated i '("-l" "racket/base" "-l" "mechanics/teaching/class/evaluate-main")))
+    (start-isolated i '("-l" "racket/base" "-l" "mechanics/lang/command/evaluate-submission")))
   (thread (lambda ()
             (with-handlers ([exn:fail? void]) (write-string request in) (close-output-port in))))
   (thread (lambda () (copy-port err (open-output-nowhere))))

@@ -52,7 +52,8 @@
 (define (subfolder->submission path id)
   (define programs (filter program? (directory-list path)))
   (cond [(hidden? id) #f]
-        [(null? programs) (without-program id "the folder has no file that ends with .rkt or .ipynb")]
+        [(null? programs)
+         (without-program id "the folder has no file that ends with .rkt or .ipynb")]
         [(pair? (cdr programs))
          (without-program id "the folder has several files that end with .rkt or .ipynb")]
         [else (file->submission (build-path path (car programs)) id)]))

@@ -77,8 +77,22 @@ text. A submodule and @racket[provide], which mean something in a file only, are
 makes a program of a notebook. A program comes back from its notebook byte for byte; a notebook
 comes back from its program with the texts and kinds of its cells, not with its outputs.
 
-A notebook is lenient where a program is not: a cell may be run before one that stands above it,
-and may use a name that is defined further down. Before you hand on a program, run it.
+A notebook is lenient where a program is not: a cell may be run before one that stands above it.
+Before you hand on a program, run it. A program is lenient where a notebook is not: it knows a
+macro, and a name of yours that the library has, too, before their definition; @exec{raco mechanics
+notebook} tells which it uses so.
+
+@section{The guide, the examples and worksheets}
+
+@commandline{make notebooks}
+
+in a checkout makes a notebook of each page of this guide, of each example and of each worksheet,
+with results, in @filepath{build/notebooks}: some five minutes on two processors.
+@filepath{index.ipynb} lists them, and @exec{make lab} opens JupyterLab there. Each is compared with
+what it is made of, and what differs is told. What you change in a notebook stays, until what it is
+made of changes.
+
+A worksheet's notebook is answered in the browser: @secref["students"] tells how.
 
 @next-pages["ten-minutes" "the library, from its first Lagrangian on"
             "guide-showing" "programs as pages and papers"

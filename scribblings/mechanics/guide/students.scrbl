@@ -4,9 +4,31 @@
 
 @title[#:tag "students"]{For students: the answers to a worksheet}
 
-Your teacher gave you a file, such as @filepath{pendulum-student.rkt}. Open it in DrRacket
-(@secref["installation"]), put your name into the line @tt{;; Name:}, and press Run: nothing is
-answered yet, and it says so.
+Your teacher gave you a notebook, such as @filepath{pendulum-student.ipynb}, or a program,
+@filepath{pendulum-student.rkt}. They ask the same.
+
+@section{In a browser}
+
+@itemlist[#:style 'ordered
+@item{Start JupyterLab: with @exec{make lab} in a checkout of the library, or where your course has
+it (@secref["notebooks"]). Drag the notebook into its list of files, and open it there.}
+@item{Put your name into the line @tt{Name:} at the top (a double click opens it), and choose
+@onscreen{Run All Cells} in the menu @onscreen{Run}: nothing is answered yet, and it says so.}
+@item{Answer: put a definition in place of the hole, and run its cell. The judgment stands beneath
+it. Change the answer and run the cell again, as often as you like; with wrong answers come hints.}
+@item{At the end choose @onscreen{Restart Kernel and Run All Cells} in the menu @onscreen{Kernel}:
+that is how your notebook will be judged, from its cells alone and in their order. Save it, and hand
+in its file.}]
+
+@exec{raco mechanics check pendulum-student.ipynb} in a terminal says what your teacher will see; in
+a checkout it is @exec{make check FILE=pendulum-student.ipynb}. Answers count that stand in cells
+with code. Pictures that you paste into a text are attachments, with which the notebook is not read:
+describe in words what they show.
+
+@section{In DrRacket}
+
+Open the program (@secref["installation"]), put your name into the line @tt{;; Name:}, and press
+Run: nothing is answered yet, and it says so.
 
 @section{An answer}
 
@@ -19,7 +41,7 @@ Each question is followed by a hole,
 (define motion unanswered)
 }|
 
-and the comment shows how the definition of an answer may begin. Replace the hole:
+and the text before it shows how the definition of an answer may begin. Replace the hole:
 
 @codeblock|{
 (define ((motion theta) t)
@@ -34,7 +56,7 @@ an answer: @racket[(define motion (Lagrange-equations L))] is one, with your @ra
 
 An answer in words is a text in quotation marks: @racket[(define why "Because ...")].
 
-@section{The report of @onscreen{Run}}
+@section{The report}
 
 @itemlist[
 @item{@bold{proved}, or @bold{right}: it is.}
@@ -49,22 +71,23 @@ look at it. It helps to write exact numbers, @racket[1/3] and not @racket[0.333]
 @item{@bold{no answer could be had}: your function made an error, which is shown.}
 @item{@bold{not answered}, or @bold{kept for the teacher}.}]
 
-The same is said by @exec{raco mechanics check pendulum-student.rkt} in a terminal; in a checkout of
-the library, by @exec{make check FILE=pendulum-student.rkt}.
+The same is said by @exec{raco mechanics check pendulum-student.rkt}.
 
 @section{Problems}
 
 @itemlist[
-@item{@tt{unbound identifier}: a name was not defined; a symbol needs its quote, @racket['m]. Run
-stops there, and judges nothing until it is mended; @exec{raco mechanics check} judges the other
-answers all the same.}
+@item{@tt{unbound identifier}, or @tt{undefined}: a name was not defined; a symbol needs its quote,
+@racket['m]. A cell of a notebook costs no other; in DrRacket Run stops there, and judges nothing
+until it is mended, but @exec{raco mechanics check} judges the other answers all the same.}
+@item{@tt{the worksheet is not open}: run the first cell of the notebook, which is folded, or all
+cells.}
 @item{@tt{period is not defined; perod is: is that its answer?}: keep the names that the questions
 give.}
 @item{@tt{it has L in it, of which the question does not speak}: look how the question spells it.}
 @item{@tt{the function takes 3 arguments; here it is applied to theta}: begin the definition as the
 comment says.}
-@item{Leave the last lines of the file, @racket[(check-answers ...)], as they are; if they were
-changed, take a new copy and put your answers into it.}]
+@item{Leave the last lines of the program, @racket[(check-answers ...)], and the first cell of the
+notebook as they are; if they were changed, take a new copy and put your answers into it.}]
 
 More about errors is in @secref["mistakes"].
 

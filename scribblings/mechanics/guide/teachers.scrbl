@@ -4,10 +4,10 @@
 
 @title[#:tag "teachers"]{For teachers: a first class in thirty minutes}
 
-A worksheet is one file. From it come the students' file, in which they can check their answers
-themselves, the page to hand out, and the judgment on what a whole class hands in. An answer is
-right if it is @emph{proved} to be, in whatever form it is written; a wrong one is told where it
-fails, and often why.
+A worksheet is one file. From it come the students' notebook and program, in which they can check
+their answers themselves, the page to hand out, and the judgment on what a whole class hands in. An
+answer is right if it is @emph{proved} to be, in whatever form it is written; a wrong one is told
+where it fails, and often why.
 
 @section{Ten minutes: the worksheet}
 
@@ -57,20 +57,26 @@ The pendulum: 2 exercises, 4 points; all keys hold.
 
 @commandline{raco mechanics worksheet pendulum.rkt}
 
-writes @filepath{pendulum-student.rkt}, with the questions as comments and a hole for each answer,
-and the page to hand out as @filepath{pendulum-student.html} and @filepath{pendulum-student.tex}.
+writes @filepath{pendulum-student.ipynb}, a notebook with the questions typeset and a cell for each
+answer; @filepath{pendulum-student.rkt}, the same as a program for DrRacket; and the page to hand
+out as @filepath{pendulum-student.html} and @filepath{pendulum-student.tex}.
 @commandline{raco mechanics handout pendulum.rkt --answers}
 writes the page with the answers, for you.
 
-The students' file judges answers when they press Run, and shows your hints with wrong ones.
-For that it holds the keys, in an envelope: they do not meet the eye, but whoever wants to can
+Try the notebook as a student would: @exec{make lab} opens JupyterLab (@secref["notebooks"]), where
+you open the notebook, put an answer into its cell, and run the cell. The judgment stands beneath
+it, with your hints for a wrong answer. A class that works in a browser needs no more than that;
+hand out the program to those who prefer DrRacket, in which Run judges.
+
+For that both hold the keys, in an envelope: they do not meet the eye, but whoever wants to can
 open it. In an examination add @racket[(no-practice)] to an exercise: its key stays with you, and
 the file only says that the answer is kept.
 
 @section{Ten minutes: the class}
 
-Collect the files in a folder, one for each student, named as you like; a folder for each, as
-learning platforms deliver them, will do as well. Then
+Students save their notebook and hand in its file. Collect the files in a folder, notebooks and
+programs as they come, one for each student, named as you like; a folder for each, as learning
+platforms deliver them, will do as well. Then
 
 @commandline{raco mechanics check class --worksheet pendulum.rkt --report report.html}
 
@@ -83,7 +89,12 @@ reads. Thirty submissions take less than a minute.
 @item{Points are given by components: of two equations one may be right.}
 @item{What could not be decided, and answers of the kind @racketidfont{reason}, are left to you,
 and listed; they never count as wrong.}
-@item{A name is taken from the line @tt{;; Name:} of the file, or from the file.}
+@item{A name is taken from the line @tt{Name:} of the notebook or @tt{;; Name:} of the program, or
+from the file.}
+@item{Of a notebook the cells with code are run anew, in their order. What it shows as results is
+not read, and neither are text and raw cells; so a student who ran cells in another order may get
+less than the screen said, and should restart and run all cells before handing in. A notebook with
+attachments, such as pictures pasted into its text, is not judged, and it is said why.}
 @item{Where an item is answered twice the last answer is judged, and the report says so; so it
 does where one was given under a misspelt name.}
 @item{A file with a mistake for which Racket would not run it loses the answer with the mistake, and
@@ -92,14 +103,14 @@ cannot tell how much it was meant to hold: such a file loses what follows it, to
 
 @section[#:tag "what-students-can-do"]{The isolation of a submission}
 
-A submission is a program, and you run it. On Linux each runs in a process of its own, which can
-see no file but those of Racket and of this library, and can write none; which has no network and
-no environment; which is not you, if you are root; in which it is limited in time, memory,
-processes and output. In it runs a sandbox of Racket's besides (@secref["sandbox"]). What comes out
-is a list of expressions, made of names and numbers; they are read, never run, and judged in a
-process that no submission has been in. So no submission sees the key, gives itself a verdict, or
-changes that of another; one that loops, sleeps, or answers what takes forever to be judged
-costs its ten seconds.
+A submission is a program, or the cells of a notebook, and you run it. On Linux each is read and
+runs in a process of its own, which can see no file but those of Racket and of this library, and can
+write none; which has no network and no environment; which is not you, if you are root; in which it
+is limited in time, memory, processes and output. In it runs a sandbox of Racket's besides
+(@secref["sandbox"]). What comes out is a list of expressions, made of names and numbers; they are
+read, never run, and judged in a process that no submission has been in. So no submission sees the
+key, gives itself a verdict, or changes that of another; one that loops, sleeps, or answers what
+takes forever to be judged costs its ten seconds.
 
 For this the commands @exec{unshare}, @exec{setpriv} and @exec{prlimit} are needed, and a system
 that gives namespaces, as Debian and most others do. Without them submissions are run all the same,

@@ -215,8 +215,8 @@ a notebook's first cell and is not written by hand. Strings that were changed ar
 Judges the answers to the exercises of these names, as their definitions are now, and prints what is
 found; of several their points as well. It stands in a notebook beneath each answer. A name without
 a definition is not answered. A hint comes with a wrong answer; as long as the session lasts wrong
-answers are counted, each once. A name that no exercise has, and a worksheet whose first cell was not
-run, are told.
+answers are counted, each once. A name that no exercise has, and a worksheet whose first cell was
+not run, are told.
 
 @examples[#:eval answers
 (exercises "01Au1kitSC1KzixOVSgpz1fIK81NSi1SULJXUtDQVFDOSCzOSC0EsowUDEECILESTU0A")
@@ -258,8 +258,8 @@ read, for a parenthesis is missing, what stands before that form is judged.
 FILE and the files of a class may be notebooks, which end with @exec{.ipynb}. Their cells with code
 are run one after the other, as a kernel would, and what fails in a cell costs what the cell would
 have defined. Nothing else in a notebook counts: not its outputs, nor what they say of order. A
-notebook is refused with a word if it has attachments, more than 4 MB, a key of its JSON twice in one
-object, or parts nested more than 64 deep.
+notebook is refused with a word if it has attachments, more than 4 MB, a key of its JSON twice in
+one object, or parts nested more than 64 deep.
 
 The seconds count from when the library is loaded: two thirds of them are for the program, the rest
 for judging what it answers. Time in which a program waits for a processor is not counted, where

@@ -40,7 +40,8 @@
 
 (test-case "a worksheet becomes the student's file and a page, in HTML and TeX"
   (check-equal? (command "worksheet" "first.rkt")
-                '(0 "first-student.rkt\nfirst-student.ipynb\nfirst-student.html\nfirst-student.tex\n"))
+                '(0
+                  "first-student.rkt\nfirst-student.ipynb\nfirst-student.html\nfirst-student.tex\n"))
   (define student (text "first-student.rkt"))
   (check-true (string-contains? student "(define period unanswered)"))
   (check-true (string-contains? student "\n(define ((T m l) (up t theta thetadot))\n  (* 1/2")

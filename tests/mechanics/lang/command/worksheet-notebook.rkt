@@ -34,7 +34,8 @@ END
  (in-folder "small.rkt"))
 
 (check-equal? (command "worksheet" "small.rkt")
-              '(0 "small-student.rkt\nsmall-student.ipynb\nsmall-student.html\nsmall-student.tex\n"))
+              '(0
+                "small-student.rkt\nsmall-student.ipynb\nsmall-student.html\nsmall-student.tex\n"))
 
 (define (cells-of name)
   (define-values (header cells) (bytes->notebook 'test name (file->bytes (in-folder name))))
@@ -52,7 +53,8 @@ END
 ;; -> what the cells print, one text for each that prints
 (define (printed cells)
   (define-values (outputs failed) (run-cells cells))
-  (for*/list ([cell (in-list outputs)] [o (in-list cell)]) (hash-ref o 'text (hash-ref o 'evalue #f))))
+  (for*/list ([cell (in-list outputs)] [o (in-list cell)])
+    (hash-ref o 'text (hash-ref o 'evalue #f))))
 
 ;; ---------------------------------------------------------------------------
 
@@ -77,7 +79,8 @@ END
 (test-case "nothing is answered, and it says so"
   (check-equal? (printed given)
                 '("1. rate: not answered (0 of 2 points)\n" "2. two: not answered (0 of 1 point)\n"
-                  "1. rate: not answered (0 of 2 points)\n2. two: not answered (0 of 1 point)\n0 of 3 points.\n")))
+                  "1. rate: not answered (0 of 2 points)\n2. two: not answered (0 of 1 point)
+0 of 3 points.\n")))
 
 (test-case "answers are judged in place, and hints come with wrong ones, each counted once"
   (define cells (answered given '(rate . "(* 'k 'm)") '(two . "2")))
@@ -100,7 +103,8 @@ END
   (check-regexp-match #rx"the file holds no worksheet" (second (command "check" "empty.ipynb")))
   (call-with-output-file (in-folder "none.ipynb") (lambda (out) (write-bytes #"{" out)))
   (check-equal? (command "check" "none.ipynb")
-                '(2 "check: it is no notebook of Jupyter, in its format 4: its JSON has a mistake\n")))
+                '(2
+                  "check: it is no notebook of Jupyter, in its format 4: its JSON has a mistake\n")))
 
 (test-case "a name without a definition is not answered; the mistakes of a check are told"
   (define (last-of . sources)
@@ -111,7 +115,7 @@ END
                       (last-of "(check tow)"))
   (check-regexp-match #rx"check: expected names of exercises, as in \\(check motion\\)"
                       (last-of "(check 'two)"))
-  (check-regexp-match #rx"^worksheet: the lines that hold its exercises were changed; take a new copy"
+  (check-regexp-match #rx"^worksheet: the lines that hold its exercises were changed; take a new"
                       (last-of "(exercises \"AAAA\")")))
 
 (delete-directory/files folder)

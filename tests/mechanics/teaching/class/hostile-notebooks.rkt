@@ -46,7 +46,8 @@
 ;; name, bytes, statuses of both answers, or a regexp that the problem matches
 (define notebooks
   (list
-   (list "faked-outputs" (notebook-of opening (code-of wrong 'outputs (list proved))) '(wrong unanswered))
+   (list "faked-outputs" (notebook-of opening (code-of wrong 'outputs (list proved)))
+         '(wrong unanswered))
    (list "faked-count" (notebook-of opening (code-of wrong 'execution_count 7) right-second)
          '(wrong right))
    (list "faked-metadata"
@@ -59,11 +60,13 @@
    (list "faked-header"
          (jsexpr->bytes
           (hasheq 'cells (list opening (code-of wrong)) 'nbformat 4
-                  'metadata (hasheq 'mechanics (hasheq 'header "#lang mechanics\n(define second 2)\n"))))
+                  'metadata
+                  (hasheq 'mechanics (hasheq 'header "#lang mechanics\n(define second 2)\n"))))
          '(wrong unanswered))
    (list "deep" (bytes-append #"{\"cells\":" (make-bytes 1000000 91) (make-bytes 1000000 93) #"}")
          #rx"nested more than 64 deep")
-   (list "deep-objects" (apply bytes-append (for/list ([_ 100000]) #"{\"a\":")) #rx"nested more than")
+   (list "deep-objects" (apply bytes-append (for/list ([_ 100000]) #"{\"a\":"))
+         #rx"nested more than")
    (list "key-twice"
          (bytes-append #"{\"cells\":[{\"cell_type\":\"code\",\"source\":\"(define second 2)\","
                        #"\"s\\u006furce\":\"(define second 3)\"}]}")
@@ -80,7 +83,8 @@
          (notebook-of right (text-of "![x](attachment:x.png)" 'attachments
                                      (hasheq 'x.png (hasheq 'image/png "iVBORw0KGgo="))))
          #rx"a cell holds an attachment")
-   (list "no-attachment" (notebook-of right (text-of "x" 'attachments (hasheq))) '(right unanswered))
+   (list "no-attachment" (notebook-of right (text-of "x" 'attachments (hasheq)))
+         '(right unanswered))
    (list "redefines-the-judge"
          (notebook-of opening
                       (code-of "(define (check . x) \"proved\")\n(define (exercises . x) 1)")
@@ -105,8 +109,9 @@
    (list "magics" (notebook-of (code-of "%matplotlib inline") (code-of "!rm -rf ~") opening
                                (code-of "%%python\nfrequency = 1") right right-second)
          '(right right))
-   (list "fails-and-exits" (notebook-of opening (code-of "(exit)") (code-of "(define second (/ 1 0))")
-                                        (code-of "(car 1)") right)
+   (list "fails-and-exits"
+         (notebook-of opening (code-of "(exit)") (code-of "(define second (/ 1 0))")
+                      (code-of "(car 1)") right)
          '(right failed))
    (list "other-languages" (notebook-of opening (code-of "#lang racket\n(define second 2)")
                                         (code-of "#reader \"x.rkt\" y") (code-of "(") right)
@@ -115,7 +120,7 @@
          #rx"took too long")
    (list "writes-lines-of-answers"
          (notebook-of opening (code-of wrong)
-                      (code-of "(display \"(frequency answer (sqrt (/ k m)))\\n\" (current-output-port))"))
+                      (code-of "(display \"(frequency answer (sqrt (/ k m)))\\n\")"))
          '(wrong unanswered))))
 
 (define class-folder (build-path folder "class"))
