@@ -9,6 +9,8 @@
          scribble/core
          (prefix-in markdown: scribble/markdown-render)
          "example-cells.rkt"
+         (only-in "../../mechanics/lang/help/page.rkt"
+                  manual-pages page-sections section-tag section-heading)
          "../../mechanics/show/notebook/program-cells.rkt")
 
 (provide guide-pages (struct-out guide-page))
@@ -22,7 +24,8 @@
   (define doc (parameterize ([examples-as-cells? #t]) (dynamic-require guide 'doc)))
   (define pages (part-parts doc))
   (define renderer (new (page-mixin (markdown:render-mixin render%))
-                        [dest-dir (find-system-path 'temp-dir)] [names (page-names pages)]))
+                        [dest-dir (find-system-path 'temp-dir)]
+                        [names (page-names pages)] [titles (section-titles guide)]))
   (define files (list "guide.md"))
   (define traversed (send renderer traverse (list doc) files))
   (define collected (send renderer collect (list doc) files traversed))
@@ -32,6 +35,13 @@
 ;; -> hash from tags of pages to names
 (define (page-names pages)
   (for*/hash ([p (in-list pages)] [t (in-list (part-tags p))]) (values (tag-text t) (part-name p))))
+
+;; guide : path -> hash from tags of sections of the whole manual to their titles
+(define (section-titles guide)
+  (define manual (simplify-path (build-path guide 'up "mechanics.scrbl")))
+  (for*/hash ([p (in-list (manual-pages manual))]
+              [s (in-list (page-sections p))] #:when (section-tag s))
+    (values (section-tag s) (section-heading s))))
 
 (define (part-name p) (tag-text (car (part-tags p))))
 (define (tag-text t) (format "~a" (let ([x (cadr t)]) (if (pair? x) (last x) x))))
@@ -44,7 +54,7 @@
 
 (define (page-mixin %)
   (class %
-    (init-field names)
+    (init-field names titles)
     (define found '())               ; example-cells, the latest first
     (define/public (take-cells) (begin0 (reverse found) (set! found '())))
 
@@ -56,9 +66,16 @@
              null]
             [else (super render-block b part ri starting?)]))
 
-    ;; Links to other pages lead to their notebooks.
+    ;; Links to other pages lead to their notebooks; of the reference they give titles.
     (define/override (render-content c part ri)
-      (define name (and (link-element? c) (hash-ref names (tag-text (link-element-tag c)) #f)))
+      (define tag (and (link-element? c) (tag-text (link-element-tag c))))
+      (define name (hash-ref names tag #f))
+      (define title (and (not name) (hash-ref titles tag #f)))
+      (if title
+          (begin (printf "*~a* (in the manual)" title) null)
+          (render-linked c part ri name)))
+
+    (define/private (render-linked c part ri name)
       (define raised (and (element? c) (assq (element-style c) '((superscript . "sup")
                                                                  (subscript . "sub")))))
       (display (cond [name "["] [raised (format "<~a>" (cdr raised))] [else ""]))

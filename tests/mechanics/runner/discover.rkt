@@ -40,7 +40,7 @@
 ;; Suites
 
 (define special-suites
-  '(("manual" "manual.rkt")
+  '(("manual" "manual.rkt" "guide-notebooks.rkt")
     ("figures" "show/plot/figures.rkt")
     ("export" "scale/export/C.rkt" "scale/export/python.rkt")))
 
