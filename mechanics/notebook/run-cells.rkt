@@ -10,8 +10,15 @@
 (define-namespace-anchor here)
 
 ;; Runs cells, unless on? until one fails -> for each cell its outputs as Jupyter has them; the last
-;; failure or #f
+;; failure or #f.  In a thread of their own, so that no message tells who runs them.
 (define (run-cells cells #:on? [on? #f])
+  (define result
+    (list (map (lambda (_) '()) cells) (failure "a cell ended the process of the notebook" #f #f)))
+  (thread-wait (thread (lambda ()
+                         (set! result (call-with-values (lambda () (run-here cells on?)) list)))))
+  (apply values result))
+
+(define (run-here cells on?)
   (parameterize ([current-namespace (namespace-anchor->empty-namespace here)])
     (namespace-require 'mechanics)
     (call-as-session

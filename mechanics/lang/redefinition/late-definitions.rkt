@@ -9,7 +9,7 @@
 (provide late-definitions)
 
 ;; (late-definitions form ...) : the body of a program, in the context of its language
-;; -> ((name line-of-use line-of-definition) ...), a list for each name
+;; -> ((name line-of-use line-of-definition) ...), by the lines of the first use
 (define-syntax (late-definitions stx)
   (define forms (filter (lambda (f) (not (of-a-file? f))) (cdr (syntax->list stx))))
   (define found
@@ -17,7 +17,8 @@
                 [later (in-value (known-in (list-tail forms (+ k 1))))]
                 [name (in-list (names-in form (without later (known-in (take forms (+ k 1))))))])
       (list name (syntax-line form) (hash-ref later name))))
-  #`'#,(remove-duplicates found #:key car))
+  (define in-order (sort (sort found < #:key caddr) < #:key cadr))
+  #`'#,(remove-duplicates in-order #:key car))
 
 (begin-for-syntax
   ;; name -> line of its first definition

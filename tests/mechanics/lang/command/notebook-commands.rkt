@@ -44,6 +44,9 @@
   (define said (command "notebook" "fails.rkt" "--run"))
   (check-equal? (car said) 1)
   (check-regexp-match #rx"^fails.ipynb\nfails.rkt did not run to its end:\ncar: " (cadr said))
+  (write-program "kills.rkt" "(kill-thread (current-thread))")
+  (check-regexp-match #rx"a cell ended the process of the notebook"
+                      (cadr (command "notebook" "kills.rkt" "--run")))
   (write-program "exits.rkt" "(exit)")
   (check-regexp-match #rx"exit: a notebook is left by closing it"
                       (cadr (command "notebook" "exits.rkt" "--run"))))

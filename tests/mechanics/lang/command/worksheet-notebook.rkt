@@ -111,11 +111,10 @@ END
     (last (printed (append (list (second given))
                            (for/list ([s sources]) (cell 'code s #f #f))))))
   (check-equal? (last-of "(check two)") "2. two: not answered (0 of 1 point)\n")
-  (check-regexp-match #rx"^check: there is no exercise tow; did you mean two[?]"
-                      (last-of "(check tow)"))
+  (check-equal? (last-of "(check tow)") "check: there is no exercise tow; did you mean two?")
   (check-regexp-match #rx"check: expected names of exercises, as in \\(check motion\\)"
                       (last-of "(check 'two)"))
-  (check-regexp-match #rx"^worksheet: the lines that hold its exercises were changed; take a new"
-                      (last-of "(exercises \"AAAA\")")))
+  (check-equal? (last-of "(exercises \"AAAA\")")
+                "worksheet: the lines that hold its exercises were changed; take a new copy"))
 
 (delete-directory/files folder)
