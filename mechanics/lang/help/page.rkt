@@ -10,7 +10,7 @@
          "entry.rkt" "prose.rkt")
 
 (provide (struct-out page) (struct-out entry) (struct-out line) (struct-out section)
-         manual-pages page-sections)
+         manual-pages page-sections example-lines)
 
 ;; requires : data of modules that the prompt requires
 ;; lines : the lines at the prompt of the page, in its order; parts : all of it, strings and data
@@ -157,13 +157,18 @@
   (define parts (if (syntax? part) (syntax->list part) part))
   (cond [(not (pair? parts)) '()]
         [(memq (syntax-e (car parts)) '(examples bigfloat-examples picture-examples))
-         (for/list ([form (in-list (forms-typed parts))]) (make-line form text))]
+         (example-lines parts text)]
         [else (append-map (lambda (p) (lines-in p text)) parts)]))
+
+;; parts : of a form with examples; text : of its file -> lines
+(define (example-lines parts text)
+  (for/list ([form (in-list (forms-typed parts))]) (make-line form text)))
 
 (define (forms-typed parts)
   (let loop ([parts (if (eq? (syntax-e (car parts)) 'examples) (cdr parts) (cddr parts))])
     (cond [(null? parts) '()]
-          [(keyword? (syntax-e (car parts))) (loop (cddr parts))]
+          [(memq (syntax-e (car parts)) '(#:eval #:label)) (loop (cddr parts))]
+          [(keyword? (syntax-e (car parts))) (loop (cdr parts))]
           [else (cons (car parts) (loop (cdr parts)))])))
 
 (define (make-line form text)
@@ -172,6 +177,7 @@
   (define (made shown run error?) (line (source shown text) (syntax->datum shown) run error?))
   (case (and parts (pair? d) (car d))
     [(eval:error) (made (cadr parts) (cadr d) #t)]
+    [(eval:check) (made (cadr parts) (cadr d) #f)]
     [(eval:alts) (made (cadr parts) (caddr d) #f)]
     [else (made form d #f)]))
 
