@@ -17,7 +17,7 @@
 (require ffi/unsafe
          ffi/unsafe/port
          "cell-input.rkt" "cell.rkt" "changed-pictures.rkt" "names-at-cursor.rkt" "protocol.rkt"
-         "text-stream.rkt"
+         "small-heap.rkt" "text-stream.rkt"
          "../error/complain.rkt" "../error/progress.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
          "../lang/session-start.rkt"
@@ -65,6 +65,7 @@
   (current-reporter (reporter (progress-port (kernel-send k)) current-inexact-milliseconds))
   (exit-handler refuse-exit)
   (start-session!)
+  (keep-heap-small!)
   ((kernel-send k) (hasheq 'kind "ready")))
 
 (define (refuse-exit code)

@@ -1,14 +1,13 @@
 #lang racket/base
 ;; `raco mechanics jupyter`: makes the kernel known to a Jupyter that is there, or forgets it.
 ;;
-;; A kernel is a folder with a file kernel.json, which says how it is started.  Python finds the
-;; kernel's package in this library, by PYTHONPATH, and the kernel this Racket and this library.
+;; A kernel is a folder with a file kernel.json, which says how it is started: Python runs the
+;; folder of this library that has the kernel's package, which finds this Racket and this library.
 
 (require json
          compiler/find-exe
          racket/cmdline
          racket/file
-         racket/port
          racket/runtime-path
          (only-in racket/string string-trim)
          racket/system
@@ -50,9 +49,9 @@
 (define (specification python)
   (define collections (getenv "PLTCOLLECTS"))
   (define environment
-    (hasheq 'PYTHONPATH (path->string (simplify-path package-folder))
-            'MECHANICS_RACKET (path->string (find-exe))))
-  (hasheq 'argv (list python "-m" "mechanics_kernel" "-f" "{connection_file}")
+    (hasheq 'MECHANICS_RACKET (path->string (find-exe))))
+  (define folder (path->string (simplify-path package-folder)))
+  (hasheq 'argv (list python folder "-f" "{connection_file}")
           'display_name "mechanics"
           'language "racket"
           'interrupt_mode "message"
@@ -82,17 +81,19 @@
   (unless python
     (complain 'jupyter "there is no ~a; --python names the Python that Jupyter runs in"
               (or given "python3")))
-  (define lacking
-    (string-trim
-     #:left? #f
-     (with-output-to-string
-       (lambda ()
-         (parameterize ([current-error-port (current-output-port)])
-           (system* python "-c" "import ipykernel, psutil, ipywidgets"))))))
-  (unless (string=? lacking "")
+  (define-values (there? words) (run-python python "import ipykernel, psutil, ipywidgets"))
+  (unless there?
     (complain 'jupyter "Python lacks what a kernel needs: ~a\n  ~a -m pip install -r ~a"
-              (last-line lacking) python
+              (last-line words) python
               (simplify-path (build-path package-folder "requirements.txt"))))
   (path->string python))
+
+;; -> did it succeed?  and what it wrote
+(define (run-python python statement)
+  (define out (open-output-string))
+  (define there?
+    (parameterize ([current-output-port out] [current-error-port out])
+      (system* python "-c" statement)))
+  (values there? (string-trim (get-output-string out) #:left? #f)))
 
 (define (last-line text) (car (regexp-match #px"[^\n]*$" text)))

@@ -17,8 +17,7 @@
 
 (define command
   (string-append "exec 3<&0 4>&1 0</dev/null 1>&2; "
-                 "exec \"$0\" -l racket/base -e "
-                 "'(require (submod mechanics/notebook/cell-process main))' -- 3 4"))
+                 "exec \"$0\" -l mechanics/notebook/cell-process -- 3 4"))
 
 (define (start-cells)
   (define-values (process in out errors)

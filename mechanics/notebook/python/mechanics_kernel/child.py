@@ -15,7 +15,7 @@ import time
 
 import psutil
 
-MAIN = "(require (submod mechanics/notebook/cell-process main))"
+MAIN = "mechanics/notebook/cell-process"
 MEGABYTE = 1 << 20
 
 
@@ -53,7 +53,7 @@ class Child:
         answers, to_us = os.pipe()
         racket = os.environ.get("MECHANICS_RACKET", "racket")
         process = subprocess.Popen(
-            [racket, "-l", "racket/base", "-e", MAIN, "--", str(from_us), str(to_us)],
+            [racket, "-l", MAIN, "--", str(from_us), str(to_us)],
             pass_fds=[from_us, to_us], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
             stderr=subprocess.PIPE, start_new_session=True)
         os.close(from_us)

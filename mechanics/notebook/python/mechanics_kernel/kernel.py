@@ -13,6 +13,7 @@ import threading
 import comm
 import ipykernel.ipkernel  # makes comm's messages those of the kernel
 import zmq
+from ipykernel._version import kernel_protocol_version
 from ipykernel.kernelbase import Kernel
 
 from .child import Child
@@ -59,6 +60,7 @@ class MechanicsKernel(Kernel):
         self.progress_shown = None
         self.shutting_down = False
         self.starting = threading.Lock()
+        self.turn = threading.Lock()
         comms = comm.get_comm_manager()
         for kind in ("comm_open", "comm_msg", "comm_close"):
             self.shell_handlers[kind] = getattr(comms, kind)
@@ -73,6 +75,15 @@ class MechanicsKernel(Kernel):
             self.start_child()
         except OSError as problem:
             child.ready, child.end_words = False, f"{ENDED}, and no other starts: {problem}"
+
+    @property
+    def kernel_info(self):
+        """Without a debugger, which would be loaded to be offered."""
+        return {"protocol_version": kernel_protocol_version, "implementation": self.implementation,
+                "implementation_version": self.implementation_version,
+                "language_info": self.language_info, "banner": self.banner,
+                "help_links": self.help_links,
+                "supported_features": ["kernel subshells"] * self._supports_kernel_subshells}
 
     # From the Racket process, on threads of its own
 
@@ -197,6 +208,15 @@ class MechanicsKernel(Kernel):
 
     async def do_execute(self, code, silent, store_history=True, user_expressions=None,
                          allow_stdin=False):
+        """One cell after the other, those of subshells too, which are on threads of their own."""
+        while not self.turn.acquire(blocking=False):
+            await asyncio.sleep(0.02)
+        try:
+            return await self.run_cell(code, silent, allow_stdin)
+        finally:
+            self.turn.release()
+
+    async def run_cell(self, code, silent, allow_stdin):
         cell = Cell(next(self.numbers), self.get_parent("shell"), self._parent_ident["shell"], code,
                     silent)
         if not silent:

@@ -213,3 +213,32 @@ class Ends(KernelTest):
         _, alive = psutil.wait_procs([child], timeout=10)
         kernel.client.stop_channels()
         self.assertEqual(alive, [])
+
+
+class Subshells(KernelTest):
+    def subshell(self):
+        client = self.kernel.client
+        request = client.session.msg("create_subshell_request", {})
+        client.control_channel.send(request)
+        while True:
+            reply = client.get_control_msg(timeout=60)
+            if reply["parent_header"].get("msg_id") == request["header"]["msg_id"]:
+                return reply["content"]["subshell_id"]
+
+    def test_cells_of_two_shells_take_turns(self):
+        client = self.kernel.client
+        here = self.kernel.send('(begin (sleep 0.7) (display "here"))')
+        content = {"code": '(display "there")', "silent": False, "allow_stdin": False}
+        there = client.session.msg("execute_request", content)
+        there["header"]["subshell_id"] = self.subshell()
+        client.shell_channel.send(there)
+        self.assertEqual(self.kernel.follow(here).streams["stdout"], "here")
+        ran = self.kernel.follow(there["header"]["msg_id"])
+        self.assertEqual((ran.reply["status"], ran.streams["stdout"]), ("ok", "there"))
+
+
+class Whole(KernelTest):
+    def test_no_debugger_is_offered(self):
+        client = self.kernel.client
+        features = self.kernel.reply_to(client.kernel_info())["supported_features"]
+        self.assertEqual(features, ["kernel subshells"])
