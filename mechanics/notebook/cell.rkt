@@ -74,7 +74,8 @@
            (set! rest (cdr rest))
            (set! number (add1 number))
            line]))
-  (line-source next void 'cell (lambda () number)))
+  (define (ahead k) (for/list ([line (in-list rest)] [_ (in-range k)]) line))
+  (line-source next void 'cell (lambda () number) ahead))
 
 (define (refuse-language)
   (complain 'cell

@@ -16,10 +16,12 @@
          earlier-entries note-entry)
 
 ;; next : prompt -> string or eof; remember : text of an entry -> void; who : reads the lines, for
-;; messages; number : -> that of the next line
-(struct line-source (next remember who number))
+;; messages; number : -> that of the next line; ahead : k -> the next k lines, as far as they are
+;; there before they are asked for
+(struct line-source (next remember who number ahead))
 
-(define (prompt-lines next remember) (line-source next remember 'prompt (lambda () 1)))
+(define (prompt-lines next remember)
+  (line-source next remember 'prompt (lambda () 1) (lambda (k) '())))
 
 ;; -> the best source there is; and whether libedit alone is missing for a better one
 (define (lines-at-hand)

@@ -5,7 +5,8 @@
 ;; To read an entry evaluates nothing.  Its forms are asked for when the entries before it have
 ;; been evaluated: the meaning of a line may rest on the names that are known then.
 
-(require "command.rkt" "lines.rkt" "typed-forms.rkt"
+(require (only-in racket/string string-join)
+         "command.rkt" "lines.rkt" "typed-forms.rkt"
          "../../error/complain.rkt"
          (only-in "../../error/note.rkt" note)
          "../../generic/on-demand.rkt")
@@ -54,7 +55,7 @@
   (when prime
     ((line-source-remember lines) text)
     (complain who "~a" prime))
-  (define line (and open? ((line-source-next lines) (continuation))))
+  (define line (and open? (next-lines lines (lines-to-close lines text forms))))
   (cond [(string? line)
          (define note? (and (not noted?) (eq? who 'prompt) (begins-anew? line)))
          (when note? (note-open text forms))
@@ -64,6 +65,25 @@
          (cond [open? (raise-unfinished who text)]
                [(exn? forms) (raise-unreadable who forms)]
                [else (entry text forms who)])]))
+
+;; -> so many lines as one text, fewer where they end; eof where there is none
+(define (next-lines lines count)
+  (define all (for/list ([_ (in-range count)]) ((line-source-next lines) (continuation))))
+  (if (eof-object? (car all)) eof (string-join (filter string? all) "\n")))
+
+;; A text is read again when it has grown, so all lines that close its open form are taken at once,
+;; where they are at hand.  Line by line where that may be a comment, which can stand between forms.
+(define (lines-to-close lines text e)
+  (let look ([most 64])
+    (define ahead ((line-source-ahead lines) most))
+    (cond [(or (null? ahead) (in-comment? text e)) 1]
+          [(lines-closing text ahead)]
+          [(< (length ahead) most) (length ahead)]
+          [else (look (* 4 most))])))
+
+;; e : of the reader, who says so of #|, and of #; until its form begins
+(define (in-comment? text e)
+  (or (regexp-match? #rx"comment" (exn-message e)) (regexp-match? #rx"#;" text)))
 
 ;; An empty line within a form, or a definition that is not indented: the form may lack its closing
 ;; parenthesis.
