@@ -42,4 +42,5 @@
           'values (if (eq? (control-kind c) 'number)
                       (for/list ([v (in-vector (control-values c))]) (exact->inexact v))
                       '())
+          'step (if (control-step c) (exact->inexact (control-step c)) 'null)
           'start (if (eq? (control-kind c) 'text) start position)))

@@ -2,10 +2,12 @@
 ;; The name at the cursor of a cell: names that go on from it, and what is known of it.
 
 (require "../error/message-words.rkt"
+         "../generic/on-demand.rkt"
          "../lang/help/card-lines.rkt" "../lang/help/card.rkt" "../lang/help/cards.rkt"
          "../lang/prompt/lines.rkt"
-         (only-in "../lang/redefinition/prompt.rkt" head-at-prompt)
-         "../show/display/receiving-printer.rkt")
+         (only-in "../lang/redefinition/prompt.rkt" head-at-prompt))
+
+(require-on-demand ["name-card.rkt" name->bundle])
 
 (provide completion description)
 
@@ -34,17 +36,10 @@
 (define (description code cursor)
   (define-values (start end) (name-around code cursor))
   (define name (substring code start end))
-  (define text (if (string=? name "") "" (help-on (string->symbol name))))
-  (hasheq 'status "ok" 'found (not (string=? text ""))
-          'data (hasheq (string->symbol "text/plain") text)))
-
-(define (help-on name)
-  (define out (open-output-string))
-  (with-handlers ([exn:fail? void])
-    (parameterize ([current-output-port out] [current-error-port out]
-                   [current-print (result-receiver void)])
-      (eval `(#%top-interaction . (help ,name)))))
-  (get-output-string out))
+  (define data
+    (with-handlers ([exn:fail? (lambda (e) (hasheq))])
+      (if (string=? name "") (hasheq) (name->bundle (string->symbol name)))))
+  (hasheq 'status "ok" 'found (positive? (hash-count data)) 'data data))
 
 ;; -> start and end of the name that the cursor is in or behind
 (define (name-around code given)

@@ -32,8 +32,10 @@
   (append (append-map (lambda (s) (call-lines s width)) (card-signatures c))
           (indented (append* (add-between (filter pair? paragraphs) '(""))))))
 
+;; What is no text (result-line, demonstration.rkt) is left to who asked for it.
 (define (indented lines [by indentation])
-  (for/list ([l (in-list lines)]) (if (string=? l "") l (string-append by l))))
+  (for/list ([l (in-list lines)])
+    (if (and (string? l) (non-empty-string? l)) (string-append by l) l)))
 
 ;; ---------------------------------------------------------------------------
 ;; The call, and its arguments
@@ -91,7 +93,7 @@
 (define (answer-lines a)
   (define typed (lines-of (answer-typed a)))
   (append (cons (string-append "> " (car typed)) (indented (cdr typed)))
-          (lines-of (answer-printed a))))
+          (answer-printed a)))
 
 (define (lines-of text) (string-split text "\n"))
 

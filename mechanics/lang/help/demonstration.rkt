@@ -3,8 +3,8 @@
 ;; the language, its printer, and no definitions.  So no table of results can be out of date.
 ;; Most examples take a few milliseconds, and a break ends one that takes longer.
 
-(require racket/port
-         racket/string
+(require (only-in racket/list append*)
+         (only-in racket/string string-split)
          "card.rkt"
          "../../generic/on-demand.rkt"
          "../../show/display/result.rkt"
@@ -12,10 +12,14 @@
 
 (require-on-demand ["../../show/interact/interaction-show.rkt" printed-interaction])
 
-(provide (struct-out answer) demonstrate)
+(provide (struct-out answer) demonstrate result-line)
 
-;; typed, printed : texts, the latter "" for an example that prints nothing
+;; typed : text; printed : list of lines, each a text or what result-line made
 (struct answer (typed printed))
+
+;; value, columns -> its text, or whatever stands for it where the card is shown
+(define result-line
+  (make-parameter (lambda (x width) (format "~v" (simplified-result x width)))))
 
 ;; -> answers
 (define (demonstrate e width)
@@ -41,15 +45,18 @@
 
 ;; The output of the evaluation, and its values; of an example that fails, the message.
 (define (printed form width)
-  (string-trim
-   #:left? #f
-   (with-output-to-string
-     (lambda ()
-       (with-handlers ([exn:fail? (lambda (e) (display (exn-message e)))])
-         (call-with-values (lambda () (eval form))
-                           (lambda results
-                             (for ([x (in-list results)] #:unless (void? x))
-                               (println (simplified-result (still x) width))))))))))
+  (define out (open-output-string))
+  (define results
+    (parameterize ([current-output-port out])
+      (with-handlers ([exn:fail? (lambda (e) (display (exn-message e)) '())])
+        (call-with-values (lambda () (eval form))
+                          (lambda results
+                            (for/list ([x (in-list results)] #:unless (void? x))
+                              ((result-line) (still x) width)))))))
+  (append* (lines (get-output-string out))
+           (for/list ([r (in-list results)]) (if (string? r) (lines r) (list r)))))
+
+(define (lines text) (string-split text "\n"))
 
 ;; An interaction is shown as it is at first.
 (define (still x)

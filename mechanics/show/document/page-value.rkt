@@ -68,7 +68,7 @@
 (define (report->xexpr t)
   `(div ([class ,(string-append "report" (report-class t))])
         ,@(for/list ([l (in-list (report-lines t))])
-            `(p ([style ,(format "margin-left:~aem" (* 1.5 (report-line-depth l)))])
+            `(p ([style ,(format "margin:0.15em 0 0.15em ~aem" (* 1.5 (report-line-depth l)))])
                 (span ([class "label"]) ,(visible (report-line-label l)))
                 ,@(append-map (lambda (part) (cons " " (inline-xexprs part)))
                               (report-line-parts l))))))

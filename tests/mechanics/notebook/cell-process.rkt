@@ -211,6 +211,7 @@
   (check-equal? (for/list ([x (hash-ref i 'controls)]) (hash-ref x 'labels))
                 '(("0" "1/2" "1") ("a" "b") ("#f" "#t") ()))
   (check-equal? (for/list ([x (hash-ref i 'controls)]) (hash-ref x 'start)) '(0 1 1 "x"))
+  (check-equal? (for/list ([x (hash-ref i 'controls)]) (hash-ref x 'step)) '(0.5 null null null))
   (check-equal? (hash-ref (hash-ref i 'data) 'text/plain) "'(0 b #t \"x\")")
   (check-equal? (moved-to i 0.5 0 #f "y") "'(1/2 a #f \"y\")"))
 
@@ -257,8 +258,19 @@
 (test-case "what is known of the name at the cursor"
   (define a (answers-to c "describe" 'code "(Gamma q)" 'cursor 3))
   (check-true (hash-ref a 'found))
-  (check-true (string-prefix? (hash-ref (hash-ref a 'data) 'text/plain) "(Gamma q [n])"))
+  (define plain (hash-ref (hash-ref a 'data) 'text/plain))
+  (check-true (string-prefix? plain "(Gamma q [n])"))
+  (check-true (string-contains? plain "\n  > ((Gamma q) 't)\n  (up t (up (x t) (y t))"))
   (check-false (hash-ref (answers-to c "describe" 'code "( 1)" 'cursor 1) 'found)))
+
+(test-case "the example of a card is typeset, strings of others are text"
+  (define (markup code)
+    (hash-ref (hash-ref (answers-to c "describe" 'code code 'cursor 1) 'data) 'text/html))
+  (check-true (string-contains? (markup "square")
+                                "&gt; (square 'x)</pre><div class=\"mathjax_process"))
+  (check-true (string-contains? (markup "square") "$\\displaystyle x^{2}$</div><pre>"))
+  (run "(define (<b> x) x)")
+  (check-true (string-contains? (markup "<b>") "<pre>&lt;b&gt; is your own definition")))
 
 (test-case "is a cell complete?"
   (for ([code '("(+ 1 2)" "(+ 1" ")" "\"a")]

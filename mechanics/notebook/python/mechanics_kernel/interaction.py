@@ -88,7 +88,7 @@ def control_widget(control):
         if len(values) <= MOST_LABELS:
             return ipywidgets.SelectionSlider(options=list(zip(labels, values)), index=start,
                                               continuous_update=True, **settings)
-        return ipywidgets.FloatSlider(min=values[0], max=values[-1], step=values[1] - values[0],
+        return ipywidgets.FloatSlider(min=values[0], max=values[-1], step=control["step"],
                                       value=values[start], **settings)
     if kind == "choice":
         return ipywidgets.Dropdown(options=[(label, k) for k, label in enumerate(labels)],

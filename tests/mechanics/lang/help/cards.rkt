@@ -72,7 +72,8 @@
 ;; Examples
 
 (define (printed-lines c)
-  (map answer-printed (demonstrate (card-demonstration c) 76)))
+  (for/list ([a (in-list (demonstrate (card-demonstration c) 76))])
+    (string-join (answer-printed a) "\n")))
 
 (define (complaint? text)
   (and (regexp-match? #px"^([^\\s(\"]+|[(].*[)]): " text)

@@ -93,6 +93,89 @@ class Browser(unittest.TestCase):
         formula.wait_for(timeout=60_000)
 
 
+PORTRAITS = [
+    "(require mechanics/plot)\n"
+    "(define ((L-pendulum g l) (up t a v)) (+ (* 1/2 (square (* l v))) (* g l (cos a))))\n"
+    "(define (portrait g)\n"
+    "  (plot-phase-portrait (frame -3.2 3.2 -8 8) (Lagrangian->energy (L-pendulum g 1))))\n"
+    "(portrait 10)",
+    "(interact ([g 1 10 #:step 1/10]) (portrait g))",
+    "Lagrange-equations",
+]
+
+# Notes the pictures of the second cell that are seen, with their times in ms.
+WATCH = """() => {
+  const cell = document.querySelectorAll('.jp-Notebook .jp-CodeCell')[1]; let last = '';
+  window.seen = [];
+  const look = () => {
+    const image = cell.querySelector('img');
+    if (image && image.complete && image.src != last)
+      window.seen.push([performance.now(), last = image.src]);
+    requestAnimationFrame(look);
+  };
+  look();
+}"""
+
+
+@unittest.skipUnless(browser.CHROMIUM, "there is no Chromium")
+class Portraits(unittest.TestCase):
+    """Phase portraits in default quality, under a slider; a card."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.lab = Lab()
+        cls.lab.open("portraits.ipynb", PORTRAITS)
+        cls.lab.run_all()
+        cls.lab.cell(1).locator("img").first.wait_for(timeout=60_000)
+        cls.lab.page.evaluate(WATCH)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.lab.close()
+
+    def seen(self):
+        return self.lab.page.evaluate("window.seen")
+
+    def move(self):
+        seconds = []
+        self.lab.cell(1).locator(".noUi-handle").first.focus()
+        for _ in range(20):
+            before, began = len(self.seen()), time.monotonic()
+            self.lab.page.keyboard.press("ArrowRight")
+            while len(self.seen()) == before:
+                self.assertLess(time.monotonic() - began, 30, "the picture did not change")
+            seconds.append(time.monotonic() - began)
+        print(f"\n  a portrait: median {1000 * median(seconds):.0f} ms ", end="", flush=True)
+
+    def test_moves_and_a_drag_end_with_the_picture_of_the_last_value(self):
+        self.move()
+        handle = self.lab.cell(1).locator(".noUi-handle").first.bounding_box()
+        track = self.lab.cell(1).locator(".noUi-target").first.bounding_box()
+        x, y = handle["x"] + handle["width"] / 2, handle["y"] + handle["height"] / 2
+        way, mouse = track["x"] + track["width"] + 20 - x, self.lab.page.mouse
+        mouse.move(x, y)
+        mouse.down()
+        before, began = len(self.seen()), time.monotonic()
+        for k in range(60):
+            mouse.move(x + way * (k + 1) / 60, y)
+            time.sleep(0.05)
+        shown = (len(self.seen()) - before) / (time.monotonic() - began)
+        mouse.up()
+        print(f"\n  a drag: {shown:.1f} portraits a second ", end="", flush=True)
+        time.sleep(2)
+        last = self.lab.cell(0).locator("img").first.get_attribute("src")
+        self.assertEqual(self.seen()[-1][1], last)
+
+    def test_card_with_its_formula_typeset(self):
+        self.lab.cell(2).locator(".cm-content").click()
+        self.lab.page.keyboard.press("End")
+        self.lab.page.keyboard.press("Shift+Tab")
+        card = self.lab.page.locator(".jp-Tooltip")
+        card.locator("mjx-container").first.wait_for(timeout=60_000)
+        self.assertIn("(Lagrange-equations L", card.inner_text())
+        self.lab.page.keyboard.press("Escape")
+
+
 @unittest.skipUnless(browser.CHROMIUM, "there is no Chromium")
 class OneCell(unittest.TestCase):
     @staticmethod

@@ -92,7 +92,8 @@
   (define r (parsed (page (result (shown-formula a-report '())))))
   (define lines (filter (lambda (p) (assq 'style (cadr p))) (elements 'p r)))
   (check-equal? (map (lambda (p) (cadr (assq 'style (cadr p)))) lines)
-                '("margin-left:0em" "margin-left:1.5em" "margin-left:3.0em"))
+                '("margin:0.15em 0 0.15em 0em" "margin:0.15em 0 0.15em 1.5em"
+                  "margin:0.15em 0 0.15em 3.0em"))
   (check-equal? (map (lambda (p) (length (elements 'math p))) lines) '(0 1 1))
   (check-equal? (text-in (third lines)) "at: a, <b>")
   (check-equal? (length (elements 'math (parsed (page (result (shown-formula
