@@ -60,11 +60,16 @@ install() {
         --prefix "$lab" --python "$PWD/$lab/bin/python" >/dev/null
 }
 
-# Bound to this machine alone, with a token.
+# Bound to this machine alone, with a token.  Server and kernels talk over sockets in a folder of
+# the user's own, where the names of those are short enough for the system; else by ports.
 start() {
+    transport=ipc
+    home=${HOME:-}
+    [ "${#home}" -le 25 ] || transport=tcp
     say 'JupyterLab opens in the browser; without one, its address is below.  Ctrl-C twice ends it.'
     exec env JUPYTER_CONFIG_DIR="$PWD/build/lab-config" "$lab/bin/jupyter" lab \
-        --ServerApp.ip=127.0.0.1 --ServerApp.root_dir="$PWD/$notebooks" $root "$@"
+        --ServerApp.ip=127.0.0.1 --KernelManager.transport="$transport" \
+        --ServerApp.root_dir="$PWD/$notebooks" $root "$@"
 }
 
 # Those of the examples with controls; what the reader changed stays.

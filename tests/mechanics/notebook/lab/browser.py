@@ -54,7 +54,8 @@ class Lab:
                            JUPYTERLAB_SETTINGS_DIR=str(self.folder / ".settings"))
         self.server = subprocess.Popen(
             [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root",
-             "--ServerApp.ip=127.0.0.1", f"--ServerApp.port={self.port}",
+             "--ServerApp.ip=127.0.0.1", "--KernelManager.transport=ipc",
+             f"--ServerApp.port={self.port}",
              f"--ServerApp.root_dir={self.folder}", f"--IdentityProvider.token={self.token}",
              "--LabApp.news_url=None"],
             env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
