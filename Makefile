@@ -50,7 +50,7 @@ help:
 	@echo 'make test-lab     the kernel of notebooks, and notebooks in a browser (installs them in build/lab)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make lint    requires of which no name is used, long lines, tabs'
-	@echo 'make bench   run all benchmarks    (TASK=L2 for one)'
+	@echo 'make bench   run all benchmarks    (TASK=L2 for one; TASK=lab: thirty kernels)'
 	@echo 'make peers   what benchmarks compare with, in a Python environment in build/python'
 	@echo 'make docs    build the manual in build/doc'
 	@echo 'make pictures    the pictures of the README, of a real DrRacket (Xvfb, xdotool, ImageMagick)'
@@ -181,9 +181,14 @@ lint-texts: racket
 elsewhere:
 	@.ci/elsewhere.sh $(PLACES)
 
+# TASK=lab: thirty kernels of notebooks at once, as on the server of a class.
 bench: writable compile
+ifeq ($(TASK),lab)
+	@.ci/lab.sh bench
+else
 	@$(RACO) make -j $(JOBS) $(wildcard tests/mechanics/bench/*.rkt)
 	@$(RACKET) tests/mechanics/bench/main.rkt $(TASK)
+endif
 
 # What exported systems need in Python, with its versions; once there, their tests use it.
 export-python: writable

@@ -4,6 +4,7 @@
 #     lab.sh install    makes the environment build/lab, if it is not there
 #     lab.sh start      and opens JupyterLab in it, at notebooks of examples, build/notebooks
 #     lab.sh test       and runs the tests of the kernel in it
+#     lab.sh bench      and measures thirty kernels at once
 #
 # Versions are those of requirements.txt.  Python's part for environments is installed on Debian and
 # Ubuntu, as Racket is; elsewhere it says what to install.
@@ -94,5 +95,7 @@ case ${1:-} in
              "$lab/bin/pip" install -q --disable-pip-version-check \
                  -r tests/mechanics/notebook/lab/requirements.txt >&2
              exec "$lab/bin/python" tests/mechanics/notebook/lab/run.py ;;
-    *)       say 'lab.sh install, start or test'; exit 2 ;;
+    bench)   install
+             exec "$lab/bin/python" tests/mechanics/notebook/lab/bench.py ;;
+    *)       say 'lab.sh install, start, test or bench'; exit 2 ;;
 esac
