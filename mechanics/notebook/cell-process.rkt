@@ -3,9 +3,10 @@
 ;; (protocol.rkt).
 ;;
 ;;   to it                                   from it
-;;   cell (id, code)                         stream, shown, interaction, progress, input;
-;;                                           at last done
+;;   cell (id, code)                         stream, shown, interaction, exploration,
+;;                                           progress, input; at last done
 ;;   frame (id, number, values)              done: of an interaction that was shown
+;;   explore (id, number, actions)           done: of a map that is explored
 ;;   complete, describe (id, code, cursor)   done
 ;;   completeness (id, code)                 done
 ;;   input (text)                            where it was asked for
@@ -21,9 +22,11 @@
          "../error/complain.rkt" "../error/progress.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
          "../lang/session-start.rkt"
-         "../show/display/receiving-printer.rkt")
+         "../show/display/receiving-printer.rkt"
+         "../show/explorer/exploration-host.rkt")
 
-(require-on-demand ["live-interaction.rkt" frame-bundle])
+(require-on-demand ["live-interaction.rkt" frame-bundle]
+                   ["live-exploration.rkt" exploration-message explored-answer])
 
 (define-namespace-anchor here)
 
@@ -63,6 +66,9 @@
   (error-display-handler (lambda (message e) (eprintf "~a\n" message)))
   (current-print (output-receiver (lambda (x) (show! k x)) (current-output-port)))
   (current-reporter (reporter (progress-port (kernel-send k)) current-inexact-milliseconds))
+  (current-exploration-host
+   (lambda (who f . more)
+     (note-explored! (kernel-pictures k) f (lambda () (apply exploration-message who f more)))))
   (exit-handler refuse-exit)
   (start-session!)
   (keep-heap-small!)
@@ -104,6 +110,7 @@
   (case (hash-ref m 'do)
     [("cell") (run-cell k (hash-ref m 'id) (code))]
     [("frame") (run-frame k (hash-ref m 'id) (hash-ref m 'number) (hash-ref m 'values))]
+    [("explore") (run-exploration k (hash-ref m 'id) (hash-ref m 'number) (hash-ref m 'actions))]
     [("complete") (completion (code) (cursor))]
     [("describe") (description (code) (cursor))]
     [else (hasheq 'status (cell-completeness (code)))]))
@@ -134,6 +141,13 @@
   (define data (call-breakably id (lambda () (frame-bundle number values)) (lambda () 'null)))
   (send-output! k)
   (hasheq 'status "ok" 'data data))
+
+;; The reader's map runs in a thread of its own; a break leaves its picture to the next answer.
+(define (run-exploration k id number actions)
+  (define answer
+    (call-breakably id (lambda () (explored-answer number actions)) (lambda () (hasheq))))
+  (send-output! k)
+  (hash-set answer 'status "ok"))
 
 ;; Breaks are for the work of this id alone: one that comes as it ends is forgotten.
 (define (call-breakably id work otherwise)

@@ -9,14 +9,15 @@
 
 (require-on-demand ["live-interaction.rkt" interaction-message])
 
-(provide make-changed-pictures call-showing-changes result-message note-shown!)
+(provide make-changed-pictures call-showing-changes result-message note-shown! note-explored!)
 
 ;; names : picture -> the name of its display; changed : those to be shown, the latest first;
-;; shown : picture -> #t; prefix, count : of names, which no other process and picture has
-(struct changed-pictures (names [changed #:mutable] shown prefix [count #:mutable]))
+;; shown : picture -> #t; explored : picture -> what makes the message of its exploration, once;
+;; prefix, count : of names, which no other process and picture has
+(struct changed-pictures (names [changed #:mutable] shown explored prefix [count #:mutable]))
 
 (define (make-changed-pictures)
-  (changed-pictures (make-weak-hasheq) '() (make-weak-hasheq)
+  (changed-pictures (make-weak-hasheq) '() (make-weak-hasheq) (make-weak-hasheq)
                     (format "picture-~a-" (inexact->exact (floor (current-inexact-milliseconds))))
                     0))
 
@@ -27,6 +28,11 @@
     (hash-set! names x (format "~a~a" (changed-pictures-prefix p) (changed-pictures-count p))))
   (unless (memq x (changed-pictures-changed p))
     (set-changed-pictures-changed! p (cons x (changed-pictures-changed p)))))
+
+;; x : a frame in which a map is to be explored where it is shown next; make : -> message
+(define (note-explored! p x make)
+  (hash-set! (changed-pictures-explored p) x make)
+  (note-change! p x))
 
 (define (note-shown! p x)
   (hash-set! (changed-pictures-shown p) x #t)
@@ -40,11 +46,14 @@
 
 ;; x : a value -> message.  in-place? : where it was shown before, if it was
 (define (result-message p x in-place?)
+  (define explored (changed-pictures-explored p))
   (define m
     (parameterize ([current-picture-watcher #f])
-      (if (live? x)
-          (interaction-message x)
-          (hasheq 'kind "shown" 'data (value->bundle x)))))
+      (cond [(live? x) (interaction-message x)]
+            [(hash-ref explored x #f) => (lambda (make)
+                                           (hash-remove! explored x)
+                                           (make))]
+            [else (hasheq 'kind "shown" 'data (value->bundle x))])))
   (define name (hash-ref (changed-pictures-names p) x #f))
   (if name
       (hash-set* m 'display name

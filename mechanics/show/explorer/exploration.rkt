@@ -3,10 +3,11 @@
 ;; that can be undone.  It knows no window.
 
 (require racket/flonum
+         "../../error/message-words.rkt"
          "orbit-worker.rkt" "../plot/pixels.rkt" "../plot/points.rkt")
 
 (provide make-exploration exploration-bounds exploration-orbits exploration-map exploration-n
-         traced-orbit traced-count exploration->dots
+         traced-orbit traced-count exploration->dots for-each-orbit exploration->text
          add-orbit! add-points! zoom! whole! clear! undo!
          each-orbit-marked)
 
@@ -20,6 +21,12 @@
 
 ;; The number of points of a traced orbit.
 (define (traced-count t) (snapshot-count (take-snapshot (traced-points t))))
+
+;; "2 orbits, 2002 points"
+(define (exploration->text e)
+  (define orbits (exploration-orbits e))
+  (format "~a, ~a" (counted (length orbits) "orbit")
+          (counted (for/sum ([t (in-list orbits)]) (traced-count t)) "point")))
 
 ;; (visit color x y) for each point, orbit by orbit
 (define (exploration->dots e visit)

@@ -2,6 +2,7 @@
 ;; Orbits of a map of the plane, as points (SICM 3.6.1, p. 248).
 
 (require racket/flonum
+         "exploration-host.rkt"
          "../plot/plotted-number.rkt" "../plot/frame.rkt" "../plot/style.rkt"
          "../../error/complain.rkt" (only-in "../../error/progress.rkt" call-counting)
          "../../generic/define-plain.rkt" "../../generic/describe.rkt" "../../generic/on-demand.rkt"
@@ -33,7 +34,7 @@
         [else
          (for ([p (in-list given)]) (check-image who f map (car p) (cdr p)))
          (if window?
-             (explore-in-window who f map n starts source)
+             ((or (current-exploration-host) explore-in-window) who f map n starts source)
              (draw-orbits who f map n starts color size))])
   f)
 

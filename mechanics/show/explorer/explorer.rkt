@@ -8,8 +8,7 @@
 
 (require racket/class
          racket/gui/base
-         "exploration.rkt" "explorer-board.rkt" "orbit-worker.rkt" "../plot/window.rkt"
-         "../../error/message-words.rkt")
+         "exploration.rkt" "explorer-board.rkt" "orbit-worker.rkt" "../plot/window.rkt")
 
 (provide (rename-out [explorer-loaded? loaded?])
          open-explorer explorer-exploration explorer-window explorer-board
@@ -120,14 +119,9 @@
 
 ;; what : a text, or #f for the numbers of orbits and points
 (define (say! it what)
-  (define orbits (exploration-orbits (explorer-exploration it)))
+  (define e (explorer-exploration it))
   (define text
-    (or what
-        (if (null? orbits)
-            keys-text
-            (string-append
-             (counted (length orbits) "orbit") ", "
-             (counted (points-in orbits) "point")))))
+    (or what (if (null? (exploration-orbits e)) keys-text (exploration->text e))))
   (set-explorer-message! it text)
   (send (explorer-status it) set-label (if (> (string-length text) 200)
                                            (substring text 0 200)
@@ -135,6 +129,3 @@
 
 ;; A message has its details on lines of their own.
 (define (on-one-line text) (regexp-replace* #rx" *\n *" text "; "))
-
-(define (points-in orbits)
-  (for/sum ([t (in-list orbits)]) (traced-count t)))

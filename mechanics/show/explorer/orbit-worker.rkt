@@ -12,7 +12,7 @@
 (require-on-demand ["../../dynamics/map/compiled-map.rkt" stepper-at])
 
 (provide start-worker ask-worker stop-worker
-         make-orbit orbit-color orbit-start stop-orbit!)
+         make-orbit orbit-color orbit-start orbit-stopped? stop-orbit!)
 
 ;; color : a number; start : (cons x y); at : the present point, an flvector; step! : moves `at`;
 ;; made by the worker

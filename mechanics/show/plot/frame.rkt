@@ -25,6 +25,7 @@
  graphics-clear graphics-close
  ;; for drawing
  check-frame check-open frame-bounds add-dot! add-line! add-layer!
+ frame-layers replace-layers!
  ;; for showing
  frame-view frame-now frame->bytes show-frame seen
  ;; for tests
@@ -102,6 +103,10 @@
 
 (define (add-layer! who f style data)
   (change! who f (set-frame-layers! f (cons (layer style data) (frame-layers f)))))
+
+;; layers : as frame-layers gives them, the latest first
+(define (replace-layers! who f layers)
+  (change! who f (set-frame-layers! f layers)))
 
 ;; Points of one style are one layer, and so are lines.  Points outside the frame are dropped.
 (define (add-dot! who f style x y)

@@ -4,10 +4,10 @@
 (require "../display/drawing-library.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["picture.rkt" loaded? color-name? draw-picture draw-to-bytes]
+(require-on-demand ["picture.rkt" loaded? color-name? draw-picture draw-to-bytes picture-point]
          ["frame-pict.rkt" make-picture converted-picture])
 
-(provide can-draw? why-not color-name? draw-picture make-picture picture-bytes)
+(provide can-draw? why-not color-name? draw-picture make-picture picture-bytes picture-point)
 
 ;; -> string, which ends with what to install, or #f
 (define why-not (reason-not-to-load loaded?))

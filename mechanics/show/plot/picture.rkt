@@ -9,7 +9,7 @@
          "plot-canvas.rkt" "plot-colors.rkt" "plot-images.rkt" "plot-legend.rkt" "points.rkt"
          "svg-digits.rkt" "view.rkt")
 
-(provide loaded? color-name? draw-picture draw-to-bytes)
+(provide loaded? color-name? draw-picture draw-to-bytes picture-point)
 
 ;; A call of it loads this module: so a caller learns whether that is possible.
 (define (loaded?) #t)
@@ -78,6 +78,17 @@
         (+ (- (area-right a) (area-left a)) 1) (+ (- (area-bottom a) (area-top a)) 1))
   (when outside (send region intersect outside))
   (send dc set-clipping-region region))
+
+;; across, down : a place as shares of the picture's width and height -> x and y of the plane
+(define (picture-point v across down)
+  (define dc (new bitmap-dc% [bitmap (make-bitmap 1 1)]))
+  (define a #f)
+  (call-with-canvas dc 0 0 (lambda () (set! a (plot-area dc v))))
+  (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
+  (define (between low high place from to)
+    (+ low (* (- high low) (/ (- place from) (- to from)))))
+  (values (between x-min x-max (* across (view-width v)) (area-left a) (area-right a))
+          (between y-min y-max (* down (view-height v)) (area-bottom a) (area-top a))))
 
 (define (draw-layer dc a l)
   (define-values (s data place) (values (layer-style l) (layer-data l) (area-place a)))

@@ -238,6 +238,23 @@
                               "interact: the range of k is empty")))
 
 ;; ---------------------------------------------------------------------------
+;; Maps explored
+
+(test-case "a map is explored where its frame is shown, which then has the orbits"
+  (define m (run (string-append "(require mechanics/book)\n(define win (frame 0 :2pi 0 :2pi))\n"
+                                "(explore-map win (standard-map 0.6) 10)\n(+ 1 1)")))
+  (check-equal? (for/list ([x (in-list m)]) (hash-ref x 'kind)) '("exploration" "shown" "done"))
+  (check-equal? (hash-ref (car m) 'text) "0 orbits, 0 points")
+  (define a
+    (answers-to c "explore" 'number (hash-ref (car m) 'number)
+                'actions '(("point" 0.5 0.5 0.5 0.5) ("point" 0.6 0.5 0.6 0.5) ("undo"))))
+  (check-equal? (hash-ref a 'text) "1 orbit, 11 points")
+  (check-false (hash-ref a 'more))
+  (check-true (string-prefix? (hash-ref (hash-ref a 'data) 'image/svg+xml) "<svg"))
+  (check-equal? (bundles (run "(length (frame-points win))") plain) '("11"))
+  (check-equal? (map (lambda (x) (hash-ref x 'kind)) (run "win")) '("shown" "done")))
+
+;; ---------------------------------------------------------------------------
 ;; Questions of an editor
 
 (test-case "names are completed, the reader's own as well"
