@@ -25,7 +25,7 @@ unexport PLT_COMPILED_FILE_CHECK
 .PHONY: help demo repl lab notebooks run show tex export attack lint lint-texts install uninstall \
         test tests test-quick test-manual test-figures test-export test-lab \
         elsewhere bench peers export-python docs pictures clean \
-        racket writable libraries editing compile begin-tests known-docs
+        racket writable libraries editing drawing compile begin-tests known-docs
 
 help:
 	@echo 'make demo    a tour in five screens: Lagrange equations, proposed paths, verdicts'
@@ -69,10 +69,10 @@ repl: compile editing
 	@$(RACKET) -l mechanics/lang/prompt/start
 
 # JupyterLab with our kernel, in build/lab; ARGS is for JupyterLab.
-lab: compile
+lab: compile drawing
 	@.ci/lab.sh start $(ARGS)
 
-test-lab: compile
+test-lab: compile drawing
 	@.ci/lab.sh test
 
 # ONLY=text for those with it in their names
@@ -235,6 +235,10 @@ libraries:
 # Line editing at the prompt.
 editing:
 	@.ci/ensure-racket.sh editing
+
+# Pictures in notebooks.
+drawing:
+	@.ci/ensure-racket.sh drawing
 
 clean:
 	rm -rf build

@@ -4,6 +4,7 @@
 #     ensure-racket.sh               Racket itself
 #     ensure-racket.sh libraries     the shared libraries that tests may use
 #     ensure-racket.sh editing       the library that edits lines at the prompt
+#     ensure-racket.sh drawing       the libraries that draw pictures
 #     ensure-racket.sh manual        the library that keeps the index of Racket's manuals
 #
 # On Debian and Ubuntu what is missing is installed with apt-get, through sudo
@@ -139,14 +140,16 @@ first_available() {
     done
 }
 
-# What they are for: MPFR for numbers of higher precision, the others for pictures in files.
-for_tests='libmpfr6
-libglib2.0-0 libglib2.0-0t64
+for_drawing='libglib2.0-0 libglib2.0-0t64
 libcairo2
 libpangocairo-1.0-0
 libjpeg62-turbo libjpeg-turbo8
-libpng16-16 libpng16-16t64
-libedit2'
+libpng16-16 libpng16-16t64'
+
+# MPFR is for numbers of higher precision.
+for_tests="libmpfr6
+$for_drawing
+libedit2"
 
 for_editing=libedit2
 for_manual=libsqlite3-0
@@ -185,6 +188,7 @@ case ${1:-} in
     libraries) ensure_libraries "$for_tests" "that tests use" "tests that need them are skipped" ;;
     editing) ensure_libraries "$for_editing" "for line editing" \
                  "the prompt works, without history and completion; apt-get install libedit2 adds them" ;;
+    drawing) ensure_libraries "$for_drawing" "for pictures" "pictures are told in words" ;;
     manual) ensure_libraries "$for_manual" "for the manual" "the manual is left out" ;;
-    *) say "usage: $0 [libraries|editing|manual]"; exit 2 ;;
+    *) say "usage: $0 [libraries|editing|drawing|manual]"; exit 2 ;;
 esac

@@ -3,7 +3,7 @@
 Handlers of controls only store where they were moved to.  One worker asks for all interactions:
 the newest values come next, and what has begun is finished, unless it takes more than half a
 second while newer values wait.  So the last picture is that of the last values, and a drag shows
-pictures on its way.
+pictures on its way.  Of a map that is explored (exploration.py) nothing is given up: it is patient.
 """
 
 import concurrent.futures
@@ -17,7 +17,7 @@ GONE = "the definitions that this rests on are gone: run its cell again"
 
 
 class Worker:
-    """ask(interaction, values, id) and stop(id) talk to the process; next_id() names a request.
+    """ask(interaction, id, question) and stop(id) talk to the process; next_id() names a request.
 
     ask answers None where the process of the interaction has ended; tell(problem) is for failures.
     """
@@ -46,19 +46,19 @@ class Worker:
 
     def show(self, interaction, values):
         number = self.next_id()
-        answer = self.ask(interaction, values, number)
+        answer = self.ask(interaction, number, interaction.question(values))
         if answer is None:
-            interaction.show({"text/plain": GONE})
+            interaction.gone()
             return
         while not concurrent.futures.wait([answer], PATIENCE).done:
-            if interaction in self.waiting:
+            if interaction in self.waiting and not interaction.patient:
                 self.stop(number)
-        data = answer.result().get("data")
-        if data:
-            interaction.show(data)
+        interaction.answered(answer.result())
 
 
 class Interaction:
+    patient = False
+
     def __init__(self, message, worker, child):
         self.number, self.worker, self.child = message["number"], worker, child
         self.controls = [control_widget(c) for c in message["controls"]]
@@ -70,6 +70,16 @@ class Interaction:
 
     def moved(self, change):
         self.worker.want(self, [control.value for control in self.controls])
+
+    def question(self, values):
+        return {"do": "frame", "number": self.number, "values": values}
+
+    def answered(self, answer):
+        if data := answer.get("data"):
+            self.show(data)
+
+    def gone(self):
+        self.show({"text/plain": GONE})
 
     def show(self, data):
         self.output.outputs = ({"output_type": "display_data", "data": data, "metadata": {}},)

@@ -54,7 +54,7 @@ class MechanicsKernel(Kernel):
         super().__init__(**settings)
         self.numbers = itertools.count(1)
         self.asked = {}
-        self.displays = {}
+        self.displays, self.explorations = {}, {}
         self.cell = self.frame = None
         self.last_request = {}
         self.progress_shown = None
@@ -106,6 +106,8 @@ class MechanicsKernel(Kernel):
             self.show(message["data"], message.get("display"), message.get("update", False))
         elif kind == "interaction":
             self.show_interaction(child, message)
+        elif kind == "exploration":
+            self.show_exploration(child, message)
         elif kind == "progress":
             self.show_progress(message["text"])
         elif kind == "input" and cell:
@@ -155,7 +157,8 @@ class MechanicsKernel(Kernel):
         self.publish("stream", {"name": name, "text": text})
 
     def show(self, data, display=None, update=False):
-        content = {"data": data, "metadata": {}}
+        explored = self.explorations.get(display)
+        content = {"data": explored.page(data) if explored else data, "metadata": {}}
         if display:
             content["transient"] = {"display_id": display}
             update = self.still_shown(display) and update
@@ -191,15 +194,27 @@ class MechanicsKernel(Kernel):
         shown = Interaction(message, self.worker, child)
         self.show(shown.bundle(message["data"]))
 
+    def show_exploration(self, child, message):
+        """The picture, which is shown anew in its place, and its buttons."""
+        from .exploration import Exploration
+
+        display = message["display"]
+        shown = self.explorations[display] = Exploration(
+            message, self.worker, child,
+            lambda data: self.publish("update_display_data", {
+                "data": shown.page(data), "metadata": {}, "transient": {"display_id": display}}))
+        self.show(message["data"], display)
+        self.show(shown.bundle())
+
     @functools.cached_property
     def worker(self):
         from .interaction import Worker
 
-        def ask(interaction, values, id):
+        def ask(interaction, id, question):
             if interaction.child is not self.child:
                 return None
             self.frame = id
-            return self.asking(id, do="frame", number=interaction.number, values=values)
+            return self.asking(id, **question)
 
         return Worker(ask, lambda id: self.child.send(do="break", id=id),
                       lambda: next(self.numbers), self.write_problem)
