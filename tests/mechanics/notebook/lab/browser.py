@@ -97,7 +97,10 @@ class Lab:
     def close(self):
         self.browser.close()
         self.server.terminate()
-        self.server.wait()
+        try:
+            self.server.wait(30)
+        except subprocess.TimeoutExpired:
+            self.server.kill()
         shutil.rmtree(self.folder, ignore_errors=True)
 
 

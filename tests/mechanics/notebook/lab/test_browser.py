@@ -215,6 +215,52 @@ class OneCell(unittest.TestCase):
         finally:
             lab.close()
 
+    def test_map_explored_by_clicks(self):
+        lab = Lab()
+        try:
+            lab.open("map.ipynb", ["(require mechanics/plot mechanics/book)\n"
+                                   "(define win (frame 0 :2pi 0 :2pi))\n"
+                                   "(explore-map win (standard-map 0.6) 100)"])
+            lab.run_all()
+            picture = lab.cell(0).locator("img[draggable=false]").first
+            picture.wait_for(timeout=60_000)
+            time.sleep(2)
+            box, mouse = picture.bounding_box(), lab.page.mouse
+
+            def place(across, down):
+                return box["x"] + across * box["width"], box["y"] + down * box["height"]
+
+            def wait_for(text):
+                lab.cell(0).get_by_text(text).first.wait_for(timeout=60_000)
+
+            mouse.click(*place(0.5, 0.5))
+            wait_for("1 orbit, 101 points")
+            mouse.click(*place(0.6, 0.3))
+            wait_for("2 orbits, 202 points")
+            whole = picture.get_attribute("src")
+            mouse.move(*place(0.4, 0.4))
+            mouse.down()
+            mouse.move(*place(0.7, 0.7), steps=4)
+            mouse.up()
+            self.until(lambda: picture.get_attribute("src") != whole)
+            lab.cell(0).get_by_role("button", name="Whole").click()
+            self.until(lambda: picture.get_attribute("src") == whole)
+            lab.cell(0).get_by_role("button", name="Undo").click()
+            lab.cell(0).get_by_role("button", name="Undo").click()
+            lab.cell(0).get_by_role("button", name="Undo").click()
+            wait_for("1 orbit, 101 points")
+            lab.page.keyboard.press("Control+s")
+            saved = lab.folder / "map.ipynb"
+            self.until(lambda: '"image/png"' in saved.read_text())
+        finally:
+            lab.close()
+
+    def until(self, true):
+        began = time.monotonic()
+        while not true():
+            self.assertLess(time.monotonic() - began, 60)
+            time.sleep(0.05)
+
     def test_restart_and_run_again(self):
         lab = Lab()
         try:

@@ -6,7 +6,6 @@
          mechanics/plot
          mechanics/show/explorer/explored-frame
          (only-in mechanics/show/plot/frame frame-bounds)
-         racket/math
          "../../support/checks.rkt")
 
 (define T (standard-map 0.6))
