@@ -22,7 +22,8 @@ endif
 unexport PLT_COMPILED_FILE_CHECK
 
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
-.PHONY: help demo repl lab notebooks run show tex export attack lint lint-texts install uninstall \
+.PHONY: help demo repl lab lab-installed notebooks run show tex export attack lint lint-texts install \
+        uninstall \
         test tests test-quick test-manual test-figures test-export test-lab \
         elsewhere bench peers export-python docs pictures clean \
         racket writable libraries editing drawing compile begin-tests known-docs
@@ -71,6 +72,11 @@ repl: compile editing
 # JupyterLab with our kernel, in build/lab; ARGS is for JupyterLab.
 lab: compile drawing
 	@.ci/lab.sh start $(ARGS)
+
+# What a container has (binder/Dockerfile).
+lab-installed: compile drawing
+	@.ci/lab.sh install
+	@.ci/lab.sh notebooks
 
 test-lab: compile drawing
 	@.ci/lab.sh test

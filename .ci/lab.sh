@@ -2,9 +2,10 @@
 # JupyterLab with our kernel, in a Python environment of its own:
 #
 #     lab.sh install    makes the environment build/lab, if it is not there
-#     lab.sh start      and opens JupyterLab in it, at notebooks of examples, build/notebooks
-#     lab.sh test       and runs the tests of the kernel in it
-#     lab.sh bench      and measures thirty kernels at once
+#     lab.sh notebooks  makes notebooks of examples, build/notebooks
+#     lab.sh start      does both, and opens JupyterLab at them
+#     lab.sh test       installs, and runs the tests of the kernel
+#     lab.sh bench      installs, and measures thirty kernels at once
 #
 # Versions are those of requirements.txt.  Python's part for environments is installed on Debian and
 # Ubuntu, as Racket is; elsewhere it says what to install.
@@ -86,6 +87,7 @@ make_notebooks() {
 
 case ${1:-} in
     install) install ;;
+    notebooks) make_notebooks ;;
     start)   install
              make_notebooks
              [ "$(id -u)" -ne 0 ] || root=--allow-root
@@ -97,5 +99,5 @@ case ${1:-} in
              exec "$lab/bin/python" tests/mechanics/notebook/lab/run.py ;;
     bench)   install
              exec "$lab/bin/python" tests/mechanics/notebook/lab/bench.py ;;
-    *)       say 'lab.sh install, start, test or bench'; exit 2 ;;
+    *)       say 'lab.sh install, notebooks, start, test or bench'; exit 2 ;;
 esac
