@@ -22,9 +22,8 @@ endif
 unexport PLT_COMPILED_FILE_CHECK
 
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
-.PHONY: help demo repl lab lab-installed notebooks run show tex export attack lint lint-texts install \
-        uninstall \
-        test tests test-quick test-manual test-figures test-export test-lab \
+.PHONY: help demo repl lab lab-installed notebooks run show tex export attack lint lint-texts \
+        install uninstall test tests test-quick test-manual test-figures test-export test-lab \
         elsewhere bench peers export-python docs pictures clean \
         racket writable libraries editing drawing compile begin-tests known-docs
 

@@ -44,6 +44,7 @@ order.
 @include-section["guide/scales.scrbl"]
 @include-section["guide/teachers.scrbl"]
 @include-section["guide/students.scrbl"]
+@include-section["guide/notebook-server.scrbl"]
 @include-section["guide/systems.scrbl"]
 @include-section["guide/constrained-systems.scrbl"]
 @include-section["guide/programs.scrbl"]

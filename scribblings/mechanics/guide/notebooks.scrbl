@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/plot)
+@(require (for-label mechanics mechanics/book mechanics/plot)
           racket/runtime-path
           "../next-pages.rkt")
 
@@ -21,7 +21,8 @@ In a checkout, with nothing installed but Racket and Python,
 
 installs JupyterLab in the folder @filepath{build/lab}, some 200 MB in about a minute, and opens
 it in the browser. Without a browser it prints the address. On Debian and Ubuntu it installs
-@tt{python3-venv}, if that is missing.
+@tt{python3-venv} and what draws pictures, if that is missing; from a bare Debian, without Racket
+even, to the page it took eight minutes on a busy machine, most of them for compiling.
 
 Where you have a Jupyter of your own, and the library is installed,
 
@@ -48,7 +49,7 @@ then.}
 @tt{MECHANICS_KERNEL_MEMORY}, such as @tt{500M} or @tt{4G}, sets another limit.}
 @item{Output beyond a megabyte is counted and left out.}
 @item{The key Tab completes a name, and shows how it is called; Shift-Tab shows what
-@racket[(help name)] says of it.}]
+@racket[(help name)] says of it, with the results of its example typeset.}]
 
 @section{Sliders in cells}
 
@@ -63,6 +64,17 @@ shows a slider for k, and beneath it the value of the body. While the slider is 
 value is shown as soon as the one before is ready. The body may give anything: a formula, a
 verdict, a picture. Where it fails, the message stands in place of the value, and the next move
 works. There are menus, check boxes and fields for text as well: see @racket[interact].
+
+@section{Maps explored by clicks}
+
+@racketblock[
+(require mechanics/book)
+(define win (frame 0 :2pi 0 :2pi))
+(explore-map win (standard-map 0.9))]
+
+shows the frame, in which a click starts an orbit and a drag enlarges a part. Buttons undo, ask for
+more points, show the whole again and clear. The frame @racket[win] has the orbits in every later
+cell, and a saved notebook and a page made of it have the picture as it was last.
 
 @section{Programs as notebooks}
 
@@ -94,6 +106,7 @@ made of changes.
 
 A worksheet's notebook is answered in the browser: @secref["students"] tells how.
 
-@next-pages["ten-minutes" "the library, from its first Lagrangian on"
+@next-pages["notebook-server" "one server for a class"
+            "ten-minutes" "the library, from its first Lagrangian on"
             "guide-showing" "programs as pages and papers"
             "guide-pictures" "frames, and what is drawn in them"]

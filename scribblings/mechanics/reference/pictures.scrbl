@@ -259,7 +259,8 @@ is written into that program, @racket['(standard-map 0.6)] say. The program requ
 @racket[source] has names that these do not define, as those of a map of your own, the window says
 which, and the program is complete once they are defined in it. Without @racket[source] the program
 provides @racketidfont{redraw}, which takes the map. Where there is no screen the error says
-how to do without a window.
+how to do without a window. In a notebook the frame itself is explored, by clicks, drags and
+buttons, and nothing waits: see @secref["notebooks"].
 
 @examples[#:eval session
 (define ((kicked K) theta I return fail)
