@@ -71,6 +71,7 @@ start() {
     say 'JupyterLab opens in the browser; without one, its address is below.  Ctrl-C twice ends it.'
     exec env JUPYTER_CONFIG_DIR="$PWD/build/lab-config" "$lab/bin/jupyter" lab \
         --ServerApp.ip=127.0.0.1 --KernelManager.transport="$transport" \
+        --MappingKernelManager.default_kernel_name=mechanics \
         --ServerApp.root_dir="$PWD/$notebooks" $root "$@"
 }
 

@@ -64,7 +64,7 @@ JupyterHub that spawns containers the image is named as it is: it has
 @exec{jupyterhub-singleuser}, in the newest version, or in that of the hub, which the build argument
 @tt{JUPYTERHUB} names:
 
-@commandline{docker build -f binder/Dockerfile --build-arg JUPYTERHUB=jupyterhub==5.2.1 .}
+@commandline{docker build -f binder/Dockerfile --build-arg JUPYTERHUB=jupyterhub==6.1.1 .}
 
 A volume over the user's home keeps what the user writes. Nothing else has to be kept.
 
