@@ -7,8 +7,9 @@
 (require "geometry/basis.rkt" "geometry/connection.rkt" "geometry/coordinates.rkt"
          "geometry/covariant-derivative.rkt" "geometry/curvature-tensor.rkt"
          "geometry/exterior-calculus.rkt" "geometry/extended-names.rkt" "geometry/tensor-field.rkt"
-         "geometry/flat-operators.rkt" "geometry/flow.rkt" "geometry/geodesic-motion.rkt"
-         "geometry/Hodge-star.rkt"
+         "geometry/electrodynamics.rkt" "geometry/flat-operators.rkt" "geometry/flow.rkt"
+         "geometry/four-tuple.rkt" "geometry/geodesic-motion.rkt" "geometry/Hodge-star.rkt"
+         "geometry/inertial-frame.rkt"
          "geometry/integral-of-form.rkt" "geometry/manifold-chart.rkt"
          "geometry/manifold-function.rkt" "geometry/maps-between-manifolds.rkt"
          "geometry/metric.rkt" (except-in "geometry/motion-on-manifold.rkt" follow-in-charts)
@@ -68,4 +69,12 @@
  Grad Div Curl Lap
  ;; motions
  evolve-on Lagrangian-in-chart trajectory-point trajectory-chart-changes
- metric->Lagrangian geodesic-state-derivative evolve-geodesic evolve-parallel-transport)
+ metric->Lagrangian geodesic-state-derivative evolve-geodesic evolve-parallel-transport
+ ;; special relativity
+ make-4tuple 4tuple->ct 4tuple->space proper-time-interval proper-space-interval
+ general-boost general-boost2 extended-rotation add-v/cs
+ the-ether base-frame-maker make-SR-frame SR-frame? boost-direction v/c coordinate-origin
+ make-SR-coordinates SR-name coordinates->event event->coordinates
+ ;; electrodynamics
+ SR SR-metric SR-basis SR-star
+ Faraday Maxwell four-current electric-field magnetic-field Lorentz-force)

@@ -6,6 +6,8 @@
 ;; to that place and one back; between two systems one goes by way of the place.  Manifolds of
 ;; one type share patches and systems, for all dimensions that these allow.
 ;;
+;; A system may also be made for one manifold alone, from its two maps.
+;;
 ;; Systems that differ only in the names of their coordinates are the same chart: its identity is
 ;; the vector of symbols that stand for the coordinates of a generic point.
 
@@ -15,10 +17,10 @@
 
 (provide make-manifold-type attach-patch attach-coordinate-system
          make-manifold manifold? manifold-dimension manifold-charts
-         patch coordinate-system-at coordinate-system
+         patch coordinate-system-at coordinate-system make-coordinate-system
          coordinate-system? coordinate-system-manifold coordinate-system-dimension
          coordinate-system-names coordinate-system-symbols
-         coordinates->place place->coordinates
+         coordinates->place place->coordinates coordinate-system-to
          same-chart? once-a-chart check-coordinate-system with-coordinate-names coordinate-tuple)
 
 ;; ---------------------------------------------------------------------------
@@ -92,6 +94,7 @@
 
 (define (coordinate-system? x) (system? x))
 (define (coordinate-system-manifold C) (system-manifold C))
+(define (coordinate-system-to C) (system-to C))
 (define (coordinate-system-names C) (system-names C))
 (define (coordinate-system-symbols C) (system-symbols C))
 (define (coordinate-system-dimension C) (manifold-dimension (system-manifold C)))
@@ -133,7 +136,10 @@
   (unless made
     (complain 'coordinate-system-at "there are no coordinates ~a in ~a dimension~a"
               name n (if (= n 1) "" "s")))
-  (define-values (to from names) (apply values made))
+  (apply make-coordinate-system printed m made))
+
+;; printed : the datum that it prints as
+(define (make-coordinate-system printed m to from names)
   (system printed m to from (list->vector names) (generic-symbols names)))
 
 (define (generic-symbols names)

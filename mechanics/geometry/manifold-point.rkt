@@ -3,6 +3,8 @@
 ;;
 ;; A point remembers the chart and the coordinates that it was given by: in that chart it has
 ;; them as they are, in another those of its place.
+;;
+;; A tuple may be marked as coordinates in one chart: then no other chart takes it.
 
 (require "manifold-chart.rkt"
          "../error/complain.rkt"
@@ -12,7 +14,8 @@
          "../value/shape.rkt")
 
 (provide point chart point? point-system point-coordinates
-         generic-point coordinates-in check-point
+         mark-coordinates chart-of-coordinates
+         generic-point coordinates-in check-point check-coordinates
          typical-coords typical-point)
 
 ;; coordinates : a tuple, or a number if there is one
@@ -37,7 +40,21 @@
   (unless (if (= n 1) (scalar? x) (and (up? x) (= n (length (scalars x)))))
     (complain 'point "a point of ~a has ~a\n  given: ~a" (value->text C)
               (if (= n 1) "one coordinate, a number" (format "an up tuple of ~a coordinates" n))
-              (describe-with-value x))))
+              (describe-with-value x)))
+  (define own (chart-of-coordinates x))
+  (unless (or (not own) (same-chart? own C))
+    (complain 'point "these coordinates are in ~a, not in ~a\n  given: ~a" (value->text own)
+              (value->text C) (describe-with-value x))))
+
+;; up tuple -> the chart that it is marked for
+(define charts-of-tuples (make-weak-hasheq))
+
+(define (mark-coordinates C x)
+  (define marked (up-of (tuple-elements x)))
+  (hash-set! charts-of-tuples marked C)
+  marked)
+
+(define (chart-of-coordinates x) (hash-ref charts-of-tuples x #f))
 
 ;; ((chart R2-rect) m)
 (define (chart C)
