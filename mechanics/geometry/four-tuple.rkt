@@ -17,7 +17,7 @@
 (provide make-4tuple 4tuple->ct 4tuple->space 4tuple? check-4tuple
          proper-time-interval proper-space-interval
          general-boost general-boost2 extended-rotation add-v/cs
-         check-direction)
+         check-boost)
 
 ;; ---------------------------------------------------------------------------
 ;; 4-tuples
@@ -70,17 +70,16 @@
 
 (define (general-boost beta)
   (check-3tuple 'general-boost beta "the velocity divided by c")
-  (boost 'general-boost beta (dot-product beta beta)))
+  (define beta^2 (dot-product beta beta))
+  (check-speed 'general-boost beta^2)
+  (boost beta beta^2))
 
 ;; direction : a unit vector
 (define (general-boost2 direction v/c)
-  (check-direction 'general-boost2 direction)
-  (boost 'general-boost2 (g:* v/c direction) (g:square v/c)))
+  (check-boost 'general-boost2 direction v/c)
+  (boost (g:* v/c direction) (g:square v/c)))
 
-(define (boost who beta beta^2)
-  (when (and (real? beta^2) (>= beta^2 1))
-    (complain who "an observer is slower than light: expected v/c less than 1\n  its square is: ~a"
-              beta^2))
+(define (boost beta beta^2)
   (define gamma (g:/ 1 (g:sqrt (g:- 1 beta^2))))
   (define along (g:/ (g:square gamma) (g:+ gamma 1)))
   (lambda (xi)
@@ -89,12 +88,18 @@
     (make-4tuple (g:* gamma (g:+ ct beta*x))
                  (g:+ x (g:* (g:+ (g:* gamma ct) (g:* along beta*x)) beta)))))
 
-(define (check-direction who n)
+(define (check-speed who beta^2)
+  (when (and (real? beta^2) (>= beta^2 1))
+    (complain who "an observer is slower than light: expected v/c less than 1\n  its square is: ~a"
+              beta^2)))
+
+(define (check-boost who n v/c)
   (check-3tuple who n "the direction")
   (define length^2 (dot-product n n))
   (when (and (real? length^2) (> (abs (- length^2 1)) 1e-12))
     (complain who "a direction is a unit vector; the square of this one is ~a\n  given: ~a"
-              length^2 (describe-with-value n))))
+              length^2 (describe-with-value n)))
+  (check-speed who (g:square v/c)))
 
 ;; rotation : a function of up tuples of 3
 (define (extended-rotation rotation)

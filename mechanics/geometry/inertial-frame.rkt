@@ -79,7 +79,7 @@
 (define (make-SR-frame name ancestor direction v/c origin)
   (define who 'make-SR-frame)
   (check-frame who ancestor)
-  (check-direction who direction)
+  (check-boost who direction v/c)
   (define start (point-coordinates ((point ancestor) origin)))
   (define (told convert) (convert ancestor frame direction v/c start))
   (define to-place (transport (lambda (x) ((chart R4-rect) ((told coordinates->event) x)))
