@@ -6,7 +6,7 @@
          (prefix-in m: mechanics)
          (only-in mechanics/algebra/zero/fingerprint fingerprint)
          (only-in mechanics/algebra/zero/zero-test zero-test zero-test-status)
-         "canonical.rkt" "derivatives.rkt" "integrals.rkt" "matrices.rkt" "motion.rkt"
+         "canonical.rkt" "curvature.rkt" "derivatives.rkt" "integrals.rkt" "matrices.rkt" "motion.rkt"
          "pictures.rkt" "rigid.rkt" "rotations.rkt" "systems.rkt" "task.rkt")
 
 (provide tasks micros growths (struct-out scaling) find-task find-micro)
@@ -213,7 +213,8 @@
               #t fingerprint)
    (zero-task 'Z3 "zero test of the same, a proof"
               #t (lambda (e) (zero-test-status (zero-test e))))
-   (append motion-tasks rigid-tasks canonical-tasks integral-tasks matrix-tasks picture-tasks)))
+   (append motion-tasks rigid-tasks canonical-tasks curvature-tasks integral-tasks matrix-tasks
+           picture-tasks)))
 
 ;; ---------------------------------------------------------------------------
 ;; Growth
