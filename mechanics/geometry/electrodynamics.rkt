@@ -42,38 +42,34 @@
 
 ;; Σ aᵢ dxᵢ ∧ dct + Σ bᵢ dxⱼ ∧ dxₖ, with i, j, k in cyclic order
 (define (form-of-fields who frame as bs)
-  (define-values (dct ds) (forms-of who frame))
-  (apply g:+ (for/list ([a (in-list as)] [b (in-list bs)]
-                        [i (in-list ds)] [j (in-list (turn ds))] [k (in-list (turn (turn ds)))])
+  (define-values (dct dx dy dz) (forms-of who frame))
+  (apply g:+ (for/list ([a (in-list as)] [b (in-list bs)] [i (in-list (list dx dy dz))]
+                        [j (in-list (list dy dz dx))] [k (in-list (list dz dx dy))])
                (g:+ (g:* a (wedge i dct)) (g:* b (wedge j k))))))
 
 (define (forms-of who frame)
   (check-frame who frame)
-  (define all (vector->list (tuple-elements (coordinate-system->1form-basis frame))))
-  (values (car all) (cdr all)))
-
-(define (turn xs) (append (cdr xs) (list (car xs))))
+  (vector->values (tuple-elements (coordinate-system->1form-basis frame))))
 
 (define (four-current density I1 I2 I3 #:c [c 1] #:in [frame SR])
-  (define-values (dct ds) (forms-of 'four-current frame))
-  (g:- (g:/ (apply g:+ (map g:* (list I1 I2 I3) ds)) c) (g:* density dct)))
+  (define-values (dct dx dy dz) (forms-of 'four-current frame))
+  (g:- (g:/ (g:+ (g:* I1 dx) (g:* I2 dy) (g:* I3 dz)) c) (g:* density dct)))
 
 ;; ---------------------------------------------------------------------------
 ;; Fields of a form, as an observer in the frame measures them: up tuples of functions
 
 (define (electric-field F [frame SR])
-  (define-values (e0 es) (vectors-of 'electric-field F frame))
-  (apply up (for/list ([i (in-list es)]) (F i e0))))
+  (define-values (e0 ex ey ez) (vectors-of 'electric-field F frame))
+  (up (F ex e0) (F ey e0) (F ez e0)))
 
 (define (magnetic-field F [frame SR])
-  (define-values (e0 es) (vectors-of 'magnetic-field F frame))
-  (apply up (map F (turn es) (turn (turn es)))))
+  (define-values (e0 ex ey ez) (vectors-of 'magnetic-field F frame))
+  (up (F ey ez) (F ez ex) (F ex ey)))
 
 (define (vectors-of who F frame)
   (check-2form who F)
   (check-frame who frame)
-  (define all (vector->list (tuple-elements (coordinate-system->vector-basis frame))))
-  (values (car all) (cdr all)))
+  (vector->values (tuple-elements (coordinate-system->vector-basis frame))))
 
 (define (check-2form who F)
   (check-argument who (lambda (F) (and (form-field? F) (= (field-rank F) 2))) F

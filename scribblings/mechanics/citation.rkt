@@ -3,7 +3,7 @@
 
 (require scribble/base)
 
-(provide the-book sicm)
+(provide the-book sicm fdg)
 
 (define the-book
   (list (italic "Structure and Interpretation of Classical Mechanics")
@@ -12,3 +12,7 @@
 ;; @sicm{1.5, p. 33}
 (define (sicm . place)
   (elem (smaller "SICM " place)))
+
+;; @fdg{chapter 11}: its sequel, Functional Differential Geometry (MIT Press, 2013)
+(define (fdg . place)
+  (elem (smaller "FDG " place)))

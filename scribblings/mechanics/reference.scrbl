@@ -69,6 +69,7 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/rigid.scrbl"]
 @include-section["reference/maps.scrbl"]
 @include-section["reference/ensembles.scrbl"]
+@include-section["reference/special-relativity.scrbl"]
 @include-section["reference/compiled-functions.scrbl"]
 @include-section["reference/book.scrbl"]
 @include-section["reference/formulas.scrbl"]

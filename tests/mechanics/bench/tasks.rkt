@@ -6,8 +6,8 @@
          (prefix-in m: mechanics)
          (only-in mechanics/algebra/zero/fingerprint fingerprint)
          (only-in mechanics/algebra/zero/zero-test zero-test zero-test-status)
-         "canonical.rkt" "curvature.rkt" "derivatives.rkt" "integrals.rkt" "matrices.rkt" "motion.rkt"
-         "pictures.rkt" "rigid.rkt" "rotations.rkt" "systems.rkt" "task.rkt")
+         "canonical.rkt" "curvature.rkt" "derivatives.rkt" "integrals.rkt" "matrices.rkt"
+         "motion.rkt" "pictures.rkt" "rigid.rkt" "rotations.rkt" "systems.rkt" "task.rkt")
 
 (provide tasks micros growths (struct-out scaling) find-task find-micro)
 
