@@ -27,7 +27,7 @@
   (define from (memf (lambda (l) (and (shows? l context) (fits? l))) lines))
   (and from (make-example from p context)))
 
-(define (shows? l context) (not (or (line-error? l) (defined l context))))
+(define (shows? l context) (not (or (line-error? l) (pair? (defined l context)))))
 
 (define (about? l name p context)
   (or (mentions? l name)
@@ -94,13 +94,21 @@
 ;; name -> line
 (define (definitions-before l p context)
   (for*/hasheq ([other (in-list (lines-before l p))]
-                [name (in-value (defined other context))]
-                #:when name)
+                [name (in-list (defined other context))])
     (values name other)))
 
-;; The name that a line defines, or #f.
+;; The names that a line defines.
 (define (defined l context)
+  (define form (line-form l))
   (define id (defined-by-define (in-context l context)))
-  (and id (syntax-e id)))
+  (cond [id (list (syntax-e id))]
+        [(and (pair? form) (eq? (car form) 'define-coordinates)) (coordinate-names (cadr form))]
+        [else '()]))
+
+;; x, d/dx and dx for each name of the pattern
+(define (coordinate-names pattern)
+  (for*/list ([name (in-list (remq* '(up down) (flatten pattern)))]
+              [defined (in-list '("~a" "d/d~a" "d~a"))])
+    (string->symbol (format defined name))))
 
 (define (in-context l context) (datum->syntax context (line-form l)))

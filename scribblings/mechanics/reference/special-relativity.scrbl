@@ -43,6 +43,7 @@ an error.
 @examples[#:eval session
 (proper-time-interval xi)
 (proper-time-interval (up 5 3 0 0))
+(proper-space-interval (up 3 5 0 0))
 (eval:error (proper-space-interval (up 5 3 0 0)))]}
 
 @deftogether[(@defproc[((general-boost [beta structure?]) [xi structure?]) structure?]

@@ -17,7 +17,8 @@
 @defmodule[mechanics/sample]
 @(define session
    (make-session '(require mechanics/book)
-                 '(define plane (up 't 'x 'v))))
+                 '(define plane (up 't 'x 'v))
+                 '(define-coordinates (up z w) chart)))
 
 @defproc[((swing [m scalar] [l (or/c real? #f)]) [local local-tuple] [n exact-integer? 3]
           [#:force force (or/c #f procedure?) #f] [x (listof symbol?)] ...)
@@ -42,7 +43,7 @@ See @racket[still] and D@subscript{t}.
 
 @examples[#:eval session
 (define later still)
-(turn (z) 'x)]
+(turn (z) d/dz)]
 
 It rests.}
 
@@ -126,11 +127,14 @@ end
                    "(define (above f) (f 1))")
                   ("(above (lambda (unused) ((swing 1 (helper unused)) plane)))"))))
 
+(test-case "coordinates are defined with the fields that come with them"
+  (check-equal? (cadr (example-of 'turn)) '("(define-coordinates (up z w) chart)")))
+
 (test-case "names without one of their own have that of another entry, or of their kin"
   (check-equal? (caddr (example-of 'elsewhere)) '("(list 1 (elsewhere plane))"))
-  (check-equal? (caddr (example-of 'turn)) '("(turn (z) 'x)"))
-  (check-equal? (caddr (example-of 'limit)) '("(turn (z) 'x)"))
-  (check-equal? (caddr (example-of 'still)) '("(define later still)" "(turn (z) 'x)"))
+  (check-equal? (caddr (example-of 'turn)) '("(turn (z) d/dz)"))
+  (check-equal? (caddr (example-of 'limit)) '("(turn (z) d/dz)"))
+  (check-equal? (caddr (example-of 'still)) '("(define later still)" "(turn (z) d/dz)"))
   (check-false (example-of 'exn:stuck)))
 
 (test-case "a card knows its place in the book, and what stands beside it"
