@@ -14,7 +14,7 @@
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          (only-in "../value/structure.rkt" dot-product))
 
-(provide make-4tuple 4tuple->ct 4tuple->space 4tuple? check-4tuple
+(provide make-4tuple 4tuple->ct 4tuple->space check-4tuple
          proper-time-interval proper-space-interval
          general-boost general-boost2 extended-rotation add-v/cs
          check-boost)

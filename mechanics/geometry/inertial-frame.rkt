@@ -12,13 +12,12 @@
          "../generic/wrong-argument.rkt")
 
 (provide base-frame-maker the-ether make-SR-frame SR-frame?
-         make-SR-coordinates SR-coordinates? SR-name
+         make-SR-coordinates SR-name
          coordinates->event event->coordinates
-         frame-ancestor boost-direction v/c coordinate-origin)
+         boost-direction v/c coordinate-origin)
 
-;; From coordinates in the frame to places, with what was said of the frame; ancestor is #f for a
-;; base frame.
-(struct transport (to-place ancestor direction speed origin) #:authentic
+;; From coordinates in the frame to places, with what was said of the frame, #f for a base frame
+(struct transport (to-place direction speed origin) #:authentic
   #:property prop:procedure (struct-field-index to-place))
 
 (define (SR-frame? x) (and (coordinate-system? x) (transport? (coordinate-system-to x))))
@@ -57,8 +56,8 @@
 ;; Frames
 
 ;; from-place : place -> coordinates in the frame
-(define (make-frame name to-place from-place)
-  (check-argument 'make-SR-frame symbol? name "the quoted name of a frame")
+(define (make-frame who name to-place from-place)
+  (check-argument who symbol? name "the quoted name of a frame")
   (make-coordinate-system name R4 to-place from-place '(ct x y z)))
 
 ;; A base frame is its own ancestor, by name.
@@ -67,7 +66,7 @@
     (complain 'base-frame-maker "a base frame has no ancestor but itself\n  given: ~a and ~a"
               (value->text name) (value->text ancestor)))
   (define frame
-    (make-frame name (transport unmarked #f #f #f #f)
+    (make-frame 'base-frame-maker name (transport unmarked #f #f #f)
                 (lambda (place) (make-SR-coordinates frame place))))
   frame)
 
@@ -83,9 +82,9 @@
   (define start (point-coordinates ((point ancestor) origin)))
   (define (told convert) (convert ancestor frame direction v/c start))
   (define to-place (transport (lambda (x) ((chart R4-rect) ((told coordinates->event) x)))
-                              ancestor direction v/c start))
+                              direction v/c start))
   (define (from-place place) ((told event->coordinates) ((point R4-rect) place)))
-  (define frame (make-frame name to-place from-place))
+  (define frame (make-frame who name to-place from-place))
   frame)
 
 (define ((said-of who part) frame)
@@ -93,7 +92,6 @@
   (or (part (coordinate-system-to frame))
       (complain who "~a is a base frame: it is at rest, and has no ancestor" (value->text frame))))
 
-(define frame-ancestor (said-of 'frame-ancestor transport-ancestor))
 (define boost-direction (said-of 'boost-direction transport-direction))
 (define v/c (said-of 'v/c transport-speed))
 (define coordinate-origin (said-of 'coordinate-origin transport-origin))

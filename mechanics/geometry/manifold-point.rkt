@@ -10,7 +10,6 @@
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../generic/wrong-argument.rkt"
          "../value/shape.rkt")
 
 (provide point chart point? point-system point-coordinates

@@ -14,9 +14,9 @@
 @declare-exporting[mechanics/geometry]
 
 Events, frames and fields of flat spacetime, as in chapters 10 and 11 of @italic{Functional
-Differential Geometry} by Gerald Jay Sussman and Jack Wisdom (FDG). Times are given as ct, in units of
-length, and velocities as v/c. All frames are charts of one manifold, the space R4, so that a field
-which is given in one frame has components in all others.
+Differential Geometry} by Gerald Jay Sussman and Jack Wisdom (FDG). Times are given as ct, in units
+of length, and velocities as v/c. All frames are charts of one manifold, the space R4, so that a
+field which is given in one frame has components in all others.
 
 @section[#:tag "four-tuples"]{4-tuples and boosts}
 
@@ -36,9 +36,9 @@ xi
 @deftogether[(@defproc[(proper-time-interval [xi structure?]) scalar]
               @defproc[(proper-space-interval [xi structure?]) scalar])]{
 
-The time, multiplied by c, that a clock shows which is at both events, and the distance of events for
-an observer to whom they are at one time. Numbers that leave no such clock, or no such observer, are
-an error.
+The time, multiplied by c, that a clock shows which is at both events, and the distance of events
+for an observer to whom they are at one time. Numbers that leave no such clock, or no such observer,
+are an error.
 
 @examples[#:eval session
 (proper-time-interval xi)
@@ -81,9 +81,9 @@ same direction.
                                       [v/c scalar] [origin structure?]) SR-frame?]
               @defproc[(SR-frame? [v any/c]) boolean?])]{
 
-Frames of observers in uniform motion: one at rest, others at rest under a name of their own, and one
-that moves past its ancestor in a direction, a unit vector; @racket[origin] is where the frame has
-its zero, in coordinates of the ancestor. A frame is a coordinate system: @racket[point],
+Frames of observers in uniform motion: one at rest, others at rest under a name of their own, and
+one that moves past its ancestor in a direction, a unit vector; @racket[origin] is where the frame
+has its zero, in coordinates of the ancestor. A frame is a coordinate system: @racket[point],
 @racket[chart] and @racket[define-coordinates] take it.
 
 @examples[#:eval session

@@ -141,6 +141,17 @@
   (check-identity ((electric-field constant A) an-event) (boosted E B))
   (check-identity ((magnetic-field constant A) an-event) (boosted B (* -1 E))))
 
+(test-case "a boost pulls the form back to the one that is measured"
+  (define beta (up 'u 'v 'w))
+  (define boosted
+    ((pullback (compose (point SR) (general-boost beta) (chart SR))) F))
+  (define A (frame (up 1 0 0) 'u))
+  (define along-x ((pullback (compose (point SR) (general-boost (up 'u 0 0)) (chart SR))) constant))
+  (check-identity ((electric-field along-x) an-event) ((electric-field constant A) an-event))
+  (check-identity ((magnetic-field along-x) an-event) ((magnetic-field constant A) an-event))
+  (check-identity (SR-star boosted)
+                  ((pullback (compose (point SR) (general-boost beta) (chart SR))) (SR-star F))))
+
 (test-case "fields given in a frame are measured there, and E^2 - B^2 and E B by all alike"
   (define A (frame (up 0 3/5 4/5) 'v))
   (define F (Faraday 'Ex 'Ey 'Ez 'Bx 'By 'Bz #:in A))

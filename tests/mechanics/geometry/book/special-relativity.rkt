@@ -54,6 +54,10 @@
 (test-case "no boost at all, in numbers: nothing is divided by 0"
   (check-equal? ((general-boost (up 0 0 0)) (up 1 2 3 4)) (up 1 2 3 4)))
 
+(test-case "a Racket vector is a tuple here, too"
+  (check-equal? (proper-time-interval #(5 3 0 0)) 4)
+  (check-equal? ((general-boost #(3/5 0 0)) #(1 0 0 0)) (up 5/4 3/4 0 0)))
+
 ;; ---------------------------------------------------------------------------
 ;; Frames
 
@@ -173,6 +177,8 @@
   "extended-rotation: expected a rotation, such as (Rx 'theta)\n  given: the symbol theta"]
  [(make-SR-frame 'B 'home (up 1 0 0) 1/2 (up 0 0 0 0))
   "make-SR-frame: expected a frame, such as the-ether\n  given: the symbol home"]
+ [(base-frame-maker "home")
+  "base-frame-maker: expected the quoted name of a frame\n  given: \"home\", a string"]
  [(make-SR-frame "B" the-ether (up 1 0 0) 1/2 (up 0 0 0 0))
   "make-SR-frame: expected the quoted name of a frame\n  given: \"B\", a string"]
  [(make-SR-frame 'B the-ether (up 1 0 0) 2 (up 0 0 0 0))
