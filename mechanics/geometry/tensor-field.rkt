@@ -278,8 +278,15 @@
 (define (judge-field T)
   (judged-in (field-home T) T
              (lambda (C)
-               (nested (components-in T C) (target-dimension (place-over (field-over T) C))
+               (define n (target-dimension (place-over (field-over T) C)))
+               (nested (if (field-form? T) (ascending-alone T n C) (components-in T C)) n
                        (field-types T)))))
+
+;; The components of a form, with 0 for those that others decide.
+(define (ascending-alone T n C)
+  (define Ts (components-in T C))
+  (build-components n (field-rank T)
+                    (lambda (is) (if (apply < is) (component Ts n is) 0))))
 
 (define (nested components n types)
   (define width (quotient (vector-length components) n))

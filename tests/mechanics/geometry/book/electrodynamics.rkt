@@ -65,6 +65,10 @@
                 `(+ ,(slope 0 'Ez) ,(slope 2 'Bx) (* -1 ,(slope 1 'By))
                     (/ (* 4 :pi (Iz ,there)) c))))
 
+(test-case "a verdict names each of the four equations once"
+  (check-equal? (regexp-match* #rx"component [0-9 ]+" (format "~a" (verify-equal (d F) 0)))
+                '("component 0 1 2" "component 0 1 3" "component 0 2 3" "component 1 2 3")))
+
 (test-case "charge is kept: d *J = 0 is the equation of continuity"
   (check-prints (of-event (d (SR-star J)) d/dct d/dx d/dy d/dz)
                 `(+ ,(slope 0 'rho)
