@@ -22,8 +22,8 @@ endif
 unexport PLT_COMPILED_FILE_CHECK
 
 .PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
-.PHONY: help demo repl lab lab-installed notebooks run show tex export attack lint lint-texts \
-        install uninstall test tests test-quick test-manual test-figures test-export test-lab \
+.PHONY: help demo repl lab lab-installed notebooks run show tex export attack mutants lint \
+        lint-texts install uninstall test tests test-quick test-manual test-figures test-export test-lab \
         elsewhere bench peers export-python docs pictures clean \
         racket writable libraries editing drawing compile begin-tests known-docs
 
@@ -49,6 +49,7 @@ help:
 	@echo 'make test-export    exported systems in Python, over Dask and with JAX (installs them in build/export)'
 	@echo 'make test-lab     the kernel of notebooks, and notebooks in a browser (installs them in build/lab)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
+	@echo 'make mutants small changes of the library, which tests are to notice  (ROOM=..., N=10 of each, SEED=1)'
 	@echo 'make lint    requires of which no name is used, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one; TASK=lab: thirty kernels)'
 	@echo 'make peers   what benchmarks compare with, in a Python environment in build/python'
@@ -165,6 +166,13 @@ RUNNER = tests/mechanics/runner/main.rkt tests/mechanics/runner/worker.rkt
 
 begin-tests:
 	@echo 'Looking for what is to be compiled ...'
+
+# N mutants of each room, or of ROOM alone; what is known of one is kept in build/mutants.rktd.
+JOBS ?= 2
+mutants: N = 10
+mutants: writable compile
+	@$(RACKET) tests/mechanics/support/mutation/random-mutants.rkt --count $(N) --seed $(SEED) \
+	  --jobs $(JOBS) $(if $(ROOM),--room $(ROOM))
 
 # N claims of each class; CLASS=disguised for identities in disguise alone.
 N    ?= 2000

@@ -17,7 +17,7 @@
          syntax/modread
          "../patience.rkt")
 
-(provide (struct-out mutant) occurrences try-mutant try-original)
+(provide (struct-out mutant) occurrences try-mutant try-original load-replaced)
 
 ;; file : below mechanics/algebra; old occurs in it exactly once
 (struct mutant (name file old new) #:transparent)
