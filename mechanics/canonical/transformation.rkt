@@ -5,10 +5,11 @@
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/on-demand.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt"
-         "../lagrangian/generic-state.rkt"
          "../value/shape.rkt" "../value/structure.rkt")
+
+(require-on-demand ["../lagrangian/generic-state.rkt" check-symbols check-parameters])
 
 (provide check-transformation check-for-any-state
          transformed checked-transformation image-and-slopes)

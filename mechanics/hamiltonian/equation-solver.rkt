@@ -16,7 +16,7 @@
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"
          "../generic/up-down.rkt"
-         "../value/memoized-by-shape.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
          "../value/structure.rkt"
          "../value/matrix/linear-algebra.rkt")
 

@@ -17,7 +17,7 @@
 
 (provide state-advancer evolve linearized-flow
          ;; for single steps and sections
-         system-by-shape by-shape arity-after)
+         system-by-shape arity-after)
 
 ;; (integrating (who datum takes place follow) (extra ...) (given ...)) : a function of those
 ;; arguments of follow that come after the first, tolerance -> plan, and the given ones; and of the
@@ -185,11 +185,3 @@
    (lambda (state)
      (begin0 (make-parametric-system who derivative-maker parameters state)
              (note-followed derivative-maker parameters state)))))
-
-;; (f state), called once for each shape of state, of which all are kept
-(define (by-shape f)
-  (define known '())                    ; ((state . value) ...)
-  (lambda (state)
-    (unless (assoc state known same-shape?)
-      (set! known (cons (cons state (f state)) known)))
-    (cdr (assoc state known same-shape?))))

@@ -17,7 +17,7 @@
          "../generic/function.rkt" "../generic/wrong-argument.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/memoized-by-shape.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../value/shape.rkt" "../value/simplify.rkt"
          "../value/structure.rkt")
 
 (provide reduced-Hamiltonian state->reduced-state)
@@ -27,8 +27,7 @@
   (define who 'reduced-Hamiltonian)
   (check-Hamiltonian who H)
   (check-index who k)
-  (define degree-at
-    (by-shape (lambda (state) (degree-of who H k state)) #:lasting? (lambda (degree) #t)))
+  (define degree-at (by-shape (lambda (state) (degree-of who H k state))))
   (unary-function (lambda () (list who (value->datum H) k (value->datum E))) (state)
     (check-H-state who state)
     (check-place who k state)

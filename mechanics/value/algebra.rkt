@@ -25,11 +25,11 @@
  ["../algebra/simplify/necessary-assumptions.rkt" simplify-expression/needed]
  ["../algebra/simplify/simplify-expression.rkt" simplify-expression]
  ["../algebra/zero/vanishing-factors.rkt" same-equations? symbol-alone?]
- ["../algebra/zero/common-domain.rkt" domain-expressions in-place-of somewhere-real?
-                                     part-without-value unexpected-domain]
+ ["../algebra/zero/common-domain.rkt" somewhere-real? part-without-value unexpected-domain]
  ["../algebra/zero/decimal-readings.rkt" too-many-to-read? reading-decimal
                                          reading-expression readings-as-written
                                          with-decimals-read]
+ ["../algebra/zero/existence.rkt" domain-expressions]
  ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations
                              kink-solved? kink-family?]
  ["../algebra/zero/kept-meaning.rkt" make-meaning meaning-with meaningful? independent-equations

@@ -1,15 +1,17 @@
 #lang racket/base
 ;; Structures as their scalars in a row, of numbers as flvectors; and back.  Structures of a given
-;; shape: made of lists, or of symbols that stand for any values.
+;; shape: made of lists, or of symbols that stand for any values; work that is done once for all
+;; of a shape.
 
 (require racket/flonum
+         (only-in "assumptions.rkt" assumptions)
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../generic/kind.rkt" "../generic/up-down.rkt")
 
 (provide scalars numeric? shape-length
          ;; of a given shape
          scalars->structure list->structure flvector->structure vector->structure unit-structure
-         s:map/r unknowns-like symbols-like typical-object
+         s:map/r unknowns-like symbols-like typical-object by-shape
          ;; others
          structure->flvector single-or)
 
@@ -78,3 +80,24 @@
             [else x]))
     (flvector-set! v k (if (real? r) (real->double-flonum r) (complain x))))
   v)
+
+;; ---------------------------------------------------------------------------
+;; Work that is done once for all structures of a shape
+
+;; value : (f shape); declared : the assumptions under which it was found
+(struct result (value shape declared) #:authentic)
+
+;; -> a procedure of x that gives (f x).  It calls f anew for a shape that it has not met, or if
+;; other assumptions are declared than then and the value is not lasting?.  Two threads may both
+;; call f.
+(define (by-shape f #:lasting? [lasting? (lambda (value) #t)])
+  (define known '())
+  (define (holds? r)
+    (or (lasting? (result-value r)) (equal? (result-declared r) (assumptions 'declared))))
+  (lambda (x)
+    (define r (findf (lambda (r) (same-shape? x (result-shape r))) known))
+    (cond [(and r (holds? r)) (result-value r)]
+          [else
+           (define value (f x))
+           (set! known (cons (result value x (assumptions 'declared)) (remq r known)))
+           value])))

@@ -5,7 +5,7 @@
 ;; in then: log(x − 2) stays log(1 − 2), where evaluating gives a complex number.
 
 (require (only-in racket/list append-map)
-         "../algebra/expression/expression.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../error/refusal.rkt"
          "../value/algebra.rkt" "../value/shape.rkt")
 

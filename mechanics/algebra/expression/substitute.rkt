@@ -3,11 +3,10 @@
 
 (require "expression.rkt" "operation.rkt")
 
-(provide substitute-expression rebuild)
+(provide substitute-expression in-place-of rebuild)
 
 ;; e with each key of the alist, a symbol or any expression, replaced by its
-;; value wherever an equal expression stands.  Nodes around it are made anew by `rebuild`; with
-;; `make-node` nothing is evaluated, and log(1 − 2) stays as it is.
+;; value wherever an equal expression stands.  Nodes around it are made anew by `rebuild`.
 (define (substitute-expression e replacements [rebuild rebuild])
   (define table (make-hash replacements))
   (define memo (make-memo))
@@ -20,6 +19,9 @@
                          e
                          (rebuild (node-head e) args))))]
           [else e])))
+
+;; The same, nothing being evaluated: log(1 − 2) stays as it is.
+(define (in-place-of replacements e) (substitute-expression e replacements make-node))
 
 ;; The head applied to expressions, by the constructors.
 (define (rebuild head args)

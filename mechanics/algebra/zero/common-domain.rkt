@@ -2,37 +2,17 @@
 ;; The domain of a question: where all that it speaks of has a real value.
 ;;
 ;; L = v²/2 − log(x − 2) has no value where the path x = 1 is, though the residual has one.  So
-;; the domain is a list of expressions beside the residual: the Lagrangian along the path, the
-;; path, a quantity.  They stay as they were given, as log(1 − 2) would become a complex number.
-;; An expression that holds a number that is not real, as e^(it), has complex values, and is left
-;; out.
+;; the domain is a list of expressions beside the residual (existence.rkt): the Lagrangian along
+;; the path, the path, a quantity.
 
 (require racket/list
-         "existence.rkt"
          "../assumption/assumption-set.rkt" "../assumption/domain.rkt"
          "../assumption/reference-point.rkt" "../assumption/signs.rkt"
-         "../expression/expression.rkt" "../expression/flat-graph.rkt"
-         "../expression/operation.rkt"
-         "../expression/substitute.rkt" "../expression/symbols.rkt"
+         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/symbols.rkt"
          "../simplify/declare-relations.rkt" "../simplify/known-sign.rkt"
          "../simplify/simplify-expression.rkt")
 
-(provide domain-expressions in-place-of somewhere-real? part-without-value unexpected-domain)
-
-;; xs : values -> those of the expressions among them that may lack a real value somewhere
-(define (domain-expressions xs)
-  (filter partial? (remove-duplicates xs eq?)))
-
-(define (partial? x)
-  (and (node? x)
-       (all-numbers-real? x)
-       (not (everywhere-defined? (expression->plain-tape x)))))
-
-(define (all-numbers-real? e)
-  (all-leaves? (lambda (leaf) (or (symbol? leaf) (rational? leaf))) e))
-
-;; e with expressions in place of symbols, nothing being evaluated
-(define (in-place-of replacements e) (substitute-expression e replacements make-node))
+(provide somewhere-real? part-without-value unexpected-domain)
 
 ;; Have all of es a real value at some point where A holds?
 (define (somewhere-real? es A)

@@ -5,13 +5,15 @@
 ;; log(-1 - x²).  So a proof asks for a point where every part of the expression as it was
 ;; given has a value, and where what was declared holds.
 
-(require "assignment.rkt" "../ball/ball-tape.rkt" "point-value.rkt"
+(require (only-in racket/list remove-duplicates)
+         "assignment.rkt" "../ball/ball-tape.rkt" "point-value.rkt"
          (only-in "../assumption/assumption-set.rkt" assumptions-domain assumptions-relations)
          (only-in "../assumption/reference-point.rkt" find-reference)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt" "../expression/symbols.rkt")
 
-(provide somewhere-defined? everywhere-defined? decisive-leaves leaves-under-functions)
+(provide somewhere-defined? everywhere-defined? domain-expressions
+         decisive-leaves leaves-under-functions)
 
 ;; t : tape; A : assumptions
 (define (somewhere-defined? t A)
@@ -66,13 +68,30 @@
 ;; The leaves that stand where not every number may: in a denominator, under a root, a
 ;; logarithm, ...  -> table: leaf -> #t
 (define (decisive-leaves t)
-  (define marks
-    (spread-marks t 0 (lambda (e mark i) (if (or (eqv? mark 1) (decided-by? e i)) 1 0))))
-  (leaves-marked t marks 1))
+  (leaves-marked
+   (spread-marks t 0 (lambda (e head mark i) (if (or (eqv? mark 1) (decided-by? e i)) 1 0)))
+   1))
 
 ;; Does the i-th argument of the node decide whether it has a value?
 (define (decided-by? n i)
   (not (or (total? n) (and (eq? (node-head n) op:/) (eqv? i 0)))))
+
+;; ---------------------------------------------------------------------------
+;; The domain of a question (common-domain.rkt).  Its expressions stay as they were given, as
+;; log(1 − 2) would become a complex number.  One that holds a number that is not real, as e^(it),
+;; has complex values, and is left out.
+
+;; xs : values -> those of the expressions among them that may lack a real value somewhere
+(define (domain-expressions xs)
+  (filter partial? (remove-duplicates xs eq?)))
+
+(define (partial? x)
+  (and (node? x)
+       (all-numbers-real? x)
+       (not (everywhere-defined? (expression->plain-tape x)))))
+
+(define (all-numbers-real? e)
+  (all-leaves? (lambda (leaf) (or (symbol? leaf) (rational? leaf))) e))
 
 ;; ---------------------------------------------------------------------------
 ;; Under functions
@@ -82,37 +101,36 @@
 ;; -> the leaves standing somewhere below a function, and those that stand nowhere else
 (define (leaves-under-functions t)
   ;; a mark has bit 1 for outside, bit 2 for below; a literal application is a leaf
-  (define (below e mark i)
-    (cond [(literal-head? (node-head e)) 0]
-          [(memq (node-head e) algebraic) mark]
-          [(eqv? mark 0) 0]
+  (define (below e head mark i)
+    (cond [(or (eqv? mark 0) (memq head algebraic)) mark]
+          [(literal-head? head) 0]
           [else 2]))
-  (define marks (spread-marks t 1 below))
-  (values (leaves-marked t marks 2 3) (leaves-marked t marks 2)))
+  (define marked (spread-marks t 1 below))
+  (values (leaves-marked marked 2 3) (leaves-marked marked 2)))
 
 (define algebraic (list op:+ op:- op:* op:/ op:expt op:sqrt op:abs))
 
 ;; ---------------------------------------------------------------------------
 ;; Marks, from the root down
 
-;; below : node, its marks, number of an operand -> what it adds to the operand's marks
-;; -> vector of marks, bits, by item; root : those of the last one
+;; below : node, its head, its marks, number of an operand -> what it adds to the operand's marks
+;; root : marks of the last item
+;; -> list of unknowns with their marks, which are bits
 (define (spread-marks t root below)
   (define n (tape-length t))
   (define marks (make-vector n 0))
   (vector-set! marks (- n 1) root)
-  (for ([k (in-range (- n 1) -1 -1)])
+  (for/fold ([unknowns '()]) ([k (in-range (- n 1) -1 -1)])
     (define e (vector-ref (tape-items t) k))
+    (define head (vector-ref (tape-heads t) k))
     (define mark (vector-ref marks k))
     (for ([j (in-list (vector-ref (tape-operands t) k))] [i (in-naturals)])
-      (vector-set! marks j (bitwise-ior (below e mark i) (vector-ref marks j)))))
-  marks)
+      (vector-set! marks j (bitwise-ior (below e head mark i) (vector-ref marks j))))
+    (if (or (operation? head) (not (unknown? e))) unknowns (cons (cons e mark) unknowns))))
 
 ;; -> table of the unknowns that have one of these marks
-(define (leaves-marked t marks . wanted)
-  (for/hash ([e (in-vector (tape-items t))] [mark (in-vector marks)]
-             #:when (and (unknown? e) (memv mark wanted)))
-    (values e #t)))
+(define (leaves-marked unknowns . wanted)
+  (for/hash ([u (in-list unknowns)] #:when (memv (cdr u) wanted)) (values (car u) #t)))
 
 ;; ---------------------------------------------------------------------------
 ;; At a point

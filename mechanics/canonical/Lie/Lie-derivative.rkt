@@ -19,7 +19,7 @@
          "../../generic/up-down.rkt"
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamilton-equations.rkt"
          "../../hamiltonian/Hamiltonian.rkt" "../../hamiltonian/Poisson-bracket.rkt"
-         "../../value/memoized-by-shape.rkt" "../../value/operator.rkt" "../../value/shape.rkt"
+         "../../value/operator.rkt" "../../value/shape.rkt"
          "../../value/simplify.rkt")
 
 (require-on-demand ["../../calculus/expression-function.rkt" evaluate-at])
@@ -91,7 +91,8 @@
 (define (chain-of d F state)
   (define chain-at
     (hash-ref! (derivation-chains d) F
-               (lambda () (by-shape (lambda (state) (new-chain d F state))))))
+               (lambda ()
+                 (by-shape (lambda (state) (new-chain d F state)) #:lasting? (lambda (c) #f)))))
   (define c (chain-at state))
   (and (chain-direction c) c))
 

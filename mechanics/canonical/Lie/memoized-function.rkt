@@ -9,7 +9,7 @@
          "../../error/refusal.rkt"
          "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/on-demand.rkt"
          "../../hamiltonian/H-state.rkt"
-         "../../value/memoized-by-shape.rkt" "../../value/shape.rkt" "../../value/simplify.rkt")
+         "../../value/shape.rkt" "../../value/simplify.rkt")
 
 (require-on-demand ["../../calculus/expression-function.rkt" evaluate-at])
 
@@ -19,7 +19,8 @@
 (struct worked-out (place value) #:authentic)
 
 (define (memoized-function who F)
-  (define work-out-once (by-shape (lambda (state) (work-out F state))))
+  (define work-out-once
+    (by-shape (lambda (state) (work-out F state)) #:lasting? (lambda (w) #f)))
   (unary-function (lambda () (value->datum F)) (state)
     (check-H-state who state)
     (define w (work-out-once state))

@@ -11,7 +11,7 @@
   (for ([file (in-list '(algebra/elimination/characteristic algebra/elimination/elimination
                          algebra/rewriting/apart algebra/rewriting/collect
                          algebra/rewriting/expand algebra/rewriting/factor
-                         algebra/zero/zero-test
+                         algebra/zero/common-domain algebra/zero/zero-test
                          calculus/integral
                          compile/compile-function
                          dynamics/map/iterated-map
