@@ -295,7 +295,13 @@
 ;; (make-memo) -> (node thunk -> value): thunk's value, computed once a node.
 (define (make-memo)
   (define table (make-hasheq))
-  (lambda (n thunk) (hash-ref! table n thunk)))
+  (lambda (n thunk)
+    (define known (hash-ref table n table))       ; faster than hash-ref!
+    (cond [(eq? known table)
+           (define value (thunk))
+           (hash-set! table n value)
+           value]
+          [else known])))
 
 ;; Fold a graph from its leaves: (leaf e) for numbers and symbols, and
 ;; (combine node values) for a node whose operands have these values.
