@@ -11,7 +11,7 @@
 (provide
  prime-above
  dense dense-degree dense-one?
- dense+ dense- dense* dense-product dense-monic dense-derivative
+ dense- dense* dense-product dense-monic dense-derivative
  dense-divide dense-gcd dense-bezout dense-expt-modulo)
 
 (define mersenne-exponents '(31 61 89 107 127 521 607 1279 2203))
@@ -49,13 +49,10 @@
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic
 
-(define (dense+ p q P) (combine + p q P))
-(define (dense- p q P) (combine - p q P))
-
-(define (combine f p q P)
+(define (dense- p q P)
   (define (at v i) (if (< i (vector-length v)) (vector-ref v i) 0))
   (define n (max (vector-length p) (vector-length q)))
-  (trim (for/vector #:length n ([i (in-range n)]) (modulo (f (at p i) (at q i)) P))))
+  (trim (for/vector #:length n ([i (in-range n)]) (modulo (- (at p i) (at q i)) P))))
 
 (define (dense-scale c p P)
   (trim (for/vector #:length (vector-length p) ([a (in-vector p)]) (modulo (* c a) P))))

@@ -25,10 +25,16 @@
 (define canvas%
   (class bitmap-dc%
     (super-new [bitmap (make-object bitmap% 1 1 #f #t)])
-    (inherit get-pen get-brush get-alpha get-transformation get-clipping-region)
+    (inherit get-pen get-brush get-alpha get-clipping-region
+             get-transformation set-transformation translate)
     (define elements '())
     (define/public (recorded) (reverse elements))
-    (define/public (matrix) (matrix-of (get-transformation)))
+    ;; the whole transformation as xx yx xy yy x0 y0, into which `translate` turns the present one
+    (define/public (matrix)
+      (define present (get-transformation))
+      (translate 0 0)
+      (begin0 (vector-ref (get-transformation) 0)
+              (set-transformation present)))
     (define/public (present-look fill? rule)
       (look-of (get-pen) (if fill? (get-brush) no-brush) (get-alpha) (matrix) rule))
     (define/public (add! e)
@@ -141,23 +147,7 @@
     [else #f]))
 
 ;; ---------------------------------------------------------------------------
-;; Transformations: vectors xx yx xy yy x0 y0, as racket/draw has them
-
-(define (matrix-of transformation)
-  (define-values (initial x0 y0 sx sy rotation) (vector->values transformation))
-  (define-values (c s) (values (cos rotation) (sin rotation)))
-  (compose-matrices initial
-                    (vector (* sx c) (* sy (- s)) (* sx s) (* sy c) x0 y0)))
-
-(define (compose-matrices a b)
-  (define-values (bxx byx bxy byy bx0 by0) (vector->values b))
-  (define (linear x y)
-    (values (+ (* (vector-ref a 0) x) (* (vector-ref a 2) y))
-            (+ (* (vector-ref a 1) x) (* (vector-ref a 3) y))))
-  (define-values (xx yx) (linear bxx byx))
-  (define-values (xy yy) (linear bxy byy))
-  (define-values (x0 y0) (linear bx0 by0))
-  (vector xx yx xy yy (+ x0 (vector-ref a 4)) (+ y0 (vector-ref a 5))))
+;; Transformations
 
 (define (upright? m) (and (zero? (vector-ref m 1)) (zero? (vector-ref m 2))))
 

@@ -2,8 +2,8 @@
 ;; The phase portrait beside the mechanism, as shapes in pixels, y up: axes with numbers, the
 ;; curve, and a place on it for each state.
 
-(require racket/math
-         "plane-vector.rkt" "shapes.rkt"
+(require "plane-vector.rkt" "shapes.rkt"
+         "../plot/plot-ticks.rkt"
          "../../numeric/finite-number.rkt")
 
 (provide portrait-size make-portrait portrait-shapes portrait-dot)
@@ -56,30 +56,14 @@
     (values left (- portrait-size right) bottom (- portrait-size top)))
   (list (polyline (list (vector l b) (vector r b) (vector r t) (vector l t))
                   #:closed? #t #:color faint #:width 1)
-        (for/list ([tick (in-list (ticks x))])
-          (tick-mark tick (vector (along x tick l r) b) (vector 0 -4) 'below))
-        (for/list ([tick (in-list (ticks y))])
-          (tick-mark tick (vector l (along y tick b t)) (vector -4 0) 'left))
+        (tick-marks x (lambda (n) (vector (along x n l r) b)) (vector 0 -4) 'below)
+        (tick-marks y (lambda (n) (vector l (along y n b t))) (vector -4 0) 'left)
         (label (vector (/ (+ l r) 2) 14.0) x-label #:size 14)
         (label (vector (+ l 3.0) (- t 10.0)) y-label #:anchor 'right #:size 14)))
 
-;; A short line from a point of an axis outwards, with its number.
-(define (tick-mark tick at outwards anchor)
-  (list (polyline (list at (add at outwards)) #:color faint #:width 1)
-        (label at (tick->text tick) #:anchor anchor #:size 11 #:italic? #f)))
-
-;; Two to five round numbers: multiples of 1, 2 or 5 times a power of 10.
-(define (ticks r)
-  (define wide (- (range-high r) (range-low r)))
-  (define unit (expt 10 (exact-floor (log (/ wide 2.5) 10))))
-  (define step
-    (for/first ([m (in-list '(10 5 2 1))] #:when (>= (/ wide (* m unit)) 2.0)) (* m unit)))
-  (for/list ([k (in-range (exact-ceiling (/ (range-low r) step))
-                          (+ 1 (exact-floor (/ (range-high r) step))))])
-    (* k step)))
-
-;; ticks are exact
-(define (tick->text x)
-  (define text (number->string (exact->inexact x)))
-  (define m (regexp-match #rx"^(.*)[.]0$" text))
-  (if m (cadr m) text))
+;; For each number of the axis a short line from its place outwards, and the number
+(define (tick-marks r place outwards anchor)
+  (for/list ([t (in-list (ticks-between (range-low r) (range-high r)))] #:when (tick-label t))
+    (define at (place (tick-value t)))
+    (list (polyline (list at (add at outwards)) #:color faint #:width 1)
+          (label at (tick-label t) #:anchor anchor #:size 11 #:italic? #f))))

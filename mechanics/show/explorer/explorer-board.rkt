@@ -3,8 +3,10 @@
 ;; the frame, with axes around.
 
 (require racket/class
+         (only-in racket/flonum ->fl)
          racket/gui/base
-         "exploration.rkt" "../plot/pixels.rkt" "../plot/plot-colors.rkt" "../plot/plot-ticks.rkt")
+         "exploration.rkt" "../plot/pixels.rkt" "../plot/plot-axes.rkt" "../plot/plot-canvas.rkt"
+         "../plot/plot-colors.rkt" "../plot/plot-ticks.rkt" "../plot/view.rkt")
 
 (provide make-board board-canvas redraw-board! mark-on-board! board-picture
          ;; for tests: where a point of the plane is on the canvas
@@ -90,8 +92,8 @@
   (send dc set-background "white")
   (send dc clear)
   (send dc draw-bitmap bitmap left top)
-  (draw-axes dc p)
-  (when (and (board-from b) (board-to b)) (draw-box dc (board-from b) (board-to b))))
+  (draw-frame dc p)
+  (when (and (board-from b) (board-to b)) (draw-selection dc (board-from b) (board-to b))))
 
 ;; ---------------------------------------------------------------------------
 ;; The mouse
@@ -129,29 +131,17 @@
 
 ;; ---------------------------------------------------------------------------
 
-(define (draw-axes dc p)
+;; The axes of a picture (plot-axes.rkt) around the contents
+(define (draw-frame dc p)
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
   (define-values (width height) (values (pixels-width p) (pixels-height p)))
-  (send dc set-font small)
-  (send dc set-pen "black" 1 'solid)
-  (send dc set-brush "white" 'transparent)
-  (send dc draw-rectangle (- left 1) (- top 1) (+ width 2) (+ height 2))
-  (for ([t (in-list (numbers-between x-min x-max))])
-    (define-values (i j) (point->pixel p (tick-value t) y-min))
-    (define-values (w h descent space) (send dc get-text-extent (tick-label t)))
-    (send dc draw-line (+ left i) (+ top height) (+ left i) (+ top height 4))
-    (send dc draw-text (tick-label t) (- (+ left i) (/ w 2)) (+ top height 6)))
-  (for ([t (in-list (numbers-between y-min y-max))])
-    (define-values (i j) (point->pixel p x-min (tick-value t)))
-    (define-values (w h descent space) (send dc get-text-extent (tick-label t)))
-    (send dc draw-line (- left 5) (+ top j) (- left 1) (+ top j))
-    (send dc draw-text (tick-label t) (- left 8 w) (- (+ top j) (/ h 2)))))
+  (define a
+    (area (view (pixels-bounds p) #f #f #f width height #f)
+          (ticks-between x-min x-max) (ticks-between y-min y-max)
+          (->fl left) (->fl (+ left width)) (->fl top) (->fl (+ top height))))
+  (call-with-canvas dc 0 0 (lambda () (draw-axes dc a))))
 
-(define small (make-font #:size 8))
-
-(define (numbers-between low high) (filter tick-label (ticks-between low high)))
-
-(define (draw-box dc from to)
+(define (draw-selection dc from to)
   (send dc set-pen "gray" 1 'short-dash)
   (send dc set-brush "white" 'transparent)
   (send dc draw-rectangle
