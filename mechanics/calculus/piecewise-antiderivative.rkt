@@ -34,10 +34,7 @@
 
 ;; The antiderivative where sgn u = sign, which is 0 at x0; or #f, as where it has no value there
 (define (side-integral e u sign x x0 A antiderivative)
-  (define there
-    (substitute-expression e (list (cons (make-node op:abs (list u)) (e:* sign u))
-                                   (cons (make-node op:sgn (list u)) sign))))
-  (define F (antiderivative (simplify-expression there A)))
+  (define F (antiderivative (simplify-expression (with-sign e u sign) A)))
   (define (at-x0 e) (substitute-expression e (list (cons x x0))))
   (with-handlers ([no-value? (lambda (_) #f)])
     (define real (and F (with-real-logarithms F x A)))

@@ -3,10 +3,10 @@
 ;;
 ;; Short programs are compiled by Racket at once, which nobody notices, and are called a little
 ;; faster so.  Others become machine code where the processor is known and has all their operations.
-;; Elsewhere long ones are closures first, and compiled when that has paid: a run saves some
-;; nanoseconds an instruction if it is compiled, and compiling takes some ten thousand times that,
-;; so the size of the program does not matter; what counts is how often it was run, by anybody.  All
-;; do the same operations in the same order, and give the same values.
+;; Elsewhere they are closures first, and compiled when that has paid: a run saves some nanoseconds
+;; an instruction if it is compiled, and compiling takes some ten thousand times that, so the size
+;; of the program does not matter; what counts is how often it was run, by anybody.  All do the same
+;; operations in the same order, and give the same values.
 
 (require "Racket-code.rkt" "closures.rkt" "program.rkt"
          "../numeric/machine/assembler.rkt" "../numeric/machine/executable.rkt"
@@ -15,14 +15,12 @@
 (provide (protect-out program->tiered-maker tiered-maker machine-procedure))
 
 (define longest-compiled 50)
-(define longest-at-once 500)
 (define runs-that-pay 8000)
 
 ;; -> (-> (input output -> void)), as program->maker has it
 (define (program->tiered-maker p)
-  (define size (program-length p))
-  (cond [(and (> size longest-compiled) (machine-procedure p)) => (lambda (run) (lambda () run))]
-        [(<= size longest-at-once) (program->maker p)]
+  (cond [(<= (program-length p) longest-compiled) (program->maker p)]
+        [(machine-procedure p) => (lambda (run) (lambda () run))]
         [else (tiered-maker p)]))
 
 ;; -> (input output -> void), flvectors that do not overlap; or #f where there is no machine code

@@ -3,7 +3,7 @@
 
 (require "expression.rkt" "operation.rkt")
 
-(provide substitute-expression in-place-of rebuild)
+(provide substitute-expression in-place-of with-sign rebuild)
 
 ;; e with each key of the alist, a symbol or any expression, replaced by its
 ;; value wherever an equal expression stands.  Nodes around it are made anew by `rebuild`.
@@ -22,6 +22,11 @@
 
 ;; The same, nothing being evaluated: log(1 − 2) stays as it is.
 (define (in-place-of replacements e) (substitute-expression e replacements make-node))
+
+;; e where sgn u = sign
+(define (with-sign e u sign)
+  (substitute-expression e (list (cons (make-node op:abs (list u)) (e:* sign u))
+                                 (cons (make-node op:sgn (list u)) sign))))
 
 ;; The head applied to expressions, by the constructors.
 (define (rebuild head args)

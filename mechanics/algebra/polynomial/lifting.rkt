@@ -35,7 +35,7 @@
 
 ;; The greatest degree in all variables but x.
 (define (degree-outside R p x)
-  (for/fold ([d 0]) ([t (in-list p)]) (max d (outside R (term-monomial t) x))))
+  (greatest-of-terms p (lambda (t) (outside R (term-monomial t) x))))
 
 (define (outside R m x) (- (monomial-degree R m) (monomial-exponent R m x)))
 

@@ -10,7 +10,7 @@
  poly-degree poly-total-degree poly-variables
  ;; terms
  poly-terms poly-term-coefficient poly-term-powers
- poly-leading-coefficient product-leading-coefficient poly-height
+ poly-leading-coefficient product-leading-coefficient poly-height greatest-of-terms
  ;; along one variable
  poly-coefficients poly-coefficients-over poly-from-coefficients poly-leading-coefficient-in
  poly->vector vector->poly
@@ -54,15 +54,16 @@
     (expt (poly-leading-coefficient (power-base f)) (power-exponent f))))
 
 ;; The greatest magnitude of a coefficient.
-(define (poly-height p)
-  (for/fold ([h 0]) ([t (in-list p)]) (max h (abs (term-coefficient t)))))
+(define (poly-height p) (greatest-of-terms p (lambda (t) (abs (term-coefficient t)))))
+
+;; The greatest (f term), at least 0
+(define (greatest-of-terms p f) (for/fold ([most 0]) ([t (in-list p)]) (max most (f t))))
 
 ;; ---------------------------------------------------------------------------
 ;; Degrees; those of zero are 0
 
 (define (poly-degree R p i)
-  (for/fold ([d 0]) ([t (in-list p)])
-    (max d (monomial-exponent R (term-monomial t) i))))
+  (greatest-of-terms p (lambda (t) (monomial-exponent R (term-monomial t) i))))
 
 (define (poly-total-degree R p)
   (if (null? p) 0 (monomial-degree R (leading-monomial p))))

@@ -69,11 +69,8 @@
     (car (node-args n))))
 
 (define (on-side equations u side A)
-  (define values-there
-    (list (cons (make-node op:abs (list u)) (e:* side u)) (cons (make-node op:sgn (list u)) side)))
   (for/list ([e (in-list equations)])
-    (simplify-expression (substitute-expression e values-there)
-                         (with-automatic-assumptions A #f))))
+    (simplify-expression (with-sign e u side) (with-automatic-assumptions A #f))))
 
 ;; -> a list of the solution with conditions for it to be on the sides, or of none; on the border of
 ;; a side it may count

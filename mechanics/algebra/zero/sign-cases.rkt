@@ -31,10 +31,6 @@
 
 (define (of n) (car (node-args n)))
 
-(define (with-sign e u sign)
-  (substitute-expression e (list (cons (make-node op:abs (list u)) (e:* sign u))
-                                 (cons (make-node op:sgn (list u)) sign))))
-
 ;; -> a list of one case, or of none: where e has no value, or the assumptions do not hold
 (define (at-zero e u A)
   (define place (zero-of-line u A))

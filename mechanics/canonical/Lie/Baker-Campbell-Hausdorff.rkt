@@ -12,11 +12,12 @@
 ;; come again from order to order, and are kept.
 
 (require (only-in math/number-theory bernoulli-number)
-         "memoized-function.rkt"
-         "../../error/complain.rkt"
+         "../../algebra/expression/expression.rkt"
+         "../../calculus/expression-function.rkt"
+         "../../error/complain.rkt" "../../error/refusal.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/function.rkt"
-         "../../hamiltonian/Poisson-bracket.rkt"
-         "../../value/operator.rkt"
+         "../../hamiltonian/H-state.rkt" "../../hamiltonian/Poisson-bracket.rkt"
+         "../../value/operator.rkt" "../../value/shape.rkt" "../../value/simplify.rkt"
          "../../value/series/coefficients.rkt" "../../value/series/series.rkt")
 
 (provide Baker-Campbell-Hausdorff)
@@ -27,7 +28,7 @@
   (define bracket
     (cond [(and (operator? A) (operator? B)) commutator]
           [(and (pointwise? A) (accepts? A 1) (pointwise? B) (accepts? B 1))
-           (lambda (f g) (memoized-function 'Baker-Campbell-Hausdorff (Poisson-bracket g f)))]
+           (lambda (f g) (memoized-function (Poisson-bracket g f)))]
           [else
            (complain 'Baker-Campbell-Hausdorff
                      "expected two operators, or two Hamiltonians; given ~a and ~a"
@@ -65,3 +66,23 @@
   (if (= r 0)
       (and (= n 0) X)
       (hash-ref! sums (cons r n) sum)))
+
+;; ---------------------------------------------------------------------------
+;; Brackets of brackets run the functions below them anew, twice as often at each level; memoized
+;; functions, which are called at a state of symbols once, do not.  A function that fails at
+;; symbols is called at each state.
+
+(define (memoized-function F)
+  (define function-for (by-shape (lambda (state) (work-out F state)) #:lasting? (lambda (f) #f)))
+  (unary-function (lambda () (value->datum F)) (state)
+    (check-H-state 'Baker-Campbell-Hausdorff state)
+    ((function-for state) state)))
+
+;; -> a function of states of this shape
+(define (work-out F state)
+  (define place (symbols-like state "z"))
+  (define value
+    (if-raised raised? #f
+      (define value (F place))
+      (and (expression? value) (simplify-strictly value))))
+  (if value (lambda (at) (evaluate-at value place at)) F))

@@ -80,10 +80,11 @@
 (define (greatest-eigenvalue rows)
   (for/fold ([v (make-vector (vector-length rows) 1.0)] [size 1.0] #:result size) ([_ 10])
     (define w
-      (for/vector ([row (in-vector rows)])
-        (for/fold ([s 0.0]) ([x (in-vector row)] [y (in-vector v)]) (+ s (* x y)))))
+      (for/vector ([row (in-vector rows)]) (dot row v)))
     (define size (for/fold ([m 0.0]) ([x (in-vector w)]) (if (> x m) x m)))
     (values (for/vector ([x (in-vector w)]) (/ x size)) size)))
+
+(define (dot v w) (for/fold ([s 0.0]) ([x (in-vector v)] [y (in-vector w)]) (+ s (* x y))))
 
 ;; ---------------------------------------------------------------------------
 ;; Rank and null space
@@ -131,8 +132,7 @@
   (for ([k (in-range (sub1 rank) -1 -1)])
     (define row (vector-ref rows k))
     (define j (vector-ref columns k))
-    (define known (for/fold ([s 0.0]) ([a (in-vector row)] [y (in-vector x)]) (+ s (* a y))))
-    (vector-set! x j (- 0.0 (/ known (vector-ref row j)))))
+    (vector-set! x j (- 0.0 (/ (dot row x) (vector-ref row j)))))
   (define greatest
     (for/fold ([best 0.0]) ([y (in-vector x)]) (if (> (magnitude y) (magnitude best)) y best)))
   (for/vector #:length (vector-length x) ([y (in-vector x)]) (/ y greatest)))

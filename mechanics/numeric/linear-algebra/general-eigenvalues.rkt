@@ -15,7 +15,6 @@
 
 (require racket/flonum
          racket/unsafe/ops
-         "matrix-scaling.rkt"
          "../constants.rkt" "../flvector.rkt" (only-in "../unboxed-loop.rkt" unboxed))
 
 (provide real-matrix-eigenvalues balance!)
@@ -33,6 +32,16 @@
   (to-Hessenberg! h n)
   (define found (separate h n))
   (and found (for/list ([x (in-list found)]) (* unit x))))
+
+;; In units of about the greatest entry products of entries neither overflow nor vanish.  The unit
+;; is a power of two, so that nothing is rounded.
+(define (unit-of v)
+  (define size (greatest v))
+  (if (fl= size 0.0)
+      1.0
+      (flexpt 2.0 (flmin 1023.0 (flfloor (fl/ (fllog size) (fllog 2.0)))))))
+
+(define (in-units v unit) (flvector-map (lambda (x) (fl/ x unit)) v))
 
 ;; ------------------------------------------------------------------ balancing
 

@@ -16,7 +16,7 @@
  movsd! movupd! movapd! store-sd! store-pd!
  addsd! subsd! mulsd! divsd! sqrtsd! maxsd! ucomisd!
  addpd! subpd! mulpd! divpd! sqrtpd! maxpd!
- andpd! xorpd! unpckhpd! unpcklpd!
+ andpd! xorpd! unpcklpd!
  ;; addresses, and the way through the code
  mov! mov-number! lea! add! later-add! compare! compare-number! push! pop!
  call-address! call! ret! jump! make-label label-here! label-place subroutine!)
@@ -124,7 +124,7 @@
   [sqrtsd! #xF2 #x51] [maxsd! #xF2 #x5F]
   [addpd! #x66 #x58] [subpd! #x66 #x5C] [mulpd! #x66 #x59] [divpd! #x66 #x5E]
   [sqrtpd! #x66 #x51] [maxpd! #x66 #x5F]
-  [andpd! #x66 #x54] [xorpd! #x66 #x57] [unpckhpd! #x66 #x15] [unpcklpd! #x66 #x14])
+  [andpd! #x66 #x54] [xorpd! #x66 #x57] [unpcklpd! #x66 #x14])
 
 (define (store-sd! a to x) (instruction! a #xF2 #f '(#x0F #x11) x to))
 (define (store-pd! a to x) (instruction! a #x66 #f '(#x0F #x11) x to))

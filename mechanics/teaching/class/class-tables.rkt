@@ -47,7 +47,7 @@
   (define w (class-report-worksheet r))
   (jsexpr->string
    (hasheq 'worksheet (worksheet-title w)
-           'points (decimal (total-points (exercises-of w)))
+           'points (exact->inexact (total-points (exercises-of w)))
            'warning (or (class-report-warning r) (json-null))
            'submissions (map graded->jsexpr (class-report-graded r)))))
 
@@ -55,7 +55,7 @@
   (define s (graded-submission g))
   (hasheq 'submission (submission-id s)
           'name (submission-person s)
-          'points (decimal (graded-points g))
+          'points (exact->inexact (graded-points g))
           'open (graded-open g)
           'problem (or (graded-problem g) (json-null))
           'notes (graded-notes g)
@@ -65,19 +65,17 @@
   (define-values (points d) (values (judged-points j) (judged-answer j)))
   (hasheq 'exercise (symbol->string (judged-name j))
           'status (symbol->string (judged-status j))
-          'points (if points (decimal points) (json-null))
-          'of (decimal (exercise-points (judged-exercise j)))
+          'points (if points (exact->inexact points) (json-null))
+          'of (exact->inexact (exercise-points (judged-exercise j)))
           'words (judgment-words (judged-judgment j))
           'verdict (evidence-lines j #t)
           'answer (if (pair? (cdr d)) (format "~a" (cadr d)) (json-null))))
-
-(define (decimal x) (exact->inexact x))
 
 ;; The file that Gradescope reads for a submission.  An answer that is left to a person has no
 ;; status there, which would be passed or failed.
 (define (graded->Gradescope g)
   (jsexpr->string
-   (hasheq 'score (decimal (graded-points g))
+   (hasheq 'score (exact->inexact (graded-points g))
            'output (string-join (graded-remarks g) "\n")
            'visibility "visible"
            'tests (map Gradescope-test (graded-answers g)))))
@@ -86,8 +84,8 @@
   (define points (judged-points j))
   (define test
     (hasheq 'name (symbol->string (judged-name j))
-            'score (decimal (or points 0))
-            'max_score (decimal (exercise-points (judged-exercise j)))
+            'score (exact->inexact (or points 0))
+            'max_score (exact->inexact (exercise-points (judged-exercise j)))
             'output (judgment->text j)))
   (if points
       (hash-set test 'status (if (eq? (judged-status j) 'right) "passed" "failed"))

@@ -31,8 +31,8 @@ What @racket[f] refers to is taken as it is when @racket[compile-function] is ca
 after a change of a global variable, compile again, which is cheap. Equal programs
 share their code. Up to fifty operations are compiled by Racket. More become machine code directly,
 at less than a microsecond each, on x86-64 under Linux; elsewhere, and where the environment
-variable @tt{MECHANICS_NO_MACHINE_CODE} is set, Racket compiles up to 500, and what is longer once
-it has been run so often that it pays. All give the same bits.
+variable @tt{MECHANICS_NO_MACHINE_CODE} is set, Racket compiles them once they have been run so
+often that it pays. All give the same bits.
 
 A placeholder is not yet a number. When @racket[f] asks which one it is, by
 @racket[<], @racket[=], @racket[zero?], @racket[number?], @racket[equal?],
