@@ -19,8 +19,8 @@
 (provide most-unknowns system-room solution-place entry-place
          write-elimination! definite-solution write-margin-tests!)
 
-;; The code of a symmetric system grows as n³, and so does what it saves in each run: for 20 unknowns
-;; writing takes as long as some 500 runs of closures, a motion to t = 1, for more unknowns longer.
+;; The code of a symmetric system grows as n³, and so does the time that it saves in each run: for
+;; 20 unknowns writing it takes as long as some 500 runs of closures.
 (define most-unknowns 24)
 
 ;; How many flonums the room of an instruction takes.
