@@ -7,7 +7,7 @@
 (require (only-in racket/list append-map)
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../error/refusal.rkt"
-         "../value/algebra.rkt" "../value/shape.rkt")
+         "../value/shape.rkt")
 
 (provide values-at values-along expressions-of)
 
