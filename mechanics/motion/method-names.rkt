@@ -38,7 +38,7 @@
         [(elsewhere name) => (lambda (here) (format "take ~a" here))]
         [else (format "~anames: ~a" (meant name) names)]))
 
-;; What other systems call a method, without regard to capitals -> what does the same here
+;; name : of a method in other systems, without regard to capitals -> the method that does the same
 (define (elsewhere name)
   (and (symbol? name)
        (case (string->symbol (string-downcase (symbol->string name)))

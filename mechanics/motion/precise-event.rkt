@@ -16,8 +16,8 @@
 ;; Where a step is looked at, after its beginning.
 (define places '(1/8 1/4 3/8 1/2 5/8 3/4 7/8 1))
 
-;; What happens within a step, in order, at times; up to where the event's function has no
-;; real value.
+;; -> the crossings within a step, in the order of their times; up to the place where the event's
+;; function has no real value
 (define (crossings m s e tolerance)
   (define (time theta) (time-within m s theta))
   (let loop ([a 0] [ga (guess m s e 0)] [later places])

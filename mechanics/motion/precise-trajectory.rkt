@@ -37,7 +37,7 @@
   (keeping-so-far so-far (call-with-progress (plan-progress? p) run))
   (so-far))
 
-;; What is within a step, with times, in the order of the motion.
+;; -> the crossings within a step, with times, in the order of the motion
 (define (happening m s events bits)
   (define tolerance (expt 2 (- bits)))
   (define all (append-map (lambda (e) (crossings m s e tolerance)) events))

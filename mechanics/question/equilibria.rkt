@@ -153,7 +153,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Complaints
 
-;; What multiplies a coordinate vanishes with it, as k x does at 0.
+;; A factor of a coordinate vanishes with it, as k x does at 0; beside the start it does not.
 (define (beside start) (s:map/r (lambda (x) (g:+ 1/3 x)) start))
 
 ;; Newton's method is one of numbers.

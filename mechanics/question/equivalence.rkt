@@ -201,7 +201,8 @@
       m))
   (if minor (regular-conditions (apply matrix-by-rows minor) local) '()))
 
-;; What one takes to zero the other must, the one of the lesser rank being asked first.
+;; Each vector that one matrix takes to zero the other must take to zero; the one of the lesser rank
+;; is asked first.
 (define (by-row-spaces A1 A2 local surveys domain)
   (define-values (m1 m2) (values (apply matrix-by-rows A1) (apply matrix-by-rows A2)))
   (define v

@@ -127,8 +127,8 @@
                                   #:when (eqv? -1 (known-branch (car r) (assumptions-in-force))))
     (or (other-root r equations all) all)))
 
-;; What both sides of an equation are divided by when it is solved: x, where x y = x z.  Where
-;; that is 0 the equation says nothing of the rest.
+;; -> the factors by which both sides of an equation are divided when it is solved: x of x y = x z.
+;; Where x is 0 the equation says nothing of the rest.
 (define (factors-in-common equations)
   (remove-duplicates
    (append-map (lambda (q)

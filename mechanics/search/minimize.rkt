@@ -17,7 +17,7 @@
          multidimensional-minimize nelder-mead)
 
 ;; ---------------------------------------------------------------------------
-;; What is found, and its kind
+;; Minima, and their kinds
 
 ;; (find-minimum f low high), of a function of a number, or (find-minimum f start) for a start
 ;; of any shape.

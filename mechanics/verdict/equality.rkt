@@ -98,7 +98,7 @@
     [else (note-undecided a b) #f]))
 
 ;; ---------------------------------------------------------------------------
-;; What is told
+;; Notes beside the answer
 
 (define (tell-grounds x y grounds)
   (unless (null? grounds)

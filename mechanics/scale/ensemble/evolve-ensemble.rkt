@@ -84,7 +84,7 @@
   (lambda (y p) ((perform) y p)))
 
 ;; ---------------------------------------------------------------------------
-;; What comes out
+;; Results
 
 ;; Puts batches that are finished in any order into the order of the starts.
 ;; fold : value result -> result; value-of : index outcome -> value; on-each : index value -> void

@@ -69,7 +69,7 @@ text
 (define (quoted names)
   (string-join (for/list ([x (in-list names)]) (format "~s" (format "~a" x))) ", "))
 
-;; What the user wrote must not end a comment.
+;; The user's text must not end a comment.
 (define (safe-comment text) (string-replace (string-replace text "*/" "* /") "\n" " "))
 
 ;; ---------------------------------------------------------------------------

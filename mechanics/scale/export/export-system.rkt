@@ -125,7 +125,7 @@
     (write-files beside files)
     (rename-file-or-directory beside to)))
 
-;; What the last export wrote and this one does not goes; nothing else does.
+;; Deletes the files of the last export that this one does not write, and no others.
 (define (write-over to files)
   (define listed (build-path to list-file))
   (when (file-exists? listed)

@@ -95,7 +95,7 @@
               twice (value->text example)))
   names)
 
-;; What nobody named, named: no two alike, and none like a parameter.
+;; -> names, the given ones and others in place of #f: no two alike, and none like a parameter
 (define (all-named given suggested parameters)
   (define (free name taken)
     (if (memq name taken) (free (string->symbol (format "~a_" name)) taken) name))

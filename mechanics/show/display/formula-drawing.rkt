@@ -27,7 +27,7 @@
 (define larger 1.4)
 (define margin 2)
 
-;; What cannot be drawn is written; an editor must not fail for it.
+;; A formula that cannot be drawn is written; an editor must not fail for it.
 (define (formula->pict f size)
   (with-handlers ([exn:fail? (lambda (e) (written (formula-program f) size))])
     (tree->pict (formula-tree f) size #f)))

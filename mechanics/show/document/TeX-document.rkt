@@ -34,7 +34,7 @@
                          "\\end{document}\n")
           pictures))
 
-;; What moves is shown as it is at first.
+;; An interaction is shown in its first state.
 (define (still s) (if (shown-interaction? s) (shown-first s) s))
 
 (define preamble #<<TeX

@@ -18,7 +18,7 @@
 
 (define (interaction-script) (file->string script))
 
-;; What lets a page run this script, and no other
+;; -> the policy by which a page may run this script, and no other
 (define (interaction-policy)
   (define digest (sha256-bytes (string->bytes/utf-8 (interaction-script))))
   (format "; script-src 'sha256-~a'" (base64-encode digest #"")))

@@ -68,7 +68,7 @@
         (cons x more))))
 
 ;; ---------------------------------------------------------------------------
-;; What a document asks
+;; Questions of a document
 
 (define (shown-first s) ((shown-interaction-first s)))
 
