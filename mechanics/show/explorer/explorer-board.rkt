@@ -131,7 +131,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; The axes of a picture (plot-axes.rkt) around the contents
+;; The axes of a picture (show/plot/plot-axes.rkt) around the contents
 (define (draw-frame dc p)
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
   (define-values (width height) (values (pixels-width p) (pixels-height p)))
