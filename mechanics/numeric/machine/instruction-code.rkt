@@ -15,8 +15,7 @@
 ;; Is there code for it?
 (define (machine-instruction? i)
   (case (instruction-operation i)
-    [(component) #t]
-    [(solve) (<= (system-unknowns i) most-unknowns)]
+    [(component solve) #t]
     [else (and (or (processor-operation (instruction-operation i)) (C-function-of i)) #t)]))
 
 ;; name -> the processor's instructions for one flonum and for a pair; or #f

@@ -84,9 +84,9 @@
 (define ((solver a) n symmetric?)
   (subroutine! a (list n symmetric?)
                (lambda ()
-                 (if symmetric?
-                     (write-definite-solver! a n ((solver a) n #f))
-                     (write-elimination! a n)))))
+                 (cond [(not symmetric?) (write-elimination! a n)]
+                       [(<= n most-unrolled) (write-definite-solver! a n ((solver a) n #f))]
+                       [else (write-Cholesky! a n ((solver a) n #f))]))))
 
 ;; elimination : label of what solves the system where it is not positive definite
 (define (write-definite-solver! a n elimination)
