@@ -12,9 +12,9 @@
          "geometry/inertial-frame.rkt"
          "geometry/integral-of-form.rkt" "geometry/manifold-chart.rkt"
          "geometry/manifold-function.rkt" "geometry/maps-between-manifolds.rkt"
-         "geometry/metric.rkt" (except-in "geometry/motion-on-manifold.rkt" follow-in-charts)
+         "geometry/Lagrangian-in-chart.rkt" "geometry/metric.rkt" "geometry/motion-on-manifold.rkt"
          "geometry/manifold-point.rkt" "geometry/raising-and-lowering.rkt"
-         "geometry/standard-manifolds.rkt")
+         "geometry/standard-manifolds.rkt" "geometry/vector-transport.rkt")
 
 (provide
  ;; manifolds and charts
@@ -68,7 +68,7 @@
  Hodge-star volume-form codifferential gradient curl divergence Laplacian
  Grad Div Curl Lap
  ;; motions
- evolve-on Lagrangian-in-chart trajectory-point trajectory-chart-changes
+ evolve-on Lagrangian-in-chart trajectory-point trajectory-momentum trajectory-chart-changes
  metric->Lagrangian geodesic-state-derivative evolve-geodesic evolve-parallel-transport
  ;; special relativity
  make-4tuple 4tuple->ct 4tuple->space proper-time-interval proper-space-interval

@@ -8,12 +8,12 @@
 
 (require "chart-calculus.rkt" "component-array.rkt" "manifold-chart.rkt" "manifold-point.rkt"
          "metric.rkt" "tensor-field.rkt"
-         "../error/refusal.rkt"
+         "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
          "../numeric/constants.rkt"
          "../value/shape.rkt")
 
-(provide chart-fitness coordinates-or-none fittest-chart coordinate-periods)
+(provide chart-fitness coordinates-or-none fittest-chart coordinate-periods check-one-manifold)
 
 ;; C -> a function of the coordinates
 (define chart-fitness
@@ -26,10 +26,21 @@
      (define e (vector (tidied (g:/ 1 trace))))
      (lambda (x) (vector-ref (evaluate-components e C x) 0)))))
 
-;; Of the point m in the chart C, or #f where it has none
+;; Of the point m in the chart C, or #f where it has none: where those that the chart gives are of
+;; another place, as of the antipode where it covers half of a sphere
 (define (coordinates-or-none C m)
   (define x (if-raised refusal? #f ((chart C) m)))
-  (and x (numeric? x) (andmap finite? (scalars x)) x))
+  (and x (numeric? x) (andmap finite? (scalars x))
+       (same-place? (place-of m) (coordinates->place C x))
+       x))
+
+(define (place-of m) (coordinates->place (point-system m) (point-coordinates m)))
+
+(define (same-place? a b)
+  (define (size p) (for/fold ([most 0]) ([x (in-list (scalars-of-place p))]) (max most (abs x))))
+  (define scale (+ (size a) (size b)))
+  (for/and ([x (in-list (scalars-of-place a))] [y (in-list (scalars-of-place b))])
+    (<= (abs (- x y)) (* 1e-6 scale))))
 
 (define (finite? x) (< -inf.0 x +inf.0))
 
@@ -44,6 +55,10 @@
   (define w
     (if x (if-raised refusal? 0 ((chart-fitness C) x)) 0))
   (if (and (real? w) (finite? w)) w 0))
+
+(define (check-one-manifold who home C)
+  (unless (eq? (coordinate-system-manifold C) (coordinate-system-manifold home))
+    (complain-showing who "the charts are of different manifolds" "chart" C "home" home)))
 
 ;; For each coordinate, 2π if a turn of it comes back to the same place, else #f.
 (define coordinate-periods (once-a-chart (lambda (C) (periods-of C))))

@@ -1,22 +1,20 @@
 #lang racket/base
-;; Geodesics followed in time, and vectors carried along curves.
+;; Geodesics followed in time.
 ;;
-;; In a chart a geodesic has the accelerations −Σ Γᵃ_bk vᵇ vᵏ; a vector u that is carried parallel
-;; along a curve with velocity v changes at the rates −Σ Γᵃ_bk uᵇ vᵏ.  Of a metric the first are
-;; Lagrange's equations of ½ g(v, v).
+;; In a chart a geodesic has the accelerations −Σ Γᵃ_bk vᵇ vᵏ.  Of a metric these are Lagrange's
+;; equations of ½ g(v, v).
 
 (require "chart-calculus.rkt" "component-array.rkt" "connection.rkt" "basis.rkt"
          "manifold-chart.rkt" "metric.rkt" "motion-on-manifold.rkt" "tensor-field.rkt"
-         "../calculus/derivative.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../motion/evolve-trajectory.rkt"
+         "../motion/integration-plan.rkt"
          "../value/shape.rkt")
 
-(provide metric->Lagrangian geodesic-state-derivative evolve-geodesic evolve-parallel-transport)
+(provide metric->Lagrangian geodesic-state-derivative evolve-geodesic
+         coefficients-of turning)
 
 ;; (t, q, v) ↦ ½ g(v, v) in the coordinates of C
 (define-printed (metric->Lagrangian g C)
@@ -37,10 +35,11 @@
 
 ;; c : a metric or a connection -> C -> coefficients there
 (define (coefficients-of who c C)
-  (cond [(metric? c)
-         (connection-coefficients (metric->Cartan c (coordinate-system->basis C)) C)]
-        [(Cartan? c) (connection-coefficients c C)]
-        [else (complain-of-argument who "a metric or a connection" c)]))
+  (check-metric-or-connection who c)
+  (connection-coefficients (if (metric? c) (metric->Cartan c (coordinate-system->basis C)) c) C))
+
+(define (check-metric-or-connection who c)
+  (check-argument who (lambda (c) (or (metric? c) (Cartan? c))) c "a metric or a connection"))
 
 ;; −Σ Γᵃ_bk uᵇ vᵏ at the coordinates q, a tuple like u
 (define (turning Gamma C q u v)
@@ -70,22 +69,8 @@
                                #:longest-step [longest +inf.0])
   (define who 'evolve-geodesic)
   (check-coordinate-system who C)
+  (check-metric-or-connection who c)
   (follow-in-charts who (lambda (B) (geodesic-state-derivative c B)) C state end events charts
-                    tolerance method longest))
-
-;; path : time -> coordinates in C;  u : the vector at the time `from`, an up tuple of components
-;; -> a trajectory of states (up t u)
-(define-plain (evolve-parallel-transport c C path u from to
-                                         #:tolerance [tolerance #f])
-  (define who 'evolve-parallel-transport)
-  (check-coordinate-system who C)
-  (check-argument who procedure? path "a path: a function from the time to coordinates")
-  (define n (coordinate-system-dimension C))
-  (unless (= n (length (scalars u)))
-    (complain who "a vector has ~a components here\n  given: ~a" n (describe-with-value u)))
-  (define Gamma (coefficients-of who c C))
-  (define (rates state)
-    (define t (time state))
-    (define-values (q v) (value-and-derivative-along path t 1))
-    (up 1 (turning Gamma C q (coordinate state) v)))
-  (evolve-trajectory rates (up from u) to #:tolerance tolerance))
+                    (make-plan who tolerance (check-steps who method) longest)
+                    #:Lagrangian (and (metric? c)
+                                      (once-a-chart (lambda (B) (metric->Lagrangian c B))))))

@@ -7,14 +7,16 @@
          "method-names.rkt" "observed-systems.rkt" "integration-plan.rkt" "trajectory-recording.rkt"
          "run-system.rkt" "partial-result.rkt"
          "choose-method.rkt" "trajectory.rkt"
-         "event/event.rkt" "event/event-watch.rkt" "event/within-step.rkt"
+         "event/event.rkt" "event/event-watch.rkt" "event/region-watch.rkt" "event/within-step.rkt"
          "system/check.rkt" "system/make-system.rkt" "system/system.rkt"
          "../generic/define-plain.rkt" "../generic/on-demand.rkt"
          "../numeric/flvector.rkt" "../error/progress.rkt")
 
 (require-on-demand ["precise-trajectory.rkt" follow-precise-trajectory])
 
-(provide evolve-trajectory)
+(provide evolve-trajectory
+         ;; for those who follow a motion piece by piece
+         flonum-trajectory)
 
 (define-plain (evolve-trajectory derivative state end
                            #:tolerance [tolerance #f]
@@ -32,7 +34,7 @@
   (note-followed derivative '() state)
   (if bits
       (precise-trajectory p derivative state (real-number end) all-events)
-      (flonum-trajectory p derivative state (real->double-flonum (real-number end)) all-events)))
+      (flonum-trajectory p derivative state end all-events #f)))
 
 (define (precise-trajectory p derivative state end events)
   (define (make steps occurrences exactly shown state)
@@ -43,12 +45,18 @@
                 'extrapolation))
   (follow-precise-trajectory p derivative state end events make))
 
-(define (flonum-trajectory given derivative state end events)
-  (define s (for-one-integration (make-system 'evolve-trajectory derivative state)))
-  (define y (state-vector 'evolve-trajectory state))
+;; given : a plan; within : a region or #f
+(define (flonum-trajectory given derivative state end events within)
+  (define who (plan-who given))
+  (define s (for-one-integration (make-system who derivative state)))
+  (define y (state-vector who state))
   (define p (suited given s y))
+  (define n (flvector-length y))
   (define events-in
-    (watch-for 'evolve-trajectory events state (flvector-length y) (plan-tolerance p)))
+    (let ([watch (watch-for who events state n (plan-tolerance p))])
+      (if within
+          (watch-region within watch n)
+          (lambda (at from to) (watch at)))))
   (define start (start-time s y))
   (define r (make-recording))
   (define (stay)
@@ -59,12 +67,15 @@
   ;; -> is the integration to go on?
   (define (visit from to interpolant)
     (define at (interpolant))
-    (record-crossings! r (crossings-in-time (events-in at) from to) to
+    (record-crossings! r (crossings-in-time (events-in at from to) from to) to
                        (lambda (t) (record-step! r (step from t at to)))
                        #:state (lambda (t) (state-within s (step from to at to) t))
                        #:shown values
-                       #:give-up (lambda (e t there) (raise-undefined e t there (so-far)))))
-  (keeping-so-far so-far (run-system p s y start end visit (lambda (state) (so-far))))
+                       #:give-up (lambda (e t there) (raise-undefined e t there (whole) who))))
+  (define (whole) (if within ((region-whole within) (so-far)) (so-far)))
+  (keeping-so-far whole
+    (run-system p s y start (real->double-flonum (real-number end)) visit
+                (lambda (state) (whole))))
   (so-far))
 
 (define (flonum-reading s)

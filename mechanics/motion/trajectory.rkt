@@ -16,7 +16,7 @@
 
 (provide trajectory? trajectory-states trajectory-so-far
          ;; for those who make them
-         trajectory (struct-out step) (struct-out reading) state-within method-shown between?)
+         trajectory trajectory-steps (struct-out step) (struct-out reading) state-within method-shown between?)
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
 ;; reading : how states are made of steps; method : the name of the method of integration, or a
