@@ -4,6 +4,7 @@
 
 (require "derivative.rkt" "literal-function.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../error/computed-once.rkt"
          "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/kind.rkt"
          "../generic/up-down.rkt"
          "../value/shape.rkt")
@@ -32,10 +33,18 @@
 
 ;; Of as many arguments: atan has two procedures.
 (define (generic-procedure head n)
-  (for/first ([o (in-sequences arithmetic-operations elementary-operations)]
-              #:when (and (eq? (generic-op-operation o) head)
-                          (procedure-arity-includes? (generic-op-procedure o) n)))
-    (generic-op-procedure o)))
+  (for/first ([procedure (in-list (hash-ref (procedures-by-operation) head '()))]
+              #:when (procedure-arity-includes? procedure n))
+    procedure))
+
+(define procedures-by-operation
+  (once
+   (lambda ()
+     (for*/fold ([table (hasheq)])
+                ([os (in-list (list elementary-operations arithmetic-operations))]
+                 [o (in-list os)])
+       (hash-update table (generic-op-operation o)
+                    (lambda (others) (cons (generic-op-procedure o) others)) '())))))
 
 ;; ∂e/∂x, an expression
 (define (expression-derivative e x)

@@ -94,6 +94,6 @@
 (define (shortest-turn r x)
   (define d (- x r))
   (define short (- d (* 2 pi (round (/ d (* 2 pi))))))
-  (if (and (> (abs short) (- pi 1e-6)) (> (* r short) 0))
+  (if (and (> (abs short) (- pi 1e-5)) (> (* r short) 0))
       (- short (* 2 pi (sgn short)))
       short))

@@ -67,10 +67,10 @@
          (follow-angles home q-at (regular-at-home way q) (sampled-times tr) q)))
   (stretch way tr angles (trajectory-end tr) '()))
 
-;; Are the coordinates at home more than 10⁻⁹ from where this is singular?
+;; Are the coordinates at home more than 10⁻⁸ from where this is singular?
 (define (regular-at-home way example)
   (define fitness (compiled-at (chart-fitness (passage-home way)) example))
-  (lambda (q) (and (andmap finite? (scalars q)) (> (fitness q) 1e-18))))
+  (lambda (q) (and (andmap finite? (scalars q)) (> (fitness q) 1e-16))))
 
 (define (finite? x) (< -inf.0 x +inf.0))
 

@@ -24,33 +24,45 @@
 (define (watch-region r watch n)
   (define point (make-flvector n))
   (define seen (make-flvector 2))
-  (define safe-until #f)                ; up to this time there is no need to look
+  (define last-view #f)
+  (define safe 0.0)                     ; for so long after it there is no need to look
   (define ((look-by at) place)
     (at place point)
     ((region-look r) point seen)
     (view place (flvector-ref point 0) (flvector-ref seen 0) (flvector-ref seen 1)))
+  ;; One look, at the end, where the step is no longer than what was thought to be safe
+  (define (plainly-inside? look from to)
+    (and last-view
+         (fl<= (flabs (fl- to from)) (flabs safe))
+         (let ([end (look 1.0)])
+           (and (fl>= (view-value end) (region-limit r))
+                (not (rough? last-view end))
+                (note! last-view end)))))
+  (define (note! a b)
+    (set! safe (safe-time a b (region-limit r)))
+    (set! last-view b)
+    #t)
   (lambda (at from to)
     (define found (watch at))
-    (cond [(and safe-until (fl<= (flabs (fl- to from)) (flabs (fl- safe-until from)))
-                (fl> (fl* (fl- safe-until from) (fl- to from)) 0.0))
-           found]
+    (define look (look-by at))
+    (cond [(and last-view (fl<= (flabs (fl- to (view-time last-view))) (flabs safe))) found]
+          [(plainly-inside? look from to) found]
           [else
-           (define look (look-by at))
            (define a (look 0.0))
            (define-values (out end) (way-out look (region-limit r) a))
-           (set! safe-until (and end (fl+ to (safe-time a end))))
+           (when end (note! a end))
            (if out
                (sort (cons (crossing out (region-boundary r) #f) found) < #:key crossing-at)
                found)])))
 
-;; For which time after the view b, that follows a, the function stays near: with a rate that goes
-;; on to change as it did, and for no more than some such steps
-(define (safe-time a b)
+;; For which time after the view b, that follows a, the function stays above the limit: with a rate
+;; that goes on to change as it did, and for no more than some such steps
+(define (safe-time a b limit)
   (define step (fl- (view-time b) (view-time a)))
   (define bend (flabs (fl/ (fl- (view-rate b) (view-rate a)) step)))
-  (define far (fl* 0.3 (view-value b)))
+  (define far (fl* 0.7 (fl- (view-value b) limit)))
   (define safe (fl/ far (fl+ (flabs (view-rate b)) (flsqrt (fl* far bend)))))
-  (fl* step (flmin 8.0 (fl/ safe (flabs step)))))
+  (fl* step (flmin 16.0 (fl/ safe (flabs step)))))
 
 ;; Not the middle, lest a motion goes round once to each.
 (define places '(0.53 1.0))
