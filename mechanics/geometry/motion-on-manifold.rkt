@@ -17,7 +17,7 @@
          "../lagrangian/state-derivative.rkt"
          "../motion/event/event.rkt" "../motion/event/region-watch.rkt"
          "../motion/evolve-trajectory.rkt"
-         "../motion/integration-plan.rkt" "../motion/method-names.rkt"
+         "../motion/integration-failure.rkt" "../motion/integration-plan.rkt" "../motion/method-names.rkt"
          "../motion/observed-systems.rkt" "../motion/system/check.rkt" "../motion/trajectory.rkt"
          "../value/shape.rkt")
 
@@ -111,34 +111,56 @@
 
 ;; done : the stretches before, the last one first -> all
 (define (stretches-from r B start q done)
-  (define s (next-stretch r B start q done))
+  (define-values (s failure) (next-stretch r B start q done))
   (define here (cons s done))
-  (cond [(or (over? s) (ended-by-event? s)) (reverse here)]
+  (cond [(or (ended-by-event? s) (and (not failure) (over? s))) (reverse here)]
         [else
-         (define end (stretch-end s))
-         (define at (local-state-at s end))
-         (define home-q (home-coordinates-at s end))
-         (define next (next-chart B at (request-charts r)))
-         (cond [next
-                (define there (state-in next B at (request-home r) home-q))
-                (when (request-agreeing? r)
-                  (check-agreement (who-of r) (request-L-in r) B at next there))
-                (stretches-from r next there home-q here)]
-               [else (stretches-from r B at home-q here)])]))
+         (define at (local-state-at s (stretch-end s)))
+         (define home-q (home-coordinates-at s (stretch-end s)))
+         (define next (if failure (way-out-of failure s r at) (next-chart B at (request-charts r))))
+         (define there (if next (state-in next B at (request-home r) home-q) at))
+         (when (and next (request-agreeing? r))
+           (check-agreement (who-of r) (request-L-in r) B at next there))
+         (stretches-from r (or next B) there home-q here)]))
 
 (define (who-of r) (plan-who (request-plan r)))
 
+;; -> a stretch, and the failure that ended it or #f
 (define (next-stretch r B start q done)
-  (define watched (watched-in (request-events r) B (request-home r)))
+  (define events (request-events r))
+  (define watched (watched-in events B (request-home r)))
   (define way ((request-ways r) B start))
   (define (assembled-so-far tr) (assembled r (reverse (cons (make-stretch way tr q) done))))
-  (define tr
-    (flonum-trajectory (request-plan r) ((request-rates-in r) B) start (request-end r)
-                       (map car watched) (fit-region way start assembled-so-far)))
-  (define s
-    (with-occurrences (who-of r) (make-stretch way tr q) (request-events r) watched
+  (define-values (tr failure)
+    (with-handlers ([cut-short? (lambda (e) (values (last-part e) e))])
+      (values (flonum-trajectory (request-plan r) ((request-rates-in r) B) start (request-end r)
+                                 (map car watched) (fit-region way start assembled-so-far))
+              #f)))
+  (define all
+    (with-occurrences (who-of r) (make-stretch way tr q) events watched
                       (plan-tolerance (request-plan r))))
-  (if (null? done) s (settled (who-of r) (car done) s (request-events r))))
+  (define s (if (and failure (not (ended-by-event? all))) (shortened all) all))
+  (values (if (null? done) s (settled (who-of r) (car done) s events)) failure))
+
+;; The trajectory in the chart where the integration failed
+(define (last-part e)
+  (define stretches (manifold-trajectory-stretches (trajectory-so-far e)))
+  (stretch-trajectory (vector-ref stretches (sub1 (vector-length stretches)))))
+
+;; Without its last part, where the steps became short and digits were lost
+(define (shortened s)
+  (define end (+ (stretch-start s) (* 0.9 (- (stretch-end s) (stretch-start s)))))
+  (cut-at s end (filter (lambda (o) (between? (stretch-start s) (occurrence-time o) end))
+                        (stretch-occurrences s))))
+
+;; Coordinates may end where the fitness of the chart does not show it, as x and y do at the equator
+;; of a sphere.  Then another chart is tried, if the motion went on at all.
+(define (way-out-of failure s r at)
+  (define B (stretch-chart s))
+  (define others (filter (lambda (C) (not (same-chart? B C))) (request-charts r)))
+  (define-values (best fitness)
+    (fittest-chart others ((point B) (coordinate at))))
+  (if (and best (not (= (stretch-start s) (stretch-end s)))) best (raise failure)))
 
 ;; A chart is left when its fitness falls to this part of that at the start of the stretch.
 (define much-less 0.1)
