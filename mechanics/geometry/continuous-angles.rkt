@@ -7,7 +7,8 @@
 ;; there by half a turn at once.
 
 (require (only-in racket/math sgn)
-         "chart-choice.rkt" "manifold-point.rkt"
+         "chart-choice.rkt" "manifold-chart.rkt"
+         "../error/refusal.rkt"
          "../numeric/constants.rkt"
          "../value/shape.rkt")
 
@@ -84,8 +85,10 @@
 
 ;; Are the numbers q the coordinates that C gives the place there, but for whole turns?
 (define (own-coordinates? C q)
-  (define there (coordinates-or-none C ((point C) q)))
+  (define there (if-raised refusal? #f (place->coordinates C (coordinates->place C q))))
   (and there
+       (numeric? there)
+       (> ((chart-fitness C) q) 0)
        (for/and ([a (in-list (scalars q))] [b (in-list (scalars (next-to q there C)))])
          (<= (abs (- a b)) (* 1e-6 (+ 1 (abs a)))))))
 

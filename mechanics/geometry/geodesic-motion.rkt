@@ -4,13 +4,15 @@
 ;; In a chart a geodesic has the accelerations −Σ Γᵃ_bk vᵇ vᵏ.  Of a metric these are Lagrange's
 ;; equations of ½ g(v, v).
 
-(require "chart-calculus.rkt" "component-array.rkt" "connection.rkt" "basis.rkt"
+(require "chart-calculus.rkt" "chart-choice.rkt" "component-array.rkt" "connection.rkt" "basis.rkt"
          "manifold-chart.rkt" "metric.rkt" "motion-on-manifold.rkt" "tensor-field.rkt"
+         "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../motion/integration-plan.rkt"
+         "../motion/integration-failure.rkt" "../motion/integration-plan.rkt"
+         "../motion/trajectory.rkt"
          "../value/shape.rkt")
 
 (provide metric->Lagrangian geodesic-state-derivative evolve-geodesic
@@ -20,6 +22,7 @@
 (define-printed (metric->Lagrangian g C)
   (check-metric 'metric->Lagrangian g)
   (check-coordinate-system 'metric->Lagrangian C)
+  (check-home 'metric->Lagrangian g C)
   (lambda (local)
     (define n (coordinate-system-dimension C))
     (define G (evaluate-components (components-in g C) C (coordinate local)))
@@ -35,11 +38,17 @@
 
 ;; c : a metric or a connection -> C -> coefficients there
 (define (coefficients-of who c C)
-  (check-metric-or-connection who c)
+  (check-metric-or-connection who c C)
   (connection-coefficients (if (metric? c) (metric->Cartan c (coordinate-system->basis C)) c) C))
 
-(define (check-metric-or-connection who c)
-  (check-argument who (lambda (c) (or (metric? c) (Cartan? c))) c "a metric or a connection"))
+(define (check-metric-or-connection who c C)
+  (check-argument who (lambda (c) (or (metric? c) (Cartan? c))) c "a metric or a connection")
+  (when (metric? c) (check-home who c C)))
+
+;; Is the metric one of the manifold of C?
+(define (check-home who g C)
+  (define home (field-home g))
+  (when home (check-one-manifold who home C)))
 
 ;; −Σ Γᵃ_bk uᵇ vᵏ at the coordinates q, a tuple like u
 (define (turning Gamma C q u v)
@@ -69,8 +78,26 @@
                                #:longest-step [longest +inf.0])
   (define who 'evolve-geodesic)
   (check-coordinate-system who C)
-  (check-metric-or-connection who c)
-  (follow-in-charts who (lambda (B) (geodesic-state-derivative c B)) C state end events charts
-                    (make-plan who tolerance (check-steps who method) longest)
-                    #:Lagrangian (and (metric? c)
-                                      (once-a-chart (lambda (B) (metric->Lagrangian c B))))))
+  (check-metric-or-connection who c C)
+  (with-handlers ([(lambda (e) (and (cut-short? e) (metric? c)))
+                   (lambda (e) (explain-degenerate who c C e))])
+    (follow-in-charts who (lambda (B) (geodesic-state-derivative c B)) C state end events charts
+                      (make-plan who tolerance (check-steps who method) longest)
+                      #:Lagrangian (and (metric? c)
+                                        (once-a-chart (lambda (B) (metric->Lagrangian c B)))))))
+
+;; e : a motion is cut short.  Where the metric has all but lost a direction, that is the reason.
+(define (explain-degenerate who g C e)
+  (define tr (trajectory-so-far e))
+  (define n (coordinate-system-dimension C))
+  (define (determinant t)
+    (define G (evaluate-components (components-in g C) C (coordinate (tr t))))
+    (abs (determinant-of-matrix G n)))
+  (define end (trajectory-end tr))
+  (define last-one (determinant end))
+  (if (and (real? last-one) (<= last-one (* 1e-4 (determinant (trajectory-start tr)))))
+      (raise-singular who "the metric becomes degenerate on the way" (tr end)
+                      "time" end
+                      "coordinates" (coordinate (tr end))
+                      "determinant" last-one)
+      (raise e)))

@@ -18,7 +18,7 @@
          "../motion/event/event.rkt" "../motion/event/region-watch.rkt"
          "../motion/evolve-trajectory.rkt"
          "../motion/integration-failure.rkt" "../motion/integration-plan.rkt" "../motion/method-names.rkt"
-         "../motion/observed-systems.rkt" "../motion/system/check.rkt" "../motion/trajectory.rkt"
+         "../motion/observed-systems.rkt" "../motion/partial-result.rkt" "../motion/system/check.rkt" "../motion/trajectory.rkt"
          "../value/shape.rkt")
 
 (provide evolve-on
@@ -52,9 +52,10 @@
   (momentum-at-home (L-in (stretch-chart s)) (stretch-chart s) (local-state-at s t)
                     (stretch-home s) (home-coordinates-at s t)))
 
-;; The stretch that holds the time; of those at an end of the motion complains whoever reads them.
+;; The stretch that holds the time
 (define (stretch-at who tr t)
   (check-real who "time" t)
+  (unless (between? (trajectory-start tr) t (trajectory-end tr)) (raise-outside who tr t))
   (stretch-of (manifold-trajectory-stretches tr) t))
 
 ;; Bisection
@@ -137,8 +138,9 @@
                                  (map car watched) (fit-region way start assembled-so-far))
               #f)))
   (define all
-    (with-occurrences (who-of r) (make-stretch way tr q) events watched
-                      (plan-tolerance (request-plan r))))
+    (keeping-so-far (lambda () (assembled-so-far tr))
+      (with-occurrences (who-of r) (make-stretch way tr q) events watched
+                        (plan-tolerance (request-plan r)))))
   (define s (if (and failure (not (ended-by-event? all))) (shortened all) all))
   (values (if (null? done) s (settled (who-of r) (car done) s events)) failure))
 
@@ -232,15 +234,20 @@
                           (up (time state) (point-coordinates q) (velocity state))))]
         [else (values C (regular who C state))]))
 
-;; The state, if there is such a place in the chart B
+;; The state, if the chart B has such a place and is regular there
 (define (regular who B state)
-  (define q (coordinate state))
+  (define-values (q v) (values (coordinate state) (velocity state)))
   (unless (same-shape? q (coordinate-tuple (coordinate-system-symbols B)))
     (complain-showing who "the state has other coordinates than the chart"
                       "chart" B "coordinates" q))
-  (unless (or (not (numeric? q)) (own-coordinates? B q))
-    (complain-showing who (string-append "the start is outside the chart; a point of another chart"
-                                         " may stand for the coordinates: (up t point v)")
+  (unless (same-shape? q v)
+    (complain-showing who "the velocities are not of the shape of the coordinates"
+                      "coordinates" q "velocities" v))
+  (state-vector who state)
+  (unless (own-coordinates? B q)
+    (complain-showing who (string-append "the start is outside the chart, or where it is singular"
+                                         "\n  a point may stand for the coordinates, with velocities"
+                                         " in its chart: (up t point v)")
                       "chart" B "coordinates" q))
   state)
 

@@ -13,7 +13,8 @@
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../motion/evolve-trajectory.rkt" "../motion/system/check.rkt" "../motion/trajectory.rkt"
+         "../motion/evolve-trajectory.rkt" "../motion/integration-plan.rkt"
+         "../motion/system/check.rkt" "../motion/trajectory.rkt"
          "../value/shape.rkt")
 
 (provide evolve-parallel-transport)
@@ -31,15 +32,24 @@
   (unless (= n (length (scalars u)))
     (complain who "a vector has ~a component~a here\n  given: ~a" n (if (= n 1) "" "s")
               (describe-with-value u)))
+  (define plan (make-plan who tolerance #f))
   (define (carried B local-at u from to)
     (define Gamma (coefficients-of who c B))
     (define (rates state)
       (define-values (q v) (local-at (time state)))
       (up 1 (turning Gamma B q (coordinate state) v)))
-    (evolve-trajectory rates (up from u) to #:tolerance tolerance))
+    (flonum-trajectory plan rates (up from u) to '() #f))
   (if (manifold-trajectory? path)
       (joined (carried-by-pieces carried C (pieces-between path from to) u) C)
-      (carried C (lambda (t) (value-and-derivative-along path t 1)) u from to)))
+      (carried C (along-path who path C from) u from to)))
+
+;; time -> coordinates and velocities
+(define (along-path who path C from)
+  (define q (path from))
+  (unless (same-shape? q (coordinate-tuple (coordinate-system-symbols C)))
+    (complain-showing who "the path has other coordinates than the chart"
+                      "chart" C "path" q))
+  (lambda (t) (value-and-derivative-along path t 1)))
 
 ;; What is carried along a piece of a motion, in the chart B
 (struct piece (stretch from to) #:authentic)

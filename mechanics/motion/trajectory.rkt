@@ -16,7 +16,8 @@
 
 (provide trajectory? trajectory-states trajectory-so-far
          ;; for those who make them
-         trajectory trajectory-steps (struct-out step) (struct-out reading) state-within method-shown between?)
+         trajectory trajectory-steps (struct-out step) (struct-out reading) state-within method-shown between?
+         raise-outside)
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
 ;; reading : how states are made of steps; method : the name of the method of integration, or a
@@ -87,12 +88,14 @@
   (check-real 'trajectory "time" t)
   (define r (trajectory-reading tr))
   (define x (time-within-it tr ((reading-exactly r) (real-number t))))
-  (unless x
-    (complain-showing 'trajectory "the time is outside the trajectory"
-                      "time" t
-                      "from" (trajectory-start tr)
-                      "to" (trajectory-end tr)))
+  (unless x (raise-outside 'trajectory tr t))
   ((reading-state r) (find-step (trajectory-steps tr) x) x))
+
+(define (raise-outside who tr t)
+  (complain-showing who "the time is outside the trajectory"
+                    "time" t
+                    "from" (trajectory-start tr)
+                    "to" (trajectory-end tr)))
 
 ;; x as a time of the trajectory, or #f.  An end is rounded, to what the integration computes with
 ;; and again where it is shown: what is rounded to the same is the end.
