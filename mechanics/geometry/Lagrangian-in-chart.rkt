@@ -50,8 +50,8 @@
   (for ([one (in-list given)])
     (unless (and (list? one) (= (length one) 2) (coordinate-system? (car one))
                  (procedure? (cadr one)))
-      (complain-of-argument who (string-append a-Lagrangian ", or a list of (list chart Lagrangian)")
-                            L))
+      (complain-of-argument
+       who (string-append a-Lagrangian ", or a list of (list chart Lagrangian)") L))
     (check-one-manifold who C (car one)))
   (when (null? given) (complain-of-argument who "a list of (list chart Lagrangian)" L))
   (once-a-chart

@@ -8,7 +8,8 @@
 (require racket/flonum
          racket/list
          racket/vector
-         "chart-choice.rkt" "continuous-angles.rkt" "event-on-manifold.rkt" "Lagrangian-in-chart.rkt" "manifold-chart.rkt"
+         "chart-choice.rkt" "continuous-angles.rkt" "event-on-manifold.rkt"
+         "Lagrangian-in-chart.rkt" "manifold-chart.rkt"
          "manifold-point.rkt" "motion-stretch.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
@@ -17,8 +18,9 @@
          "../lagrangian/state-derivative.rkt"
          "../motion/event/event.rkt" "../motion/event/region-watch.rkt"
          "../motion/evolve-trajectory.rkt"
-         "../motion/integration-failure.rkt" "../motion/integration-plan.rkt" "../motion/method-names.rkt"
-         "../motion/observed-systems.rkt" "../motion/partial-result.rkt" "../motion/system/check.rkt" "../motion/trajectory.rkt"
+         "../motion/integration-failure.rkt" "../motion/integration-plan.rkt"
+         "../motion/method-names.rkt" "../motion/observed-systems.rkt"
+         "../motion/partial-result.rkt" "../motion/system/check.rkt" "../motion/trajectory.rkt"
          "../value/shape.rkt")
 
 (provide evolve-on
@@ -213,7 +215,9 @@
   (define steps (trajectory-steps (stretch-trajectory s)))
   (define end (stretch-end s))
   (define count
-    (for/sum ([one (in-vector steps 1)] #:break (between? (stretch-start s) end (step-from one))) 1))
+    (for/sum ([one (in-vector steps 1)]
+              #:break (between? (stretch-start s) end (step-from one)))
+      1))
   (define last-one (vector-ref steps count))
   (if (and (= end (step-to last-one)) (= (+ 1 count) (vector-length steps)))
       steps

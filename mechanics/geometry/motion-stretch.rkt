@@ -90,7 +90,11 @@
 ;; ---------------------------------------------------------------------------
 ;; Reading one
 
-(define (local-state-at s t) ((stretch-trajectory s) t))
+;; The time may be off by rounding.
+(define (local-state-at s t)
+  (define tr (stretch-trajectory s))
+  (define-values (a b) (values (trajectory-start tr) (trajectory-end tr)))
+  (tr (if (between? a t b) t (if (between? a b t) b a))))
 
 (define (home-coordinates-at s t)
   (if (stretch-angles s)

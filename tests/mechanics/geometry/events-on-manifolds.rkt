@@ -88,7 +88,8 @@
   (check-close (trajectory-end cut) (car (times tr)) 1e-12)
   (check-close (ref (coordinate (trajectory-final-state cut)) 0) 0.5 1e-11)
   (check-equal? (length (times cut)) 1)
-  (define on-manifold (circle near-pole 12 (event (- theta 0.5) #:direction 'rising #:terminal? #t)))
+  (define on-manifold
+    (circle near-pole 12 (event (- theta 0.5) #:direction 'rising #:terminal? #t)))
   (check-close (trajectory-end on-manifold) (car (times tr)) 1e-11)
   (define none (circle near-pole 12 (event (lambda (s) (- (ref (coordinate s) 0) 0.5))
                                            #:direction 'rising)
