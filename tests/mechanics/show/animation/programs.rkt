@@ -38,7 +38,7 @@
 (define shared (make-namespace))
 
 (test-case "all animations are there"
-  (check-equal? (length programs) 13))
+  (check-equal? (length programs) 14))
 
 (skip-unless (not problem)
              "the shared libraries of racket/draw are not installed: no animations"
