@@ -9,8 +9,8 @@
 (require "chart-calculus.rkt" "component-array.rkt" "manifold-chart.rkt" "manifold-point.rkt"
          "metric.rkt" "tensor-field.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
-         "../generic/arithmetic.rkt" "../generic/up-down.rkt"
-         "../numeric/constants.rkt"
+         "../generic/arithmetic.rkt"
+         "../numeric/constants.rkt" "../numeric/finite-number.rkt"
          "../value/shape.rkt")
 
 (provide chart-fitness coordinates-or-none fittest-chart coordinate-periods check-one-manifold)
@@ -41,8 +41,6 @@
   (define scale (+ (size a) (size b)))
   (for/and ([x (in-list (scalars-of-place a))] [y (in-list (scalars-of-place b))])
     (<= (abs (- x y)) (* 1e-6 scale))))
-
-(define (finite? x) (< -inf.0 x +inf.0))
 
 ;; -> the chart of the list where the point's fitness is greatest, and that fitness
 (define (fittest-chart charts m)

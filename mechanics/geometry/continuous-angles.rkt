@@ -52,7 +52,7 @@
             [p (in-vector (coordinate-periods C))])
     (or (not p) (< (abs (- b a)) 1))))
 
-;; At a time of the motion.  Where the chart is singular an angle that jumps is left as it was before.
+;; At a time of the motion.  Where the chart is singular an angle that jumps is as it was before.
 (define (track-coordinates tr t)
   (define q ((track-q-at tr) t))
   (define before (node-coordinates (node-before (track-nodes tr) t)))

@@ -8,7 +8,7 @@
          "../generic/describe.rkt" "../generic/up-down.rkt"
          "../lagrangian/coordinate-transformation.rkt" "../lagrangian/local-tuple.rkt"
          "../motion/trajectory.rkt"
-         "../numeric/flvector.rkt"
+         "../numeric/finite-number.rkt" "../numeric/flvector.rkt"
          "../value/shape.rkt")
 
 (provide (struct-out stretch) make-stretch cut-at
@@ -71,8 +71,6 @@
 (define (regular-at-home way example)
   (define fitness (compiled-at (chart-fitness (passage-home way)) example))
   (lambda (q) (and (andmap finite? (scalars q)) (> (fitness q) 1e-16))))
-
-(define (finite? x) (< -inf.0 x +inf.0))
 
 (define (cut-at s end occurrences)
   (struct-copy stretch s [end end] [occurrences occurrences]))

@@ -51,12 +51,11 @@
   (define s (for-one-integration (make-system who derivative state)))
   (define y (state-vector who state))
   (define p (suited given s y))
-  (define n (flvector-length y))
+  (define watch (watch-for who events state (flvector-length y) (plan-tolerance p)))
   (define events-in
-    (let ([watch (watch-for who events state n (plan-tolerance p))])
-      (if within
-          (watch-region within watch n)
-          (lambda (at from to) (watch at)))))
+    (if within
+        (watch-region within watch (flvector-length y))
+        (lambda (at from to) (watch at))))
   (define start (start-time s y))
   (define r (make-recording))
   (define (stay)

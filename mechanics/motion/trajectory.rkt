@@ -16,8 +16,8 @@
 
 (provide trajectory? trajectory-states trajectory-so-far
          ;; for those who make them
-         trajectory trajectory-steps (struct-out step) (struct-out reading) state-within method-shown between?
-         raise-outside)
+         trajectory trajectory-steps (struct-out step) (struct-out reading)
+         state-within method-shown between? raise-outside)
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
 ;; reading : how states are made of steps; method : the name of the method of integration, or a

@@ -67,6 +67,7 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/coordinates.scrbl"]
 @include-section["reference/motion.scrbl"]
 @include-section["reference/rigid.scrbl"]
+@include-section["reference/geometry-motion.scrbl"]
 @include-section["reference/maps.scrbl"]
 @include-section["reference/ensembles.scrbl"]
 @include-section["reference/special-relativity.scrbl"]

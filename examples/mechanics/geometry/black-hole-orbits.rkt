@@ -38,7 +38,7 @@
 (define advance (- (ref (coordinate (car perihelia)) 3) (* 2 pi)))
 advance
 
-;; The same as an integral over r between the turning points, by r = m − h cos x
+;; The same as an integral over r between the turning points, by u = 1/r = p − h cos x
 (define exact
   (let ([p (* 1/2 (+ (u 1 near) (u 1 far)))] [h (* 1/2 (- (u 1 near) (u 1 far)))])
     (- (* 2 (definite-integral
@@ -81,7 +81,7 @@ picture
 
 (module+ main
   (require "../figures/save.rkt")
-  (save-figure picture "black-hole.png"))
+  (save-figure picture "black-hole-orbits.png"))
 
 (module+ test
   (require rackunit)

@@ -10,8 +10,8 @@
 
 (provide (struct-out region) watch-region)
 
-;; look : flvector of a state, whose first scalar is the time; flvector of 2, where it puts value and
-;;        rate of change of the function -> void
+;; look : flvector of a state, whose first scalar is the time; flvector of 2, where it puts the
+;;        value and the rate of change of the function -> void
 ;; limit : its least value inside;  boundary : the event that occurs where it falls below
 ;; whole : the trajectory so far -> what an exception carries
 (struct region (look limit boundary whole) #:authentic)
@@ -19,41 +19,56 @@
 ;; At a place within a step
 (struct view (place time value rate) #:authentic)
 
-;; watch : of event-watch.rkt, of states of n scalars
+;; A watch in the course of a motion of states of n scalars.  point, seen : room for a state, and
+;; for what is seen of it;  last-view : #f at first;  safe : for so long after that there is no need
+;; to look
+(struct guard (region point seen [last-view #:mutable] [safe #:mutable]) #:authentic)
+
+;; watch : of event-watch.rkt
 ;; -> interpolant, times where the step begins and ends -> its crossings, that of the boundary too
 (define (watch-region r watch n)
-  (define point (make-flvector n))
-  (define seen (make-flvector 2))
-  (define last-view #f)
-  (define safe 0.0)                     ; for so long after it there is no need to look
-  (define ((look-by at) place)
-    (at place point)
-    ((region-look r) point seen)
-    (view place (flvector-ref point 0) (flvector-ref seen 0) (flvector-ref seen 1)))
-  ;; One look, at the end, where the step is no longer than what was thought to be safe
-  (define (plainly-inside? look from to)
-    (and last-view
-         (fl<= (flabs (fl- to from)) (flabs safe))
-         (let ([end (look 1.0)])
-           (and (fl>= (view-value end) (region-limit r))
-                (not (rough? last-view end))
-                (note! last-view end)))))
-  (define (note! a b)
-    (set! safe (safe-time a b (region-limit r)))
-    (set! last-view b)
-    #t)
+  (define g (guard r (make-flvector n) (make-flvector 2) #f 0.0))
   (lambda (at from to)
     (define found (watch at))
-    (define look (look-by at))
-    (cond [(and last-view (fl<= (flabs (fl- to (view-time last-view))) (flabs safe))) found]
-          [(plainly-inside? look from to) found]
-          [else
-           (define a (look 0.0))
-           (define-values (out end) (way-out look (region-limit r) a))
-           (when end (note! a end))
-           (if out
-               (sort (cons (crossing out (region-boundary r) #f) found) < #:key crossing-at)
-               found)])))
+    (define out (and (not (safe-until? g to)) (leaving g at from to)))
+    (if out
+        (sort (cons (crossing out (region-boundary r) #f) found) < #:key crossing-at)
+        found)))
+
+(define (safe-until? g to)
+  (define seen (guard-last-view g))
+  (and seen (fl<= (flabs (fl- to (view-time seen))) (flabs (guard-safe g)))))
+
+;; -> the first place of the step that is outside, or #f
+(define (leaving g at from to)
+  (define limit (region-limit (guard-region g)))
+  (define (look place) (look-at g at place))
+  (cond [(and (guard-last-view g) (fl<= (flabs (fl- to from)) (flabs (guard-safe g)))
+              (plainly-inside? g (look 1.0) limit))
+         #f]
+        [else
+         (define a (look 0.0))
+         (define-values (out end) (way-out look limit a))
+         (when end (note! g a end))
+         out]))
+
+(define (look-at g at place)
+  (define-values (point seen) (values (guard-point g) (guard-seen g)))
+  (at place point)
+  ((region-look (guard-region g)) point seen)
+  (view place (flvector-ref point 0) (flvector-ref seen 0) (flvector-ref seen 1)))
+
+;; Enough where a step is no longer than what was thought to be safe: one look, at its end
+(define (plainly-inside? g end limit)
+  (define before (guard-last-view g))
+  (and (fl>= (view-value end) limit)
+       (not (rough? before end))
+       (note! g before end)))
+
+(define (note! g a b)
+  (set-guard-safe! g (safe-time a b (region-limit (guard-region g))))
+  (set-guard-last-view! g b)
+  #t)
 
 ;; For which time after the view b, that follows a, the function stays above the limit: with a rate
 ;; that goes on to change as it did, and for no more than some such steps

@@ -170,7 +170,8 @@ Quaternions have no pole. The matrix of a product is the product of the matrices
 (prove-zero (* ((D (qw-state->L-space 'A 'B 'C)) qw-state)
                ((qw-sysder 'A 'B 'C) qw-state)))]
 
-The motion that Euler angles could not begin:
+The angles themselves do, if other ones are taken near θ = 0 (@secref["guide-geometry-motion"]). And
+the motion that Euler angles could not begin:
 
 @examples[#:eval session #:label #f
 (define end
@@ -221,6 +222,7 @@ For exercises of the chapter that have an answer to check there are programs tha
 @secref["guide-exercises"].
 
 @next-pages["guide-exercises" "its exercises"
+            "guide-geometry-motion" "bodies that pass through θ = 0"
             "guide-animations" "tops that are seen to turn"
             "chapter-3" "Hamilton's equations"]
 
