@@ -44,12 +44,12 @@
   (define limit (region-limit (guard-region g)))
   (define (look place) (look-at g at place))
   (cond [(and (guard-last-view g) (fl<= (flabs (fl- to from)) (flabs (guard-safe g)))
-              (plainly-inside? g (look 1.0) limit))
+              (plainly-inside? g (look 1.0) (fl- to from) limit))
          #f]
         [else
          (define a (look 0.0))
          (define-values (out end) (way-out look limit a))
-         (when end (note! g a end))
+         (if (and end (not (rough? a end))) (note! g a end (fl- to from)) (set-guard-last-view! g #f))
          out]))
 
 (define (look-at g at place)
@@ -59,25 +59,30 @@
   (view place (flvector-ref point 0) (flvector-ref seen 0) (flvector-ref seen 1)))
 
 ;; Enough where a step is no longer than what was thought to be safe: one look, at its end
-(define (plainly-inside? g end limit)
+(define (plainly-inside? g end step limit)
   (define before (guard-last-view g))
-  (and (fl>= (view-value end) limit)
-       (not (rough? before end))
-       (note! g before end)))
+  (and (fl>= (view-value end) limit) (note! g before end step)))
 
-(define (note! g a b)
-  (set-guard-safe! g (safe-time a b (region-limit (guard-region g))))
+(define (note! g a b step)
+  (set-guard-safe! g (safe-time a b step (region-limit (guard-region g))))
   (set-guard-last-view! g b)
   #t)
 
 ;; For which time after the view b, that follows a, the function stays above the limit: with a rate
-;; that goes on to change as it did, and for no more than some such steps
-(define (safe-time a b limit)
-  (define step (fl- (view-time b) (view-time a)))
-  (define bend (flabs (fl/ (fl- (view-rate b) (view-rate a)) step)))
-  (define far (fl* 0.7 (fl- (view-value b) limit)))
-  (define safe (fl/ far (fl+ (flabs (view-rate b)) (flsqrt (fl* far bend)))))
-  (fl* step (flmin 16.0 (fl/ safe (flabs step)))))
+;; that falls four times as fast as it changed between the two, and for no more than three steps of
+;; the length that the last one had
+(define (safe-time a b step limit)
+  (define value (view-value b))
+  (define forth (if (fl> step 0.0) 1.0 -1.0))
+  (define rate (fl* forth (view-rate b)))
+  (define bend
+    (flmax (fl/ (fl* 0.1 value) (fl* step step))
+           (fl* 4.0 (flabs (fl/ (fl- (view-rate b) (view-rate a))
+                                (fl- (view-time b) (view-time a)))))))
+  (define far (fl* 0.7 (fl- value limit)))
+  ;; −rate τ + bend τ²/2 = far
+  (define safe (fl/ (fl+ rate (flsqrt (fl+ (fl* rate rate) (fl* 2.0 (fl* bend far))))) bend))
+  (fl* forth (flmin (fl* 3.0 (flabs step)) safe)))
 
 ;; Not the middle, lest a motion goes round once to each.
 (define places '(0.53 1.0))
