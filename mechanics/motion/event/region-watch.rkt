@@ -49,7 +49,9 @@
         [else
          (define a (look 0.0))
          (define-values (out end) (way-out look limit a))
-         (if (and end (not (rough? a end))) (note! g a end (fl- to from)) (set-guard-last-view! g #f))
+         (if (and end (not (rough? a end)))
+             (note! g a end (fl- to from))
+             (set-guard-last-view! g #f))
          out]))
 
 (define (look-at g at place)
