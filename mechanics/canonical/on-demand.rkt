@@ -31,7 +31,11 @@
  ["perturbation/perturbation-verdicts.rkt" verify-perturbation perturbation-verdicts]
  ["perturbation/Birkhoff.rkt"
   Birkhoff-normal-form normal-form? normal-form-Hamiltonian normal-form-generators
-  normal-form-frequencies normal-form-resonances normal-form-divisors]
+  normal-form-frequencies normal-form-resonances normal-form-divisors normal-form-equilibrium]
+ ["quadratic/symplectic-normal-form.rkt"
+  symplectic-normal-form quadratic-normal-form? quadratic-normal-form-status
+  quadratic-normal-form-blocks quadratic-normal-form-frequencies quadratic-normal-form-matrix
+  quadratic-normal-form-distance]
  ["perturbation/normal-coordinates.rkt"
   normal-form-transformation normal-form-inverse]
  ["perturbation/normal-form-verdict.rkt" verify-normal-form]

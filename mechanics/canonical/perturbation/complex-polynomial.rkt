@@ -1,102 +1,139 @@
 #lang racket/base
-;; Polynomials in z = q + i p and w = q − i p of each of n oscillators, with complex numbers for
-;; coefficients: hashes of exponents (a₁ … aₙ b₁ … bₙ) of z₁ … zₙ w₁ … wₙ.
+;; Polynomials in the variables x and y of each of n modes in which the quadratic terms are Σ c x y:
+;; of an oscillator z = q + i p and w = q − i p, of a saddle q and p themselves, and of two
+;; coordinates with four complex exponents q₁ ± i q₂ and p₁ ∓ i p₂.  With κ = {x, y}, which is −2i,
+;; 1 and 2,
 ;;
-;; Since {z, w} = −2i, brackets are {f, g} = −2i Σ ∂f/∂z ∂g/∂w − ∂f/∂w ∂g/∂z, and the energy
-;; ω (q² + p²)/2 = ω z w/2 has {ω z w/2, zᵃ wᵇ} = i ω (a − b) zᵃ wᵇ: monomials are the
-;; eigenvectors of the homological equation.
+;;     {f, g} = Σ κ (∂f/∂x ∂g/∂y − ∂f/∂y ∂g/∂x),     {c x y, xᵃ yᵇ} = κ c (b − a) xᵃ yᵇ:
 ;;
-;; A polynomial in q and p is read off an expression: exact where its numbers are.
+;; monomials are the eigenvectors of the homological equation.
+;;
+;; A polynomial is a hash of coefficients by exponents; these are packed into one integer, 6 bits
+;; for each variable, x₁ … xₙ y₁ … yₙ, so that a product of monomials is a sum of integers.
 
-(require racket/list
-         "expression-in-ring.rkt"
+(require (only-in racket/list split-at)
          "../../generic/arithmetic.rkt" "../../generic/elementary.rkt")
 
-(provide polynomial-sum polynomial-scale polynomial-bracket majorant-bracket
-         expression->polynomial polynomial->expression exponent-differences)
+(provide most-degree make-modes (struct-out modes) mode-count
+         polynomial-sum polynomial-scale polynomial-product polynomial-bracket majorant-bracket
+         unit-key key-exponents real-variable polynomial->expression exponent-differences)
 
-(define (add-term p exponents c)
-  (define sum (+ c (hash-ref p exponents 0)))
-  (if (zero? sum) (hash-remove p exponents) (hash-set p exponents sum)))
+(define bits 6)
+(define most-degree 63)
 
-(define (polynomial-sum f g)
-  (for/fold ([p f]) ([(e c) (in-hash g)]) (add-term p e c)))
+;; frequencies : ω of each mode, by which {H₂, xᵃ yᵇ} = i ω (a − b) xᵃ yᵇ
+;; brackets : a vector of the κ
+;; complex : for each of x₁ … yₙ the alist of (index . factor) that it is in q₁ … pₙ
+;; real : for each of q₁ … pₙ the same in x₁ … yₙ
+(struct modes (frequencies brackets complex real) #:authentic)
+(define (mode-count m) (length (modes-frequencies m)))
 
-(define (polynomial-scale c f)
-  (if (zero? c) (hash) (for/hash ([(e d) (in-hash f)]) (values e (* c d)))))
-
-(define (polynomial-product f g)
-  (for*/fold ([p (hash)]) ([(d c1) (in-hash f)] [(e c2) (in-hash g)])
-    (add-term p (map + d e) (* c1 c2))))
-
-;; n : the number of oscillators
-(define (polynomial-bracket n) (bracket-of n (lambda (a b a1 b1) (* 0-2i (- (* a b1) (* b a1))))))
-
-;; Of polynomials of magnitudes: what the terms of a bracket are together at most
-(define (majorant-bracket n) (bracket-of n (lambda (a b a1 b1) (* 2 (+ (* a b1) (* b a1))))))
-
-;; factor : of the exponents of z and w in both
-(define ((bracket-of n factor) f g)
-  (for*/fold ([p (hash)]) ([(d c1) (in-hash f)] [(e c2) (in-hash g)])
-    (define total (map + d e))
-    (for/fold ([p p]) ([j (in-range n)])
-      (define-values (a b) (values (list-ref d j) (list-ref d (+ n j))))
-      (define-values (a1 b1) (values (list-ref e j) (list-ref e (+ n j))))
-      (define c (factor a b a1 b1))
-      (if (zero? c) p (add-term p (lowered total j n) (* c c1 c2))))))
-
-;; One less of z_j and of w_j
-(define (lowered exponents j n)
-  (for/list ([e (in-list exponents)] [k (in-naturals)])
-    (if (or (= k j) (= k (+ n j))) (sub1 e) e)))
-
-;; a − b for the exponents a of the z and b of the w
-(define (exponent-differences exponents)
-  (define-values (a b) (split-at exponents (quotient (length exponents) 2)))
-  (map - a b))
-
-;; The exponents of the variable of index k alone; of none for k = −1
-(define (unit-exponents n k) (for/list ([j (in-range (* 2 n))]) (if (= j k) 1 0)))
+;; blocks : lists of the coordinates of each
+(define (make-modes frequencies blocks)
+  (define n (length frequencies))
+  (define-values (brackets complex real)
+    (values (make-vector n 0) (make-vector (* 2 n) '()) (make-vector (* 2 n) '())))
+  (for ([js (in-list blocks)])
+    (define-values (j k) (values (car js) (if (null? (cdr js)) #f (cadr js))))
+    (define (pair! u v i* u* v*)        ; complex u, v = real u* ± i* v*
+      (vector-set! complex u (list (cons u* 1) (cons v* i*)))
+      (vector-set! complex v (list (cons u* 1) (cons v* (- i*))))
+      (vector-set! real u* (list (cons u 1/2) (cons v 1/2)))
+      (vector-set! real v* (list (cons u (/ 1/2 i*)) (cons v (/ -1/2 i*)))))
+    (cond [k (pair! j k 0+1i j k)
+             (pair! (+ n j) (+ n k) 0-1i (+ n j) (+ n k))
+             (vector-set! brackets j 2)
+             (vector-set! brackets k 2)]
+          [(real? (list-ref frequencies j))
+           (pair! j (+ n j) 0+1i j (+ n j))
+           (vector-set! brackets j 0-2i)]
+          [else
+           (for* ([v (list complex real)] [u (list j (+ n j))]) (vector-set! v u (list (cons u 1))))
+           (vector-set! brackets j 1)]))
+  (modes frequencies brackets complex real))
 
 ;; ---------------------------------------------------------------------------
-;; From expressions and back
+;; Arithmetic
 
-;; e : in the symbols qs and ps; (fail part) for what is no polynomial with numbers
-(define (expression->polynomial e qs ps fail)
-  (define n (length qs))
-  (define (unit k) (unit-exponents n k))
-  (define (constant c) (if (zero? c) (hash) (hash (unit -1) c)))
-  (define places
-    (append
-     (for/list ([q (in-list qs)] [j (in-naturals)])
-       (cons q (hash (unit j) 1/2 (unit (+ n j)) 1/2)))
-     (for/list ([p (in-list ps)] [j (in-naturals)])
-       (cons p (hash (unit j) 0-1/2i (unit (+ n j)) 0+1/2i)))))
-  (define (seen e)
-    (cond [(number? e) (constant e)]
-          [(assq e places) => cdr]
-          [else #f]))
-  (expression-in (ring constant polynomial-sum polynomial-product polynomial-scale)
-                 e seen fail))
+(define (unit-key k) (arithmetic-shift 1 (* bits k)))
+(define (exponent key k) (bitwise-and (arithmetic-shift key (- (* bits k))) most-degree))
+(define (key-exponents key n) (for/list ([k (in-range (* 2 n))]) (exponent key k)))
 
-;; Of a real polynomial, at values of the q and p: the coefficients of q and p that the binomial
-;; theorem gives, so that nothing complex is left.
-(define (polynomial->expression f qs ps)
-  (for/fold ([sum 0]) ([(exponents c) (in-hash (in-q-and-p f (length qs)))])
-    (g:+ sum
-         (for/fold ([product (real-part c)])
-                   ([x (in-list (append qs ps))] [k (in-list exponents)] #:unless (zero? k))
-           (g:* product (g:expt x k))))))
+(define (add-term! p key c)
+  (define sum (+ c (hash-ref p key 0)))
+  (if (eqv? sum 0) (hash-remove! p key) (hash-set! p key sum)))
 
-;; hash of the exponents of q₁ … p₁ …
-(define (in-q-and-p f n)
-  (define (unit k) (unit-exponents n k))
-  (define variables                 ; z and w in terms of q and p
-    (append (for/list ([j (in-range n)]) (hash (unit j) 1 (unit (+ n j)) 0+1i))
-            (for/list ([j (in-range n)]) (hash (unit j) 1 (unit (+ n j)) 0-1i))))
-  (for/fold ([total (hash)]) ([(exponents c) (in-hash f)])
+(define (polynomial-sum f g)
+  (define p (hash-copy f))
+  (for ([(e c) (in-hash g)]) (add-term! p e c))
+  p)
+
+(define (polynomial-scale c f)
+  (define p (make-hasheqv))
+  (unless (eqv? c 0) (for ([(e d) (in-hash f)]) (hash-set! p e (* c d))))
+  p)
+
+(define (polynomial-product f g)
+  (define p (make-hasheqv))
+  (for* ([(d c1) (in-hash f)] [(e c2) (in-hash g)]) (add-term! p (+ d e) (* c1 c2)))
+  p)
+
+;; {f, g}
+(define (polynomial-bracket m)
+  (define kappas (modes-brackets m))
+  (bracket-of m (lambda (j a b a1 b1) (* (vector-ref kappas j) (- (* a b1) (* b a1))))))
+
+;; Of polynomials of magnitudes: what the terms of a bracket are together at most
+(define (majorant-bracket m)
+  (define kappas (modes-brackets m))
+  (bracket-of m (lambda (j a b a1 b1)
+                  (* (magnitude (vector-ref kappas j)) (+ (* a b1) (* b a1))))))
+
+;; factor : of the mode and the exponents of x and y in both
+(define ((bracket-of m factor) f g)
+  (define n (mode-count m))
+  (define p (make-hasheqv))
+  (define lowering (for/vector ([j (in-range n)]) (+ (unit-key j) (unit-key (+ n j)))))
+  (for* ([(d c1) (in-hash f)] [(e c2) (in-hash g)])
+    (define c (* c1 c2))
+    (for ([j (in-range n)])
+      (define k (factor j (exponent d j) (exponent d (+ n j)) (exponent e j) (exponent e (+ n j))))
+      (unless (eqv? k 0) (add-term! p (- (+ d e) (vector-ref lowering j)) (* k c)))))
+  p)
+
+;; a − b for the exponents a of the x and b of the y
+(define (exponent-differences key n)
+  (define-values (a b) (split-at (key-exponents key n) n))
+  (map - a b))
+
+;; ---------------------------------------------------------------------------
+;; Real variables
+
+;; That of index k among q₁ … pₙ
+(define (real-variable m k) (linear (vector-ref (modes-real m) k)))
+
+(define (linear terms)
+  (make-hasheqv (for/list ([t (in-list terms)]) (cons (unit-key (car t)) (cdr t)))))
+
+;; Of a real polynomial, at values of q₁ … pₙ: the coefficients that the binomial theorem gives, so
+;; that nothing complex is left, nor what is rounding beside the greatest of them.
+(define (polynomial->expression m f values)
+  (define found (in-q-and-p m f))
+  (define small (* 1e-15 (apply max 0 (map magnitude (hash-values found)))))
+  (apply g:+
+         (for*/list ([key (in-list (sort (hash-keys found) <))]
+                     [c (in-value (real-part (hash-ref found key)))]
+                     #:unless (and (inexact? c) (<= (abs c) small)))
+           (for/fold ([product c])
+                     ([x (in-list values)] [k (in-list (key-exponents key (mode-count m)))]
+                                           #:unless (zero? k))
+             (g:* product (g:expt x k))))))
+
+(define (in-q-and-p m f)
+  (define n (mode-count m))
+  (for/fold ([total (make-hasheqv)]) ([(key c) (in-hash f)])
     (polynomial-sum
      total
-     (for*/fold ([product (hash (unit -1) c)])
-                ([(v k) (in-parallel variables exponents)] [_ (in-range k)])
-       (polynomial-product product v)))))
+     (for*/fold ([product (make-hasheqv (list (cons 0 c)))])
+                ([(terms k) (in-parallel (modes-complex m) (key-exponents key n))] [_ (in-range k)])
+       (polynomial-product product (linear terms))))))

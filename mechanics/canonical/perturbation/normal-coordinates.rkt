@@ -1,42 +1,64 @@
 #lang racket/base
 ;; The states of a normal form (Birkhoff.rkt).
 ;;
-;; Coordinates and momenta are polynomials of degree 1, and go through the exponentials of the
-;; generators as the Hamiltonian does; each generator raises the degree by one more.
+;; Coordinates and momenta of the modes are polynomials of degree 1, and go through the exponentials
+;; of the generators as the Hamiltonian does; each generator raises the degree by one more.  The old
+;; state is the equilibrium and, beside it, what the matrix M makes of them; back, with
+;; M⁻¹ = −J Mᵀ J, what has the areas with its columns.
 
-(require "Birkhoff.rkt" "complex-polynomial.rkt"
+(require racket/list
+         "Birkhoff.rkt" "complex-polynomial.rkt"
          "../Lie/Lie-triangle.rkt"
+         "../quadratic/phase-space-equilibrium.rkt"
          "../../calculus/expression-function.rkt"
-         "../../generic/function.rkt"
-         "../../generic/up-down.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/function.rkt"
+         "../../generic/sums-and-products.rkt"
          "../../hamiltonian/H-state.rkt"
-         "../../lagrangian/local-tuple.rkt"
+         "../../value/matrix/matrix.rkt" "../../value/matrix/row-products.rkt"
          "../../value/shape.rkt")
 
 (provide normal-form-transformation normal-form-inverse)
 
 ;; new state ↦ old state, to the degree of N
-(define (normal-form-transformation N) (carried 'normal-form-transformation N 1))
+(define (normal-form-transformation N)
+  (check-normal-form 'normal-form-transformation N)
+  (define rows (map vector->list (vector->list (matrix-rows (normal-form-matrix N)))))
+  (define images (carried N 1 (cdr (scalars (normal-form-state N)))))
+  (state-function 'normal-form-transformation N
+                  (map g:+ (normal-form-place N) (rows-times-list rows images))))
 
 ;; old state ↦ new state
-(define (normal-form-inverse N) (carried 'normal-form-inverse N -1))
+(define (normal-form-inverse N)
+  (check-normal-form 'normal-form-inverse N)
+  (define beside (map g:- (cdr (scalars (normal-form-state N))) (normal-form-place N)))
+  (define columns (apply map list (map vector->list (vector->list (matrix-rows (normal-form-matrix N))))))
+  (define n (quotient (length beside) 2))
+  (define-values (of-q of-p) (split-at columns n))
+  (define modes
+    (append (for/list ([c (in-list of-p)]) (area beside c n))
+            (for/list ([c (in-list of-q)]) (area c beside n))))
+  (state-function 'normal-form-inverse N (carried N -1 modes)))
 
-(define (carried who N sign)
-  (check-normal-form who N)
-  (define state (normal-form-state N))
-  (define-values (qs ps) (values (scalars (coordinate state)) (scalars (momentum state))))
-  (define (image x)
+;; Σ u_q w_p − u_p w_q
+(define (area u w n)
+  (define (half-product a b) (g:for/sum ([x (in-list a)] [y (in-list b)]) (g:* x y)))
+  (g:- (half-product (take u n) (drop w n)) (half-product (drop u n) (take w n))))
+
+;; Coordinates and momenta of the modes after the exponentials, at the values xs of those before
+(define (carried N sign xs)
+  (define m (normal-form-modes N))
+  (for/list ([k (in-range (length xs))])
     (define terms
-      (carry (cons (expression->polynomial x qs ps void)
-                   (map (lambda (W) (hash)) (normal-form-Ws N)))
-             (normal-form-Ws N) (polynomial-bracket (length qs)) polynomial-sum polynomial-scale
+      (carry (cons (real-variable m k) (map (lambda (W) (make-hasheqv)) (normal-form-Ws N)))
+             (normal-form-Ws N) (polynomial-bracket m) polynomial-sum polynomial-scale
              #:sign sign))
-    (polynomial->expression (for/fold ([sum (hash)]) ([f (in-list terms)]) (polynomial-sum sum f))
-                            qs ps))
-  (define formula
-    (up (time state)
-        (s:map/r image (coordinate state))
-        (s:map/r image (momentum state))))
+    (polynomial->expression m (for/fold ([sum (make-hasheqv)]) ([f (in-list terms)])
+                                (polynomial-sum sum f))
+                            xs)))
+
+(define (state-function who N values)
+  (define state (normal-form-state N))
+  (define formula (place->state state values))
   (unary-function (lambda () (list who 'N)) (at)
     (check-state-like who state at)
     (evaluate-at formula state at)))

@@ -47,9 +47,9 @@
 (define rounded 1e-13)
 
 (define (residual-of-numbers N)
-  (define n (length (normal-form-frequencies N)))
-  (define-values (transformed kept commuted) (claims N exactly n (polynomial-bracket n)))
-  (define-values (greatest most greatest-commuted) (claims N magnitudes n (majorant-bracket n)))
+  (define m (normal-form-modes N))
+  (define-values (transformed kept commuted) (claims N exactly (polynomial-bracket m)))
+  (define-values (greatest most greatest-commuted) (claims N magnitudes (majorant-bracket m)))
   (define (shown f bounds) (value-less-rounding N f bounds))
   (down (apply down (for/list ([F (in-list transformed)] [K (in-list kept)]
                                [A (in-list greatest)] [B (in-list most)])
@@ -58,20 +58,20 @@
                       (shown f A)))))
 
 ;; -> H transformed, the normal form, and its brackets with the oscillators
-(define (claims N seen n bracket)
+(define (claims N seen bracket)
   (define transformed
     (carry (map seen (normal-form-given N)) (map seen (normal-form-Ws N))
            bracket polynomial-sum polynomial-scale))
   (define kept (map seen (normal-form-terms N)))
   (values transformed kept (for/list ([K (in-list kept)]) (bracket (car kept) K))))
 
-(define (exactly f) (for/hash ([(e c) (in-hash f)]) (values e (inexact->exact c))))
-(define (magnitudes f) (for/hash ([(e c) (in-hash f)]) (values e (exact->inexact (magnitude c)))))
+(define (exactly f) (for/hasheqv ([(e c) (in-hash f)]) (values e (inexact->exact c))))
+(define (magnitudes f) (for/hasheqv ([(e c) (in-hash f)]) (values e (exact->inexact (magnitude c)))))
 
 ;; At the state of symbols.  A rounded zero, 0.0, is told from one that is exact.
 (define (value-less-rounding N f bounds)
   (define left
-    (for/hash ([(e c) (in-hash f)]
+    (for/hasheqv ([(e c) (in-hash f)]
                #:when (> (magnitude c) (* rounded (hash-ref bounds e 0.0))))
       (values e (exact->inexact c))))
   (cond [(positive? (hash-count left)) ((polynomial-function N left) (normal-form-state N))]

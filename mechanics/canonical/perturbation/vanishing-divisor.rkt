@@ -5,12 +5,13 @@
 ;; not 0, and what is divided by it is worth nothing.  One with symbols left does not, for there
 ;; are values for which it is not 0.
 
-(provide vanishing?)
+(provide vanishing? rounding)
 
 (define rounding 1e-12)       ; relative to the largest of the frequencies
 
-(define (vanishing? sum frequencies)
-  (and (real? sum)
+(define (vanishing? sum frequencies [tolerance rounding])
+  (and (number? sum)
        (if (exact? sum)
            (zero? sum)
-           (<= (abs sum) (* rounding (apply max 0 (map abs (filter real? frequencies))))))))
+           (<= (magnitude sum)
+               (* tolerance (apply max 0 (map magnitude (filter number? frequencies))))))))

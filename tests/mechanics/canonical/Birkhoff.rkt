@@ -99,15 +99,16 @@
 
 (says
  [(Birkhoff-normal-form (lambda (s) (coordinate s)) line)
-  "Birkhoff-normal-form: the origin is no equilibrium of <function>: the terms of degree 1 are q\n"
-  "  move it there, by a translation of coordinates and momenta"]
+  "Birkhoff-normal-form: there is no equilibrium of <function> at (up t 0 0)\n"
+  "  derivatives there: (1 0)\n"
+  "  give a state near one by #:at"]
  [(Birkhoff-normal-form (lambda (s) (+ (square (momentum s)) (square (coordinate s)) )) line
                         #:degree 2)
-  "Birkhoff-normal-form: expected the degree of the last terms, at least 3\n  given: the number 2"]
- [(Birkhoff-normal-form (lambda (s) (+ (square (momentum s)) (* 3 (square (coordinate s))))) line)
-  "Birkhoff-normal-form: the terms of degree 2 are to be oscillators, the sum of ω (q² + p²)/2 for "
-  "each coordinate; they are (+ (expt p_0 2) (* 3 (expt q_0 2)))\n"
-  "  scale coordinates and momenta, or go over to normal modes"]
+  "Birkhoff-normal-form: expected the degree of the last terms, from 3 to 63\n  given: the number 2"]
+ [(Birkhoff-normal-form (lambda (s) (square (momentum s))) line)
+  "Birkhoff-normal-form: the quadratic terms are not semisimple, and have no normal form\n"
+  "  frequencies: 0\n"
+  "  distance to terms that are not, beside the greatest: 0"]
  [(Birkhoff-normal-form (lambda (s) (* 'k (square (coordinate s)))) line)
   "Birkhoff-normal-form: the coefficients of the series of <function> are to be numbers; there is "
   "k\n  give the parameters as numbers"]
