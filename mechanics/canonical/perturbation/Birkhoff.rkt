@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Normal forms near an equilibrium (Birkhoff 1927; with resonances Gustavson 1966).
 ;;
-;; A symplectic matrix makes the quadratic terms a sum of modes (../quadratic/), and H is expanded in
-;; variables x and y of these in which they are Σ c x y (complex-polynomial.rkt).  Then H is
+;; A symplectic matrix makes the quadratic terms a sum of modes (../quadratic/), and H is expanded
+;; in variables x and y of these in which they are Σ c x y (complex-polynomial.rkt).  Then H is
 ;; transformed degree by degree (../Lie/Lie-triangle.rkt).  The monomial xᵃ yᵇ is removed by
 ;; dividing by i ω·(a − b): it stays if that is 0, which it always is for a = b, and otherwise is
 ;; a resonance of the frequencies.  Those of saddles are imaginary.
@@ -18,9 +18,8 @@
          "../../generic/describe.rkt" "../../generic/function.rkt"
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
          "../../hamiltonian/H-state.rkt"
-         "../../numeric/linear-algebra/row-matrix.rkt"
          "../../value/matrix/matrix.rkt"
-         "../../value/shape.rkt" "../../value/simplify.rkt"
+         "../../value/rewrite.rkt" "../../value/shape.rkt" "../../value/simplify.rkt"
          "../../value/series/series-access.rkt")
 
 (provide Birkhoff-normal-form normal-form? normal-form-Hamiltonian normal-form-generators
@@ -132,10 +131,12 @@
     (check-state-like 'Birkhoff-normal-form state at)
     (evaluate-at e state at)))
 
-;; Decimals stay the sum that they are.
+;; With decimals a sum of monomials.
 (define (polynomial-in-symbols N f)
   (define e (polynomial->expression (normal-form-modes N) f (cdr (scalars (normal-form-state N)))))
-  (if (and (expression? e) (for/and ([c (in-hash-values f)]) (exact? c))) (simplify e) e))
+  (cond [(not (expression? e)) e]
+        [(for/and ([c (in-hash-values f)]) (exact? c)) (simplify e)]
+        [else (expand e)]))
 
 ;; Decimals that are nothing beside those of H and of the normal form of that degree are left out.
 (define (terms-less-rounding N)

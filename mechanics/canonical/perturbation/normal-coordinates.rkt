@@ -22,16 +22,18 @@
 ;; new state ↦ old state, to the degree of N
 (define (normal-form-transformation N)
   (check-normal-form 'normal-form-transformation N)
-  (define rows (map vector->list (vector->list (matrix-rows (normal-form-matrix N)))))
   (define images (carried N 1 (cdr (scalars (normal-form-state N)))))
   (state-function 'normal-form-transformation N
-                  (map g:+ (normal-form-place N) (rows-times-list rows images))))
+                  (map g:+ (normal-form-place N) (rows-times-list (rows-of N) images))))
+
+;; Lists, of the matrix
+(define (rows-of N) (map vector->list (vector->list (matrix-rows (normal-form-matrix N)))))
 
 ;; old state ↦ new state
 (define (normal-form-inverse N)
   (check-normal-form 'normal-form-inverse N)
   (define beside (map g:- (cdr (scalars (normal-form-state N))) (normal-form-place N)))
-  (define columns (apply map list (map vector->list (vector->list (matrix-rows (normal-form-matrix N))))))
+  (define columns (apply map list (rows-of N)))
   (define n (quotient (length beside) 2))
   (define-values (of-q of-p) (split-at columns n))
   (define modes

@@ -66,7 +66,8 @@
   (values transformed kept (for/list ([K (in-list kept)]) (bracket (car kept) K))))
 
 (define (exactly f) (for/hasheqv ([(e c) (in-hash f)]) (values e (inexact->exact c))))
-(define (magnitudes f) (for/hasheqv ([(e c) (in-hash f)]) (values e (exact->inexact (magnitude c)))))
+(define (magnitudes f)
+  (for/hasheqv ([(e c) (in-hash f)]) (values e (exact->inexact (magnitude c)))))
 
 ;; At the state of symbols.  A rounded zero, 0.0, is told from one that is exact.
 (define (value-less-rounding N f bounds)

@@ -1,10 +1,10 @@
 #lang racket/base
 ;; Oscillators of equal or near frequencies, told apart.
 ;;
-;; Let complex vectors v span all that oscillates with frequencies near one.  Two forms are Hermitian
-;; on it: twice the energy, T = v*A v, and the area, S = v*Jv/2i, which is aᵀJb for v = a + i b.  An
-;; oscillator ω is a vector with T = 2ω S.  The sign of its energy is that of S; the sign of the
-;; imaginary part of an eigenvalue tells nothing, as each comes with its conjugate.
+;; Let complex vectors v span all that oscillates with frequencies near one.  Two forms are
+;; Hermitian on it: twice the energy, T = v*A v, and the area, S = v*Jv/2i, which is aᵀJb for
+;; v = a + i b.  An oscillator ω is a vector with T = 2ω S.  The sign of its energy is that of S;
+;; the sign of the imaginary part of an eigenvalue tells nothing, as each comes with its conjugate.
 ;;
 ;; Rotations make S diagonal, ±1.  Then pairs of vectors are turned until T is diagonal, too: two of
 ;; one sign by rotations, which always succeed; two of opposite signs, with T = (α τ; τ* β), by
@@ -13,12 +13,11 @@
 ;; difference is a distance from that.
 
 (require "quadratic-pair.rkt"
-         "../../numeric/linear-algebra/Jacobi-rotation.rkt")
+         "../../numeric/complex-vector.rkt"
+         "../../numeric/linear-algebra/Jacobi-rotation.rkt"
+         "../../numeric/vector-map.rkt")
 
 (provide Hermitian-modes area-of energy-of)
-
-(define (inner v w) (for/sum ([x (in-vector v)] [y (in-vector w)]) (* (conjugate x) y)))
-(define (conjugate z) (make-rectangular (real-part z) (- (imag-part z))))
 
 ;; v*Jw
 (define (area-of v w)
@@ -29,8 +28,8 @@
 
 ;; v*A w
 (define (energy-of A v w)
-  (inner v (for/vector #:length (vector-length w) ([row (in-vector A)])
-             (for/sum ([a (in-vector row)] [y (in-vector w)]) (* a y)))))
+  (define (image row) (for/sum ([a (in-vector row)] [y (in-vector w)]) (* a y)))
+  (inner v (vector-map image A)))
 
 ;; vectors : a basis, orthonormal;  size : of the entries of A
 ;; -> a list of blocks, or #f if some of the vectors grow
@@ -41,7 +40,7 @@
   (define (T v w) (energy-of A v w))
   (turn-all-pairs! m (lambda (p q) (rotate! V S p q 1e-15)))
   (for ([v (in-vector V)] [k (in-naturals)])
-    (vector-set! V k (scaled (/ (sqrt (abs (real-part (S v v))))) v)))
+    (vector-set! V k (times (/ (sqrt (abs (real-part (S v v))))) v)))
   (define signs (for/vector #:length m ([v (in-vector V)]) (if (> (real-part (S v v)) 0) 1 -1)))
   (let/ec return
     (define (turn! p q)
@@ -51,8 +50,6 @@
     (turn-all-pairs! m turn!)
     (for/list ([v (in-vector V)] [s (in-vector signs)])
       (oscillator v s (/ (real-part (T v v)) 2)))))
-
-(define (scaled c v) (for/vector #:length (vector-length v) ([x (in-vector v)]) (* c x)))
 
 ;; The form's entry of vectors p and q becomes 0, unless it is small.  -> was it turned?
 (define (rotate! V form p q small)
@@ -67,17 +64,13 @@
   (define-values (v w) (values (vector-ref V p) (vector-ref V q)))
   (define off (form v w))
   (define size (magnitude off))
-  (when (> size 0) (vector-set! V q (scaled (/ (conjugate off) size) w)))
+  (when (> size 0) (vector-set! V q (times (/ (conjugate off) size) w)))
   (values size (real-part (form v v)) (real-part (form w w))))
 
 (define (mix! V p q pp pq qp qq)
   (define-values (v w) (values (vector-ref V p) (vector-ref V q)))
-  (define ((combined a b) x y) (+ (* a x) (* b y)))
-  (vector-set! V p (vector-map-2 (combined pp pq) v w))
-  (vector-set! V q (vector-map-2 (combined qp qq) v w)))
-
-(define (vector-map-2 f v w)
-  (for/vector #:length (vector-length v) ([x (in-vector v)] [y (in-vector w)]) (f x y)))
+  (vector-set! V p (vector-sum (times pp v) (times pq w)))
+  (vector-set! V q (vector-sum (times qp v) (times qq w))))
 
 (define (rotate-hyperbolically! V T p q size tolerance stop grows)
   (define-values (off a b) (real-entries! V T p q))
@@ -101,9 +94,8 @@
 ;; v = a + i b with aᵀJb = sign, or its conjugate where that is −1, with a phase by which
 ;; reversible motions start at rest, for P = 0
 (define (oscillator v sign omega)
-  (define w (let ([phased (scaled (phase v) v)]) (scaled (leading-sign phased) phased)))
-  (define (part f c) (for/vector #:length (vector-length w) ([x (in-vector w)]) (* c (f x))))
-  (elliptic-block omega (part real-part 1.0) (part imag-part (* 1.0 sign))))
+  (define w (let ([phased (times (phase v) v)]) (times (leading-sign phased) phased)))
+  (elliptic-block omega (vector-map real-part w) (times sign (vector-map imag-part w))))
 
 (define (phase v)
   (define n (quotient (vector-length v) 2))

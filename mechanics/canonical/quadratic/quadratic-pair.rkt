@@ -21,8 +21,8 @@
 ;; and the distance to a form that is not semisimple, relative to the entries of the form
 (struct trouble (status frequencies distance) #:authentic)
 
-;; The distance to D = 0 is that of an eigenvalue of the form to 0, beside the `size` of all quadratic
-;; terms: up to the tolerance, 0 if all is exact, D is 0, and up to its root undecided.
+;; The distance to D = 0 is that of an eigenvalue of the form to 0, beside the `size` of all
+;; quadratic terms: up to the tolerance, 0 if all is exact, D is 0, and up to its root undecided.
 ;; (stop trouble) ends the work
 (define (quadratic-pair a c b tolerance size stop)
   (define greatest (max (abs a) (abs b) (abs c)))

@@ -9,12 +9,13 @@
 ;;
 ;; Coordinates get units first, by which each is about as stiff as it is light.
 
-(require racket/flonum
-         racket/list
+(require racket/list
          "Hermitian-modes.rkt" "quadratic-pair.rkt"
+         "../../numeric/complex-vector.rkt"
          "../../numeric/linear-algebra/flonum-systems.rkt"
          "../../numeric/linear-algebra/general-eigenvalues.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
+         "../../numeric/vector-map.rkt"
          "../../value/matrix/row-products.rkt")
 
 (provide symplectic-modes (struct-out placed))
@@ -118,8 +119,8 @@
 (define (cluster-modes A B cluster near size tolerance stop)
   (define (some-small? part) (ormap (lambda (z) (<= (abs (part z)) near)) cluster))
   (define (growing)
-    (growing-modes B (filter (lambda (z) (and (> (real-part z) 0.0) (>= (imag-part z) 0.0))) cluster)
-                   size tolerance stop))
+    (define (grows? z) (and (> (real-part z) 0.0) (>= (imag-part z) 0.0)))
+    (growing-modes B (filter grows? cluster) size tolerance stop))
   (cond [(some-small? magnitude) (slow-modes A B cluster size tolerance stop)]
         [(some-small? real-part)
          (define upper (filter (lambda (z) (> (imag-part z) 0.0)) cluster))
@@ -144,8 +145,7 @@
   (define basis (symplectic-basis (invariant-basis B (* 2 m) 0.0 size stop)))
   (define small
     (for/vector ([v (in-list basis)]) (for/vector ([w (in-list basis)]) (energy-of A v w))))
-  (define (back c)
-    (for/fold ([sum 0.0]) ([x (in-vector c)] [v (in-list basis)]) (vector-sum sum (times x v))))
+  (define (back c) (combination (vector->list c) basis))
   (for/list ([b (in-list (modes-of (symmetric-rows small) size tolerance stop))])
     (block (block-frequencies b) (map back (block-qs b)) (map back (block-ps b)))))
 
@@ -205,8 +205,7 @@
   (define duals (floating-solutions areas (unit-rows (length xis) 1.0 0.0)))
   (for/list ([x (in-list xis)] [k (in-naturals)])
     (define e
-      (for/fold ([sum 0.0]) ([eta (in-list etas)] [row (in-vector duals)])
-        (vector-sum sum (times (vector-ref row k) eta))))
+      (combination (for/list ([row (in-vector duals)]) (vector-ref row k)) etas))
     (define balance (sqrt (/ (norm e) (norm x))))
     ((if (real? lambda) saddle-of complex-saddle) lambda (times balance x) (times (/ balance) e))))
 
@@ -217,7 +216,7 @@
 ;; Re λ (q₁p₁ + q₂p₂) + Im λ (q₁p₂ − q₂p₁) is Re λ u v for u = q₁ + i q₂, v = p₁ − i p₂.  With
 ;; ξᵀJη = 1/2 the state is 2 Re (u ξ + v η).
 (define (complex-saddle lambda x e)
-  (define (part f c v) (for/vector #:length (vector-length v) ([z (in-vector v)]) (* c (f z))))
+  (define (part of c v) (times c (vector-map of v)))
   (define f (sqrt 2.0))
   (block (list (* 0+1i lambda) (* 0+1i (conjugate lambda)))
          (list (part real-part f x) (part imag-part (- f) x))
@@ -238,18 +237,13 @@
     (when (eq? solved 'singular) (stop (trouble 'not-semisimple (list (* 0+1i z)) 0.0)))
     (orthonormal (vector->list (rows-transpose solved)))))
 
+(define (combination coefficients vs)
+  (define terms (map times coefficients vs))
+  (for/fold ([sum (car terms)]) ([term (in-list (cdr terms))]) (vector-sum sum term)))
+
 (define (orthonormal vs)
   (for/fold ([found '()] #:result (reverse found)) ([v (in-list vs)])
     (define free
       (for/fold ([v v]) ([w (in-list (append found found))])
         (vector-sum v (times (- (inner w v)) w))))
     (cons (times (/ (norm free)) free) found)))
-
-(define (inner w z) (for/sum ([a (in-vector w)] [b (in-vector z)]) (* (conjugate a) b)))
-(define (norm v) (sqrt (real-part (inner v v))))
-(define (conjugate a) (make-rectangular (real-part a) (- (imag-part a))))
-(define (conjugated v) (for/vector #:length (vector-length v) ([x (in-vector v)]) (conjugate x)))
-(define (times c v) (for/vector #:length (vector-length v) ([x (in-vector v)]) (* c x)))
-(define (vector-sum v w)
-  (if (vector? v) (for/vector #:length (vector-length v) ([x (in-vector v)] [y (in-vector w)]) (+ x y))
-      w))

@@ -7,10 +7,11 @@
 ;; for exponents ±iω, ±λ and ±α ± iβ.  The sign of ω is that of the oscillator's energy.  It exists
 ;; if the motion is semisimple: if no two of equal exponents have but one direction together.
 ;;
-;; Numbers are known to some rounding only.  What is as small as the tolerance, beside the entries of
-;; the form in balanced units, is 0.  How far the form is from one that is not semisimple is told in
-;; the same measure: up to the tolerance it counts as one, and up to the root of the tolerance it is
-;; undecided, since less than half of the digits of the frequencies' difference are left.
+;; Numbers are known to some rounding only.  What is as small as the tolerance, beside the entries
+;; of the form in balanced units, is 0.  How far the form is from one that is not semisimple is
+;; told in the same measure: up to the tolerance it counts as one, and up to the root of the
+;; tolerance it is undecided, since less than half of the digits of the frequencies' difference
+;; are left.
 
 (require (only-in racket/string string-join)
          "phase-space-equilibrium.rkt" "quadratic-pair.rkt" "symplectic-modes.rkt"
@@ -25,17 +26,18 @@
          ;; for normal forms of higher degree
          form-of-matrix check-tolerance quadratic-normal-form-coordinates)
 
-;; status : 'found, 'undecided or 'not-semisimple; blocks : datums such as (elliptic ω); coordinates :
-;; the lists of those that a block takes; frequencies : of each coordinate; matrix : old = matrix · new,
-;; or #f; distance : to what is not semisimple, or #f
-(value-struct quadratic-normal-form (status blocks coordinates frequencies matrix distance)
+;; status : 'found, 'undecided or 'not-semisimple; blocks : datums such as (elliptic ω);
+;; coordinates : the lists of those that a block takes; frequencies : of each coordinate;
+;; matrix : old = matrix · new, or #f; distance : to what is not semisimple, or #f
+(value-struct quadratic-normal-form
+              (status blocks coordinates frequencies matrix distance)
   #:text form->text)
 
 (provide-parts quadratic-normal-form? "what symplectic-normal-form gives"
   quadratic-normal-form-status quadratic-normal-form-blocks quadratic-normal-form-frequencies
   quadratic-normal-form-matrix quadratic-normal-form-distance)
 
-;; (symplectic-normal-form H state), or of the matrix of second derivatives by coordinates and momenta
+;; Of H at an equilibrium, or of the matrix of second derivatives by coordinates and momenta
 (define-plain (symplectic-normal-form [H #f] [state #f] #:at [at #f] #:matrix [given #f]
                                       #:tolerance [tolerance 1e-12])
   (define who 'symplectic-normal-form)

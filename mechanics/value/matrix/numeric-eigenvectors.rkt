@@ -15,6 +15,7 @@
          "eigenvalues.rkt" "matrix.rkt" "row-products.rkt" "unsure-digits.rkt"
          "../structure.rkt"
          "../../generic/describe.rkt"
+         (only-in "../../numeric/complex-vector.rkt" conjugate)
          "../../numeric/constants.rkt"
          "../../numeric/linear-algebra/flonum-systems.rkt"
          "../../numeric/linear-algebra/general-eigenvalues.rkt"
@@ -132,4 +133,3 @@
     (cons (map (lambda (a) (/ a size)) rest) found)))
 
 (define (inner w z) (for/sum ([a (in-list w)] [b (in-list z)]) (* (conjugate a) b)))
-(define (conjugate a) (make-rectangular (real-part a) (- (imag-part a))))

@@ -3,7 +3,8 @@
 ;; of the literature, and against H itself.
 
 (require mechanics
-         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt"
+         "../support/session.rkt")
 
 (define line (up 't 'q 'p))
 (define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))
@@ -37,7 +38,8 @@
   (check-close (list slow fast) '(0.29821 0.95450) 1e-5)
   (check-close (normal-form-frequencies (form Earth-Moon 3)) (list (- slow) fast) 1e-12))
 
-;; Deprit and Deprit-Bartholomé 1967: ½ A I₁² + B I₁ I₂ + ½ C I₂² beside ω₁ I₁ − ω₂ I₂, ω₁ the fast one
+;; Deprit and Deprit-Bartholomé 1967: ½ A I₁² + B I₁ I₂ + ½ C I₂² beside ω₁ I₁ − ω₂ I₂, ω₁ the
+;; fast one
 (test-case "terms of degree 4 at L4, by the formulas of Deprit and Deprit-Bartholomé"
   (for ([mu '(0.001 0.0121505856 0.03)])
     (define-values (slow fast) (frequencies-at-triangle mu))

@@ -2,7 +2,8 @@
 ;; Quadratic Hamiltonians made of known modes by a random symplectic matrix: the modes are found
 ;; again, and the matrix found is symplectic and makes the form theirs.
 
-(require mechanics
+(require (only-in racket/list remove-duplicates)
+         mechanics
          "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
 (random-seed 41)
@@ -84,15 +85,14 @@
   (check-found '(elliptic -1.5) '(complex 0.3 0.7) '(hyperbolic 2.0)))
 
 (define (statuses . blocks)
-  (for/list ([_ 4])
-    (quadratic-normal-form-status (symplectic-normal-form #:matrix (mixed blocks)))))
+  (remove-duplicates
+   (for/list ([_ 4])
+     (quadratic-normal-form-status (symplectic-normal-form #:matrix (mixed blocks))))))
 
 (test-case "what is not semisimple, and what is near"
-  (check-equal? (statuses '(Krein 1.0)) '(not-semisimple not-semisimple not-semisimple not-semisimple))
-  (check-equal? (statuses '(free) '(elliptic 1.0))
-                '(not-semisimple not-semisimple not-semisimple not-semisimple))
-  (check-equal? (statuses '(elliptic 1.0) '(elliptic -1.0000001))
-                '(undecided undecided undecided undecided)))
+  (check-equal? (statuses '(Krein 1.0)) '(not-semisimple))
+  (check-equal? (statuses '(free) '(elliptic 1.0)) '(not-semisimple))
+  (check-equal? (statuses '(elliptic 1.0) '(elliptic -1.0000001)) '(undecided)))
 
 ;; In a magnetic field B, H = ((p_x + B y/2)² + (p_y − B x/2)²)/2: one frequency is B, the other 0.
 (test-case "a direction without energy"
