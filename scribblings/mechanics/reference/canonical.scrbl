@@ -747,17 +747,90 @@ degree 1 in that momentum are errors.
 
 @section[#:tag "normal-forms"]{Normal forms}
 
-@defproc[(Birkhoff-normal-form [H procedure?] [state structure?] [#:degree degree exact-integer? 4])
+@defproc[(symplectic-normal-form [H procedure?] [state structure?]
+                                 [#:at equilibrium (or/c structure? #f) #f]
+                                 [#:matrix m (or/c matrix? #f) #f]
+                                 [#:tolerance tolerance real? 1e-12])
+         quadratic-normal-form?]{
+
+The normal form of the quadratic terms of H at an equilibrium: the symplectic matrix by which they
+become a sum of ω (q² + p²)/2, of λ q p, and, in two coordinates, of α (q₁p₁ + q₂p₂) + β (q₁p₂ −
+q₂p₁). The sign of ω is that of the oscillator's energy, which frequencies alone do not tell where
+the frame turns. The equilibrium is that near @racket[equilibrium], a state of numbers, or near the
+origin. In place of H and the state, @racket[m] may be given: the matrix of second derivatives,
+with a row for each coordinate and then for each momentum.
+
+Coordinates that do not act on one another keep their places; among those that do, frequencies rise.
+What is exact stays so if coordinates do not act on one another and the roots are rational.
+
+Where two of equal exponents have one direction only, as the free particle p²/2 and a double
+frequency at a Krein collision, the terms are not semisimple and have no such form. Decimals cannot
+tell: so @racket[tolerance], relative to the quadratic terms in balanced units, is what counts as
+0. Up to that distance from such terms they are not semisimple, and up to its root they are
+undecided.
+
+Errors are no equilibrium there, symbols left in the derivatives, an H that depends on the time, and
+a matrix that is not symmetric.
+
+@examples[#:eval session
+(define ((H-restricted mu) (up t (up x y) (down p_x p_y)))
+  (- (+ (* 1/2 (+ (square p_x) (square p_y))) (* y p_x) (* -1 x p_y))
+     (/ (- 1 mu) (sqrt (+ (square (+ x mu)) (square y))))
+     (/ mu (sqrt (+ (square (- x (- 1 mu))) (square y))))))
+(define (triangle-point mu)
+  (up 0 (up (- 1/2 mu) (/ (sqrt 3) 2)) (down (/ (sqrt 3) -2) (- 1/2 mu))))
+(define rotating (up 't (up 'x 'y) (down 'p_x 'p_y)))
+(symplectic-normal-form (H-restricted 0.01215) rotating #:at (triangle-point 0.01215))
+(symplectic-normal-form (H-restricted 0.0385208965) rotating #:at (triangle-point 0.0385208965))
+(symplectic-normal-form (H-restricted 0.05) rotating #:at (triangle-point 0.05))
+(eval:error (symplectic-normal-form #:matrix (matrix-by-rows '(1 2) '(3 4))))]
+
+J. Williamson 1936; A. Deprit and A. Deprit-Bartholomé 1967.}
+
+@deftogether[(@defproc[(quadratic-normal-form? [x any/c]) boolean?]
+              @defproc[(quadratic-normal-form-status [f quadratic-normal-form?])
+                       (or/c 'found 'undecided 'not-semisimple)]
+              @defproc[(quadratic-normal-form-blocks [f quadratic-normal-form?]) (listof list?)]
+              @defproc[(quadratic-normal-form-frequencies [f quadratic-normal-form?])
+                       (listof number?)]
+              @defproc[(quadratic-normal-form-matrix [f quadratic-normal-form?])
+                       (or/c matrix? #f)]
+              @defproc[(quadratic-normal-form-distance [f quadratic-normal-form?])
+                       (or/c real? #f)])]{
+
+Whether a form was found; its blocks, @racket['(elliptic ω)], @racket['(hyperbolic λ)],
+@racket['(complex α β)] or @racket['(zero)]; the frequency of each coordinate, imaginary for a
+saddle, or those that are in question; the matrix by which old coordinates and momenta are made of
+new ones; and, where none was found, the distance from terms that are not semisimple. What
+@racket[symplectic-normal-form] does not give is an error.
+
+@examples[#:eval session
+(define f (symplectic-normal-form #:matrix (matrix-by-rows '(-1 0) '(0 1))))
+(quadratic-normal-form? f)
+(list (quadratic-normal-form-status f) (quadratic-normal-form-blocks f))
+(quadratic-normal-form-frequencies (symplectic-normal-form (H-harmonic 1 16) (up 't 'q 'p)))
+(quadratic-normal-form-matrix f)
+(quadratic-normal-form-distance (symplectic-normal-form #:matrix (matrix-by-rows '(0 0) '(0 1))))]
+
+J. Williamson 1936.}
+
+@defproc[(Birkhoff-normal-form [H procedure?] [state structure?] [#:degree degree exact-integer? 4]
+                               [#:at equilibrium (or/c structure? #f) #f]
+                               [#:tolerance tolerance real? 1e-12])
          normal-form?]{
 
-The normal form of H near the origin, an equilibrium where the terms of degree 2 are oscillators,
-ω (q² + p²)/2 for each coordinate: what remains when all monomials up to a degree are removed but
-those that commute with the oscillators. The parameters of H are numbers; with exact ones all is
-exact. A constant term is left out.
+The normal form of H near an equilibrium: what remains when all monomials up to a degree are removed
+but those that commute with the quadratic terms, of which @racket[symplectic-normal-form] makes
+oscillators, saddles and complex quadruples. The equilibrium is that near @racket[equilibrium], a
+state of numbers, or near the origin. The parameters of H are numbers; with exact ones all is
+exact whose quadratic terms' form is. A constant term is left out.
 
-Errors are a degree below 3, symbols left in the coefficients, an H that depends on the time or
-divides by zero at the origin, terms of degree 1, and terms of degree 2 that are no such
-oscillators.
+Resonances keep their terms: those of integers k with k·ω = 0, or, of decimals, up to
+@racket[tolerance] beside the greatest frequency. Divisors up to its root are told as undecided.
+
+Errors are a degree below 3 or above 63, symbols left in the coefficients, an H that depends on the
+time or divides by zero at the equilibrium, no equilibrium there, and quadratic terms that have no
+normal form or are undecided.
 
 @examples[#:eval session
 (define (Henon-Heiles (up t (up x y) p))
@@ -766,21 +839,23 @@ oscillators.
 (define N (Birkhoff-normal-form Henon-Heiles plane-state #:degree 4))
 (define pendulum (lambda (s) (- (/ (square (momentum s)) 2) (cos (coordinate s)))))
 (Birkhoff-normal-form pendulum (up 't 'q 'p) #:degree 6)
-(eval:error (Birkhoff-normal-form (H-harmonic 1 4) (up 't 'q 'p)))]
+(Birkhoff-normal-form (H-restricted 0.01215) rotating #:at (triangle-point 0.01215))
+(eval:error (Birkhoff-normal-form (H-harmonic 1 0) (up 't 'q 'p)))]
 
 G. D. Birkhoff 1927; F. G. Gustavson 1966.}
 
 @deftogether[(@defproc[(normal-form? [x any/c]) boolean?]
               @defproc[(normal-form-Hamiltonian [N normal-form?]) series?]
               @defproc[(normal-form-generators [N normal-form?]) (listof procedure?)]
-              @defproc[(normal-form-frequencies [N normal-form?]) (listof real?)]
+              @defproc[(normal-form-equilibrium [N normal-form?]) structure?]
+              @defproc[(normal-form-frequencies [N normal-form?]) (listof number?)]
               @defproc[(normal-form-resonances [N normal-form?]) (listof (listof exact-integer?))]
               @defproc[(normal-form-divisors [N normal-form?]) list?])]{
 
 The terms of the normal form by degree, from 2 on, as functions of the state; the W of degrees
-from 3 on; the frequencies; the integers of the resonances among them that were met; and what was
-divided by, as lists of the degree and the integers with the divisor at the end. What was not made
-by
+from 3 on; the equilibrium; the frequencies, imaginary for saddles; the integers of the resonances
+among them that were met; and what was divided by, as lists of the degree and the integers with
+the divisor at the end. What was not made by
 @racket[Birkhoff-normal-form], and a state of another shape, are errors, here and below.
 
 @examples[#:eval session
@@ -790,7 +865,7 @@ by
 (verify-equal (series:ref ((normal-form-Hamiltonian N) plane-state) 2)
               (/ (- (* 7 (square L)) (* 5 (square I))) 12))
 ((car (normal-form-generators N)) plane-state)
-(list (normal-form-frequencies N) (normal-form-resonances N))
+(list (normal-form-equilibrium N) (normal-form-frequencies N) (normal-form-resonances N))
 (normal-form-divisors N)
 (eval:error (normal-form-frequencies Henon-Heiles))]
 
@@ -801,8 +876,9 @@ F. G. Gustavson 1966.}
               @defproc[((normal-form-inverse [N normal-form?]) [state structure?]) structure?]
               @defproc[(verify-normal-form [N normal-form?]) verdict?])]{
 
-From new states to old ones and back, to the degree of N; and whether H, transformed by the Lie
-derivatives of the generators, is the normal form, and that commutes with the oscillators.
+From new states to old ones and back, to the degree of N, the matrix and the equilibrium included;
+and whether H, in the coordinates of its quadratic normal form, transformed by the Lie derivatives
+of the generators, is the normal form, and that commutes with the quadratic terms.
 
 @examples[#:eval session
 ((normal-form-transformation (Birkhoff-normal-form pendulum (up 't 'q 'p))) (up 't 'q 'p))
