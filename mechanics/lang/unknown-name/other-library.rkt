@@ -1,14 +1,20 @@
 #lang racket/base
-;; Names that other libraries of this package define, which a program may have forgotten to require.
-;; Only for an unknown name their exports are listed, which loads their declarations and runs
-;; nothing.
+;; Names that other libraries of this package, or Racket's, define, which a program may have
+;; forgotten to require.  Only for an unknown name their exports are listed, which loads their
+;; declarations and runs nothing.
 
-(provide library-of exports)
+(provide library-of Racket-library-of exports)
 
 (define libraries '(mechanics/plot mechanics/animate mechanics/pict mechanics/book))
+(define Racket-libraries
+  '(racket/list racket/string racket/math racket/vector racket/function racket/format racket/file
+    racket/port))
 
 ;; -> a library that exports the name, or #f
-(define (library-of name)
+(define (library-of name) (exporter name libraries))
+(define (Racket-library-of name) (exporter name Racket-libraries))
+
+(define (exporter name libraries)
   (findf (lambda (library) (memq name (exports library))) libraries))
 
 ;; The exported names of phase 0; none if a library that it needs is not installed.

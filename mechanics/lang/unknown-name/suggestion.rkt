@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The likeliest meaning of an unknown name: one that another library of the package defines, one
-;; of scmutils, one that has another name elsewhere, a formula written as in print, or a known name
-;; that is spelt nearly so.
+;; of scmutils, one that has another name elsewhere, one of a library of Racket's, a formula written
+;; as in print, or a known name that is spelt nearly so.
 
 (require "other-library.rkt"
          "../paper-notation/operation-sign.rkt" "../paper-notation/typographic.rkt"
@@ -45,6 +45,8 @@
   (cond [(library-of name) => (lambda (library) (format "(require ~a) defines it" library))]
         [(scmutils-sentence name)]
         [(notation-sentence name)]
+        [(Racket-library-of name)
+         => (lambda (library) (format "(require (only-in ~a ~a)) defines it" library name))]
         [(pair? (near)) (format "did you mean ~a?" (alternatives (near)))]
         [(typed-formula name)
          => (lambda (form) (string-append "operations come first: " (form->text form)))]
