@@ -6,13 +6,15 @@
 ;; at the rate ∂₂F v, which is 2F.
 
 (require "local-tuple.rkt"
+         "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
          (only-in "../calculus/literal-function.rkt" literal-function? literal-function-takes?)
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         "../error/complain.rkt" "../error/note.rkt" "../error/refusal.rkt"
+         "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"
          "../generic/function-check.rkt" "../generic/function.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt"
-         "../generic/wrong-argument.rkt")
+         "../generic/wrong-argument.rkt"
+         "../value/shape.rkt")
 
 (provide Rayleigh-dissipation external-force force-like force->datum)
 
@@ -29,10 +31,31 @@
     (complain-of-argument who "a dissipation function: a function of the local tuple" F))
   (when (and (literal-function? F) (not (literal-function-takes? F (list (up 't 'q 'v)))))
     (raise-path-as-dissipation who F))
-  (define slope (and F ((partial 2) (scalar-dissipation who F))))
+  (define slope (and F (noting-linear who F ((partial 2) (scalar-dissipation who F)))))
   (cond [(and Q F) (g:- Q slope)]
         [F (g:negate slope)]
         [else Q]))
+
+;; A function that is linear in the velocities makes a force that does not depend on them: most
+;; likely it is that of the force itself.  Each function is looked at once.
+(define looked-at (make-weak-hasheq))
+
+(define (noting-linear who F slope)
+  (unary-function (lambda () (value->datum slope)) (local)
+    (unless (hash-ref looked-at F #f)
+      (hash-set! looked-at F #t)
+      (when (if-raised refusal? #f (linear? slope (symbols-like local "x")))
+        (note-once (format (string-append "~a: the dissipation function is linear in the "
+                                          "velocities, so that its force does not depend on them"
+                                          "\n  a force is given as #:force ~a")
+                           who (value->text F)))))
+    (slope local)))
+
+(define (linear? slope state)
+  (define force (scalars (slope state)))
+  (and (not (andmap g:zero? force))
+       (not (for*/or ([e (in-list force)] [v (in-list (scalars (velocity state)))])
+              (occurs? v e)))))
 
 ;; One pair of parentheses was left out, most likely.
 (define (raise-path-as-dissipation who F)

@@ -25,7 +25,8 @@ unit is that of a generalized force: energy over coordinate.
 @racket[force] is a function of the local tuple that gives the external forces
 outside the potential, a scalar or a @racket[down]; it is subtracted.
 @racket[dissipation] is a function F of the local tuple from which such a force
-follows, −∂@subscript{2}F.
+follows, −∂@subscript{2}F; one that is linear in the velocities is remarked on, for its force would
+not depend on them.
 
 With an order n above 1, L may depend on derivatives of the coordinates up to the
 n-th, its local tuple being @racket[(up t q v a ...)], and the residual is

@@ -4,7 +4,7 @@
 (require mechanics
          mechanics/scmutils
          (only-in mechanics/book L-harmonic L-pendulum)
-         "../support/checks.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/notes.rkt" "../support/session.rkt")
 
 (define ((L-rigid A B C) (up t (up theta phi psi) (up thetadot phidot psidot)))
   (let ([a (+ (* phidot (sin theta) (sin psi)) (* thetadot (cos psi)))]
@@ -106,6 +106,19 @@
      (((Lagrange-equations (L-harmonic 'm 'k) drag)
        (up (literal-function 'x) (literal-function 'y)))
       't))))
+
+;; F = b v makes the force −b, whatever the velocity is.
+(test-case "a dissipation function that is linear in the velocities is remarked on"
+  (define (drag local) (* 'b (velocity local)))
+  (define (equations F) (((Lagrange-equations (L-harmonic 'm 'k) F) (literal-function 'x)) 't))
+  (check-equal? (told (equations drag) (equations drag))
+                (string-append
+                 "; Lagrange-equations: the dissipation function is linear in the velocities, so "
+                 "that its force does not depend on them\n"
+                 ";   a force is given as #:force drag\n"))
+  (check-equal? (told (equations (Rayleigh-dissipation 'b))) "")
+  (check-equal? (told (equations (lambda (local) (* 'b (abs (velocity local)))))) "")
+  (check-equal? (told (equations (lambda (local) 0))) ""))
 
 (test-case "they print with what they were made from"
   (check-equal? (format "~a" (Lagrangian->acceleration pendulum (Rayleigh-dissipation 'k)))
