@@ -20,8 +20,8 @@
 
 ;; ---------------------------------------------------------------------------
 
-(define (volume-form g basis)
-  (check-metric 'volume-form g)
+(define (volume-form metric basis)
+  (define g (as-metric 'volume-form metric basis))
   (check-basis 'volume-form basis)
   (define es (vector->list (tuple-elements (basis-of-vectors basis))))
   (define n (length es))
@@ -64,8 +64,8 @@
       (make-field home (vectors (- n k)) find make-datum #:form? #t)))
 
 ;; (δω)(v …) = −Σ gⁱʲ (∇ᵢ ω)(∂ⱼ, v …), which takes forms to those of a rank less
-(define (codifferential g basis)
-  (check-metric 'codifferential g)
+(define (codifferential metric basis)
+  (define g (as-metric 'codifferential metric basis))
   (define c (metric->Cartan g basis))
   (lambda (w)
     (cond [(function-of-points? w) 0]

@@ -4,7 +4,8 @@
 
 (require (rename-in "../calculus/gradient.rkt" [gradient gradient-of-function])
          (rename-in "../canonical/on-demand.rkt" [Lie-derivative Lie-derivative-of-Hamiltonian])
-         "../generic/kind.rkt" "../generic/on-demand.rkt"
+         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt"
          (only-in "../value/operator.rkt" make-primitive-operator
                   [commutator commutator-of-operators]))
 
@@ -27,12 +28,14 @@
   (make-primitive-operator
    (case-lambda
      [(f) (gradient-of-function f)]
-     [(metric basis) (if (of-geometry? metric)
-                         (metric-gradient metric basis)
-                         (gradient-of-function metric basis))]
+     [(f x) (if (or (scalar? x) (tuple? x) (procedure? x))
+                (gradient-of-function f x)
+                (metric-gradient f x))]
      [fs (apply gradient-of-function fs)])
    (lambda () 'gradient)))
 
 ;; Racket's, but of a metric and a basis it makes vectors of 1-forms.
 (define (raise-field-or-exception x [barrier? #t])
-  (if (of-geometry? x) (raise-form x barrier?) (raise x barrier?)))
+  (if (boolean? barrier?)
+      (if (of-geometry? x) (raise-form x) (raise x barrier?))
+      (raise-form x barrier?)))

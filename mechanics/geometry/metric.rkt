@@ -12,18 +12,23 @@
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
          (only-in "../value/matrix/matrix.rkt" matrix? matrix-rows))
 
-(provide metric? check-metric
+(provide metric? as-metric
          literal-metric make-metric components->metric metric->components
          coordinate-system->metric make-Minkowski-metric S2-metric metric-over-map
          metric:invert inverse-metric-components
          metric->Christoffel-1 metric->Christoffel-2 metric->Cartan metric->Riemann flat-place)
 
 (define (metric? x) (and (field? x) (equal? (field-types x) '(vector vector))))
-(define (check-metric who g) (check-argument who metric? g "a metric, a tensor of two vectors"))
+;; A function of two vector fields is a metric as well: that of the basis's manifold.
+(define (as-metric who g [basis #f])
+  (cond [(metric? g) g]
+        [(and (procedure? g) (not (field? g)) (accepts? g 2))
+         (make-metric g (home-of-basis basis))]
+        [else (complain-of-argument who "a metric, a tensor of two vectors" g)]))
 
 ;; ---------------------------------------------------------------------------
 ;; Metrics
@@ -66,8 +71,8 @@
               (lambda () (list 'components->metric (value->datum components)
                                (value->datum basis)))))
 
-(define (metric->components g basis)
-  (check-metric 'metric->components g)
+(define (metric->components metric basis)
+  (define g (as-metric 'metric->components metric basis))
   (check-basis 'metric->components basis)
   (define es (basis-of-vectors basis))
   (structure-map (lambda (u) (structure-map (lambda (v) (g u v)) es)) es))
@@ -104,8 +109,8 @@
 
 (define S2-metric (coordinate-system->metric S2-spherical))
 
-(define (metric-over-map map g)
-  (check-metric 'metric-over-map g)
+(define (metric-over-map map metric)
+  (define g (as-metric 'metric-over-map metric))
   ((form-field->form-field-over-map map) g))
 
 ;; ---------------------------------------------------------------------------
@@ -118,18 +123,18 @@
                                  (value->text g)))))
 
 ;; A tensor of two 1-forms
-(define (metric:invert g [basis #f])
-  (check-metric 'metric:invert g)
+(define (metric:invert metric [basis #f])
+  (define g (as-metric 'metric:invert metric basis))
   (make-field (or (field-home g) (home-of-basis basis)) '(1form 1form)
               (lambda (C) (inverse-metric-components g C))
               (lambda () (list 'metric:invert (value->datum g)))))
 
 (define (home-of-basis basis)
-  (and basis (field-home (vector-ref (tuple-elements (basis->vector-basis basis)) 0))))
+  (and (basis? basis) (field-home (vector-ref (tuple-elements (basis->vector-basis basis)) 0))))
 
 ;; The connection in the basis
-(define (metric->Cartan g basis)
-  (check-metric 'metric->Cartan g)
+(define (metric->Cartan metric basis)
+  (define g (as-metric 'metric->Cartan metric basis))
   (check-basis 'metric->Cartan basis)
   (make-connection (lambda (C) (Levi-Civita g C)) basis (call-datum 'metric->Cartan g basis)))
 
@@ -185,8 +190,8 @@
 ;;
 ;;     R_abkl = ∂ₖΓ_abl − ∂ₗΓ_abk + Σ gᵐⁿ (Γ_mal Γ_nbk − Γ_mak Γ_nbl).
 
-(define (metric->Riemann g [basis #f])
-  (check-metric 'metric->Riemann g)
+(define (metric->Riemann metric [basis #f])
+  (define g (as-metric 'metric->Riemann metric basis))
   (make-field (or (field-home g) (home-of-basis basis)) '(vector vector vector vector)
               (lambda (C) (curvature-below g C (coordinate-system-dimension C)))
               (lambda () (list 'metric->Riemann (value->datum g)))))

@@ -29,21 +29,21 @@
   (check-argument who (lambda (x) (and (field? x) (equal? (field-types x) types))) T what))
 
 ;; ((lower metric) v) is g(v, ·)
-(define (lower g)
-  (check-metric 'lower g)
+(define (lower metric)
+  (define g (as-metric 'lower metric))
   (lambda (v)
     (check-argument 'lower vector-field? v "a vector field")
     (with-index-moved 'lower g v 0 'vector)))
 
 ;; ((raise metric basis) w); no basis is needed for it
-(define (raise-form g [basis #f])
-  (check-metric 'raise g)
+(define (raise-form metric [basis #f])
+  (define g (as-metric 'raise metric basis))
   (lambda (w)
     (check-types 'raise w '(vector) "a 1-form")
     (with-index-moved 'raise g w 0 '1form)))
 
-(define ((moving who positions from to) g [basis #f])
-  (check-metric who g)
+(define ((moving who positions from to) metric [basis #f])
+  (define g (as-metric who metric basis))
   (lambda (T)
     (check-types who T from (format "a tensor field of the arguments ~a" from))
     (for/fold ([T T]) ([p (in-list positions)]) (with-index-moved who g T p to))))
@@ -61,8 +61,8 @@
                         [w (in-vector (tuple-elements (basis-of-forms basis)))])
                (f e w))))
 
-(define ((trace-with who types inverse?) g [basis #f])
-  (check-metric who g)
+(define ((trace-with who types inverse?) metric [basis #f])
+  (define g (as-metric who metric basis))
   (lambda (T)
     (check-types who T types (format "a tensor field of the arguments ~a" types))
     (make-manifold-function
@@ -81,10 +81,10 @@
 ;; By Gram's and Schmidt's process, a down tuple of vector fields; where g(e, e) is negative, of
 ;; length −1.
 
-(define (orthonormalize vectors g C)
+(define (orthonormalize vectors metric C)
   (define who 'orthonormalize)
   (check-argument who tuple? vectors "a tuple of vector fields")
-  (check-metric who g)
+  (define g (as-metric who metric))
   (check-coordinate-system who C)
   (define (unit e)
     (define length^2 (expression-in (g e e) C))
@@ -106,13 +106,13 @@
 (define (Ricci-of g basis) (Ricci (covariant-derivative (metric->Cartan g basis)) basis))
 
 ;; Ricci's tensor, contracted
-(define (scalar-curvature g basis)
-  (check-metric 'scalar-curvature g)
+(define (scalar-curvature metric basis)
+  (define g (as-metric 'scalar-curvature metric basis))
   (check-basis 'scalar-curvature basis)
   ((trace2down g) (Ricci-of g basis)))
 
 ;; Ricci's tensor less half the scalar curvature times the metric
-(define (Einstein-tensor g basis)
-  (check-metric 'Einstein-tensor g)
+(define (Einstein-tensor metric basis)
+  (define g (as-metric 'Einstein-tensor metric basis))
   (check-basis 'Einstein-tensor basis)
   (g:- (Ricci-of g basis) (g:* (g:* 1/2 (scalar-curvature g basis)) g)))

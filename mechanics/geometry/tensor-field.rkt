@@ -13,8 +13,8 @@
          "manifold-point.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
-         "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../generic/wrong-argument.rkt"
+         "../generic/kind.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../value/operator.rkt" "../value/shape.rkt")
 
 (provide field? make-field native-field
@@ -213,8 +213,8 @@
     [(*) (cond [(and (field? a) (field? b)) (product op a b)]
                [(or (tuple? a) (tuple? b)) (distributed op a b)]
                [(and (field? b) (function-of-points? a)) (multiple op a b)]
-               [(and (field? a) (function-of-points? b)
-                     (not (vector-field? a))) (multiple op b a)]
+               [(and (field? a) (if (vector-field? a) (scalar? b) (function-of-points? b)))
+                (multiple op b a)]
                [else (with-operators op a b)])]
     [(/) (if (and (field? a) (function-of-points? b))
              (multiple op (g:/ 1 b) a)
