@@ -26,16 +26,27 @@
 
 (define (derivatives-by es x)
   (define tag (fresh-tag))
-  (define values-and-slopes
-    (node-fold (joined es)
-               (lambda (leaf) (if (eq? leaf x) (perturb tag x) leaf))
-               (lambda (n arguments)
-                 (define value (apply-generically (node-head n) arguments))
-                 (if (tuple? value) value (make-dual tag n (tangent-part value tag))))))
-  (for/vector #:length (vector-length es) ([v (in-vector (structure-elements values-and-slopes))])
+  (for/vector #:length (vector-length es)
+              ([v (in-vector (fold-all es
+                                       (lambda (leaf) (if (eq? leaf x) (perturb tag x) leaf))
+                                       (lambda (n arguments) (with-slope tag n arguments))))])
     (tangent-part v tag)))
 
-(define (joined es) (make-node op:up (vector->list es)))
+(define (with-slope tag n arguments)
+  (define value (apply-generically (node-head n) arguments))
+  (if (tuple? value) value (make-dual tag n (tangent-part value tag))))
+
+;; All of es folded as one graph.  What is being differentiated by something else, as Lagrangians
+;; are, has expressions for its parts.
+(define (fold-all es at-leaf at-node)
+  (define (fold e)
+    (node-fold e
+               (lambda (leaf)
+                 (if (perturbed? leaf)
+                     ((parts-retag (parts-of leaf)) (perturbed-tag leaf) fold leaf)
+                     (at-leaf leaf)))
+               at-node))
+  (structure-elements (fold (make-node op:up (vector->list es)))))
 
 ;; The same, evaluated at coordinates.
 (define (derivatives-by-coordinates-at es C x)
@@ -48,9 +59,11 @@
   (define xs (if (tuple? x) (tuple-elements x) (vector x)))
   (if (for/and ([s (in-vector symbols)] [x (in-vector xs)]) (eq? s x))
       es
-      (structure-elements
-       (evaluate-generically (joined es)
-                             (for/list ([s (in-vector symbols)] [x (in-vector xs)]) (cons s x))))))
+      (fold-all es
+                (lambda (leaf)
+                  (or (for/first ([s (in-vector symbols)] [x (in-vector xs)] #:when (eq? s leaf)) x)
+                      leaf))
+                (lambda (n arguments) (apply-generically (node-head n) arguments)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Matrices, n by n, as components of two indices

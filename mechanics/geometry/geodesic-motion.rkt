@@ -19,8 +19,8 @@
          coefficients-of turning)
 
 ;; (t, q, v) ↦ ½ g(v, v) in the coordinates of C
-(define-printed (metric->Lagrangian g C)
-  (check-metric 'metric->Lagrangian g)
+(define-printed (metric->Lagrangian metric C)
+  (define g (as-metric 'metric->Lagrangian metric))
   (check-coordinate-system 'metric->Lagrangian C)
   (check-home 'metric->Lagrangian g C)
   (lambda (local)

@@ -9,7 +9,8 @@
 ;; is one.  Its components in a chart of M refer to the chart of N in which μ gives its points.
 ;; All else is the case that μ is the identity.
 
-(require "chart-calculus.rkt" "component-array.rkt" "manifold-chart.rkt" "manifold-function.rkt"
+(require (only-in racket/list splitf-at)
+         "chart-calculus.rkt" "component-array.rkt" "manifold-chart.rkt" "manifold-function.rkt"
          "manifold-point.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
@@ -145,9 +146,16 @@
            (complain-of-arity (value->text T) "a vector field takes 1 function; it was given ~a"
                               (length arguments)))
          (derivative-along T (car arguments))]
+        [(memf tuple? arguments) (applied-to-tuple T arguments)]
         [else
          (check-arguments T arguments)
          (contracted T arguments)]))
+
+;; Of a tuple of fields, the tuple of values
+(define (applied-to-tuple T arguments)
+  (define-values (before tuple-and-after) (splitf-at arguments (lambda (a) (not (tuple? a)))))
+  (structure-map (lambda (part) (apply T (append before (list part) (cdr tuple-and-after))))
+                 (adopt (car tuple-and-after))))
 
 (define (contracted T arguments)
   (define who (value->text T))
@@ -178,6 +186,11 @@
 
 ;; v f = Σᵢ vⁱ ∂ᵢf; of a tuple of functions, the tuple.
 (define (derivative-along v f)
+  (if (tuple? f)
+      (structure-map (lambda (part) (derivative-along v part)) (adopt f))
+      (derivative-of-function v f)))
+
+(define (derivative-of-function v f)
   (unless (function-of-points? f)
     (complain (value->text v) "a vector field acts on functions on a manifold\n  given: ~a~a"
               (describe-with-value f)

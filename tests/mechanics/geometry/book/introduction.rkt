@@ -35,9 +35,9 @@
 
 (test-case "1.2: the Lagrangian of a literal metric"
   (check-prints (L (up 't (up 'x 'y) (up 'vx 'vy)))
-                '(+ (* 1/2 m (g_00 (up x y)) (expt vx 2))
-                    (* m (g_01 (up x y)) vx vy)
-                    (* 1/2 m (g_11 (up x y)) (expt vy 2)))))
+                '(+ (* m vx vy (g_01 (up x y)))
+                    (* 1/2 m (+ (* (expt vx 2) (g_00 (up x y)))
+                                (* (expt vy 2) (g_11 (up x y))))))))
 
 (define gamma (literal-manifold-map 'q R1-rect R2-rect))
 (define coordinate-path (compose (chart R2-rect) gamma (point R1-rect)))
@@ -62,7 +62,7 @@
 
 (test-case "exercise 1.1: the equator and the meridians are motions on the sphere"
   (define ((residual path) t) (((Lagrange-equations (L-sphere 1 1)) path) t))
-  (check-identity ((residual (up (lambda (t) (/ :pi 2)) (lambda (t) (* 'a t)))) 't) (down 0 0))
+  (check-identity ((residual (up (lambda (t) (/ ':pi 2)) (lambda (t) (* 'a t)))) 't) (down 0 0))
   (check-identity ((residual (up (lambda (t) (* 'a t)) (lambda (t) 'phi0))) 't) (down 0 0))
   (check-pred refuted? (verify-equal
                         ((residual (up (lambda (t) 'theta0) (lambda (t) (* 'a t)))) 't) (down 0 0))))
