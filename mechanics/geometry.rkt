@@ -53,6 +53,7 @@
  vector-field->vector-field-over-map form-field->form-field-over-map basis->basis-over-map
  ;; connections
  make-Cartan Cartan? Cartan->forms Cartan->basis Cartan-transform symmetrize-Cartan
+ symmetrize-Christoffel
  make-Christoffel Christoffel? Christoffel->symbols Christoffel->basis
  Christoffel->Cartan Cartan->Christoffel Cartan->Cartan-over-map
  literal-Christoffel-1 literal-Christoffel-2 literal-Cartan

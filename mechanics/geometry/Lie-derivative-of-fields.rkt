@@ -7,7 +7,7 @@
 ;;
 ;; That of a vector field is the bracket, [X, Y] = X Y − Y X as operators on functions.
 
-(require "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt" "manifold-chart.rkt"
+(require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt" "manifold-chart.rkt"
          "manifold-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
@@ -26,6 +26,7 @@
 
 (define (change-along X T)
   (cond [(tuple? T) (structure-map (lambda (part) (change-along X part)) (adopt T))]
+        [(function-of-fields? T) (changed-function (lambda (T) (change-along X T)) T)]
         [(not (field? T)) (X T)]
         [(field-over T)
          (complain 'Lie-derivative "expected a field on a manifold\n  given: ~a"

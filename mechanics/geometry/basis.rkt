@@ -6,7 +6,7 @@
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/printed-function.rkt" "../generic/up-down.rkt"
+         "../generic/kind.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../value/shape.rkt")
 
@@ -18,6 +18,7 @@
          components->vector-field vector-field->components
          components->1form-field 1form-field->components
          procedure->vector-field procedure->1form-field with-argument-types
+         function-of-fields? changed-function
          literal-vector-field literal-1form-field
          basis-components->vector-field vector-field->basis-components
          basis-components->1form-field 1form-field->basis-components)
@@ -205,6 +206,16 @@
                                     (vector-ref (if (eq? t 'vector) vectors forms) i)))
                     C))))
               make-datum))
+
+;; A procedure that the reader wrote, of two fields or more
+(define (function-of-fields? f)
+  (and (procedure? f) (not (has-kind? f)) (not (accepts? f 1))))
+
+;; The operator `change` of tensors, applied to such a function when it meets its arguments, which
+;; tell their types.
+(define ((changed-function change f) . arguments)
+  (define types (for/list ([a (in-list arguments)]) (if (vector-field? a) 'vector '1form)))
+  (apply (change (with-argument-types f types)) arguments))
 
 ;; ---------------------------------------------------------------------------
 ;; Components with respect to a basis: functions on the manifold

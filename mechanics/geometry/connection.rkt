@@ -19,6 +19,7 @@
          make-connection
          make-Christoffel Christoffel? Christoffel->symbols Christoffel->basis
          Christoffel->Cartan Cartan->Christoffel Cartan-transform symmetrize-Cartan
+         symmetrize-Christoffel
          literal-Christoffel-1 literal-Christoffel-2 literal-Cartan)
 
 ;; forms : down tuple (by j) of up tuples (by i) of the ωⁱⱼ
@@ -164,6 +165,10 @@
                                  (Cartan-forms c)))
                 (basis-of-vectors basis))
                basis))
+
+;; Those without torsion, in the same basis
+(define (symmetrize-Christoffel c)
+  (Cartan->Christoffel (symmetrize-Cartan (Christoffel->Cartan c))))
 
 (define (literal-Christoffel-2 name C)
   (literal-symbols 'literal-Christoffel-2 name C up-of "~a^~a_~a~a"))

@@ -9,7 +9,8 @@
 ;; Of a field over a map μ the symbols are those at the points of μ, and vᵏ beside them is the
 ;; image of v: the derivative along a curve is the case that v = d/dt.
 
-(require "chart-calculus.rkt" "component-array.rkt" "connection.rkt" "tensor-field.rkt" "manifold-chart.rkt"
+(require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "connection.rkt" "tensor-field.rkt"
+         "manifold-chart.rkt"
          "manifold-function.rkt" "maps-between-manifolds.rkt" "manifold-point.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
@@ -47,6 +48,7 @@
 
 (define (derivative-of c v T)
   (cond [(tuple? T) (structure-map (lambda (part) (derivative-of c v part)) (adopt T))]
+        [(function-of-fields? T) (changed-function (lambda (T) (derivative-of c v T)) T)]
         [(not (field? T)) (v T)]
         [else
          (when (and (field-over v) (field-over T))

@@ -15,7 +15,7 @@
          "../value/shape.rkt" "../value/signature.rkt")
 
 (provide manifold-function? make-manifold-function manifold-function-home
-         expression-in home-of common-home function-of-points?
+         expression-in evaluate-structure home-of common-home function-of-points?
          judged-in
          literal-of-coordinates literal-manifold-function constant-manifold-function
          zero-manifold-function one-manifold-function)

@@ -75,7 +75,7 @@
 (define ((form-field->form-field-over-map map) w)
   (over-map 'form-field->form-field-over-map w map))
 
-(define ((basis->basis-over-map map) b)
+(define (basis->basis-over-map map b)
   (check-basis 'basis->basis-over-map b)
   (define (along T) (over-map 'basis->basis-over-map T map))
   (make-basis (structure-map along (basis-of-vectors b)) (structure-map along (basis-of-forms b))))
@@ -87,8 +87,7 @@
   (check-map 'pullback map)
   (define (there C)
     (define p (place-over map C))
-    (define e (expression-in f (place-system p)))
-    (vector-ref (evaluate-components (vector e) (place-system p) (place-coordinates p)) 0))
+    (evaluate-structure (expression-in f (place-system p)) (place-system p) (place-coordinates p)))
   (make-manifold-function #f there (call-of 'pullback map f)))
 
 ;; (μ*ω)(v …) = ω(dμ v …)

@@ -26,7 +26,7 @@
 ;; A function of two vector fields is a metric as well: that of the basis's manifold.
 (define (as-metric who g [basis #f])
   (cond [(metric? g) g]
-        [(and (procedure? g) (not (field? g)) (accepts? g 2))
+        [(and (function-of-fields? g) (accepts? g 2))
          (make-metric g (home-of-basis basis))]
         [else (complain-of-argument who "a metric, a tensor of two vectors" g)]))
 

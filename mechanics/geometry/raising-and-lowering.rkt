@@ -28,6 +28,11 @@
 (define (check-types who T types what)
   (check-argument who (lambda (x) (and (field? x) (equal? (field-types x) types))) T what))
 
+;; A function of such fields is a tensor as well.
+(define (as-tensor who T types)
+  (cond [(function-of-fields? T) (with-argument-types T types)]
+        [else (check-types who T types (format "a tensor field of the arguments ~a" types)) T]))
+
 ;; ((lower metric) v) is g(v, ·)
 (define (lower metric)
   (define g (as-metric 'lower metric))
@@ -45,8 +50,7 @@
 (define ((moving who positions from to) metric [basis #f])
   (define g (as-metric who metric basis))
   (lambda (T)
-    (check-types who T from (format "a tensor field of the arguments ~a" from))
-    (for/fold ([T T]) ([p (in-list positions)]) (with-index-moved who g T p to))))
+    (for/fold ([T (as-tensor who T from)]) ([p (in-list positions)]) (with-index-moved who g T p to))))
 
 (define drop1 (moving 'drop1 '(0) '(1form vector) 'vector))
 (define drop2 (moving 'drop2 '(0 1) '(1form 1form) 'vector))
@@ -63,8 +67,8 @@
 
 (define ((trace-with who types inverse?) metric [basis #f])
   (define g (as-metric who metric basis))
-  (lambda (T)
-    (check-types who T types (format "a tensor field of the arguments ~a" types))
+  (lambda (tensor)
+    (define T (as-tensor who tensor types))
     (make-manifold-function
      (common-field-home who (list T g))
      (lambda (C)

@@ -10,7 +10,7 @@
          "../rigid/rotation.rkt"
          "../value/matrix/matrix.rkt")
 
-(provide R^n S^n S2-type SO3-type
+(provide R^n S^n S2-type (rename-out [S2-type S^2-type]) SO3-type
          R1 R2 R3 R4 S1 S2 S3 SO3 spacetime
          R1-rect the-real-line R2-rect R2-polar R3-rect R3-cyl R3-spherical R4-rect R4-cyl
          S1-circular S1-tilted
@@ -141,7 +141,7 @@
 ;; Rotations.  Euler's angles (θ, φ, ψ) give Rz(φ) Rx(θ) Rz(ψ), singular at θ = 0; the other ones
 ;; Rz(φ) Rx(θ) Ry(ψ), singular at θ = ±π/2.
 
-(define SO3-type (make-manifold-type 'SO3 'Euler 'alternate))
+(define SO3-type (make-manifold-type 'SO3 'Euler-patch 'alternate-patch))
 
 (define (attach-angles name patch last-turn read)
   (attach-coordinate-system
@@ -153,12 +153,12 @@
    (lambda (n) (lambda (M) (read (lambda (i j) (matrix-ref M i j)))))
    #:dimensions '(3) #:names (first-of '(theta phi psi))))
 
-(attach-angles 'Euler 'Euler rotate-z-matrix
+(attach-angles 'Euler 'Euler-patch rotate-z-matrix
                (lambda (M)
                  (up (g:acos (M 2 2)) (g:atan (M 0 2) (g:negate (M 1 2)))
                      (g:atan (M 2 0) (M 2 1)))))
 
-(attach-angles 'alternate 'alternate rotate-y-matrix
+(attach-angles 'alternate 'alternate-patch rotate-y-matrix
                (lambda (M)
                  (up (g:asin (M 2 1)) (g:atan (g:negate (M 0 1)) (M 1 1))
                      (g:atan (g:negate (M 2 0)) (M 2 2)))))
@@ -187,4 +187,5 @@
 (define-manifold S3 (S^n 3)
   [S3-spherical spherical north-pole] [S3-tilted spherical tilted]
   [S3-stereographic stereographic north-pole])
-(define-manifold SO3 (SO3-type 3) [Euler-angles Euler Euler] [alternate-angles alternate alternate])
+(define-manifold SO3 (SO3-type 3) 
+  [Euler-angles Euler Euler-patch] [alternate-angles alternate alternate-patch])
