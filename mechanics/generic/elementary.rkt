@@ -127,7 +127,7 @@
 ;; The origin has no angle; at complex numbers Racket's own message will do.
 (define (angle-of-point y x)
   (when (and (eqv? y 0) (eqv? x 0))
-    (complain 'atan "the point at the origin has no angle; given 0 and 0"))
+    (raise-division-by-zero 'atan "the point at the origin has no angle; given 0 and 0"))
   (atan y x))
 
 (define-named g:atan atan

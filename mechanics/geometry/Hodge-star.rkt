@@ -22,7 +22,6 @@
 
 (define (volume-form metric basis)
   (define g (as-metric 'volume-form metric basis))
-  (check-basis 'volume-form basis)
   (define es (vector->list (tuple-elements (basis-of-vectors basis))))
   (define n (length es))
   (define size                            ; √|det g(eᵢ, eⱼ)|

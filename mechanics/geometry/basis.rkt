@@ -126,7 +126,10 @@
                  (= (structure-length (adopt x)) n))
       (complain who "expected ~a of ~a components, functions of the coordinates of ~a\n  given: ~a"
                 word n (value->text C) (describe-with-value given))))
-  (when (tuple? components) (check-shape components components))
+  (cond [(tuple? components) (check-shape components components)]
+        [else
+         (check-argument who (lambda (f) (and (procedure? f) (accepts? f 1))) components
+                         (string-append word " of components, or a function of coordinates"))])
   (define (find)
     (define value
       (let ([x (coordinate-tuple (coordinate-system-symbols C))])

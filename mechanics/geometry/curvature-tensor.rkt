@@ -97,6 +97,7 @@
 
 ;; ((Ricci nabla basis) u v); the contraction is the same in every basis.
 (define (Ricci nabla [basis #f])
+  (when basis (check-basis 'Ricci basis))
   (define R (Riemann nabla))
   (make-field (field-home R) '(vector vector)
               (lambda (C) (ricci-components (components-in R C) (coordinate-system-dimension C)))

@@ -24,8 +24,12 @@
 
 (define (metric? x) (and (field? x) (equal? (field-types x) '(vector vector))))
 ;; A function of two vector fields is a metric as well: that of the basis's manifold.
+;; basis : #f where none was given
 (define (as-metric who g [basis #f])
-  (cond [(metric? g) g]
+  (when basis (check-basis who basis))
+  (cond [(metric? g)
+         (when basis (common-home who #:of field-home g (first-vector basis)))
+         g]
         [(and (function-of-fields? g) (accepts? g 2))
          (make-metric g (home-of-basis basis))]
         [else (complain-of-argument who "a metric, a tensor of two vectors" g)]))
@@ -73,7 +77,6 @@
 
 (define (metric->components metric basis)
   (define g (as-metric 'metric->components metric basis))
-  (check-basis 'metric->components basis)
   (define es (basis-of-vectors basis))
   (structure-map (lambda (u) (structure-map (lambda (v) (g u v)) es)) es))
 
@@ -129,13 +132,12 @@
               (lambda (C) (inverse-metric-components g C))
               (lambda () (list 'metric:invert (value->datum g)))))
 
-(define (home-of-basis basis)
-  (and (basis? basis) (field-home (vector-ref (tuple-elements (basis->vector-basis basis)) 0))))
+(define (home-of-basis basis) (and basis (field-home (first-vector basis))))
+(define (first-vector basis) (vector-ref (tuple-elements (basis-of-vectors basis)) 0))
 
 ;; The connection in the basis
 (define (metric->Cartan metric basis)
   (define g (as-metric 'metric->Cartan metric basis))
-  (check-basis 'metric->Cartan basis)
   (make-connection (lambda (C) (Levi-Civita g C)) basis (call-datum 'metric->Cartan g basis)))
 
 (define (Levi-Civita g C)

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Indices up and down: vectors as 1-forms and back, by a metric; contractions and traces.
 
-(require "basis.rkt" "component-array.rkt" "tensor-field.rkt" "manifold-chart.rkt" "manifold-function.rkt"
-         "metric.rkt" "connection.rkt" "covariant-derivative.rkt" "curvature-tensor.rkt"
+(require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt"
+         "manifold-chart.rkt" "manifold-function.rkt" "metric.rkt" "connection.rkt" "covariant-derivative.rkt" "curvature-tensor.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt")
@@ -91,7 +91,7 @@
   (define g (as-metric who metric))
   (check-coordinate-system who C)
   (define (unit e)
-    (define length^2 (expression-in (g e e) C))
+    (define length^2 (tidied (expression-in (g e e) C)))
     (when (eqv? length^2 0)
       (complain who "a vector of length 0 came up, which cannot be made a unit vector\n  it is: ~a"
                 (value->text e)))
@@ -112,11 +112,9 @@
 ;; Ricci's tensor, contracted
 (define (scalar-curvature metric basis)
   (define g (as-metric 'scalar-curvature metric basis))
-  (check-basis 'scalar-curvature basis)
   ((trace2down g) (Ricci-of g basis)))
 
 ;; Ricci's tensor less half the scalar curvature times the metric
 (define (Einstein-tensor metric basis)
   (define g (as-metric 'Einstein-tensor metric basis))
-  (check-basis 'Einstein-tensor basis)
   (g:- (Ricci-of g basis) (g:* (g:* 1/2 (scalar-curvature g basis)) g)))

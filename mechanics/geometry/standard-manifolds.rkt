@@ -131,8 +131,9 @@
           (define d (length-of (cons 1 x)))
           (append (for/list ([a (in-list x)]) (g:/ a d)) (list (g:/ 1 d))))
         (lambda (u)
-          (define n (sub1 (length u)))
-          (for/list ([a (in-list (take u n))]) (g:/ a (list-ref u n))))
+          (define height (last u))      ; 0 divides by 0: outside the chart
+          (define z (if (and (real? height) (<= height 0)) 0 height))
+          (for/list ([a (in-list (drop-right u 1))]) (g:/ a z)))
         rectangular-names)
 
 (define S2-type S^n)

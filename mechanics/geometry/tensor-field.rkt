@@ -75,7 +75,7 @@
   (if map
       (let ([m (map (generic-point C))])
         (unless (point? m)
-          (complain 'geometry "a map between manifolds gives points\n  map: ~a\n  it gave: ~a"
+          (complain 'manifold-map "a map between manifolds gives points\n  map: ~a\n  it gave: ~a"
                     (value->text map) (describe-with-value m)))
         (place (point-system m) (point-coordinates m)))
       (place C (coordinate-tuple (coordinate-system-symbols C)))))
