@@ -10,9 +10,12 @@
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
-         "../generic/kind.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../value/shape.rkt" "../value/signature.rkt")
+
+(require-on-demand ["field-notation.rkt" field-notation])
 
 (provide manifold-function? make-manifold-function manifold-function-home
          expression-in evaluate-structure home-of common-home function-of-points?
@@ -24,6 +27,7 @@
   (make-kind #:rank rank:manifold-function
              #:describe (lambda (f) "a function on a manifold")
              #:datum (lambda (f) ((manifold-function-make-datum f)))
+             #:notation (lambda (f see) (field-notation ((manifold-function-make-datum f))))
              #:arity (lambda (f) 2)
              #:judged (lambda (f) (judged-in (manifold-function-home f) f
                                              (lambda (C) (expression-in f C))))

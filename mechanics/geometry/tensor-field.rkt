@@ -14,9 +14,11 @@
          "manifold-point.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
-         "../generic/kind.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../value/operator.rkt" "../value/shape.rkt")
+
+(require-on-demand ["field-notation.rkt" field-notation])
 
 (provide field? make-field native-field
          field-home field-over field-types field-form? field-rank field-datum
@@ -33,6 +35,7 @@
   (make-kind #:rank rank:field
              #:describe (lambda (T) (describe-field T))
              #:datum field-datum
+             #:notation (lambda (T see) (field-notation (field-datum T)))
              #:judged (lambda (T) (judge-field T))
              #:arity (lambda (T) (arithmetic-shift 1 (if (vector-field? T) 1 (field-rank T))))
              #:unary (lambda (op T) (of-field op T))

@@ -36,6 +36,7 @@
           [(symbol? d) (symbol->tree d w)]
           [(or (string? d) (keyword? d) (boolean? d) (null? d)) (plain (format "~s" d))]
           [(omission? d) (omitted (format "~a" d))]
+          [(prefab-struct-key d) d]                ; a tree
           [else (plain (format "~a" d))]))
   (tree (cut-datum d)))
 

@@ -31,7 +31,7 @@
 
 (define whole-name
   (let ([mark (format "[_^](?:~a|\\p{Nd})+" letter)])
-    (pregexp (format "^(~a+(?:-~a+)*)(\\p{Nd}*)((?:~a)*)$" letter letter mark))))
+    (pregexp (format "^(~a+(?:-~a+)*|[∇£])(\\p{Nd}*)((?:~a)*)$" letter letter mark))))
 
 (define one-mark #px"[_^][^_^]+")
 

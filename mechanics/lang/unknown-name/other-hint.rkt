@@ -37,7 +37,7 @@
 ;; Where a file was named, newer versions of Racket write the module path as #<path:...>.
 (define for-modules
   '((#rx"cannot open module file\n  module path: ([^\n]*/)?mechanics(/[a-zA-Z-]*)?>?\n"
-     "the libraries are mechanics, mechanics/plot and mechanics/book")
+     "the libraries are mechanics, mechanics/plot, mechanics/book and mechanics/geometry")
     (#rx"cannot open module file\n.*system error: no such file"
      "there is no such file; its place is told from that of the file that requires it")))
 

@@ -5,7 +5,8 @@
 
 (provide library-of Racket-library-of exports)
 
-(define libraries '(mechanics/plot mechanics/animate mechanics/pict mechanics/book))
+(define libraries
+  '(mechanics/plot mechanics/animate mechanics/pict mechanics/book mechanics/geometry))
 (define Racket-libraries
   '(racket/list racket/string racket/math racket/vector racket/function racket/format racket/file
     racket/port))

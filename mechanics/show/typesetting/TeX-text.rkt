@@ -26,6 +26,7 @@
 
 (define (word->TeX text)
   (cond [(assoc text '(("∞" . "\\infty{}") ("⋯" . "\\cdots{}") ("…" . "\\ldots{}")
+                       ("∂" . "\\partial{}")
                        ("𝐢" . "\\mathbf{i}") ("𝐣" . "\\mathbf{j}") ("𝐤" . "\\mathbf{k}")))
          => cdr]
         [else (upright text)]))
@@ -33,7 +34,7 @@
 (define (sign->TeX sign)
   (cond [(assoc sign '(("≤" . "\\le ") ("≥" . "\\ge ") ("∘" . "\\circ ") ("−" . "-")
                        ("·" . "\\cdot ") ("≠" . "\\ne ") ("↦" . "\\mapsto ")
-                       (":" . "\\colon ") ("→" . "\\to ")))
+                       (":" . "\\colon ") ("→" . "\\to ") ("∧" . "\\wedge ")))
          => cdr]
         [else sign]))
 
@@ -62,7 +63,7 @@
            #\newline " " #\tab " "
            #\− "\\ensuremath{-}" #\∞ "\\ensuremath{\\infty}" #\… "\\dots{}"
            #\≤ "\\ensuremath{\\le}" #\≥ "\\ensuremath{\\ge}" #\· "\\ensuremath{\\cdot}"
-           #\∂ "\\ensuremath{\\partial}" #\→ "\\ensuremath{\\to}"
+           #\∇ "\\ensuremath{\\nabla}" #\£ "\\pounds{}" #\∂ "\\ensuremath{\\partial}" #\→ "\\ensuremath{\\to}"
            #\ℝ "\\ensuremath{\\mathbf{R}}" #\× "\\ensuremath{\\times}"
            #\² "\\ensuremath{^2}" #\³ "\\ensuremath{^3}"))
 
