@@ -35,6 +35,8 @@ order.
 @include-section["guide/chapter-6.scrbl"]
 @include-section["guide/chapter-7.scrbl"]
 @include-section["guide/resonances.scrbl"]
+@include-section["guide/geometry.scrbl"]
+@include-section["guide/geometry-stories.scrbl"]
 @include-section["guide/geometry-motion.scrbl"]
 @include-section["guide/exercises.scrbl"]
 @include-section["guide/formulas.scrbl"]

@@ -4,7 +4,8 @@
 ;;
 ;; Entries are found by reading the manual's source, without running it.
 
-(require (for-label mechanics mechanics/animate mechanics/answers mechanics/book mechanics/pict
+(require (for-label mechanics mechanics/animate mechanics/answers mechanics/book mechanics/geometry
+                    mechanics/pict
                     mechanics/plot mechanics/rackunit mechanics/scmutils
                     (except-in mechanics/worksheet #%module-begin))
          racket/file
@@ -129,7 +130,8 @@ end
 (define forms (manual-forms))
 (define documented (remove-duplicates (append-map documented-names forms)))
 
-(for ([module-path '(mechanics mechanics/animate mechanics/answers mechanics/book mechanics/pict
+(for ([module-path '(mechanics mechanics/animate mechanics/answers mechanics/book mechanics/geometry
+                      mechanics/pict
                      mechanics/plot mechanics/rackunit mechanics/scmutils mechanics/worksheet)])
   (test-case (format "every name that ~a exports is documented" module-path)
     (check-equal? (in-order (remove* documented (own-names module-path))) '())))

@@ -157,7 +157,7 @@
   "metric->Cartan: these live on different manifolds, R2 and R3\n  given: (g d/dx)"]
  [((Christoffel->symbols (metric->Christoffel-2 (make-metric degenerate) basis)) m)
   "metric: this metric is degenerate: its determinant is 0\n"
-  "  given: (with-argument-types degenerate (quote (vector vector)))"]
+  "  given: (make-metric degenerate)"]
  [((raise g basis) v) "raise: expected a 1-form\n  given: v, a vector field"]
  [((lower g) w) "lower: expected a vector field\n  given: w, a 1-form"]
  [(curl g basis)
