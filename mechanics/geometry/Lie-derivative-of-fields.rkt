@@ -7,7 +7,8 @@
 ;;
 ;; That of a vector field is the bracket, [X, Y] = X Y − Y X as operators on functions.
 
-(require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt" "manifold-chart.rkt"
+(require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt"
+         "manifold-chart.rkt"
          "manifold-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"

@@ -7,7 +7,8 @@
 ;;
 ;;     Γᵃ_bk = Σᵢ eᵢᵃ (∂ₖ ẽⁱ_b + Σⱼ ωⁱⱼ(∂ₖ) ẽʲ_b).
 
-(require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt" "manifold-chart.rkt"
+(require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt"
+         "manifold-chart.rkt"
          "manifold-function.rkt"
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"

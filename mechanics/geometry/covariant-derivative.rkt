@@ -73,8 +73,9 @@
                          (place-coordinates p)))
   (define turning                         ; [a, b]: Σ Γᵃ_bk vᵏ
     (build-components n 2 (lambda (ab)
-                            (sum-of-products n (lambda (k) (vector-ref direction k))
-                                             (lambda (k) (component Gamma n (append ab (list k))))))))
+                            (sum-of-products
+                             n (lambda (k) (vector-ref direction k))
+                             (lambda (k) (component Gamma n (append ab (list k))))))))
   (define Ts (components-over T over C))
   (for/fold ([sum rates]) ([type (in-list (field-types T))] [i (in-naturals)])
     (define (turn a b) (component turning n (list a b)))

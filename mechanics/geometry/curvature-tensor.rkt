@@ -89,9 +89,11 @@
                 (define size (quotient (vector-length Ts) n))
                 (for/vector #:length n ([a (in-range n)])
                   (define row
-                    (for/vector #:length size ([i (in-range size)]) (vector-ref Ts (+ (* a size) i))))
-                  (vector-ref (for/fold ([rest row]) ([v (in-list given)]) (contract-first rest n v))
-                              0)))
+                    (for/vector #:length size ([i (in-range size)])
+                      (vector-ref Ts (+ (* a size) i))))
+                  (define left
+                    (for/fold ([rest row]) ([v (in-list given)]) (contract-first rest n v)))
+                  (vector-ref left 0)))
               (lambda () datum)
               #:over over))
 

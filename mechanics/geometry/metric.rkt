@@ -7,8 +7,8 @@
 
 (require (only-in racket/vector vector-append)
          "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "connection.rkt"
-         "tensor-field.rkt" "manifold-chart.rkt" "manifold-function.rkt" "maps-between-manifolds.rkt"
-         "standard-manifolds.rkt"
+         "tensor-field.rkt" "manifold-chart.rkt" "manifold-function.rkt"
+         "maps-between-manifolds.rkt" "standard-manifolds.rkt"
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
@@ -122,7 +122,8 @@
 (define (inverse-metric-components g C)
   (inverse-of-matrix (components-in g C) (coordinate-system-dimension C)
                      (lambda ()
-                       (complain 'metric "this metric is degenerate: its determinant is 0\n  given: ~a"
+                       (complain 'metric "~a\n  given: ~a"
+                                 "this metric is degenerate: its determinant is 0"
                                  (value->text g)))))
 
 ;; A tensor of two 1-forms

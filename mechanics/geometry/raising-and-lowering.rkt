@@ -2,7 +2,8 @@
 ;; Indices up and down: vectors as 1-forms and back, by a metric; contractions and traces.
 
 (require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt"
-         "manifold-chart.rkt" "manifold-function.rkt" "metric.rkt" "connection.rkt" "covariant-derivative.rkt" "curvature-tensor.rkt"
+         "manifold-chart.rkt" "manifold-function.rkt" "metric.rkt" "connection.rkt"
+         "covariant-derivative.rkt" "curvature-tensor.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt")
@@ -50,7 +51,8 @@
 (define ((moving who positions from to) metric [basis #f])
   (define g (as-metric who metric basis))
   (lambda (T)
-    (for/fold ([T (as-tensor who T from)]) ([p (in-list positions)]) (with-index-moved who g T p to))))
+    (for/fold ([T (as-tensor who T from)]) ([p (in-list positions)])
+      (with-index-moved who g T p to))))
 
 (define drop1 (moving 'drop1 '(0) '(1form vector) 'vector))
 (define drop2 (moving 'drop2 '(0 1) '(1form 1form) 'vector))

@@ -188,5 +188,5 @@
 (define-manifold S3 (S^n 3)
   [S3-spherical spherical north-pole] [S3-tilted spherical tilted]
   [S3-stereographic stereographic north-pole])
-(define-manifold SO3 (SO3-type 3) 
+(define-manifold SO3 (SO3-type 3)
   [Euler-angles Euler Euler-patch] [alternate-angles alternate alternate-patch])

@@ -14,8 +14,8 @@
          "manifold-point.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
-         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/scalar.rkt" "../generic/up-down.rkt"
-         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
+         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/scalar.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../value/operator.rkt" "../value/shape.rkt")
 
 (require-on-demand ["field-notation.rkt" field-notation])
@@ -180,8 +180,10 @@
                        (if (= (length types) 1) "1 field" (format "~a fields" (length types)))
                        types (length arguments)))
   (for ([a (in-list arguments)] [type (in-list types)] [i (in-naturals 1)])
-    (define right? (if (eq? type 'vector) (vector-field? a) (and (field? a)
-                                                                  (equal? (field-types a) '(vector)))))
+    (define right?
+      (if (eq? type 'vector)
+          (vector-field? a)
+          (and (field? a) (equal? (field-types a) '(vector)))))
     (unless right?
       (complain (value->text T) "argument ~a: expected ~a\n  given: ~a" i
                 (if (eq? type 'vector) "a vector field" "a 1-form")
@@ -223,7 +225,8 @@
 (define (of-fields op a b)
   (case (generic-op-name op)
     [(+ -) (cond [(eqv? b 0) a]
-                 [(and (eqv? a 0) (field? b)) (if (eq? (generic-op-name op) '+) b (multiple op -1 b))]
+                 [(and (eqv? a 0) (field? b))
+                  (if (eq? (generic-op-name op) '+) b (multiple op -1 b))]
                  [(and (field? a) (field? b)) (sum op a b)]
                  [else (with-operators op a b)])]
     [(*) (cond [(and (field? a) (field? b)) (product op a b)]

@@ -63,7 +63,8 @@
            #\newline " " #\tab " "
            #\− "\\ensuremath{-}" #\∞ "\\ensuremath{\\infty}" #\… "\\dots{}"
            #\≤ "\\ensuremath{\\le}" #\≥ "\\ensuremath{\\ge}" #\· "\\ensuremath{\\cdot}"
-           #\∇ "\\ensuremath{\\nabla}" #\£ "\\pounds{}" #\∂ "\\ensuremath{\\partial}" #\→ "\\ensuremath{\\to}"
+           #\∇ "\\ensuremath{\\nabla}" #\£ "\\pounds{}"
+           #\∂ "\\ensuremath{\\partial}" #\→ "\\ensuremath{\\to}"
            #\ℝ "\\ensuremath{\\mathbf{R}}" #\× "\\ensuremath{\\times}"
            #\² "\\ensuremath{^2}" #\³ "\\ensuremath{^3}"))
 

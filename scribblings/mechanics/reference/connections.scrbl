@@ -96,7 +96,8 @@ the connection itself, since fields know the map that they are over.
 (Cartan->basis polar)
 (define general (literal-Christoffel-2 'G R2-rect))
 (verify-equal (torsion (covariant-derivative (symmetrize-Cartan (literal-Cartan 'G R2-rect)))) 0)
-((ref (Christoffel->symbols (symmetrize-Christoffel general)) 0 1) ((point R2-rect) (up 'a 'b)))
+((ref (Christoffel->symbols (symmetrize-Christoffel general)) 0 1)
+ ((point R2-rect) (up 'a 'b)))
 (Cartan? (Cartan->Cartan-over-map polar (literal-manifold-map 'q R1-rect R2-rect)))]}
 
 @section[#:tag "covariant-derivatives"]{Covariant derivatives}
@@ -110,7 +111,8 @@ of a field over a map.
 
 @examples[#:eval session
 ((((nabla d/dphi) d/dphi) (chart S2-spherical)) m)
-(verify-equal (((covariant-derivative sphere) d/dphi) d/dphi) (* -1 (sin colat) (cos colat) d/dcolat))
+(verify-equal (((covariant-derivative sphere) d/dphi) d/dphi)
+              (* -1 (sin colat) (cos colat) d/dcolat))
 (verify-equal ((nabla d/dphi) S2-metric) 0)
 (Cartan? (covariant-derivative->Cartan nabla))]}
 
@@ -232,7 +234,8 @@ tensor less half of that times the metric.
               @defproc[((flat [metric any/c]) [v vector-field?]) form-field?]
               @defproc[((raise [metric any/c] [basis basis? #f]) [w form-field?]) vector-field?]
               @defproc[((sharp [metric any/c] [basis basis? #f]) [w form-field?]) vector-field?]
-              @defproc[((sharpen [metric any/c] [basis basis? #f]) [w form-field?]) vector-field?])]{
+              @defproc[((sharpen [metric any/c] [basis basis? #f]) [w form-field?])
+                       vector-field?])]{
 
 A vector field as the 1-form that takes the inner product with it, and back; each has other names.
 @racket[raise] of anything but a metric is Racket's, and raises an exception.
@@ -312,7 +315,8 @@ The operators of vector calculus in any coordinates; the curl in three dimension
  ((point R3-rect) (up 'a 'b 'c)))]}
 
 @deftogether[(@defproc[(Grad [f procedure?]) procedure?] @defproc[(Div [F procedure?]) procedure?]
-              @defproc[(Curl [F procedure?]) procedure?] @defproc[(Lap [f procedure?]) procedure?])]{
+              @defproc[(Curl [F procedure?]) procedure?]
+              @defproc[(Lap [f procedure?]) procedure?])]{
 
 The same of functions of rectangular coordinates, an @racket[up] tuple, which know no manifold.
 
@@ -336,7 +340,8 @@ geodesics.
 ((metric->Lagrangian S2-metric S2-spherical) (up 't (up 'theta 'phi) (up 'u 'v)))
 ((geodesic-state-derivative S2-metric S2-spherical) (up 't (up 'theta 'phi) (up 'u 'v)))]}
 
-@deftogether[(@defproc[(evolve-on [L procedure?] [chart coordinate-system?] [state value] [end real?]
+@deftogether[(@defproc[(evolve-on [L procedure?] [chart coordinate-system?]
+                        [state value] [end real?]
                         [#:events events any/c '()] [#:charts charts any/c #f]
                         [#:tolerance tolerance real? 1e-10] [#:method method any/c #f]
                         [#:longest-step longest real? +inf.0]) trajectory?]

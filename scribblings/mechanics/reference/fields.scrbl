@@ -221,8 +221,8 @@ The form with the vector field for its first argument: a form of a rank less, or
 
 @section[#:tag "integrals-of-forms"]{Integrals}
 
-@deftogether[(@defproc[(integrate-form [form any/c] [map procedure?] [range (list/c real? real?)] ...)
-                       real?]
+@deftogether[(@defproc[(integrate-form [form any/c] [map procedure?]
+                                       [range (list/c real? real?)] ...) real?]
               @defproc[(integrate-over-boundary [form any/c] [map procedure?]
                                                 [range (list/c real? real?)] ...) real?]
               @defproc[(verify-Stokes [form any/c] [map procedure?]) verdict?])]{

@@ -36,7 +36,8 @@ in the plane; (r, θ, z) around the axis of z; and (r, θ, φ) with the colatitu
 ((chart R3-cyl) ((point R3-rect) (up 1 1 5)))
 ((chart R3-rect) ((point R3-spherical) (up 'r 'theta 'phi)))
 ((chart R4-rect) ((point R4-cyl) (up 'r 'theta 'z 'w)))
-(list R1 R2 R3 R4 (coordinate-system-dimension R1-rect) (coordinate-system-dimension the-real-line))]}
+(list R1 R2 R3 R4)
+(map coordinate-system-dimension (list R1-rect the-real-line R2-rect))]}
 
 @deftogether[(@defthing[S1 manifold?] @defthing[S1-circular coordinate-system?]
               @defthing[S1-tilted coordinate-system?]

@@ -118,7 +118,7 @@
   (check-identity ((nabla X) g) 0)
   (check-identity (torsion nabla) 0))
 
-(for-charts "literal metrics: kept, Bianchi's first identity, symmetries of curvature" (C (at-most 2))
+(for-charts "literal metrics: kept, Bianchi's first identity, symmetric curvature" (C (at-most 2))
   (define g (literal-metric 'g C))
   (define nabla (covariant-derivative (metric->Cartan g (coordinate-system->basis C))))
   (define-values (X Y Z W) (vectors C 'X 'Y 'Z 'W))

@@ -19,7 +19,8 @@
                               (list (* 0.5 (fl-sin x)) (+ 1.0 (* y y x)))))
           (make-metric
            (lambda (u v)
-             (+ (* (+ 2 (* x y)) (dx u) (dx v)) (* 1/2 (g-sin x) (+ (* (dx u) (dy v)) (* (dy u) (dx v))))
+             (+ (* (+ 2 (* x y)) (dx u) (dx v))
+                (* 1/2 (g-sin x) (+ (* (dx u) (dy v)) (* (dy u) (dx v))))
                 (* (+ 1 (* y y x)) (dy u) (dy v)))))))
 
 (define sphere

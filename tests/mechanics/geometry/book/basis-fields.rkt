@@ -115,7 +115,8 @@
   (define-values (b c) (values (coefficients 'b) (coefficients 'c)))
   (define (combined fs) (apply + (map * fs basis)))
   (define-values (u v) (values (combined b) (combined c)))
-  (define (structure-constant j i k) ((ref dual k) (commutator (list-ref basis j) (list-ref basis i))))
+  (define (structure-constant j i k)
+    ((ref dual k) (commutator (list-ref basis j) (list-ref basis i))))
   (define by-formula
     (combined
      (for/list ([k (in-range 3)])
@@ -123,3 +124,12 @@
               (for*/list ([i (in-range 3)] [j (in-range 3)])
                 (* (list-ref c i) (list-ref b j) (structure-constant j i k)))))))
   (check-identity (commutator u v) by-formula))
+
+(test-case "exercise 4.3: generators of rotations of space and of SO(3) commute alike"
+  (define-coordinates (up x y z) R3-rect)
+  (define J (list (- (* y d/dz) (* z d/dy)) (- (* z d/dx) (* x d/dz)) (- (* x d/dy) (* y d/dx))))
+  (define e (list e_x e_y e_z))
+  (for ([fields (list J e)])
+    (for ([i '(0 1 2)] [j '(1 2 0)] [k '(2 0 1)])
+      (check-identity (commutator (list-ref fields i) (list-ref fields j))
+                      (- (list-ref fields k))))))

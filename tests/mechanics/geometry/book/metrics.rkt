@@ -102,6 +102,25 @@
   (check-identity ((trace2down metric basis) (Ricci nabla basis)) (/ 2 (square 'r)))
   (check-identity (scalar-curvature metric basis) (/ 2 (square 'r))))
 
+;; ---------------------------------------------------------------------------
+
+(test-case "exercise 9.2: steady rotations are geodesics of SO(3)"
+  (define-coordinates (up theta phi psi) Euler-angles)
+  (define e_x (+ (* (cos phi) d/dtheta) (* -1 (/ (* (sin phi) (cos theta)) (sin theta)) d/dphi)
+                 (* (/ (sin phi) (sin theta)) d/dpsi)))
+  (define e_y (+ (* (sin phi) d/dtheta) (* (/ (* (cos phi) (cos theta)) (sin theta)) d/dphi)
+                 (* -1 (/ (cos phi) (sin theta)) d/dpsi)))
+  (define e_z d/dphi)
+  (define dual (structure->list (vector-basis->dual (down e_x e_y e_z) Euler-angles)))
+  (define (metric u v) (apply + (for/list ([w dual]) (* (w u) (w v)))))
+  (define nabla
+    (covariant-derivative (metric->Cartan metric (coordinate-system->basis Euler-angles))))
+  (define axis (+ (* 'a e_x) (* 'b e_y) (* 'c e_z)))
+  (check-identity ((nabla axis) axis) 0)
+  (check-pred refuted? (verify-equal ((nabla e_x) e_y) 0)))
+
+;; ---------------------------------------------------------------------------
+
 (define-coordinates (up t x y z) spacetime-rect)
 (define spacetime-rect-basis (coordinate-system->basis spacetime-rect))
 (define V (literal-function 'V '(-> (UP Real Real Real) Real)))
@@ -124,7 +143,8 @@
   (define residual
     ((((geodesic-equation R1-rect spacetime-rect Cartan) path) (chart spacetime-rect))
      ((point R1-rect) 't)))
-  (define place (up ((literal-function 'x) 't) ((literal-function 'y) 't) ((literal-function 'z) 't)))
+  (define place
+    (up ((literal-function 'x) 't) ((literal-function 'y) 't) ((literal-function 'z) 't)))
   ;; The forces are −∇V at once; the first equation keeps c² from the others.
   (for ([i '(0 1 2)] [name '(x y z)])
     (check-identity (ref residual (+ i 1))
@@ -176,6 +196,30 @@
     (check-identity (ref (residual 'omega) 1)
                     (* (- (square 'omega) (/ (* 'G 'M) (cube 'r)))
                        (- (/ (* 2 'G 'M) (square 'c)) 'r))))
+
+  (test-case "exercise 9.8: circular orbits are stable beyond 6 GM/c²"
+    (define (disturbed epsilon X)
+      (define (with k f) (lambda (s) (+ (f s) (* epsilon (ref X k) (exp (* 'lambda s))))))
+      (compose (point spacetime-sphere)
+               (lambda (s)
+                 (up ((with 0 values) s) ((with 1 (lambda (s) 'r)) s)
+                     ((with 2 (lambda (s) (* (sqrt (/ (* 'G 'M) (cube 'r))) s))) s) 0))
+               (chart R1-rect)))
+    (define (residual epsilon X)
+      (define full
+        ((((geodesic-equation R1-rect spacetime-sphere Cartan) (disturbed epsilon X))
+          (chart spacetime-sphere))
+         ((point R1-rect) 0)))
+      (up (ref full 0) (ref full 1) (ref full 2)))
+    (define M (((* (partial 1) (partial 0)) residual) 0 (up 0 0 0)))
+    (define determinant-of-rates
+      (determinant (apply matrix-by-rows
+                          (for/list ([i '(0 1 2)]) (for/list ([j '(0 1 2)]) (ref M j i))))))
+    ;; λ⁴ (λ² + GM (r − 6 GM/c²)/r⁴), up to a factor: the square of a frequency beyond
+    (define square-of-rate (/ (* 'G 'M (- (/ (* 6 'G 'M) (square 'c)) 'r)) (expt 'r 4)))
+    (define root (sqrt square-of-rate))
+    (check-identity (substitute determinant-of-rates 'lambda root) 0)
+    (check-pred refuted? (verify-equal determinant-of-rates 0)))
 
   (test-case "exercises 9.9, 9.10: Friedmann's universe, its matter and what that conserves"
     (define (FLRW-metric c k R)

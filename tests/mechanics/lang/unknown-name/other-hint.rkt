@@ -15,7 +15,8 @@
 
 (define no-list
   "a tuple is no list: (ref s 0) is a component, (structure->list s) a list of them")
-(define libraries "the libraries are mechanics, mechanics/plot, mechanics/book and mechanics/geometry")
+(define libraries
+  "the libraries are mechanics, mechanics/plot, mechanics/book and mechanics/geometry")
 
 (test-case "forms"
   (check-equal? (last-lines "(up 1,2)" "(let (x 3) (* x 2))" "(let* (x 3) x)"
