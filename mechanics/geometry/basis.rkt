@@ -3,12 +3,10 @@
 
 (require "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt" "manifold-chart.rkt"
          "manifold-function.rkt" "manifold-point.rkt"
-         "../calculus/literal-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
-         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
-         "../value/shape.rkt")
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt")
 
 (provide (struct-out basis-of) make-basis basis?
          basis->vector-basis basis->1form-basis basis->dimension basis->coordinate-system

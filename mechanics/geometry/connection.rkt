@@ -10,7 +10,6 @@
 (require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt"
          "manifold-chart.rkt"
          "manifold-function.rkt"
-         "../calculus/literal-function.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../generic/printed-function.rkt" "../generic/value-struct.rkt"

@@ -11,7 +11,7 @@
 
 (require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "connection.rkt" "tensor-field.rkt"
          "manifold-chart.rkt"
-         "manifold-function.rkt" "maps-between-manifolds.rkt" "manifold-point.rkt"
+         "maps-between-manifolds.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"

@@ -10,7 +10,6 @@
 
 (require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "connection.rkt"
          "covariant-derivative.rkt" "tensor-field.rkt" "manifold-chart.rkt" "manifold-function.rkt"
-         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt")
 

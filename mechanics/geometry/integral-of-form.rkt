@@ -13,7 +13,7 @@
          "chart-calculus.rkt" "standard-manifolds.rkt"
          "../compile/definite-integral.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 

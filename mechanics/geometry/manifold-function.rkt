@@ -6,10 +6,9 @@
 ;; home chart are those that a verdict on it speaks of.
 
 (require "chart-calculus.rkt" "manifold-chart.rkt" "manifold-point.rkt"
-         "../algebra/expression/expression.rkt"
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
+         "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"

@@ -7,9 +7,8 @@
 (require "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt" "basis.rkt"
          "manifold-chart.rkt"
          "manifold-function.rkt" "manifold-point.rkt"
-         "../calculus/literal-function.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
+         "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../value/compose.rkt")
 

@@ -9,9 +9,8 @@
          "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "connection.rkt"
          "tensor-field.rkt" "manifold-chart.rkt" "manifold-function.rkt"
          "maps-between-manifolds.rkt" "standard-manifolds.rkt"
-         "../calculus/literal-function.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
          (only-in "../value/matrix/matrix.rkt" matrix? matrix-rows))

@@ -2,7 +2,7 @@
 ;; Indices up and down: vectors as 1-forms and back, by a metric; contractions and traces.
 
 (require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt"
-         "manifold-chart.rkt" "manifold-function.rkt" "metric.rkt" "connection.rkt"
+         "manifold-chart.rkt" "manifold-function.rkt" "metric.rkt"
          "covariant-derivative.rkt" "curvature-tensor.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"

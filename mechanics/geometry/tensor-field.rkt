@@ -15,7 +15,7 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/scalar.rkt"
-         "../generic/up-down.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
+         "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/operator.rkt" "../value/shape.rkt")
 
 (require-on-demand ["field-notation.rkt" field-notation])

@@ -168,7 +168,7 @@
       (for/list ([a (in-list arguments)] [t (in-list temporaries)] #:when t)
         #`[(#,t) #,(without-name a)]))
     (cond [(null? bindings) call]
-          [(or (syntax-transforming-module-expression?) (identifier-binding f))
+          [(identifier-binding f)
            #`(let-values #,bindings #,call)]
           [else #`(let-values () #,f (let-values #,bindings #,call))]))
 

@@ -155,7 +155,10 @@
    (string-append "example:2:11: frame: unbound identifier; (require mechanics/plot) defines it; "
                   "as a symbol it is written 'frame\n  in: frame"))
   (check-regexp-match #rx"[(]require mechanics/book[)] defines it; "
-                      (syntax-message "#lang mechanics" "(LR3B 1 2 3 4)")))
+                      (syntax-message "#lang mechanics" "(LR3B 1 2 3 4)"))
+  ;; the operator before its arguments, which nothing defines either
+  (check-regexp-match #rx"^example:2:1: define-coordinates: .*[(]require mechanics/geometry[)]"
+                      (syntax-message "#lang mechanics" "(define-coordinates (up x y) R2-rect)")))
 
 (test-case "names may be defined further down, in modules, submodules and bodies"
   (check-equal? (run-module "#lang mechanics"

@@ -2,7 +2,7 @@
 ;; The charts that have names, by manifold, each with a box of coordinates in which charts of the
 ;; manifold are regular.
 
-(require mechanics/geometry mechanics/generic/up-down "random.rkt")
+(require mechanics/geometry mechanics/generic/up-down)
 
 (provide standard-charts         ; list of lists (chart (low high) ...), one list for each manifold
          random-coordinates      ; entry -> tuple, or a number

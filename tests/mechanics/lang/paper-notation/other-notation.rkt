@@ -45,6 +45,9 @@
   (check-suggestion 'frame "(require mechanics/plot) defines it")
   (check-suggestion 'string-split "(require (only-in racket/string string-split)) defines it")
   (check-suggestion 'flatten "(require (only-in racket/list flatten)) defines it")
+  (check-suggestion 'wedge "(require mechanics/geometry) defines it")
+  (check-suggestion 'R2-rect "(require mechanics/geometry) defines it")
+  (check-suggestion 'define-coordinates "(require mechanics/geometry) defines it")
   (check-suggestion 'e #f)
   (check-suggestion 'range "numbers in a row are (in-range 10), or as a list (iota 10)")
   (check-suggestion 'first
