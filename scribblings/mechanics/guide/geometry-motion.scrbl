@@ -69,7 +69,7 @@ With the numbers of the Sun (GM/c² = 1.476625 km), of Mercury (a = 57,909,050 k
 a century and 1.7512 seconds of arc; with those of Gravity Probe B, 7027.4 km from the centre of the
 Earth, 6.6 seconds of arc in a year.
 
-@section{Rotations}
+@section{Rotations through the vertical}
 
 Euler's angles are coordinates of the group of rotations but for θ = 0 and θ = π.
 There another set is taken, about other axes, and a body turns through these places as through any
