@@ -6,7 +6,7 @@
 ;; them by substitution.
 
 (require racket/list
-         "../../algebra/expression/flat-graph.rkt" "../Lie/Lie-derivative.rkt"
+         "../../algebra/expression/flat-graph.rkt"
          "homological.rkt" "Poisson-series.rkt" "symbols-for-decimals.rkt"
          "../../calculus/expression-function.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"

@@ -19,8 +19,8 @@
 (provide most-unrolled system-room solution-place entry-place
          write-elimination! definite-solution write-margin-tests! write-Cholesky!)
 
-;; Up to here symmetric systems are solved without loops, which takes three quarters of the time with
-;; them; but the code grows as n³, and so does the time to write it.
+;; Up to here symmetric systems are solved without loops, which takes three quarters of the time
+;; with them; but the code grows as n³, and so does the time to write it.
 (define most-unrolled 16)
 
 ;; How many flonums the room of an instruction takes.

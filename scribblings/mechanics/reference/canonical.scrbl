@@ -798,7 +798,8 @@ J. Williamson 1936; A. Deprit and A. Deprit-Bartholomé 1967.}
               @defproc[(quadratic-normal-form-distance [f quadratic-normal-form?])
                        (or/c real? #f)])]{
 
-What @racket[symplectic-normal-form] found. The parts are: whether a form was found; its blocks, @racket['(elliptic ω)], @racket['(hyperbolic λ)],
+What @racket[symplectic-normal-form] found. The parts are: whether a form was found; its blocks,
+@racket['(elliptic ω)], @racket['(hyperbolic λ)],
 @racket['(complex α β)] or @racket['(zero)]; the frequency of each coordinate, imaginary for a
 saddle, or those that are in question; the matrix by which old coordinates and momenta are made of
 new ones; and, where none was found, the distance from terms that are not semisimple. What

@@ -6,7 +6,6 @@
 ;; or `max` left out.  What is quoted, required or provided stays as it is.
 
 (require racket/list
-         racket/port
          syntax/modread)
 
 (provide mutations-of mutated-text (struct-out mutation))
@@ -83,9 +82,10 @@
 
 ;; Two names beside each other, in a call
 (define (exchanged-arguments head arguments make source)
-  (define binding '(define lambda let let* letrec λ for for/list for/vector for/fold case-lambda set!
-                     define-values let-values parameterize match case cond struct-copy + * g:+ g:*
-                     and or eq? eqv? equal? list = fl+ fl* max min))
+  (define binding
+    '(define lambda let let* letrec λ for for/list for/vector for/fold case-lambda set!
+      define-values let-values parameterize match case cond struct-copy + * g:+ g:*
+      and or eq? eqv? equal? list = fl+ fl* max min))
   (if (or (not (symbol? head)) (memq head binding))
       '()
       (for/list ([a (in-list arguments)]

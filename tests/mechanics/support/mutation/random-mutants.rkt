@@ -1,11 +1,13 @@
 #lang racket/base
-;; Do the tests notice random mutants?  racket random-mutants.rkt [--room ROOM] [--count N] [--seed S] [--jobs J]
+;; Do the tests notice random mutants?
+;;
+;;     racket random-mutants.rkt [--room ROOM] [--count N] [--seed S] [--jobs J]
 ;;
 ;; Draws mutants from a room's files, or N from each room's, and runs on each the tests that loaded
 ;; its file in the last run of `make test`, those of its room first, until one fails.  What is known
 ;; of a mutant is kept in build/mutants.rktd and not asked again while its file is as it was; a
-;; break loses nothing.  Mutants that change no behaviour are listed in equivalent-mutants.rktd, each with
-;; the reason: (file "the line as it was" "the line as it is" "reason").
+;; break loses nothing.  Mutants that change no behaviour are listed in equivalent-mutants.rktd:
+;; (file "the line as it was" "the line as it is" "reason").
 
 (require file/sha1
          racket/cmdline
