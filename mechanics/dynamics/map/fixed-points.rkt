@@ -18,7 +18,7 @@
          "../../numeric/linear-algebra/flonum-systems.rkt"
          "../../numeric/linear-algebra/general-eigenvalues.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
-         "../../numeric/optimization/newton.rkt")
+         "../../numeric/optimization/trust-region.rkt")
 
 (provide find-fixed-point fixed-point?
          ;; for those who look for many, or go on from one
@@ -57,15 +57,16 @@
     (fixed-point-of who map (make-map-on-tuples who map guess period) tolerance limit))
   p)
 
-;; Newton's method for the displacement, the derivatives being exact where the map can be
+;; A trust region for the displacement, the derivatives being exact where the map can be
 ;; differentiated, as those made of motions can.
 ;; -> the fixed point of m, an iterate of the map, and its coordinates as an flvector
 (define (fixed-point-of who map m tolerance [limit 100])
   (define (less-unit rows) (rows-combine - rows (unit-rows (vector-length rows) 1.0 0.0)))
   (define (search)
-    (newton (lambda (z) (displacement m z)) (lambda (z) (less-unit (slopes-of-image m z)))
-            (map-on-tuples-start m)
-            #:tolerance tolerance #:limit limit #:argument (map-on-tuples-point m) #:name who))
+    (trust-region (lambda (z) (displacement m z)) (lambda (z) (less-unit (slopes-of-image m z)))
+                  (map-on-tuples-start m)
+                  #:tolerance tolerance #:limit limit
+                  #:argument (map-on-tuples-point m) #:name who))
   (define-values (z error)
     (if (of-section? map) (call-for-section who search) (search)))
   (define M (slopes-of-image m z))

@@ -1,46 +1,125 @@
 #lang racket/base
-;; Periodic points of a map of the plane in a rectangle: those that Newton's method leads to from
-;; the nodes of a grid.  What converges slowly, or to outside, is left out; so a finer grid may
-;; find more.
+;; Periodic points of a map of the plane in a rectangle.
+;;
+;; They are looked for from the nodes of a grid where the displacement |M(x) − x| is less than at
+;; the nodes around, then on a grid twice as fine, until nothing new comes.
+;;
+;; How often the displacement turns round while x goes once round the rectangle is the sum of the
+;; indices of the points within: the sign of det(DM − 1), which is +1 of an elliptic point and −1
+;; of a hyperbolic one.  So a lone point that is missing is noticed; a pair that arose together is
+;; not, for the indices of its points cancel.
 
-(require "fixed-points.rkt" "map-of-the-plane.rkt" "plane-points.rkt"
-         "../../error/failure.rkt" "../../error/refusal.rkt"
+(require racket/flonum
+         racket/list
+         "displacement-index.rkt" "fixed-points.rkt" "map-of-the-plane.rkt" "map-on-tuples.rkt"
+         "plane-points.rkt"
+         "../../error/failure.rkt" "../../error/note.rkt" "../../error/refusal.rkt"
          "../../generic/compare.rkt" "../../generic/define-plain.rkt"
          "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
-         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt")
+         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt" "../../numeric/flvector.rkt")
 
 (provide periodic-points)
+
+;; A rectangle of the plane
+(struct area (x-min x-max y-min y-max))
 
 ;; region : (list x-min x-max y-min y-max); -> fixed points of period n and no lesser one
 (define-plain (periodic-points map n region #:grid [grid '(20 20)])
   (define who 'periodic-points)
   (check-map who map n region)
   (check-argument who exact-positive-integer? n "a period, a positive integer")
-  (define-values (x-min x-max y-min y-max) (checked-region who region))
+  (define a (call-with-values (lambda () (checked-region who region)) area))
   (check-grid who grid)
-  (define near
-    (for*/list ([i (in-range (car grid))] [j (in-range (cadr grid))])
-      (point-near who map n (up (part-middle x-min x-max i (car grid))
-                                (part-middle y-min y-max j (cadr grid))))))
-  (check-some-map near)
-  (define all
-    (for/fold ([found '()]) ([p (in-list near)])
-      (if (and (fixed-point? p) (inside? p x-min x-max y-min y-max)
-               (not (member p found same-point?))
-               (not (lesser-period? map p n)))
-          (cons p found)
-          found)))
-  (sort all before?))
+  (define m (map-at-some-node who map n a grid))
+  (define index (index-round m (area-x-min a) (area-x-max a) (area-y-min a) (area-y-max a)))
+  (define-values (all smooth?) (points-on-grids who map m n a grid index))
+  (define missing (if smooth? (missing-index index all a) 0))
+  (unless (eqv? 0 missing)
+    (note-once
+     (format (string-append "periodic-points: a point of index ~a is missing, as the displacement "
+                            "turns round the rectangle; a finer #:grid may find it")
+             missing)))
+  (sort (filter (lambda (p) (not (lesser-period? map p n))) all) before?))
 
-;; -> a fixed point, or the refusal of the map or of Newton's method
-(define (point-near who map n guess)
-  (with-handlers ([refusal? values])
-    (fixed-point-near who map guess n 1e-13 30)))
+;; The number of times that a grid is made twice as fine, where points are known to be missing.
+(define most-grids 4)
 
-;; A map that fails wherever one starts is at fault, not the starts.
-(define (check-some-map near)
-  (when (for/and ([p (in-list near)]) (and (exn:fail:contract? p) (not (no-value? p))))
-    (raise (car near))))
+;; -> the points, those of lesser periods among them, and whether the displacement is smooth
+(define (points-on-grids who map m n a grid index)
+  (let loop ([found '()] [grid grid] [left most-grids])
+    (define-values (starts smooth?) (low-nodes m a grid))
+    (define all (with-points-near who map n a starts found))
+    (define lacking? (and smooth? (not (eqv? 0 (missing-index index all a)))))
+    (define same? (= (length all) (length found)))
+    (if (or (eqv? left 1) (and same? (not lacking?) (< left most-grids)))
+        (values all smooth?)
+        (loop all (list (* 2 (car grid)) (* 2 (cadr grid))) (- left 1)))))
+
+(define (with-points-near who map n a starts found)
+  (for/fold ([found found]) ([guess (in-list starts)])
+    (define p
+      (with-handlers ([refusal? values]) (fixed-point-near who map guess n 1e-13 30)))
+    (if (and (fixed-point? p) (inside? p a) (not (member p found same-point?)))
+        (cons p found)
+        found)))
+
+;; ---------------------------------------------------------------------------
+;; Grids
+
+;; -> the x of the nodes, or the y
+(define (columns a grid)
+  (for/list ([i (in-range (car grid))]) (part-middle (area-x-min a) (area-x-max a) i (car grid))))
+(define (rows a grid)
+  (for/list ([j (in-range (cadr grid))]) (part-middle (area-y-min a) (area-y-max a) j (cadr grid))))
+
+;; The map as it is at the first node where it has an image.  A map that fails wherever one starts
+;; is at fault, not the starts.
+(define (map-at-some-node who map n a grid)
+  (define nodes (for*/list ([x (in-list (columns a grid))] [y (in-list (rows a grid))]) (up x y)))
+  (define (map-at node) (with-handlers ([refusal? values]) (make-map-on-tuples who map node n)))
+  (define first-try (map-at (car nodes)))
+  (define (fault? x) (and (exn:fail:contract? x) (not (no-value? x))))
+  (cond [(map-on-tuples? first-try) first-try]
+        [(for/or ([node (in-list (cdr nodes))])
+           (define m (map-at node))
+           (and (map-on-tuples? m) m))]
+        [else (raise first-try)]))
+
+;; -> the nodes where the displacement is no longer than at their eight neighbours, and whether it
+;; is smooth on the grid
+(define (low-nodes m a grid)
+  (define-values (xs ys) (values (columns a grid) (rows a grid)))
+  (define moves (for*/vector ([x (in-list xs)] [y (in-list ys)]) (displacement-at m x y)))
+  (define high (cadr grid))
+  (define lengths (for/vector ([d (in-vector moves)]) (if d (norm d) +inf.0)))
+  (define (length-at i j)
+    (if (and (< -1 i (car grid)) (< -1 j high)) (vector-ref lengths (+ (* i high) j)) +inf.0))
+  (define (low? i j)
+    (define l (length-at i j))
+    (and (fl< l +inf.0)
+         (for*/and ([k '(-1 0 1)] [h '(-1 0 1)]) (fl<= l (length-at (+ i k) (+ j h))))))
+  (values (for*/list ([(x i) (in-indexed xs)] [(y j) (in-indexed ys)] #:when (low? i j)) (up x y))
+          (for/and ([d (in-vector moves)]) (and d (smooth? m d)))))
+
+;; ---------------------------------------------------------------------------
+;; Points
+
+;; The sum of indices that is missing; 0 where it is not known
+(define (missing-index index all a)
+  (define (undecided? p)
+    (or (eq? (fixed-point-kind p) 'parabolic) (near-edge? (fixed-point-coordinates p) a)))
+  (if (or (not index) (ormap undecided? all))
+      0
+      (- index (for/sum ([p (in-list all)]) (index-of p)))))
+
+(define (index-of p)
+  (define product (apply * (map (lambda (l) (- l 1)) (fixed-point-multipliers p))))
+  (if (> (real-part product) 0) 1 -1))
+
+(define (near-edge? at a)
+  (define (close? z edge) (< (abs (- z edge)) (* 1e-6 (+ 1 (abs z)))))
+  (or (close? (abscissa at) (area-x-min a)) (close? (abscissa at) (area-x-max a))
+      (close? (ordinate at) (area-y-min a)) (close? (ordinate at) (area-y-max a))))
 
 ;; Orders points by abscissas, those with equal abscissas by ordinates.
 (define (before? p q)
@@ -49,12 +128,13 @@
       (and (<= (abs (- (abscissa a) (abscissa b))) 1e-9) (< (ordinate a) (ordinate b)))))
 
 ;; Points on an edge are inside; of two edges a turn apart, only the first counts.
-(define (inside? p x-min x-max y-min y-max)
+(define (inside? p a)
   (define at (fixed-point-coordinates p))
   (define (within? low z high)
     (define whole-turn? (>= (- high low) (- :2pi 1e-9)))
     (<= (- low 1e-9) z (if whole-turn? (- high 1e-9) (+ high 1e-9))))
-  (and (within? x-min (abscissa at) x-max) (within? y-min (ordinate at) y-max)))
+  (and (within? (area-x-min a) (abscissa at) (area-x-max a))
+       (within? (area-y-min a) (ordinate at) (area-y-max a))))
 
 (define (same-point? p q) (near? p (fixed-point-coordinates q)))
 

@@ -18,7 +18,9 @@
          "../linear-algebra/flonum-systems.rkt" "../linear-algebra/row-matrix.rkt"
          "../../error/failure.rkt")
 
-(provide newton difference-rows)
+(provide newton difference-rows
+         ;; for the method beside it
+         solution size no-inverse raise-no-step)
 
 (define least-part (expt 0.5 30))
 

@@ -139,8 +139,8 @@ one stream ends before that.
                            [#:tolerance tolerance real? 1e-13])
          fixed-point?]{
 
-The fixed point of a map, or a point of the given period, to which Newton's method leads from
-@racket[guess]: with its multipliers, its kind and, if it is elliptic, the angle by which neighbours
+The fixed point of a map, or a point of the given period, that a trust region (Powell's dogleg) finds
+near @racket[guess]: with its multipliers, its kind and, if it is elliptic, the angle by which neighbours
 turn about it in a period. A point that returns sooner is given its lesser period. The derivatives
 are exact.
 
@@ -160,7 +160,7 @@ changes the image only by whole turns.
                   (up 0 0.1 0.1))]
 
 A section of a system that keeps its energy has a curve of fixed points, one for each energy, on
-which Newton's method does not settle. Ask the map of the plane at one energy instead, such as
+which the search does not settle. Ask the map of the plane at one energy instead, such as
 @racket[HHmap].
 
 Kinds are @racket['elliptic] (multipliers on the unit circle), @racket['hyperbolic],
@@ -209,8 +209,11 @@ method or what the rounding of the image leaves, which is more at a multiple poi
          (listof fixed-point?)]{
 
 The points of period @racket[n], and of no lesser one, of a map of the plane in the rectangle
-@racket[(list x-min x-max y-min y-max)]: those that Newton's method leads to from the nodes of a
-grid, each once, from left to right. A finer grid may find more.
+@racket[(list x-min x-max y-min y-max)], each once, from left to right. They are looked for where the
+displacement is less than around, on the grid and on finer ones until nothing new comes. How often
+the displacement turns along the edge of the rectangle tells the number of elliptic points less that
+of hyperbolic ones; if that is another, a note says so. A pair of points that is missing is
+not noticed; a finer grid may find it.
 
 @examples[#:eval session
 (define two (periodic-points (standard-map 0.6) 2 (list 0 :2pi 0 :2pi)))

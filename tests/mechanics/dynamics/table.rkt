@@ -106,7 +106,8 @@
    (row-of periodic-points
            (for/fold ([most 0.0]) ([p (periodic-points T 2 (list 0 :2pi 0 :2pi))])
              (define at (fixed-point-coordinates p))
-             (max most (off ((iterated-map T 2) (ref at 0) (ref at 1) up void) at)))
+             (define image ((iterated-map T 2) (ref at 0) (ref at 1) up void))
+             (max most (off (map (principal-value :pi) (numbers (- image at))) '(0 0))))
            1e-11
            (periodic-points silent 1 (list 0 1 0 1))
            #rx"calls neither `return` nor `fail`")

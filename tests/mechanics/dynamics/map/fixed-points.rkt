@@ -4,6 +4,7 @@
 (require (only-in racket/flonum flvector)
          mechanics
          mechanics/book
+         (only-in mechanics/dynamics/map/displacement-index index-round)
          (only-in mechanics/dynamics/map/map-on-tuples make-map-on-tuples returns-after)
          "../../support/checks.rkt" "../../support/close.rkt" "../../support/messages.rkt")
 
@@ -74,6 +75,35 @@
   (define kinds (map fixed-point-kind five))
   (check-equal? (length (filter (lambda (k) (eq? k 'elliptic)) kinds)) 5)
   (check-equal? (length (filter (lambda (k) (eq? k 'hyperbolic)) kinds)) 5))
+
+;; Sitnikov's problem, by the eccentric anomaly E of the primaries, dt = (1 - e cos E) dE.  Beside
+;; the point the derivatives less 1 have a determinant of -0.05, and all but one start leads plain
+;; Newton steps astray.
+(test-case "a start that is near finds the near point, through a narrow curved valley"
+  (define (Sitnikov s)
+    (define rate (- 1 (* 0.07 (cos (ref s 0)))))
+    (define distance (sqrt (+ (square (/ rate 2)) (square (ref s 1)))))
+    (up 1 (* rate (ref s 2)) (/ (* -1 rate (ref s 1)) (cube distance))))
+  (define T (stroboscopic-map Sitnikov :2pi))
+  (for ([off '((1e-3 0) (-1e-3 0) (0 1e-3) (0 -1e-3) (1e-3 1e-3) (-1e-3 -1e-3))])
+    (define p (found T (up 0 (car off) (+ 1.589558038482 (cadr off)))))
+    (check-close (fixed-point-coordinates p) (up 0 0 1.589558038482) 1e-10)
+    (check-close (apply + (fixed-point-multipliers p)) 2.05003 5e-6)
+    (check-equal? (fixed-point-kind p) 'hyperbolic)))
+
+(test-case "the displacement turns round a rectangle as the points within it tell"
+  (define (index map n x-min x-max y-min y-max)
+    (index-round (make-map-on-tuples 'test map (up x-min y-min) n) x-min x-max y-min y-max))
+  (check-equal? (index (Henon-map 1.32) 1 -0.2 0.2 -0.2 0.2) 1)         ; a center
+  (check-equal? (index (Henon-map 1.32) 1 0.5 2 0.5 2) -1)          ; a saddle
+  (check-equal? (index (Henon-map 1.32) 1 -0.2 2 -0.2 2) 0)         ; both
+  (check-equal? (index (Henon-map 1.32) 5 -0.6 0.6 -0.6 0.6) 1)         ; 5 + 5 and a center
+  (check-equal? (index (Henon-map 1.32) 1 0.2 0.4 -0.4 -0.2) 0))
+
+(test-case "a grid that is too coarse is made finer while a point is missing"
+  (check-equal? (length (periodic-points (Henon-map 1.32) 5 '(-0.6 0.6 -0.6 0.6) #:grid '(5 5)))
+                10)
+  (check-equal? (length (periodic-points (standard-map 0.9) 5 (list 0 :2pi 0 :2pi))) 40))
 
 (test-case "a map that does not keep areas says so"
   (define (dissipative x y return fail) (return (+ 1 y (* -1.4 x x)) (* 0.3 x)))
