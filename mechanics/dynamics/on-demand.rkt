@@ -21,6 +21,12 @@
  ["invariant-curve/circle-breakup.rkt" invariant-circle-limit]
  ["map/rotation-number.rkt" rotation-number rotation? rotation-value rotation-error
                         rotation-regular? rotation-steps-needed]
+ ["continuation/equilibrium-branch.rkt" continue-equilibrium]
+ ["continuation/branch.rkt" branch? branch-parameters branch-states branch-periods branch-spectra
+                            branch-stabilities branch-special-points branch-end
+                            special-point? special-point-kind special-point-parameter
+                            special-point-state special-point-spectrum
+                            extend-branch switch-branch branch-so-far]
  ["Floquet.rkt" Floquet-multipliers]
  ["Lyapunov.rkt" Lyapunov-exponents maximal-Lyapunov-exponent Lyapunov? Lyapunov-values
                  Lyapunov-history Lyapunov-change]

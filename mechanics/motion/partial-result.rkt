@@ -18,7 +18,9 @@
 (define-syntax-rule (keeping-so-far give form)
   (let ([value (with-continuation-mark key give form)]) value))
 
-;; -> the partial result that an exception carries, or #f
-(define (so-far e)
-  (define give (continuation-mark-set-first (exn-continuation-marks e) key))
-  (and give (give)))
+;; -> the innermost partial result of that kind that an exception carries, or #f
+(define (so-far e [wanted? values])
+  (for*/first ([give (in-list (continuation-mark-set->list (exn-continuation-marks e) key))]
+               [result (in-value (give))]
+               #:when (wanted? result))
+    result))

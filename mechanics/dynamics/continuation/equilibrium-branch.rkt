@@ -1,0 +1,107 @@
+#lang racket/base
+;; Equilibria of a family of systems: where all rates vanish, as a parameter changes.
+
+(require racket/flonum
+         (only-in racket/list last range)
+         "branch.rkt" "curve-step.rkt"
+         "../map/period-check.rkt"
+         "../../calculus/derivative.rkt"
+         "../../error/complain.rkt" "../../error/failure.rkt"
+         "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/function.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         "../../motion/system/check.rkt"
+         "../../numeric/flvector.rkt"
+         "../../numeric/linear-algebra/general-eigenvalues.rkt"
+         "../../numeric/linear-algebra/row-matrix.rkt"
+         "../../numeric/optimization/trust-region.rkt"
+         "../../value/shape.rkt")
+
+(provide continue-equilibrium
+         ;; for other branches
+         check-family parameter-scale numbers-of with-unknowns)
+
+;; family : parameter -> state derivative; state : near an equilibrium where the parameter is `from`
+(define-plain (continue-equilibrium family state from to
+                                    #:step [step 0.05] #:longest-step [longest 0.5]
+                                    #:most-steps [most 500])
+  (define who 'continue-equilibrium)
+  (define l (make-limits who from to step longest most))
+  (check-family who family state from)
+  (define timed? (timed-state? (family from) state))
+  (define (rates v)
+    (define all (scalars ((family (last (scalars v))) (with-unknowns state timed? v))))
+    (apply up (if timed? (cdr all) all)))
+  (define x0 (equilibrium-near who rates state timed? (limits-from l)))
+  (define e (rest-equations rates x0 l))
+  (define start (start-on-curve e x0 (if (< (limits-from l) (limits-to l)) 1 -1)))
+  (unless start (raise-no-equilibrium who state from x0))
+  (branch-from (family-of e state timed?) l start))
+
+(define (family-of e state timed?)
+  (family e "equilibria" #f
+          (lambda (x) (with-unknowns state timed? (apply up (flvector->list x))))
+          #f))
+
+;; Complains unless the family makes a state derivative of the parameter.
+(define (check-family who family state from)
+  (check-comes-first who (and (tuple? family) (procedure? state)) "family of systems" "state")
+  (unless (and (pointwise? family) (accepts? family 1))
+    (complain who "expected a family, a function from a parameter to a state derivative\n  given: ~a"
+              (describe-function family)))
+  (define f (family from))
+  (unless (pointwise? f)
+    (complain who
+              (string-append "the family makes no state derivative of the parameter\n  given: ~a\n"
+                             "  of ~a: ~a\n  (lambda (p) (Lagrangian->state-derivative (L p))) is one")
+              (describe-function family) (value->text from) (describe-with-value f)))
+  (check-derivative who f state))
+
+;; A tenth of the range counts as much as 1 + |x| of another unknown.
+(define (parameter-scale l) (fl* 0.1 (flabs (fl- (limits-to l) (limits-from l)))))
+
+;; The scalars of v in place of those of the state but the time; those beyond are left.
+(define (with-unknowns state timed? v)
+  (define all (scalars v))
+  (list->structure state (for/list ([x (in-list (if timed? (cons (car (scalars state)) all) all))]
+                                    [_ (in-range (shape-length state))])
+                           x)))
+
+(define (numbers-of v) (structure->flvector v comparand))
+
+(define (rest-equations rates x0 l)
+  (define n (- (flvector-length x0) 1))
+  (define scales
+    (for/flvector #:length (+ n 1) ([x (in-flvector x0)] [k (in-naturals)])
+      (if (= k n) (parameter-scale l) (fl+ 1.0 (flabs x)))))
+  (equations
+   (lambda (x reference)
+     (define at (apply up (flvector->list x)))
+     (define J (derivative-rows rates at n))
+     (evaluated (numbers-of (rates at)) J (lambda () (real-matrix-eigenvalues (square-part J n) n))))
+   scales #f))
+
+;; -> rows of the derivatives by all unknowns
+(define (derivative-rows rates at n)
+  (define columns (numbers-of (derivative-at rates at)))
+  (for/vector #:length n ([i (in-range n)])
+    (for/vector #:length (+ n 1) ([j (in-range (+ n 1))]) (flvector-ref columns (+ i (* j n))))))
+
+(define (square-part J n) (rows->flvector (submatrix J (range n) (range n))))
+
+;; The unknowns of the equilibrium near the state, with the parameter
+(define (equilibrium-near who rates state timed? from)
+  (define start (scalars state))
+  (define z0 (numbers-of (apply up (if timed? (cdr start) start))))
+  (define n (flvector-length z0))
+  (define (all z) (apply up (append (flvector->list z) (list from))))
+  (define (not-found e) (raise-no-equilibrium who state from (numbers-of (rates (all z0)))))
+  (define-values (z error)
+    (with-handlers ([exn:fail:mechanics? not-found])
+      (trust-region (lambda (z) (numbers-of (rates (all z))))
+                    (lambda (z) (submatrix (derivative-rows rates (all z) n) (range n) (range n)))
+                    z0 #:deficient? #t #:name who)))
+  (numbers-of (all z)))
+
+(define (raise-no-equilibrium who state from rates)
+  (raise-not-convergent who "no equilibrium was found near the state" state #f #:show? #f
+                        "parameter" from "state" state "rates there" (flvector->list rates)))
