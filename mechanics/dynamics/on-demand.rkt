@@ -22,6 +22,9 @@
  ["map/rotation-number.rkt" rotation-number rotation? rotation-value rotation-error
                         rotation-regular? rotation-steps-needed]
  ["continuation/equilibrium-branch.rkt" continue-equilibrium]
+ ["continuation/orbit-branch.rkt" continue-periodic-orbit find-periodic-orbit periodic-orbit?
+                                  periodic-orbit-state periodic-orbit-period
+                                  periodic-orbit-multipliers periodic-orbit-stable?]
  ["continuation/branch.rkt" branch? branch-parameters branch-states branch-periods branch-spectra
                             branch-stabilities branch-special-points branch-end
                             special-point? special-point-kind special-point-parameter

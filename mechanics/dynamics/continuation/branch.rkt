@@ -104,14 +104,27 @@
     (step-along (family-equations f) a (branch-step b) (limits-longest l) shortest-step t))
   (cond [(not p) (ended b 'no-next-point)]
         [else
-         (define from (if (branch-tangent b) #f a))
          (define specials
-           (if from (points-between (family-equations f) (family-orbit? f) a p s) '()))
+           (if (branch-tangent b)
+               '()
+               (points-between (family-equations f) (family-orbit? f) a p s)))
+         (define out? (outside? l (parameter-of p)))
+         (define inside (filter (lambda (s) (not (outside? l (parameter-of (found-at s))))) specials))
          (struct-copy branch b
-                      [points (cons p (branch-points b))]
-                      [specials (append (reverse (map (special-of f) specials)) (branch-specials b))]
+                      [points (cons (or (and out? (at-the-end f l a p)) p) (branch-points b))]
+                      [specials (append (reverse (map (special-of f) inside)) (branch-specials b))]
                       [step next] [tangent #f]
-                      [end (and (outside? l (parameter-of p)) 'range)])]))
+                      [end (and out? 'range)])]))
+
+;; The point between a and p where the parameter leaves its range
+(define (at-the-end f l a p)
+  (define high (max (limits-from l) (limits-to l)))
+  (define bound (if (> (parameter-of p) high) high (min (limits-from l) (limits-to l))))
+  (define-values (one other) (values (parameter-of a) (parameter-of p)))
+  (define share (/ (- bound one) (- other one)))
+  (define x (along (point-x a) share (difference (point-x p) (point-x a))))
+  (flvector-set! x (- (flvector-length x) 1) bound)
+  (start-on-curve (family-equations f) x (if (> other one) 1 -1)))
 
 (define ((special-of f) s)
   (define p (found-at s))
@@ -201,7 +214,8 @@
   (if (eqv? n 0) "stable" (format "unstable (~a)" n)))
 
 (define (table->text rows)
-  (define widths (for/list ([k (in-range 3)]) (apply max (map (lambda (r) (string-length (list-ref r k))) rows))))
+  (define (width k) (apply max (map (lambda (r) (string-length (list-ref r k))) rows)))
+  (define widths (map width '(0 1 2)))
   (define (padded s width) (string-append s (make-string (- width (string-length s)) #\space)))
   (apply string-append
          (for/list ([r (in-list rows)])

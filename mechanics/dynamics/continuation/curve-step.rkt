@@ -10,15 +10,16 @@
 ;; determinant keeps its sign until another curve crosses this one.
 
 (require racket/flonum
+         (only-in racket/list range take)
          "../../error/refusal.rkt"
          "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/flonum-systems.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
          (only-in "../../numeric/optimization/newton.rkt" solution)
-         (only-in "../../numeric/optimization/trust-region.rkt" shortest-solution))
+         (only-in "../../numeric/optimization/trust-region.rkt" shortest-solution trust-region))
 
 (provide (struct-out equations) (struct-out evaluated) (struct-out point)
-         start-on-curve point-along step-along bordered scaled-rows)
+         start-on-curve solution-near point-along step-along bordered scaled-rows)
 
 ;; evaluate : unknowns, reference point -> evaluated; scales : flvector
 ;; doubled : -> the equations of the orbit gone through twice, and its unknowns of these; or #f
@@ -84,6 +85,22 @@
   (define border (flvector-scaled (->fl sign) (unit-flvector (- n 1) n)))
   (define-values (there v _) (corrected e x border x))
   (and there (point-at e there v border)))
+
+;; The unknowns of the nearest solution with the parameter of x; a failure of the search otherwise
+(define (solution-near who e x)
+  (define n (- (flvector-length x) 1))
+  (define (all u) (apply flvector (append (flvector->list u) (list (flvector-ref x n)))))
+  (define last (cons #f #f))
+  (define (at u)
+    (unless (eq? u (car last)) (set! last (cons u ((equations-evaluate e) (all u) x))))
+    (cdr last))
+  (define-values (u _error)
+    (trust-region (lambda (u) (evaluated-residual (at u)))
+                  (lambda (u)
+                    (define rows (evaluated-slopes (at u)))
+                    (submatrix rows (range (vector-length rows)) (range n)))
+                  (apply flvector (take (flvector->list x) n)) #:deficient? #t #:name who))
+  (all u))
 
 ;; The point whose plane is at the distance s from a, and how many iterations it took; or #f twice
 (define (point-along e a s [t (point-tangent a)])

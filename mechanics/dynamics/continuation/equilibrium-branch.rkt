@@ -13,12 +13,11 @@
          "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/general-eigenvalues.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
-         "../../numeric/optimization/trust-region.rkt"
          "../../value/shape.rkt")
 
 (provide continue-equilibrium
          ;; for other branches
-         check-family parameter-scale numbers-of with-unknowns)
+         check-family parameter-scale numbers-of with-unknowns first-point)
 
 ;; family : parameter -> state derivative; state : near an equilibrium where the parameter is `from`
 (define-plain (continue-equilibrium family state from to
@@ -31,16 +30,22 @@
   (define (rates v)
     (define all (scalars ((family (last (scalars v))) (with-unknowns state timed? v))))
     (apply up (if timed? (cdr all) all)))
-  (define x0 (equilibrium-near who rates state timed? (limits-from l)))
+  (define given (scalars state))
+  (define x0
+    (numbers-of (apply up (append (if timed? (cdr given) given) (list (limits-from l))))))
   (define e (rest-equations rates x0 l))
-  (define start (start-on-curve e x0 (if (< (limits-from l) (limits-to l)) 1 -1)))
-  (unless start (raise-no-equilibrium who state from x0))
-  (branch-from (family-of e state timed?) l start))
+  (define (not-found) (raise-no-equilibrium who state from (rates (apply up (flvector->list x0)))))
+  (branch-from (family-of e state timed?) l (first-point who e l x0 not-found)))
 
 (define (family-of e state timed?)
   (family e "equilibria" #f
           (lambda (x) (with-unknowns state timed? (apply up (flvector->list x))))
           #f))
+
+;; The point of the curve that is near x0, where the parameter begins; (fail) where there is none
+(define (first-point who e l x0 fail)
+  (define x (with-handlers ([exn:fail:mechanics? (lambda (_) (fail))]) (solution-near who e x0)))
+  (or (start-on-curve e x (if (< (limits-from l) (limits-to l)) 1 -1)) (fail)))
 
 ;; Complains unless the family makes a state derivative of the parameter.
 (define (check-family who family state from)
@@ -88,20 +93,6 @@
 
 (define (square-part J n) (rows->flvector (submatrix J (range n) (range n))))
 
-;; The unknowns of the equilibrium near the state, with the parameter
-(define (equilibrium-near who rates state timed? from)
-  (define start (scalars state))
-  (define z0 (numbers-of (apply up (if timed? (cdr start) start))))
-  (define n (flvector-length z0))
-  (define (all z) (apply up (append (flvector->list z) (list from))))
-  (define (not-found e) (raise-no-equilibrium who state from (numbers-of (rates (all z0)))))
-  (define-values (z error)
-    (with-handlers ([exn:fail:mechanics? not-found])
-      (trust-region (lambda (z) (numbers-of (rates (all z))))
-                    (lambda (z) (submatrix (derivative-rows rates (all z) n) (range n) (range n)))
-                    z0 #:deficient? #t #:name who)))
-  (numbers-of (all z)))
-
 (define (raise-no-equilibrium who state from rates)
   (raise-not-convergent who "no equilibrium was found near the state" state #f #:show? #f
-                        "parameter" from "state" state "rates there" (flvector->list rates)))
+                        "parameter" from "state" state "rates there" rates))
