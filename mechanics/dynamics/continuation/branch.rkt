@@ -176,9 +176,12 @@
   (cond
     [(special-point-other s) (values f (special-point-at s) (special-point-other s))]
     [(eq? (special-point-kind s) 'period-doubling)
-     (define-values (e x) ((equations-doubled (family-equations f)) (point-x (special-point-at s))))
-     (define p (start-on-curve e x 1))
-     (values (struct-copy family f [equations e]) p (crossing-direction e p))]
+     (define once (special-point-at s))
+     (define t (point-tangent once))
+     (define-values (e x) ((equations-doubled (family-equations f)) (point-x once)))
+     (define p (struct-copy point (point-at e x ((equations-evaluate e) x x) t) [tangent t]))
+     (define-values (_own other) (crossing-directions e p t))
+     (values (struct-copy family f [equations e]) p other)]
     [else
      (complain who
                (string-append "no other branch of ~a leaves a point of this kind: ~a\n"

@@ -19,7 +19,7 @@
          (only-in "../../numeric/optimization/trust-region.rkt" shortest-solution trust-region))
 
 (provide (struct-out equations) (struct-out evaluated) (struct-out point)
-         start-on-curve solution-near point-along step-along bordered scaled-rows)
+         start-on-curve solution-near point-at point-along step-along bordered scaled-rows)
 
 ;; evaluate : unknowns, reference point -> evaluated; scales : flvector
 ;; doubled : -> the equations of the orbit gone through twice, and its unknowns of these; or #f
@@ -53,8 +53,9 @@
 
 ;; Newton's method from a guess within the plane normal to t
 ;; -> unknowns, evaluated and the number of iterations; or #f thrice
-(define (corrected e guess t reference)
-  (let loop ([x guess] [k 0] [last +inf.0])
+;; start : a point in that plane that is nearer
+(define (corrected e guess t reference [start guess])
+  (let loop ([x start] [k 0] [last +inf.0])
     (define v (if-raised refusal? #f ((equations-evaluate e) x reference)))
     (define off
       (for/fold ([sum 0.0]) ([u (in-flvector x)] [w (in-flvector guess)] [a (in-flvector t)]
@@ -103,8 +104,8 @@
   (all u))
 
 ;; The point whose plane is at the distance s from a, and how many iterations it took; or #f twice
-(define (point-along e a s [t (point-tangent a)])
-  (define-values (x v count) (corrected e (moved e (point-x a) s t) t (point-x a)))
+(define (point-along e a s [t (point-tangent a)] [guess (moved e (point-x a) s t)])
+  (define-values (x v count) (corrected e (moved e (point-x a) s t) t (point-x a) guess))
   (define p (and x (point-at e x v t)))
   (values p (and p count)))
 

@@ -13,9 +13,10 @@
          "curve-step.rkt"
          "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt" "../../numeric/linear-algebra/singular-values.rkt"
-         "../../numeric/optimization/brent-root.rkt")
+         "../../numeric/optimization/brent-root.rkt"
+         (only-in "../../numeric/optimization/trust-region.rkt" rows-times))
 
-(provide (struct-out found) points-between growing crossing-direction)
+(provide (struct-out found) points-between growing crossing-directions)
 
 ;; kind : symbol; other : the tangent of the branch that crosses, or #f
 (struct found (kind at other) #:authentic)
@@ -44,7 +45,7 @@
   (define doubling (and orbit? (changes? doubling-test) (located doubling-test)))
   (define oscillation (oscillation-test orbit? a b))
   (define all
-    (list (and crossing (crossing-found e crossing))
+    (list (and crossing (crossing-found e crossing (point-tangent a)))
           (and fold (not (and crossing (same-place? crossing fold))) (found 'fold fold #f))
           (and doubling (found 'period-doubling doubling #f))
           (and oscillation
@@ -61,16 +62,38 @@
 
 (define (same-place? p q) (< (distance (point-x p) (point-x q)) 1e-4))
 
-;; The point between a and b where the test changes its sign; #f where it is not found
+;; The point between a and b, at the distance s, where the test changes its sign.  Close to a
+;; crossing the equations have nearly no inverse: Newton's method begins on the cubic through the
+;; nearest points on both sides, and where rounding leaves no point the cubic is taken for the curve.
 (define (location e a b s test)
+  (define-values (low low-r high high-r) (values a 0.0 b s))
   (let/ec return
     (define (at r)
-      (define-values (p _) (point-along e a r))
-      (or p (return #f)))
+      (define guess (between e a low low-r high high-r r))
+      (define-values (p _) (point-along e a r (point-tangent a) guess))
+      (unless p
+        (return (point-at e guess ((equations-evaluate e) guess (point-x a)) (point-tangent a))))
+      (if (< (* (test p) (test a)) 0.0)
+          (set!-values (high high-r) (values p r))
+          (set!-values (low low-r) (values p r)))
+      p)
     (define (value r) (cond [(= r 0.0) (test a)] [(= r s) (test b)] [else (test (at r))]))
     (define-values (r _error _count)
       (bracketed-root value 0.0 s #:tolerance 1e-11 #:jump void))
     (at r)))
+
+;; On the cubic from the point p to q, with their tangents, which are at p-r and q-r along that of a
+(define (between e a p p-r q q-r r)
+  (define length (fl- q-r p-r))
+  (define h (fl/ (fl- r p-r) length))
+  (define (change p)
+    (define t (point-tangent p))
+    (flvector-map fl* (equations-scales e)
+                  (flvector-scaled (fl/ length (dot t (point-tangent a))) t)))
+  (define step (difference (point-x q) (point-x p)))
+  (define-values (early late) (values (difference (change p) step) (difference (change q) step)))
+  (define bend (along (flvector-scaled (fl- 1.0 h) early) (fl- 0.0 h) late))
+  (along (along (point-x p) h step) (fl* h (fl- 1.0 h)) bend))
 
 ;; ---------------------------------------------------------------------------
 ;; Oscillations
@@ -97,29 +120,45 @@
 ;; ---------------------------------------------------------------------------
 ;; Crossings
 
-;; The tangent of the other branch at a crossing p, where J and the tangent t have a null vector
-;; v, and a left one u.  To second order x + α t + β v is on a branch where
-;; β (2 b α + c β) = 0, with b = u·J'[v] t and c = u·J'[v] v (Kuznetsov, 10.3).
-(define (crossing-direction e p)
+;; The tangents of both branches at a crossing p: first of the one that is nearer to `way`.  There J
+;; has two null vectors, the tangent t and v, and with t as a row a left one u.  To second order
+;; x + α t + β v is on a branch where
+;;
+;;     A α² + 2 B α β + C β² = 0,   A = u·J'[t] t,   B = u·J'[v] t,   C = u·J'[v] v
+;;
+;; (Kuznetsov, 10.3).
+(define (crossing-directions e p way)
   (define t (point-tangent p))
   (define-values (us _sizes vs) (singular-values (columns-of (bordered (point-slopes p) t))))
   (define-values (u v) (values (last us) (last vs)))
+  (define (form along-v w)
+    (define change (rows-times (slope-change e p along-v) w))
+    (for/fold ([sum 0.0]) ([a (in-flvector change)] [b (in-flvector u)]) (fl+ sum (fl* a b))))
+  (define pairs (quadratic-roots (form t t) (form v t) (form v v)))
+  (define directions
+    (for/list ([ab (in-list pairs)])
+      (define d (along (flvector-scaled (car ab) t) (cdr ab) v))
+      (flvector-scaled (fl/ 1.0 (norm d)) d)))
+  (apply values (sort directions > #:key (lambda (d) (flabs (dot d way))))))
+
+;; The change of the matrix along w
+(define (slope-change e p w)
   (define h 1e-4)
   (define (slopes-at s)
-    (define x (along (point-x p) s (flvector-map fl* v (equations-scales e))))
+    (define x (along (point-x p) s (flvector-map fl* w (equations-scales e))))
     (scaled-rows e (evaluated-slopes ((equations-evaluate e) x (point-x p)))))
-  (define change
-    (rows-combine (lambda (a b) (/ (- a b) (* 2.0 h))) (slopes-at h) (slopes-at (- h))))
-  (define (form w)
-    (for/sum ([row (in-vector change)] [y (in-flvector u)])
-      (* y (for/sum ([a (in-vector row)] [x (in-flvector w)]) (* a x)))))
-  (define-values (b c) (values (form t) (form v)))
-  (define size (max (abs b) (abs c) 1e-300))
-  (define d (along (flvector-scaled (/ c size) t) (/ (* -2.0 b) size) v))
-  (flvector-scaled (fl/ 1.0 (norm d)) d))
+  (rows-combine (lambda (a b) (/ (- a b) (* 2.0 h))) (slopes-at h) (slopes-at (- h))))
+
+;; Both ratios α : β, as pairs; those of the axes where there is none
+(define (quadratic-roots A B C)
+  (define square (- (* B B) (* A C)))
+  (define root (flsqrt (flmax 0.0 square)))
+  (define q (- (+ B (if (< B 0.0) (- root) root))))
+  (if (fl> square 0.0) (list (cons q A) (cons C q)) (list (cons 1.0 0.0) (cons 0.0 1.0))))
 
 ;; At a pitchfork one branch has the parameter turned back.
-(define (crossing-found e p)
-  (define other (crossing-direction e p))
+(define (crossing-found e p way)
+  (define-values (own other) (crossing-directions e p way))
   (define (turned? t) (< (abs (flvector-ref t (- (flvector-length t) 1))) 1e-2))
-  (found (if (or (turned? other) (turned? (point-tangent p))) 'pitchfork 'transcritical) p other))
+  (found (if (or (turned? other) (turned? own)) 'pitchfork 'transcritical)
+         (struct-copy point p [tangent own]) other))
