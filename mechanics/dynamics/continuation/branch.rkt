@@ -17,8 +17,8 @@
          (struct-out family) (struct-out limits) branch-from make-limits)
 
 ;; What is followed.  noun : "equilibria", "periodic orbits"; orbit? : is its spectrum one of
-;; multipliers?; state, period : unknowns -> value
-(struct family (equations noun orbit? state period) #:authentic)
+;; multipliers?; state : unknowns -> value
+(struct family (equations noun orbit? state) #:authentic)
 
 ;; from, to : of the parameter; first, longest : lengths of steps; most : number of them
 (struct limits (from to first longest most) #:authentic)
@@ -47,7 +47,7 @@
 (define (branch-parameters b) (map parameter-of (in-order b)))
 (define (branch-states b) (map (family-state* b) (in-order b)))
 (define (branch-periods b)
-  (define period (family-period (branch-family b)))
+  (define period (equations-period (family-equations (branch-family b))))
   (and period (map (lambda (p) (period (point-x p))) (in-order b))))
 (define (branch-spectra b) (map point-spectrum (in-order b)))
 (define (branch-stabilities b) (map (stable-in b) (in-order b)))

@@ -22,8 +22,9 @@
          start-on-curve solution-near point-at point-along step-along bordered scaled-rows)
 
 ;; evaluate : unknowns, reference point -> evaluated; scales : flvector
-;; doubled : -> the equations of the orbit gone through twice, and its unknowns of these; or #f
-(struct equations (evaluate scales doubled) #:authentic)
+;; Of orbits, else #f: period : unknowns -> number; doubled : unknowns -> the equations of the orbit
+;; gone through twice, and the unknowns of these
+(struct equations (evaluate scales period doubled) #:authentic)
 
 ;; residual : flvector; slopes : vector of rows; spectrum : -> list of eigenvalues or multipliers
 (struct evaluated (residual slopes spectrum) #:authentic)

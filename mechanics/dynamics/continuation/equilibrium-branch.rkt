@@ -39,8 +39,7 @@
 
 (define (family-of e state timed?)
   (family e "equilibria" #f
-          (lambda (x) (with-unknowns state timed? (apply up (flvector->list x))))
-          #f))
+          (lambda (x) (with-unknowns state timed? (apply up (flvector->list x))))))
 
 ;; The point of the curve that is near x0, where the parameter begins; (fail) where there is none
 (define (first-point who e l x0 fail)
@@ -83,7 +82,7 @@
      (define at (apply up (flvector->list x)))
      (define J (derivative-rows rates at n))
      (evaluated (numbers-of (rates at)) J (lambda () (real-matrix-eigenvalues (square-part J n) n))))
-   scales #f))
+   scales #f #f))
 
 ;; -> rows of the derivatives by all unknowns
 (define (derivative-rows rates at n)

@@ -41,8 +41,9 @@
   (define x
     (with-handlers ([exn:fail:mechanics? (lambda (_) (raise-no-orbit who o x0 state period))])
       (solution-near who e x0)))
-  (define f (family-of o e period))
-  (periodic-orbit ((family-state f) x) ((family-period f) x)
+  (when (rests? o x) (raise-no-orbit who o x0 state period))
+  (define f (family-of o e))
+  (periodic-orbit ((family-state f) x) ((equations-period e) x)
                   ((evaluated-spectrum ((equations-evaluate e) x x)))))
 
 ;; family : parameter -> state derivative; or, with an energy, a state derivative
@@ -58,17 +59,14 @@
   (define x0 (unknowns-at o state period (limits-from l)))
   (define e (orbit-equations o x0 (parameter-scale l)))
   (define (fail) (raise-no-orbit who o x0 state period))
-  (branch-from (family-of o e period) l (first-point who e l x0 fail)))
+  (define start (first-point who e l x0 fail))
+  (when (rests? o (point-x start)) (fail))
+  (branch-from (family-of o e) l start))
 
-(define (family-of o e period)
+(define (family-of o e)
   (define n (length (start-of o)))
-  (define given (orbits-period o))
   (family e "periodic orbits" #t
-          (lambda (x) (state-of o (for/flvector #:length n ([z (in-flvector x)] [_ (in-range n)]) z)))
-          (lambda (x)
-            (if given
-                (* (orbits-times o) (given (flvector-ref x (- (flvector-length x) 1))))
-                (flvector-ref x n)))))
+          (lambda (x) (state-of o (for/flvector #:length n ([z (in-flvector x)] [_ (in-range n)]) z)))))
 
 ;; ---------------------------------------------------------------------------
 
@@ -103,6 +101,12 @@
 (define (unknowns-at o state period p)
   (define T (if (procedure? period) (period p) period))
   (orbit-unknowns o (start-numbers o) (real->double-flonum (comparand T)) p))
+
+;; Has the orbit shrunk to an equilibrium?  That of a driven system may rest.
+(define (rests? o x)
+  (define p (if (orbits-energy o) 0.0 (flvector-ref x (- (flvector-length x) 1))))
+  (define z (for/flvector ([u (in-flvector x)] [_ (in-list (start-of o))]) u))
+  (and (not (orbits-period o)) (fl< (norm (rates-at o z p)) (fl* 1e-6 (fl+ 1.0 (norm z))))))
 
 ;; Does the state come back after several of these periods?
 (define (raise-no-orbit who o x0 state period)

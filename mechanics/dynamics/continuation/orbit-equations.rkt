@@ -89,6 +89,7 @@
             [(= k (+ n 1)) (flmax 1e-3 (flabs x))]
             [else (fl+ 1.0 (flabs x))])))
   (equations (lambda (x reference) (evaluate-orbit o n x reference)) scales
+             (lambda (x) (period-at o n x))
              (lambda (x)
                (define twice (struct-copy orbits o [times (* 2 (orbits-times o))]
                                           [turns (flvector-scaled 2.0 (orbits-turns o))]))
@@ -96,12 +97,18 @@
                (unless (orbits-period o) (flvector-set! y n (fl* 2.0 (flvector-ref x n))))
                (values (orbit-equations twice y scale) y))))
 
+(define (period-at o n x)
+  (define period (orbits-period o))
+  (if period
+      (* (orbits-times o) (period (flvector-ref x (- (flvector-length x) 1))))
+      (flvector-ref x n)))
+
 (define (evaluate-orbit o n x reference)
   (define z (part x 0 n))
   (define parameter (flvector-ref x (- (flvector-length x) 1)))
   (define p (if (orbits-energy o) 0.0 parameter))
   (define period (orbits-period o))
-  (define T (if period (* (orbits-times o) (period p)) (flvector-ref x n)))
+  (define T (period-at o n x))
   (define fl ((orbits-advance o) o z p T))
   (define gap (difference (difference (flow-end fl) z) (orbits-turns o)))
   (define speed (rates-at o (flow-end fl) p))

@@ -27,6 +27,8 @@
 ;; The first radius, and a Newton step below which a zero is one as far as rounding tells.
 (define first-radius 0.1)
 (define rounding-step 1e-7)
+;; Where directions are left out, values above this are no zeros.
+(define least-value 1e-7)
 
 ;; value, jacobian, argument : as of newton; -> the point, and the length of the last Newton step
 (define (trust-region value jacobian start
@@ -45,6 +47,8 @@
     (define full (and J (newton-step J f x)))
     (cond
       [(not full) (values x 0.0)]
+      [(and (fl< (size full x) tolerance) (fl> (norm f) least-value) deficient?)
+       (not-found "the values are least here, and not 0" x full f count)]
       [(fl< (size full x) tolerance) (values (along x 1.0 full) (greatest full))]
       [(>= count limit) (not-found "too many steps" x full f count)]
       [else

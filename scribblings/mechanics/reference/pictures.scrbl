@@ -188,6 +188,23 @@ decaying
 (plot-trajectory phase-plane decay coordinate velocity)
 phase-plane]}
 
+@defproc[(plot-branch [f frame?] [branch branch?] [ordinate (-> value real?)]
+                      [#:color color any/c 0] [#:width width real? 1]
+                      [#:label label (or/c string? #f) #f])
+         frame?]{
+
+Draws a function of the state along a branch (@secref["branches"]) over the parameter: a solid line
+where the equilibria or orbits are stable, a dashed one where they are not, and a dot at each special
+point. Returns the frame.
+
+@examples[#:eval session
+(define ((valley p) s) (up (* (ref s 0) (- p (square (ref s 0))))))
+(define floor-branch (continue-equilibrium valley (up 0) -1 1))
+(define side (switch-branch floor-branch (car (branch-special-points floor-branch))))
+(define diagram (frame -1 1 -1 1 #:width 250 #:height 250 #:x-label "p" #:y-label "x"))
+(plot-branch diagram floor-branch (lambda (s) (ref s 0)))
+(plot-branch diagram side (lambda (s) (ref s 0)) #:color 'red)]}
+
 @defproc[(plot-contours [f frame?] [function (-> real? real? real?)]
                         [levels (or/c real? (listof real?))]
                         [#:samples samples exact-integer? 101]

@@ -1,0 +1,117 @@
+#lang racket/base
+;; Periodic orbits found and followed, against published values.
+
+(require mechanics
+         "../../support/checks.rkt" "../../support/close.rkt" "../../support/messages.rkt")
+
+(define (kinds b) (map special-point-kind (branch-special-points b)))
+(define (places b) (map special-point-parameter (branch-special-points b)))
+
+;; x'' + (a - 2 q cos 2t) x = 0 with q = 1.  Its characteristic values: M. Abramowitz and I. Stegun,
+;; Handbook of Mathematical Functions, ch. 20, and DLMF 28.
+(define ((Mathieu a) s)
+  (up 1 (ref s 2) (* -1 (- a (* 2 (cos (* 2 (ref s 0))))) (ref s 1))))
+
+(test-case "Mathieu's tongues are where the characteristic values are"
+  (define b (continue-periodic-orbit Mathieu (up 0 0 0) :pi -1 5))
+  (check-equal? (kinds b) '(pitchfork period-doubling period-doubling pitchfork pitchfork))
+  (check-close (places b) '(-0.4551386 -0.1102488 1.8591081 3.9170248 4.3713010) 1e-7))
+
+(define (H-Henon-Heiles s)
+  (define-values (x y) (values (ref (coordinate s) 0) (ref (coordinate s) 1)))
+  (+ (* 1/2 (square (momentum s))) (* 1/2 (+ (square x) (square y)))
+     (* (square x) y) (* -1/3 (cube y))))
+(define Henon-Heiles (Hamiltonian->state-derivative H-Henon-Heiles))
+(define start (up 0 (up 0 0.1) (down 0 0.1)))
+
+;; M. Brack, Foundations of Physics 31 (2001) 209: the orbit on a straight line branches at the
+;; energies 0.969309 and 0.986709, in units of that of the saddles, 1/6.
+(test-case "the straight orbit of Henon and Heiles by its energy"
+  (define b (continue-periodic-orbit Henon-Heiles start 6.3 0.01 0.166 #:energy H-Henon-Heiles))
+  (define forks
+    (for/list ([s (branch-special-points b)] #:when (eq? (special-point-kind s) 'pitchfork))
+      (* 6 (special-point-parameter s))))
+  (check-close forks '(0.969309 0.986709) 1e-6)
+  (for ([E (branch-parameters b)] [state (branch-states b)] [T (branch-periods b)])
+    (check-close (H-Henon-Heiles state) E 1e-9)
+    (check-true (< 6.2 T 20))))
+
+(test-case "an orbit at the energy of its start, with multipliers on the unit circle"
+  (define o (find-periodic-orbit Henon-Heiles start 6.3 #:energy H-Henon-Heiles))
+  (check-close (H-Henon-Heiles (periodic-orbit-state o)) (H-Henon-Heiles start) 1e-12)
+  (check-close (real-part (apply * (periodic-orbit-multipliers o))) 1 1e-9)
+  (check-true (periodic-orbit-stable? o))
+  (define end
+    ((state-advancer (lambda () Henon-Heiles)) (periodic-orbit-state o) (periodic-orbit-period o)))
+  (check-close (coordinate end) (coordinate (periodic-orbit-state o)) 1e-9)
+  (check-regexp-match #rx"^stable periodic orbit of period 6[.]33.* through [(]up 0 "
+                      (format "~a" o)))
+
+;; Earth and Moon.  The planar Lyapunov orbits at L1 lose their stability across the plane where
+;; halo orbits begin, at a Jacobi constant of 3.1743 (K. Howell, Celestial Mechanics 32 (1984) 53,
+;; for the mass ratio of these).
+(define mu 0.012150585609624)
+(define (H-Moon s)
+  (define-values (q p) (values (coordinate s) (momentum s)))
+  (define-values (x y z) (values (ref q 0) (ref q 1) (ref q 2)))
+  (define across (+ (square y) (square z)))
+  (- (+ (* 1/2 (square p)) (* y (ref p 0)) (* -1 x (ref p 1)))
+     (/ (- 1 mu) (sqrt (+ (square (+ x mu)) across)))
+     (/ mu (sqrt (+ (square (+ x mu -1)) across)))))
+
+(test-case "planar Lyapunov orbits at L1, and where halo orbits leave them"
+  (define f (Hamiltonian->state-derivative H-Moon))
+  (define o
+    (find-periodic-orbit f (up 0 (up 0.8269 0 0) (down 0 0.9106 0)) 2.69 #:energy H-Moon))
+  (define b
+    (continue-periodic-orbit f (periodic-orbit-state o) (periodic-orbit-period o)
+                             (H-Moon (periodic-orbit-state o)) -1.58 #:energy H-Moon))
+  (check-equal? (kinds b) '(pitchfork))
+  (check-close (* -2 (car (places b))) 3.17435 1e-5)
+  (define halo (switch-branch b (car (branch-special-points b)) #:most-steps 40))
+  (check-true (> (magnitude (ref (car (reverse (branch-states halo))) 1 2)) 1e-3)))
+
+;; G. Baker and J. Gollub, Chaotic Dynamics (1990): q = 2, drive 2/3; the symmetric orbit breaks
+;; its symmetry, and both orbits that follow double their period at an amplitude of 1.066.
+(test-case "the damped driven pendulum: broken symmetry, then a cascade of doublings"
+  (define ((pendulum A) s)
+    (up 1 (ref s 2)
+        (+ (* -1 (sin (ref s 1))) (* -1/2 (ref s 2)) (* A (cos (* 2/3 (ref s 0)))))))
+  (define T (* 3 :pi))
+  (define symmetric (continue-periodic-orbit pendulum (up 0 0.5 0) T 0.5 1.12))
+  (check-equal? (kinds symmetric) '(pitchfork))
+  (define lopsided (switch-branch symmetric (car (branch-special-points symmetric))))
+  (define mirrored
+    (switch-branch symmetric (car (branch-special-points symmetric)) #:direction -1))
+  (check-equal? (kinds lopsided) '(period-doubling))
+  (check-close (places lopsided) (places mirrored) 1e-9)
+  (check-close (places lopsided) '(1.0664) 1e-4)
+  (define twice (switch-branch lopsided (car (branch-special-points lopsided))))
+  (check-equal? (kinds twice) '(period-doubling))
+  (check-close (car (branch-periods twice)) (* 2 T) 1e-9)
+  (define four (switch-branch twice (car (branch-special-points twice)) #:most-steps 30))
+  (define ratio
+    (/ (- (car (places twice)) (car (places lopsided))) (- (car (places four)) (car (places twice)))))
+  (check-true (< 3.5 ratio 6)))
+
+(test-case "an orbit that attracts: van der Pol's, of period 6.6633 at damping 1"
+  (define ((van-der-Pol m) s)
+    (up (ref s 1) (- (* m (- 1 (square (ref s 0))) (ref s 1)) (ref s 0))))
+  (define o (find-periodic-orbit (van-der-Pol 1) (up 2.0 0.1) 6.5))
+  (check-close (periodic-orbit-period o) 6.66328686 1e-7)
+  (check-true (periodic-orbit-stable? o))
+  (define b (continue-periodic-orbit van-der-Pol (up 2.0 0.1) 6.5 1 2))
+  (check-close (car (reverse (branch-periods b))) 7.62987448 1e-7))
+
+(says
+ [(find-periodic-orbit Henon-Heiles start 0)
+  "find-periodic-orbit: expected a period that is not 0\n  given: the number 0"]
+ [(find-periodic-orbit Henon-Heiles start 6.3 #:energy 3)
+  "find-periodic-orbit: expected an energy, a function of the state\n  given: the number 3"])
+
+(test-case "a period that is a part of one"
+  (check-regexp-match
+   #rx"^continue-periodic-orbit: no periodic orbit was found near.*\n  after 2 of these periods it is back"
+   (message-of (continue-periodic-orbit (lambda (p) (lambda (s) (up (ref s 1) (* -1 p (ref s 0)))))
+                                        (up 1.0 0.0) :pi 1 2)
+               exn:fail?)))
