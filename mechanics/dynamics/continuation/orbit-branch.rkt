@@ -3,6 +3,7 @@
 
 (require racket/flonum
          "branch.rkt" "curve-step.rkt" "equilibrium-branch.rkt" "orbit-equations.rkt"
+         "symmetric-orbit.rkt"
          "../map/period-check.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/refusal.rkt"
          "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
@@ -30,17 +31,20 @@
 
 ;; The orbit near the state; with an energy the one of the energy there
 (define-plain (find-periodic-orbit derivative state period
-                                   #:energy [energy #f] #:tolerance [tolerance 1e-12])
+                                   #:energy [energy #f] #:symmetry [R #f]
+                                   #:tolerance [tolerance 1e-12])
   (define who 'find-periodic-orbit)
   (check-comes-first who (and (tuple? derivative) (pointwise? state)) "state derivative" "state")
   (check-derivative who derivative state)
+  (when (and R (not (same-shape? (R state) state)))
+    (complain-of-argument who "a symmetry, a function from states to states" R))
   (define o (orbits-from who (lambda (p) derivative) state period energy tolerance 0.0))
   (define p (if energy (real->double-flonum (comparand (energy state))) 0.0))
   (define x0 (unknowns-at o state period p))
   (define e (orbit-equations o x0 1.0))
   (define x
     (with-handlers ([exn:fail:mechanics? (lambda (_) (raise-no-orbit who o x0 state period))])
-      (solution-near who e x0)))
+      (solution-near who (if R (symmetric-equations o R x0) e) x0)))
   (when (rests? o x) (raise-no-orbit who o x0 state period))
   (define f (family-of o e))
   (periodic-orbit ((family-state f) x) ((equations-period e) x)

@@ -21,11 +21,14 @@
          "../../numeric/linear-algebra/flonum-systems.rkt"
          "../../numeric/linear-algebra/general-eigenvalues.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
+         (only-in "../../numeric/optimization/trust-region.rkt" rows-times)
          "../../value/shape.rkt"
          (only-in "../../value/structure.rkt" ref structure->list))
 
 (provide (struct-out orbits) orbit-equations orbit-unknowns flow-over flow-end flow-slopes
-         rates-at state-of start-of turns-of)
+         rates-at state-of start-of turns-of
+         ;; for other equations
+         part row-of longer rows-and energy-at energy-slope)
 
 ;; family : parameter -> state derivative; state : gives shape and time; timed? : is the time in it?
 ;; period : parameter -> number, of a system that is driven; #f where it is unknown
@@ -46,7 +49,8 @@
 
 (define (start-of o) (let ([all (scalars (orbits-state o))]) (if (orbits-timed? o) (cdr all) all)))
 
-(define (state-of o z) (with-unknowns (orbits-state o) (orbits-timed? o) (apply up (flvector->list z))))
+(define (state-of o z) (with-unknowns (orbits-state o) (orbits-timed? o)
+                                            (apply up (flvector->list z))))
 
 ;; What a state has but the time
 (define (moving o state)
@@ -118,6 +122,9 @@
         [(orbits-energy o) (kept-part o n x z reference gap M speed along-flow parameter)]
         [else (free-part n z reference gap M speed along-flow (flow-slopes fl))]))
 
+(define (energy-at o z) (flvector-ref (numbers-of ((orbits-energy o) (state-of o z))) 0))
+(define (energy-slope o z) (moving o (derivative-at (orbits-energy o) (state-of o z))))
+;; ---------------------------------------------------------------------------
 ;; The rows, row by row beside those of M − 1
 (define (beside-displacement n M columns)
   (for/vector #:length n ([row (in-vector (rows-combine - M (unit-rows n 1.0 0.0)))] [i (in-naturals)])
@@ -143,13 +150,11 @@
              (lambda () (multipliers M n (list speed)))))
 
 (define (kept-part o n x z reference gap M speed along-flow h)
-  (define H (orbits-energy o))
   (define unit (flvector-scaled (fl/ 1.0 (norm along-flow)) along-flow))
-  (define slope (moving o (derivative-at H (state-of o z))))
+  (define slope (energy-slope o z))
   (define lambda* (flvector-ref x (+ n 1)))
-  (define energy (flvector-ref (numbers-of (H (state-of o z))) 0))
   (evaluated (longer (along gap lambda* slope) (dot unit (difference z (part reference 0 n)))
-                     (- energy h))
+                     (- (energy-at o z) h))
              (rows-and (beside-displacement n M (list speed slope #f))
                        (row-of unit 0.0 0.0 0.0)
                        (row-of slope 0.0 0.0 -1.0))
@@ -168,9 +173,7 @@
   (define (products f)
     (for/vector #:length m ([u (in-list basis)])
       (for/vector #:length m ([v (in-list basis)]) (dot u (f v)))))
-  (define (image v)
-    (for/flvector #:length n ([row (in-vector M)])
-      (for/fold ([sum 0.0]) ([a (in-vector row)] [x (in-flvector v)]) (fl+ sum (fl* a x)))))
-  (define reduced (floating-solutions (products values) (products image)))
+  (define reduced
+    (floating-solutions (products values) (products (lambda (v) (rows-times M v)))))
   (sort (or (and (vector? reduced) (real-matrix-eigenvalues (rows->flvector reduced) m)) '())
         > #:key magnitude))

@@ -8,6 +8,8 @@
 ;; indices of the points within: the sign of det(DM − 1), which is +1 of an elliptic point and −1
 ;; of a hyperbolic one.  So a lone point that is missing is noticed; a pair that arose together is
 ;; not, for the indices of its points cancel.
+;;
+;; With a symmetry, a map of the plane, those are wanted that it leaves where they are.
 
 (require racket/flonum
          racket/list
@@ -24,30 +26,38 @@
 (struct area (x-min x-max y-min y-max))
 
 ;; region : (list x-min x-max y-min y-max); -> fixed points of period n and no lesser one
-(define-plain (periodic-points map n region #:grid [grid '(20 20)])
+(define-plain (periodic-points map n region #:grid [grid '(20 20)] #:symmetry [R #f])
   (define who 'periodic-points)
   (check-map who map n region)
   (check-argument who exact-positive-integer? n "a period, a positive integer")
   (define a (call-with-values (lambda () (checked-region who region)) area))
   (check-grid who grid)
   (define m (map-at-some-node who map n a grid))
+  (define mirror (and R (make-map-on-tuples who R (up (area-x-min a) (area-y-min a)) 1)))
   (define index (index-round m (area-x-min a) (area-x-max a) (area-y-min a) (area-y-max a)))
-  (define-values (all smooth?) (points-on-grids who map m n a grid index))
-  (define missing (if smooth? (missing-index index all a) 0))
+  (define-values (all smooth?) (points-on-grids who map m mirror n a grid index))
+  (define missing (if (and smooth? (not R)) (missing-index index all a) 0))
   (unless (eqv? 0 missing)
     (note-once
      (format (string-append "periodic-points: a point of index ~a is missing, as the displacement "
                             "turns round the rectangle; a finer #:grid may find it")
              missing)))
-  (sort (filter (lambda (p) (not (lesser-period? map p n))) all) before?))
+  (define (wanted? p) (and (not (lesser-period? map p n)) (or (not R) (kept-by? mirror p))))
+  (sort (filter wanted? all) before?))
+
+;; Does the symmetry leave the point where it is?
+(define (kept-by? mirror p)
+  (define at (fixed-point-coordinates p))
+  (define d (displacement-at mirror (abscissa at) (ordinate at)))
+  (and d (fl< (norm d) 1e-8)))
 
 ;; The number of times that a grid is made twice as fine, where points are known to be missing.
 (define most-grids 4)
 
 ;; -> the points, those of lesser periods among them, and whether the displacement is smooth
-(define (points-on-grids who map m n a grid index)
+(define (points-on-grids who map m mirror n a grid index)
   (let loop ([found '()] [grid grid] [left most-grids])
-    (define-values (starts smooth?) (low-nodes m a grid))
+    (define-values (starts smooth?) (low-nodes m mirror a grid))
     (define all (with-points-near who map n a starts found))
     (define lacking? (and smooth? (not (eqv? 0 (missing-index index all a)))))
     (define same? (= (length all) (length found)))
@@ -86,12 +96,16 @@
         [else (raise first-try)]))
 
 ;; -> the nodes where the displacement is no longer than at their eight neighbours, and whether it
-;; is smooth on the grid
-(define (low-nodes m a grid)
+;; is smooth on the grid.  With a symmetry its own displacement counts as well.
+(define (low-nodes m mirror a grid)
   (define-values (xs ys) (values (columns a grid) (rows a grid)))
   (define moves (for*/vector ([x (in-list xs)] [y (in-list ys)]) (displacement-at m x y)))
   (define high (cadr grid))
-  (define lengths (for/vector ([d (in-vector moves)]) (if d (norm d) +inf.0)))
+  (define lengths
+    (for*/vector ([(x i) (in-indexed xs)] [(y j) (in-indexed ys)])
+      (define d (vector-ref moves (+ (* i high) j)))
+      (define off (if mirror (displacement-at mirror x y) (flvector 0.0)))
+      (if (and d off) (fl+ (norm d) (norm off)) +inf.0)))
   (define (length-at i j)
     (if (and (< -1 i (car grid)) (< -1 j high)) (vector-ref lengths (+ (* i high) j)) +inf.0))
   (define (low? i j)

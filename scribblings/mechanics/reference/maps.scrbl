@@ -205,7 +205,8 @@ method or what the rounding of the image leaves, which is more at a multiple poi
 @defproc[(periodic-points [map procedure?] [n exact-positive-integer?]
                           [region (list/c real? real? real? real?)]
                           [#:grid grid (list/c exact-positive-integer? exact-positive-integer?)
-                                  '(20 20)])
+                                  '(20 20)]
+                          [#:symmetry symmetry (or/c procedure? #f) #f])
          (listof fixed-point?)]{
 
 The points of period @racket[n], and of no lesser one, of a map of the plane in the rectangle
@@ -219,6 +220,15 @@ not noticed; a finer grid may find it.
 (define two (periodic-points (standard-map 0.6) 2 (list 0 :2pi 0 :2pi)))
 (map fixed-point-coordinates two)
 (map fixed-point-kind two)]
+
+With @racket[symmetry], a map of the plane, those are given that it leaves where they are. The
+standard map is a product of two mirrors, one of which is
+
+@examples[#:eval session
+(define ((mirror K) theta I return fail)
+  (return (- theta) (+ I (* K (sin theta)))))
+(map fixed-point-coordinates
+     (periodic-points (standard-map 0.6) 3 (list 0 :2pi 0 :2pi) #:symmetry (mirror 0.6)))]
 
 @sicm{4.5, p. 316}}
 

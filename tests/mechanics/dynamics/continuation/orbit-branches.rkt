@@ -115,3 +115,19 @@
    (message-of (continue-periodic-orbit (lambda (p) (lambda (s) (up (ref s 1) (* -1 p (ref s 0)))))
                                         (up 1.0 0.0) :pi 1 2)
                exn:fail?)))
+
+(define (mirror s) (up (- (time s)) (coordinate s) (- (momentum s))))
+
+(test-case "an orbit that reversal of time leaves where it is starts at rest, and comes to rest"
+  (define o
+    (find-periodic-orbit Henon-Heiles (up 0 (up 0 0.15) (down 0 0)) 6.3
+                         #:energy H-Henon-Heiles #:symmetry mirror))
+  (define half (/ (periodic-orbit-period o) 2))
+  (define end ((state-advancer (lambda () Henon-Heiles)) (periodic-orbit-state o) half))
+  (check-close (momentum end) (down 0 0) 1e-9)
+  (check-close (coordinate (periodic-orbit-state o)) (up 0 0.15) 1e-9))
+
+(says
+ [(find-periodic-orbit Henon-Heiles start 6.3 #:symmetry (lambda (s) 1))
+  "find-periodic-orbit: expected a symmetry, a function from states to states\n"
+  "  given: a function without a name"])

@@ -162,3 +162,14 @@
     (define p (found (standard-map 0.6) (up 0.1 3.0) n))
     (check-equal? (fixed-point-period p) 2)
     (check-close (fixed-point-coordinates p) (up 0 :pi) 1e-12)))
+
+;; The standard map is a product of two mirrors; this is one of them.
+(test-case "points on a line of symmetry"
+  (define (reversed theta I return fail) (return (- theta) (+ I (* 0.6 (sin theta)))))
+  (define region (list 0 :2pi 0 :2pi))
+  (define all (periodic-points (standard-map 0.6) 3 region))
+  (define on-line (periodic-points (standard-map 0.6) 3 region #:symmetry reversed))
+  (check-true (< 0 (length on-line) (length all)))
+  (for ([p on-line])
+    (define theta (abscissa (fixed-point-coordinates p)))
+    (check-close (sin theta) 0 1e-8)))
