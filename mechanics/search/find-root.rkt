@@ -14,7 +14,7 @@
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/define-plain.rkt" "../generic/function.rkt" "../generic/number-argument.rkt"
          "../numeric/finite-number.rkt" "../numeric/flvector.rkt"
-         (only-in "../numeric/linear-algebra/row-matrix.rkt" all-entries?)
+         (only-in "../numeric/linear-algebra/row-matrix.rkt" all-entries? rows-times)
          "../numeric/linear-algebra/singular-values.rkt"
          "../numeric/optimization/brent-root.rkt" "../numeric/optimization/newton.rkt"
          "../value/shape.rkt")
@@ -133,7 +133,7 @@
          (define step (/ (- (dot y u)) least))
          (define rounding (* 1.5e-8 (greatest x)))
          (define (holds? s)
-           (or (= s 0.0) (> (dot u (image (jacobian (along x s v)) v)) (* 0.5 least))))
+           (or (= s 0.0) (> (dot u (rows-times (jacobian (along x s v)) v)) (* 0.5 least))))
          (and (> least 0.0)
               (andmap holds? (list step (* 2.0 step) (* 3.0 step) rounding (- rounding)))))))
 
@@ -141,8 +141,3 @@
 (define (least-singular J)
   (define-values (us sizes vs) (singular-values (columns-of J)))
   (values (last us) (last sizes) (last vs)))
-
-(define (image rows v)
-  (for/flvector #:length (vector-length rows) ([row (in-vector rows)])
-    (for/fold ([sum 0.0]) ([a (in-vector row)] [x (in-flvector v)])
-      (fl+ sum (fl* (real->double-flonum a) x)))))

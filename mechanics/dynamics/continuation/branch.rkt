@@ -109,7 +109,8 @@
                '()
                (points-between (family-equations f) (family-orbit? f) a p s)))
          (define out? (outside? l (parameter-of p)))
-         (define inside (filter (lambda (s) (not (outside? l (parameter-of (found-at s))))) specials))
+         (define inside
+           (filter (lambda (s) (not (outside? l (parameter-of (found-at s))))) specials))
          (struct-copy branch b
                       [points (cons (or (and out? (at-the-end f l a p)) p) (branch-points b))]
                       [specials (append (reverse (map (special-of f) inside)) (branch-specials b))]
@@ -150,8 +151,8 @@
   (define last (first (branch-points b)))
   (when (outside? further (parameter-of last))
     (complain who
-              (string-append "the branch has left that range of the parameter; #:to says how far it is "
-                             "to go\n  parameter at its end: ~a\n  range: from ~a to ~a")
+              (string-append "the branch has left that range of the parameter; #:to says how far "
+                             "it is to go\n  parameter at its end: ~a\n  range: from ~a to ~a")
               (parameter-of last) (limits-from further) (limits-to further)))
   (followed who (struct-copy branch b [limits further] [end #f])))
 
@@ -160,7 +161,8 @@
 (define-plain (switch-branch b s #:direction [side 1] #:most-steps [most #f])
   (define who 'switch-branch)
   (check-argument who branch? b a-branch)
-  (check-argument who special-point? s "a special point of the branch, of (branch-special-points b)")
+  (check-argument who special-point? s
+                  "a special point of the branch, of (branch-special-points b)")
   (check-argument who (lambda (x) (memv x '(1 -1))) side "a direction, 1 or -1")
   (define-values (f p other) (leaving who s))
   (define l (branch-limits b))
@@ -200,7 +202,8 @@
   (define all (in-order b))
   (define last (first (branch-points b)))
   (define (row what parameter state spectrum)
-    (list (value->text parameter) what (if spectrum (stability-text b spectrum) "") (value->text state)))
+    (define stability (if spectrum (stability-text b spectrum) ""))
+    (list (value->text parameter) what stability (value->text state)))
   (define (point-row what p)
     (row what (parameter-of p) ((family-state* b) p) (point-spectrum p)))
   (define rows

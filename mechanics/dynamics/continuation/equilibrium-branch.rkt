@@ -4,7 +4,7 @@
 (require racket/flonum
          (only-in racket/list last range)
          "branch.rkt" "curve-step.rkt"
-         "../map/period-check.rkt"
+         "../map/map-on-tuples.rkt" "../map/period-check.rkt"
          "../../calculus/derivative.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
@@ -34,12 +34,12 @@
   (define x0
     (numbers-of (apply up (append (if timed? (cdr given) given) (list (limits-from l))))))
   (define e (rest-equations rates x0 l))
-  (define (not-found) (raise-no-equilibrium who state from (rates (apply up (flvector->list x0)))))
+  (define (not-found) (raise-no-equilibrium who state from (rates (up-of-numbers x0))))
   (branch-from (family-of e state timed?) l (first-point who e l x0 not-found)))
 
 (define (family-of e state timed?)
   (family e "equilibria" #f
-          (lambda (x) (with-unknowns state timed? (apply up (flvector->list x))))))
+          (lambda (x) (with-unknowns state timed? (up-of-numbers x)))))
 
 ;; The point of the curve that is near x0, where the parameter begins; (fail) where there is none
 (define (first-point who e l x0 fail)
@@ -50,8 +50,7 @@
 (define (check-family who family state from)
   (check-comes-first who (and (tuple? family) (procedure? state)) "family of systems" "state")
   (unless (and (pointwise? family) (accepts? family 1))
-    (complain who "expected a family, a function from a parameter to a state derivative\n  given: ~a"
-              (describe-function family)))
+    (complain-of-argument who "a family, a function from a parameter to a state derivative" family))
   (define f (family from))
   (unless (pointwise? f)
     (complain who
@@ -79,9 +78,9 @@
       (if (= k n) (parameter-scale l) (fl+ 1.0 (flabs x)))))
   (equations
    (lambda (x reference)
-     (define at (apply up (flvector->list x)))
+     (define at (up-of-numbers x))
      (define J (derivative-rows rates at n))
-     (evaluated (numbers-of (rates at)) J (lambda () (real-matrix-eigenvalues (square-part J n) n))))
+     (evaluated (numbers-of (rates at)) J (lambda () (eigenvalues-of J n))))
    scales #f #f))
 
 ;; -> rows of the derivatives by all unknowns
@@ -90,7 +89,8 @@
   (for/vector #:length n ([i (in-range n)])
     (for/vector #:length (+ n 1) ([j (in-range (+ n 1))]) (flvector-ref columns (+ i (* j n))))))
 
-(define (square-part J n) (rows->flvector (submatrix J (range n) (range n))))
+(define (eigenvalues-of J n)
+  (or (real-matrix-eigenvalues (rows->flvector (submatrix J (range n) (range n))) n) '()))
 
 (define (raise-no-equilibrium who state from rates)
   (raise-not-convergent who "no equilibrium was found near the state" state #f #:show? #f

@@ -70,7 +70,7 @@
 (define (family-of o e)
   (define n (length (start-of o)))
   (family e "periodic orbits" #t
-          (lambda (x) (state-of o (for/flvector #:length n ([z (in-flvector x)] [_ (in-range n)]) z)))))
+          (lambda (x) (state-of o (part x 0 n)))))
 
 ;; ---------------------------------------------------------------------------
 
@@ -109,7 +109,7 @@
 ;; Has the orbit shrunk to an equilibrium?  That of a driven system may rest.
 (define (rests? o x)
   (define p (if (orbits-energy o) 0.0 (flvector-ref x (- (flvector-length x) 1))))
-  (define z (for/flvector ([u (in-flvector x)] [_ (in-list (start-of o))]) u))
+  (define z (part x 0 (length (start-of o))))
   (and (not (orbits-period o)) (fl< (norm (rates-at o z p)) (fl* 1e-6 (fl+ 1.0 (norm z))))))
 
 ;; Does the state come back after several of these periods?

@@ -13,6 +13,7 @@
 (require racket/flonum
          (only-in racket/list range)
          "curve-step.rkt" "equilibrium-branch.rkt"
+         "../map/map-on-tuples.rkt"
          "../../calculus/derivative.rkt"
          "../../generic/up-down.rkt"
          "../../motion/evolution.rkt" "../../motion/linearized-flow.rkt"
@@ -21,7 +22,6 @@
          "../../numeric/linear-algebra/flonum-systems.rkt"
          "../../numeric/linear-algebra/general-eigenvalues.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
-         (only-in "../../numeric/optimization/trust-region.rkt" rows-times)
          "../../value/shape.rkt"
          (only-in "../../value/structure.rkt" ref structure->list))
 
@@ -49,8 +49,7 @@
 
 (define (start-of o) (let ([all (scalars (orbits-state o))]) (if (orbits-timed? o) (cdr all) all)))
 
-(define (state-of o z) (with-unknowns (orbits-state o) (orbits-timed? o)
-                                            (apply up (flvector->list z))))
+(define (state-of o z) (with-unknowns (orbits-state o) (orbits-timed? o) (up-of-numbers z)))
 
 ;; What a state has but the time
 (define (moving o state)
@@ -83,7 +82,9 @@
   (apply flvector (append (flvector->list z) (if (orbits-period o) '() (list T))
                           (if (orbits-energy o) (list 0.0) '()) (list p))))
 
-(define (part x from count) (for/flvector #:length count ([k (in-range count)]) (flvector-ref x (+ from k))))
+;; The part of x of that length from a place on
+(define (part x from count)
+  (for/flvector #:length count ([k (in-range count)]) (flvector-ref x (+ from k))))
 
 (define (orbit-equations o x0 scale)
   (define n (length (start-of o)))
@@ -124,10 +125,12 @@
 
 (define (energy-at o z) (flvector-ref (numbers-of ((orbits-energy o) (state-of o z))) 0))
 (define (energy-slope o z) (moving o (derivative-at (orbits-energy o) (state-of o z))))
+
 ;; ---------------------------------------------------------------------------
 ;; The rows, row by row beside those of M − 1
 (define (beside-displacement n M columns)
-  (for/vector #:length n ([row (in-vector (rows-combine - M (unit-rows n 1.0 0.0)))] [i (in-naturals)])
+  (for/vector #:length n ([row (in-vector (rows-combine - M (unit-rows n 1.0 0.0)))]
+                          [i (in-naturals)])
     (list->vector (append (vector->list row)
                           (for/list ([c (in-list columns)]) (if c (flvector-ref c i) 0.0))))))
 

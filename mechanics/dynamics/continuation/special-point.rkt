@@ -12,9 +12,9 @@
          racket/list
          "curve-step.rkt"
          "../../numeric/flvector.rkt"
-         "../../numeric/linear-algebra/row-matrix.rkt" "../../numeric/linear-algebra/singular-values.rkt"
-         "../../numeric/optimization/brent-root.rkt"
-         (only-in "../../numeric/optimization/trust-region.rkt" rows-times))
+         "../../numeric/linear-algebra/row-matrix.rkt"
+         "../../numeric/linear-algebra/singular-values.rkt"
+         "../../numeric/optimization/brent-root.rkt")
 
 (provide (struct-out found) points-between growing crossing-directions)
 
@@ -72,12 +72,14 @@
       (define guess (between e a low low-r high high-r r))
       (define-values (p _) (point-along e a r (point-tangent a) guess))
       (unless p
-        (return (point-at e guess ((equations-evaluate e) guess (point-x a)) (point-tangent a))))
+        (define v ((equations-evaluate e) guess (point-x a)))
+        (return (point-at e guess v (point-tangent a))))
       (if (< (* (test p) (test a)) 0.0)
           (set!-values (high high-r) (values p r))
           (set!-values (low low-r) (values p r)))
       p)
-    (define (value r) (cond [(= r 0.0) (test a)] [(= r s) (test b)] [else (test (at r))]))
+    (define (value r)
+      (cond [(= r 0.0) (test a)] [(= r s) (test b)] [else (test (at r))]))
     (define-values (r _error _count)
       (bracketed-root value 0.0 s #:tolerance 1e-11 #:jump void))
     (at r)))

@@ -6,12 +6,12 @@
 (require racket/flonum
          (only-in racket/list make-list range)
          "curve-step.rkt" "equilibrium-branch.rkt" "orbit-equations.rkt"
+         "../map/map-on-tuples.rkt"
          "../../calculus/derivative.rkt"
          "../../generic/up-down.rkt"
          "../../numeric/flvector.rkt"
          (only-in "../../numeric/linear-algebra/flonum-systems.rkt" product)
          "../../numeric/linear-algebra/row-matrix.rkt"
-         (only-in "../../numeric/optimization/trust-region.rkt" rows-times)
          (only-in "../../search/implicit-root.rkt" columns->rows)
          "../../value/shape.rkt")
 
@@ -43,10 +43,8 @@
 (define ((image o R) v)
   (define all (scalars (R (with-unknowns (orbits-state o) (orbits-timed? o) v))))
   (apply up (if (orbits-timed? o) (cdr all) all)))
-(define (up-of z) (apply up (flvector->list z)))
-(define (off o R z) (difference z (numbers-of ((image o R) (up-of z)))))
+(define (off o R z) (difference z (numbers-of ((image o R) (up-of-numbers z)))))
 (define (off-rows o R z)
   (define n (flvector-length z))
-  (define slopes (numbers-of (derivative-at (image o R) (up-of z))))
+  (define slopes (numbers-of (derivative-at (image o R) (up-of-numbers z))))
   (rows-combine - (unit-rows n 1.0 0.0) (columns->rows n slopes)))
-

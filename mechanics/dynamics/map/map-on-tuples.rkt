@@ -23,7 +23,9 @@
          "../../value/shape.rkt")
 
 (provide make-map-on-tuples (struct-out map-on-tuples) done-times
-         displacement returns-after slopes-of-image)
+         displacement returns-after slopes-of-image
+         ;; for orbits
+         up-of-numbers)
 
 ;; once : (up z ...) -> (up z' ...), of the numbers that come back; times : number of iterations
 ;; point : flvector -> the user's point or state; start : flvector; angles : list of booleans

@@ -18,7 +18,8 @@
          "../../error/failure.rkt" "../../error/note.rkt" "../../error/refusal.rkt"
          "../../generic/compare.rkt" "../../generic/define-plain.rkt"
          "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
-         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt" "../../numeric/flvector.rkt")
+         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
+         "../../numeric/flvector.rkt")
 
 (provide periodic-points)
 

@@ -4,7 +4,7 @@
 (require racket/flonum)
 
 (provide entry greatest-entry all-entries? exact-numbers? row-length
-         rows-map rows-combine rows-transpose symmetric-rows symmetric?
+         rows-map rows-combine rows-transpose rows-times symmetric-rows symmetric?
          beside submatrix unit-rows rows->flvector
          exchange!)
 
@@ -32,6 +32,12 @@
 (define (rows-combine f a b)
   (for/vector #:length (vector-length a) ([r (in-vector a)] [s (in-vector b)])
     (for/vector #:length (vector-length r) ([x (in-vector r)] [y (in-vector s)]) (f x y))))
+
+;; The product with an flvector
+(define (rows-times rows v)
+  (for/flvector #:length (vector-length rows) ([row (in-vector rows)])
+    (for/fold ([sum 0.0]) ([a (in-vector row)] [x (in-flvector v)])
+      (fl+ sum (fl* (real->double-flonum a) x)))))
 
 (define (rows-transpose rows)
   (define n (row-length rows))

@@ -22,7 +22,7 @@
          "../linear-algebra/row-matrix.rkt" "../linear-algebra/singular-values.rkt"
          "../../error/failure.rkt")
 
-(provide trust-region shortest-solution rows-times)
+(provide trust-region shortest-solution)
 
 ;; The first radius, and a Newton step below which a zero is one as far as rounding tells.
 (define first-radius 0.1)
@@ -110,11 +110,6 @@
   (along a (fl/ (fl- (flsqrt (fl- (fl* B B) (fl* A C))) B) A) d))
 
 ;; ---------------------------------------------------------------------------
-
-(define (rows-times rows v)
-  (for/flvector #:length (vector-length rows) ([row (in-vector rows)])
-    (for/fold ([sum 0.0]) ([a (in-vector row)] [x (in-flvector v)])
-      (fl+ sum (fl* (real->double-flonum a) x)))))
 
 ;; Singular values below this part of the greatest are zeros.
 (define rank-tolerance 1e-9)

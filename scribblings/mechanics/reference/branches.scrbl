@@ -32,9 +32,8 @@ has the energy of the given state, else a near one.
       (- (* damping (- 1 (square (ref s 0))) (ref s 1)) (ref s 0))))
 (find-periodic-orbit (van-der-Pol 1) (up 2.0 0.1) 6.5)]
 
-Time reversal, such as @racket[(lambda (s) (up (- (time s)) (coordinate s) (- (momentum s))))], may be
-given as @racket[symmetry]: then an orbit is looked for that is its own mirror image, from a start and
-half a period later a state that the mirror leaves where they are.
+A symmetry such as the reversal of time may be given: then an orbit is looked for that is its own
+mirror image, from a start and half a period later a state that the mirror leaves where they are.
 
 @examples[#:eval session
 (define (H-Henon-Heiles s)
@@ -111,8 +110,8 @@ Theory}, ch. 10.}
                                   [#:tolerance tolerance real? 1e-12])
          branch?]{
 
-The branch of the periodic orbit near @racket[state], of about @racket[period], where the parameter is
-@racket[from]. The period of a system that is driven is given, as a number or a function of the
+The branch of the periodic orbit near @racket[state], of about @racket[period], where the parameter
+is @racket[from]. The period of a system that is driven is given, as a number or a function of the
 parameter. With @racket[energy] the parameter is the energy, and @racket[family] itself a state
 derivative.
 
@@ -147,8 +146,8 @@ Source: for the energy as a parameter F. J. Muñoz-Almaraz and others, Physica D
 A branch, point by point from the start: parameters, states, periods (@racket[#f] of equilibria),
 eigenvalues of the linearized rates or Floquet's multipliers, and whether none of these grows; the
 special points; and why it ended: @racket['range], the parameter left its range; @racket['steps],
-there were as many as asked; @racket['no-next-point], however short the step; @racket[#f] of a branch
-that was broken off. A branch prints as a table; @racket[plot-branch] draws it.
+there were as many as asked; @racket['no-next-point], however short the step; @racket[#f] of a
+branch that was broken off. A branch prints as a table; @racket[plot-branch] draws it.
 
 @examples[#:eval session
 (branch? bottom)
@@ -183,8 +182,8 @@ A point where something changes: its kind, which is @racket['fold], @racket['pit
                         [#:most-steps most (or/c exact-positive-integer? #f) #f])
          branch?]{
 
-The branch that leaves another one at a pitchfork, a transcritical point, or a period doubling, where
-it is one of orbits of twice the period; @racket[direction] chooses its side.
+The branch that leaves another one at a pitchfork, a transcritical point, or a period doubling,
+where it is one of orbits of twice the period; @racket[direction] chooses its side.
 
 @examples[#:eval session
 (switch-branch bottom fork)

@@ -139,10 +139,10 @@ one stream ends before that.
                            [#:tolerance tolerance real? 1e-13])
          fixed-point?]{
 
-The fixed point of a map, or a point of the given period, that a trust region (Powell's dogleg) finds
-near @racket[guess]: with its multipliers, its kind and, if it is elliptic, the angle by which neighbours
-turn about it in a period. A point that returns sooner is given its lesser period. The derivatives
-are exact.
+The fixed point of a map, or a point of the given period, that a trust region (Powell's dogleg)
+finds near @racket[guess]: with its multipliers, its kind and, if it is elliptic, the angle by which
+neighbours turn about it in a period. A point that returns sooner is given its lesser period. The
+derivatives are exact.
 
 @examples[#:eval session
 (find-fixed-point (standard-map 0.6) (up 3 0.1))
@@ -210,10 +210,9 @@ method or what the rounding of the image leaves, which is more at a multiple poi
          (listof fixed-point?)]{
 
 The points of period @racket[n], and of no lesser one, of a map of the plane in the rectangle
-@racket[(list x-min x-max y-min y-max)], each once, from left to right. They are looked for where the
-displacement is less than around, on the grid and on finer ones until nothing new comes. How often
-the displacement turns along the edge of the rectangle tells the number of elliptic points less that
-of hyperbolic ones; if that is another, a note says so. A pair of points that is missing is
+@racket[(list x-min x-max y-min y-max)], each once, from left to right. They are looked for where
+the displacement is less than around, on the grid and on finer ones until nothing new comes.
+How often the displacement turns along the edge tells the number of elliptic points less that of hyperbolic ones; if that is another, a note says so. A pair of points that is missing is
 not noticed; a finer grid may find it.
 
 @examples[#:eval session

@@ -194,8 +194,8 @@ phase-plane]}
          frame?]{
 
 Draws a function of the state along a branch (@secref["branches"]) over the parameter: a solid line
-where the equilibria or orbits are stable, a dashed one where they are not, and a dot at each special
-point. Returns the frame.
+where the equilibria or orbits are stable, a dashed one where they are not, and a dot at each
+special point. Returns the frame.
 
 @examples[#:eval session
 (define ((valley p) s) (up (* (ref s 0) (- p (square (ref s 0))))))
