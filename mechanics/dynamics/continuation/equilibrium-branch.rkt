@@ -10,7 +10,6 @@
          "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../generic/function.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
          "../../motion/system/check.rkt"
-         "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/general-eigenvalues.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
          "../../value/shape.rkt")

@@ -5,7 +5,7 @@
          "branch.rkt" "curve-step.rkt" "equilibrium-branch.rkt" "orbit-equations.rkt"
          "symmetric-orbit.rkt"
          "../map/period-check.rkt"
-         "../../error/complain.rkt" "../../error/failure.rkt" "../../error/refusal.rkt"
+         "../../error/failure.rkt" "../../error/refusal.rkt"
          "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../generic/function.rkt" "../../generic/up-down.rkt" "../../generic/value-struct.rkt"
          "../../generic/wrong-argument.rkt"

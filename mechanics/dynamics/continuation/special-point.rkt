@@ -64,7 +64,7 @@
 
 ;; The point between a and b, at the distance s, where the test changes its sign.  Close to a
 ;; crossing the equations have nearly no inverse: Newton's method begins on the cubic through the
-;; nearest points on both sides, and where rounding leaves no point the cubic is taken for the curve.
+;; nearest points on both sides, which is taken for the curve where rounding leaves no point.
 (define (location e a b s test)
   (define-values (low low-r high high-r) (values a 0.0 b s))
   (let/ec return

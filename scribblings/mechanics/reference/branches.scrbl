@@ -7,8 +7,8 @@
 @title[#:tag "branches" #:style '(toc)]{Branches of equilibria and periodic orbits}
 
 Equilibria and periodic orbits move as a parameter changes; they appear, lose their stability, and
-others branch off. A @italic{branch} is followed along its own length, so that a fold, where the
-parameter turns back, is a point like any other (pseudo-arclength, H. B. Keller 1977). A
+others branch off: bifurcations. A @italic{branch} is followed along its own length, so that a fold,
+where the parameter turns back, is a point like any other (pseudo-arclength, H. B. Keller 1977). A
 @italic{family} is a function from the parameter to a state derivative.
 
 @local-table-of-contents[]
@@ -209,9 +209,8 @@ keyboard or an error of the family's own; @racket[#f] if there is none.
 
 @examples[#:eval session
 (define (ends-at-two p)
-  (if (> p 2) (raise 'too-far) (bead p)))
+  (if (> p 2) (error "the rate is too great") (bead p)))
 (define part
-  (with-handlers ([exn? branch-so-far]
-                  [symbol? values])
+  (with-handlers ([exn? branch-so-far])
     (continue-equilibrium ends-at-two (up 0 0 0) 1 5)))
 part]}

@@ -212,8 +212,9 @@ method or what the rounding of the image leaves, which is more at a multiple poi
 The points of period @racket[n], and of no lesser one, of a map of the plane in the rectangle
 @racket[(list x-min x-max y-min y-max)], each once, from left to right. They are looked for where
 the displacement is less than around, on the grid and on finer ones until nothing new comes.
-How often the displacement turns along the edge tells the number of elliptic points less that of hyperbolic ones; if that is another, a note says so. A pair of points that is missing is
-not noticed; a finer grid may find it.
+How often the displacement turns along the edge tells the number of elliptic points less that of
+hyperbolic ones; if that is another, a note says so. A pair of points that is missing is not
+noticed; a finer grid may find it.
 
 @examples[#:eval session
 (define two (periodic-points (standard-map 0.6) 2 (list 0 :2pi 0 :2pi)))
