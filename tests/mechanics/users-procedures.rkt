@@ -109,6 +109,9 @@
      [linearized-flow ((linearized-flow (lambda () d)) start 2.0)]
      [Poincare-map ((Poincare-map d (event above)) start)]
      [stroboscopic-map ((stroboscopic-map d 2.0) start)]
+     [find-periodic-orbit (find-periodic-orbit d start 6.3)]
+     [continue-periodic-orbit (continue-periodic-orbit (lambda (p) d) start 6.3 0.0 1.0)]
+     [continue-equilibrium (continue-equilibrium (lambda (p) d) (up 0.0 0.1 0.0) 0.0 1.0)]
      [Floquet-multipliers (Floquet-multipliers d start :2pi)]
      [Lyapunov-exponents (Lyapunov-exponents d start 5.0)]
      [maximal-Lyapunov-exponent (maximal-Lyapunov-exponent d start 5.0)]
@@ -148,6 +151,9 @@
                              #:most-modes 128)]
     [rotation-number (rotation-number m (up 0.1 2.0) 100)]))
 
+(define ((falls-to p) s) (up (- p (ref s 0))))
+(define resting (continue-equilibrium falls-to (up 0.1) 0 1))
+
 (define pictures
   (append
    (rows-of
@@ -158,6 +164,7 @@
       (bad) (plot-parametric-fill (frame 0 1 0 1) (lambda (x) (make-point (bad x) x)) 0.0 1.0
                                   (plane-near? 0.1))]
     [plot-contours (bad) (plot-contours (frame 0 1 0 1) (lambda (x y) (bad x)) '(0.5))]
+    [plot-branch (bad) (plot-branch (frame 0 1 0 1) resting (lambda (s) (bad (ref s 0))))]
     [plot-phase-portrait
       (bad) (plot-phase-portrait (frame -1 1 -1 1) (lambda (s) (bad (H-oscillator s))))])
    (map-rows (m)
@@ -171,7 +178,7 @@
 
 (define-runtime-path reference "../../scribblings/mechanics/reference")
 (define numeric-pages
-  '("compiled-functions" "ensembles" "local-tuples" "maps" "motion" "pictures" "scmutils"))
+  '("branches" "compiled-functions" "ensembles" "local-tuples" "maps" "motion" "pictures" "scmutils"))
 
 ;; They make something of the procedure, which is not called, or call it where the user does.
 (define no-numbers
