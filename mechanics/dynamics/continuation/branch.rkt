@@ -6,7 +6,7 @@
          racket/list
          "curve-step.rkt" "special-point.rkt"
          "../../error/complain.rkt"
-         "../../error/progress.rkt"
+         "../../error/progress.rkt" "../../error/refusal.rkt"
          "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
          "../../motion/partial-result.rkt"
@@ -25,8 +25,9 @@
 
 ;; points : list of points of the curve, the latest first; specials : of special points, the latest
 ;; first; step : the length of the next; tangent : #f, or where to leave from the only point
-;; end : why it ended, a symbol, or #f of one that was broken off
-(value-struct branch (family limits points specials step tangent end)
+;; ending : why it ended, a symbol, or a text where there was no next point; #f of one that was
+;; broken off
+(value-struct branch (family limits points specials step tangent ending)
   #:text branch->text)
 
 (value-struct special-point (kind parameter state spectrum family at other)
@@ -94,7 +95,17 @@
              [(eqv? left 1) (ended next 'steps)]
              [else (loop next (- left 1))])))))
 
-(define (ended b why) (struct-copy branch b [end why]))
+(define (ended b why) (struct-copy branch b [ending why]))
+
+(define (branch-end b) (if (string? (branch-ending b)) 'no-next-point (branch-ending b)))
+
+;; What is wrong a little beyond the point a: the message of a refusal, or that there is no point
+(define (reason e a t)
+  (define beyond
+    (along (point-x a) (* 1e3 shortest-step) (flvector-map fl* t (equations-scales e))))
+  (with-handlers ([refusal? exn-message])
+    ((equations-evaluate e) beyond (point-x a))
+    "no next point was found, however short the step"))
 
 ;; One step further
 (define (lengthened b)
@@ -102,7 +113,7 @@
   (define t (or (branch-tangent b) (point-tangent a)))
   (define-values (p s next)
     (step-along (family-equations f) a (branch-step b) (limits-longest l) shortest-step t))
-  (cond [(not p) (ended b 'no-next-point)]
+  (cond [(not p) (ended b (reason (family-equations f) a t))]
         [else
          (define specials
            (if (branch-tangent b)
@@ -115,7 +126,7 @@
                       [points (cons (or (and out? (at-the-end f l a p)) p) (branch-points b))]
                       [specials (append (reverse (map (special-of f) inside)) (branch-specials b))]
                       [step next] [tangent #f]
-                      [end (and out? 'range)])]))
+                      [ending (and out? 'range)])]))
 
 ;; The point between a and p where the parameter leaves its range
 (define (at-the-end f l a p)
@@ -154,7 +165,7 @@
               (string-append "the branch has left that range of the parameter; #:to says how far "
                              "it is to go\n  parameter at its end: ~a\n  range: from ~a to ~a")
               (parameter-of last) (limits-from further) (limits-to further)))
-  (followed who (struct-copy branch b [limits further] [end #f])))
+  (followed who (struct-copy branch b [limits further] [ending #f])))
 
 ;; The branch that leaves a special point of b; a period doubling is left by orbits of twice the
 ;; period.  direction : 1 or -1, the two sides
@@ -235,5 +246,5 @@
   (case (branch-end b)
     [(range) ""]
     [(steps) "\n  more follows: (extend-branch b) goes on"]
-    [(no-next-point) "\n  it ends there: no next point was found, however short the step"]
+    [(no-next-point) (string-append "\n  it ends there: " (branch-ending b))]
     [else "\n  it was broken off: (extend-branch b) goes on"]))

@@ -68,7 +68,12 @@
                                     [_ (in-range (shape-length state))])
                            x)))
 
-(define (numbers-of v) (structure->flvector v comparand))
+;; The scalars of a value, which may be those of derivatives
+(define (numbers-of v)
+  (define (number x)
+    (define n (comparand x))
+    (if (real? n) n (complain-of-argument 'branch "rates and states of real numbers" n)))
+  (structure->flvector v number))
 
 (define (rest-equations rates x0 l)
   (define n (- (flvector-length x0) 1))

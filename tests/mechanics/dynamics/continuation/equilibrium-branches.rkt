@@ -95,6 +95,13 @@
   (check-true (branch? part))
   (check-close (final (branch-parameters (extend-branch part))) 3 1e-12))
 
+(test-case "a branch that ends says why, with the last good point"
+  (define ((root p) s) (up (- (sqrt (- 1 p)) (* 2 (- 1 p)) (ref s 0))))
+  (define b (continue-equilibrium root (up 0.0) 0 2))
+  (check-eq? (branch-end b) 'no-next-point)
+  (check-close (final (branch-parameters b)) 1 1e-2)
+  (check-regexp-match #rx"end +stable.*\n  it ends there: .*real numbers" (format "~a" b)))
+
 (test-case "what it prints"
   (check-equal?
    (format "~a" (continue-equilibrium cusp (up -2.1) -3 3 #:most-steps 1 #:step 0.1))
