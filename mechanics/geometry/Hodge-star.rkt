@@ -44,13 +44,15 @@
 
 (define (star-of w g volume n)
   (define k (field-rank w))
+  (define over (field-over w))
   (define home (common-field-home 'Hodge-star (list w volume)))
+  (define inverse-metric (metric:invert g))
   (define (find C)
-    (define inverse (inverse-metric-components g C))
+    (define inverse (components-over inverse-metric over C))
     (define raised
       (for/fold ([T (components-in w C)]) ([p (in-range k)])
         (apply-to-index T n k p (lambda (j i) (component inverse n (list j i))))))
-    (define vol (components-in volume C))
+    (define vol (components-over volume over C))
     (define size (expt n (- n k)))
     (for/vector #:length size ([place (in-range size)])
       (define sum
@@ -60,7 +62,7 @@
   (define (make-datum) `((Hodge-star ,(value->datum g)) ,(value->datum w)))
   (if (= k n)
       (make-manifold-function home (lambda (C) (vector-ref (find C) 0)) make-datum)
-      (make-field home (vectors (- n k)) find make-datum #:form? #t)))
+      (make-field home (vectors (- n k)) find make-datum #:over over #:form? #t)))
 
 ;; (δω)(v …) = −Σ gⁱʲ (∇ᵢ ω)(∂ⱼ, v …), which takes forms to those of a rank less
 (define (codifferential metric basis)
@@ -68,7 +70,7 @@
   (define c (metric->Cartan g basis))
   (lambda (w)
     (cond [(function-of-points? w) 0]
-          [(form-field? w) (codifferential-of w g c)]
+          [(form-field? w) (check-on-manifold 'codifferential w) (codifferential-of w g c)]
           [else (complain-of-argument 'codifferential "a form" w)])))
 
 (define (codifferential-of w g c)
@@ -115,6 +117,7 @@
   (define c (metric->Cartan g basis))
   (lambda (v)
     (check-argument 'divergence vector-field? v "a vector field")
+    (check-on-manifold 'divergence v)
     (make-manifold-function (common-field-home 'divergence (list v g))
                             (lambda (C) (divergence-in v c C))
                             (lambda () `((divergence ,(value->datum g)) ,(value->datum v))))))

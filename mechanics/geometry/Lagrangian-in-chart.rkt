@@ -36,9 +36,9 @@
 
 ;; The function, simplified at symbols
 (define (as-formula f B)
-  (define q (coordinate-tuple (coordinate-system-symbols B)))
+  (define q (typical-coords B))
   (define place (up (string->uninterned-symbol "t") q (symbols-like q "v")))
-  (define e (simplify-strictly (f place)))
+  (define e (simplify-always (f place)))
   (lambda (local) (evaluate-at e place local)))
 
 ;; ---------------------------------------------------------------------------

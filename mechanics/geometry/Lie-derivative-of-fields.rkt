@@ -19,8 +19,7 @@
 ;; The operator £_X, on functions and fields.
 (define (Lie-derivative-along X)
   (check-argument 'Lie-derivative vector-field? X "a vector field")
-  (when (field-over X)
-    (complain 'Lie-derivative "expected a vector field on a manifold; this one is over a map"))
+  (check-on-manifold 'Lie-derivative X)
   (make-primitive-operator (lambda (T) (change-along X T))
                            (lambda () (list 'Lie-derivative (value->datum X)))))
 
@@ -28,10 +27,8 @@
   (cond [(tuple? T) (structure-map (lambda (part) (change-along X part)) (adopt T))]
         [(function-of-fields? T) (changed-function (lambda (T) (change-along X T)) T)]
         [(not (field? T)) (X T)]
-        [(field-over T)
-         (complain 'Lie-derivative "expected a field on a manifold\n  given: ~a"
-                   (describe-with-value T))]
         [else
+         (check-on-manifold 'Lie-derivative T)
          (make-field (common-field-home 'Lie-derivative (list T X)) (field-types T)
                      (lambda (C) (changed-components X T C))
                      (lambda () `((Lie-derivative ,(value->datum X)) ,(value->datum T)))
@@ -63,6 +60,8 @@
 (define (Lie-bracket X Y)
   (check-argument 'commutator vector-field? X "a vector field")
   (check-argument 'commutator vector-field? Y "a vector field")
+  (check-on-manifold 'commutator X)
+  (check-on-manifold 'commutator Y)
   (make-field (common-field-home 'commutator (list X Y)) '(1form)
               (lambda (C) (changed-components X Y C))
               (lambda () (list 'commutator (value->datum X) (value->datum Y)))))

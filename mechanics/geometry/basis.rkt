@@ -128,14 +128,16 @@
         [else
          (check-argument who (lambda (f) (and (procedure? f) (accepts? f 1))) components
                          (string-append word " of components, or a function of coordinates"))])
-  (define (find)
+  (define (value-at x)
     (define value
-      (let ([x (coordinate-tuple (coordinate-system-symbols C))])
-        (if (tuple? components)
-            (structure-map (lambda (f) (if (procedure? f) (f x) f)) (adopt components))
-            (components x))))
+      (if (tuple? components)
+          (structure-map (lambda (f) (if (procedure? f) (f x) f)) (adopt components))
+          (components x)))
     (check-shape value value)
-    (tuple-elements value))
+    value)
+  (define (find)
+    (define m (typical-point C))
+    (tuple-elements (in-symbols-of C m (value-at (point-coordinates m)))))
   (native-field C types find
                 (lambda () (or name (list who (value->datum components) (value->datum C))))
                 #:form? (equal? types '(vector))))

@@ -15,7 +15,7 @@
          "../value/simplify.rkt")
 
 (provide derivatives-by-coordinates derivatives-by-coordinates-at
-         evaluate-components inverse-of-matrix determinant-of-matrix tidied)
+         evaluate-components in-place-of-symbols inverse-of-matrix determinant-of-matrix tidied)
 
 ;; -> a vector with, for each coordinate of C, the vector of derivatives of the expressions
 (define (derivatives-by-coordinates es C)
@@ -54,8 +54,9 @@
 
 ;; The expressions with coordinates in place of the symbols of C.
 ;; x : the coordinates, as of a point
-(define (evaluate-components es C x)
-  (define symbols (coordinate-system-symbols C))
+(define (evaluate-components es C x) (in-place-of-symbols es (coordinate-system-symbols C) x))
+
+(define (in-place-of-symbols es symbols x)
   (define xs (if (tuple? x) (tuple-elements x) (vector x)))
   (if (for/and ([s (in-vector symbols)] [x (in-vector xs)]) (eq? s x))
       es
@@ -89,11 +90,11 @@
 ;; ---------------------------------------------------------------------------
 
 ;; An expression in normal form, where that is likely to be the smaller one: what is 0 is seen to
-;; be.  Large ones, and those that grow, stay graphs.
+;; be.  Large ones, and those that grow, stay graphs.  It is kept, so no assumption is used.
 (define (tidied e)
   (cond [(or (not (node? e)) (> (graph-size e) large)) e]
         [else
-         (define simple (simplify-strictly e))
+         (define simple (simplify-always e))
          (if (> (graph-size simple) (* 2 (graph-size e))) e simple)]))
 
 (define large 300)                      ; nodes

@@ -108,8 +108,7 @@
               #:form? #t))
 
 (define (derivative-of-form w)
-  (when (field-over w)
-    (complain 'd "the exterior derivative is that of a form on a manifold; this is one over a map"))
+  (check-on-manifold 'd w)
   (define rank (add1 (field-rank w)))
   (make-field (field-home w) (vectors rank)
               (lambda (C)

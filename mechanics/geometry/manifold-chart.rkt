@@ -147,9 +147,10 @@
 
 (define (same-chart? A B) (eq? (system-symbols A) (system-symbols B)))
 
-;; The function f of coordinate systems, called once for each chart.
+;; The function f of coordinate systems, called once for each chart.  What it gave is kept as long
+;; as the chart is.
 (define (once-a-chart f)
-  (define known (make-hasheq))
+  (define known (make-ephemeron-hasheq))
   (lambda (C) (hash-ref! known (system-symbols C) (lambda () (f C)))))
 
 ;; The same chart with other names, a vector.

@@ -17,7 +17,8 @@
 (require-on-demand ["field-notation.rkt" field-notation])
 
 (provide manifold-function? make-manifold-function manifold-function-home
-         expression-in evaluate-structure home-of common-home function-of-points?
+         expression-in evaluate-structure in-symbols-of on-its-manifold
+         home-of common-home function-of-points?
          judged-in
          literal-of-coordinates literal-manifold-function constant-manifold-function
          zero-manifold-function one-manifold-function)
@@ -43,14 +44,19 @@
                                  (length ms))]))
 
 (define (make-manifold-function home at make-datum)
-  (manifold-function home (once-a-chart at) make-datum))
+  (manifold-function home (once-a-chart (on-its-manifold home at)) make-datum))
+
+;; find : coordinate system -> value, where the system is of the manifold of home
+(define ((on-its-manifold home find) C)
+  (common-home 'geometry #:of values home C)
+  (find C))
 
 ;; f in the symbols of C.  A number or an expression is the constant function; a tuple, the tuple
 ;; of its parts; any other procedure is a function of points.
 (define (expression-in f C)
   (cond [(manifold-function? f) ((manifold-function-at f) C)]
         [(tuple? f) (structure-map (lambda (part) (expression-in part C)) (adopt f))]
-        [(procedure? f) (f (generic-point C))]
+        [(procedure? f) (let ([m (typical-point C)]) (in-symbols-of C m (f m)))]
         [else f]))
 
 (define (value-at-point f m)
@@ -60,10 +66,17 @@
   (define C (point-system m))
   (evaluate-structure (expression-in f C) C (point-coordinates m)))
 
-(define (evaluate-structure e C x)
-  (if (tuple? e)
-      (list->structure e (vector->list (evaluate-components (list->vector (scalars e)) C x)))
-      (vector-ref (evaluate-components (vector e) C x) 0)))
+;; What a procedure made of the typical point m, in the symbols of C.  It is not called at these: the
+;; coordinates of its point may be constants where it takes derivatives by coordinates.
+(define (in-symbols-of C m e)
+  (structure-with e (list->vector (scalars (point-coordinates m)))
+                  (coordinate-tuple (coordinate-system-symbols C))))
+
+(define (evaluate-structure e C x) (structure-with e (coordinate-system-symbols C) x))
+
+(define (structure-with e symbols x)
+  (define es (in-place-of-symbols (list->vector (scalars e)) symbols x))
+  (if (tuple? e) (list->structure e (vector->list es)) (vector-ref es 0)))
 
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic: pointwise

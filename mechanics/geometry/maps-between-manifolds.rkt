@@ -45,9 +45,7 @@
 (define ((differential map) v)
   (check-map 'differential map)
   (check-argument 'differential vector-field? v "a vector field")
-  (when (field-over v)
-    (complain 'differential "expected a vector field on a manifold\n  given: ~a"
-              (describe-with-value v)))
+  (check-on-manifold 'differential v)
   (make-field (field-home v) '(1form)
               (lambda (C)
                 (define vs (components-in v C))
@@ -94,6 +92,7 @@
 (define ((pullback-form map) w)
   (check-map 'pullback map)
   (check-argument 'pullback form-field? w "a form")
+  (unless (eq? (field-over w) map) (check-on-manifold 'pullback w))
   (make-field #f (field-types w)
               (lambda (C)
                 (define p (place-over map C))

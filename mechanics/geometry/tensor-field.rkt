@@ -24,7 +24,7 @@
          field-home field-over field-types field-form? field-rank field-datum
          vector-field? form? form-field? tensor?
          components-in components-over place-over target-dimension
-         common-over common-field-home
+         common-over common-field-home check-on-manifold
          derivative-along apply-field
          (struct-out place))
 
@@ -52,7 +52,7 @@
 (define (field-rank T) (length (field-types T)))
 
 (define (make-field home types find make-datum #:over [over #f] #:form? [form? #f])
-  (field home over types form? (once-a-chart find) make-datum))
+  (field home over types form? (once-a-chart (on-its-manifold home find)) make-datum))
 
 (define (vector-field? x) (and (field? x) (equal? (field-types x) '(1form))))
 (define (form-field? x) (and (field? x) (field-form? x)))
@@ -75,13 +75,13 @@
 (struct place (system coordinates) #:authentic)
 
 (define (place-over map C)
-  (if map
-      (let ([m (map (generic-point C))])
-        (unless (point? m)
-          (complain 'manifold-map "a map between manifolds gives points\n  map: ~a\n  it gave: ~a"
-                    (value->text map) (describe-with-value m)))
-        (place (point-system m) (point-coordinates m)))
-      (place C (coordinate-tuple (coordinate-system-symbols C)))))
+  (define m (if map (typical-point C) (generic-point C)))
+  (define image (if map (map m) m))
+  (unless (point? image)
+    (complain 'manifold-map "a map between manifolds gives points\n  map: ~a\n  it gave: ~a"
+              (value->text map) (describe-with-value image)))
+  (place (point-system image)
+         (if map (in-symbols-of C m (point-coordinates image)) (point-coordinates image))))
 
 (define (target-dimension p) (coordinate-system-dimension (place-system p)))
 
@@ -102,6 +102,12 @@
           [else (complain who "these are over different maps\n  maps: ~a and ~a"
                           (value->text over) (value->text own))])))
 
+;; For what fields over a map have not
+(define (check-on-manifold who T)
+  (when (field-over T)
+    (complain who "expected a field on a manifold; this one is over a map\n  given: ~a"
+              (describe-with-value T))))
+
 ;; The home of what is made of these fields and functions: of those over the map, if there is one.
 (define (common-field-home who xs)
   (define over (common-over who xs))
@@ -121,8 +127,6 @@
 ;; Components in A become those in C: an index of a vector goes with ∂x/∂c, one of a 1-form with
 ;; the inverse of that.
 (define (carried-over components types A C)
-  (unless (eq? (coordinate-system-manifold A) (coordinate-system-manifold C))
-    (common-home 'geometry #:of values A C))
   (define n (coordinate-system-dimension C))
   (define x (coordinates-in A (generic-point C)))
   (define xs (if (tuple? x) (tuple-elements x) (vector x)))

@@ -17,8 +17,8 @@
 
 (provide assume assuming assumptions forget-assumptions automatic-assumptions
          ;; for those who call the algebra
-         assumptions-in-force with-domain common-assumptions note-used! undeclared call-assuming
-         call-telling-used)
+         assumptions-in-force call-without-assumptions with-domain common-assumptions
+         note-used! undeclared call-assuming call-telling-used)
 
 ;; ---------------------------------------------------------------------------
 ;; The state
@@ -34,6 +34,10 @@
 
 (define (assumptions-in-force)
   (with-automatic-assumptions (current-declared) (automatic-assumptions)))
+
+;; What (thunk) finds holds whatever is assumed.
+(define (call-without-assumptions thunk)
+  (parameterize ([current-declared no-assumptions] [automatic-assumptions #f]) (thunk)))
 
 ;; A for the scalars of x, which take open signs at one point.
 (define (common-assumptions A x)

@@ -7,7 +7,7 @@
          "../error/complain.rkt" "../error/hint.rkt" "../error/computed-once.rkt"
          "../generic/describe.rkt" "../generic/kind.rkt" "../generic/wrong-argument.rkt")
 
-(provide expression simplify simplify-strictly simplify/assumptions as-shown
+(provide expression simplify simplify-strictly simplify-always simplify/assumptions as-shown
          substitute with-literals
          raise-no-expression)
 
@@ -26,6 +26,9 @@
 
 ;; Under the declared assumptions alone.
 (define (simplify-strictly x) (parameterize ([automatic-assumptions #f]) (simplify x)))
+
+;; Whatever is declared: for what is kept longer than that.
+(define (simplify-always x) (call-without-assumptions (lambda () (simplify x))))
 
 ;; -> the simplified value, and the undeclared assumptions made for it
 (define (simplify/assumptions x)
