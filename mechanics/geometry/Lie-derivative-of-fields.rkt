@@ -49,12 +49,6 @@
                                (lambda (i k) (slope i k))
                                (lambda (i k) (g:- (slope k i))))))))
 
-;; Xᵏ ∂ₖT, of all components
-(define (rates-along Xs slopes)
-  (for/vector ([j (in-range (vector-length (vector-ref slopes 0)))])
-    (sum-of-products (vector-length Xs) (lambda (k) (vector-ref Xs k))
-                     (lambda (k) (vector-ref (vector-ref slopes k) j)))))
-
 (define (added a b) (for/vector ([x (in-vector a)] [y (in-vector b)]) (g:+ x y)))
 
 (define (Lie-bracket X Y)

@@ -6,7 +6,8 @@
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
-         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt")
+         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
+         "../value/shape.rkt")
 
 (provide (struct-out basis-of) make-basis basis?
          basis->vector-basis basis->1form-basis basis->dimension basis->coordinate-system
@@ -180,7 +181,11 @@
   (make-field #f '(1form)
               (lambda (C)
                 (define e (expression-in (action (chart C)) C))
-                (if (tuple? e) (tuple-elements e) (vector e)))
+                (unless (same-shape? e (coordinate-tuple (coordinate-system-symbols C)))
+                  (complain 'procedure->vector-field
+                            "expected a derivation, as v(f g) = v(f) g + f v(g)\n  ~a makes of ~a: ~a"
+                            (value->text action) (value->text (chart C)) (describe-with-value e)))
+                (list->vector (scalars e)))
               (lambda () (or name (list 'procedure->vector-field (value->datum action))))))
 
 (define (procedure->1form-field action [name #f])

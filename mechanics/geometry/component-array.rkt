@@ -4,7 +4,7 @@
 (require "../generic/arithmetic.rkt")
 
 (provide build-components component sum-of-products contract-first apply-to-index
-         sum-over times)
+         sum-over times rates-along)
 
 ;; f : indices, a list of k -> component
 (define (build-components n k f)
@@ -43,6 +43,13 @@
   (for/vector #:length size ([place (in-range size)])
     (sum-of-products n (lambda (i) (vector-ref a i))
                      (lambda (i) (vector-ref T (+ (* i size) place))))))
+
+;; Σₖ vₖ slopes[k][j], for each j
+(define (rates-along v slopes)
+  (for/vector #:length (vector-length (vector-ref slopes 0))
+              ([j (in-range (vector-length (vector-ref slopes 0)))])
+    (sum-of-products (vector-length v) (lambda (k) (vector-ref v k))
+                     (lambda (k) (vector-ref (vector-ref slopes k) j)))))
 
 ;; T with index p (of k) replaced by M: T'[… j …] = Σᵢ M(j, i) T[… i …]
 (define (apply-to-index T n k p M)

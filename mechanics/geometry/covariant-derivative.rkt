@@ -87,21 +87,14 @@
 ;; -> vᵏ ∂ₖT, and the direction in the chart of p
 (define (rates-of v T over p C)
   (define vs (components-in v C))
-  (define (along slopes)
-    (for/vector ([j (in-range (vector-length (vector-ref slopes 0)))])
-      (sum-of-products (vector-length vs) (lambda (k) (vector-ref vs k))
-                       (lambda (k) (vector-ref (vector-ref slopes k) j)))))
+  (define (along slopes) (rates-along vs slopes))
   (define A (place-system p))
   (cond [(field-over v)
          (values (along (derivatives-by-coordinates-at (components-in T A) A (place-coordinates p)))
                  vs)]
         [else
-         (define x (place-coordinates p))
          (values (along (derivatives-by-coordinates (components-in T C) C))
-                 (if over
-                     (along (derivatives-by-coordinates
-                             (if (tuple? x) (tuple-elements x) (vector x)) C))
-                     vs))]))
+                 (if over (along (place-slopes p C)) vs))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Curves

@@ -48,13 +48,7 @@
   (check-on-manifold 'differential v)
   (make-field (field-home v) '(1form)
               (lambda (C)
-                (define vs (components-in v C))
-                (define x (place-coordinates (place-over map C)))
-                (define slopes
-                  (derivatives-by-coordinates (if (tuple? x) (tuple-elements x) (vector x)) C))
-                (for/vector ([i (in-range (vector-length (vector-ref slopes 0)))])
-                  (sum-of-products (vector-length vs) (lambda (k) (vector-ref vs k))
-                                   (lambda (k) (vector-ref (vector-ref slopes k) i)))))
+                (rates-along (components-in v C) (place-slopes (place-over map C) C)))
               (call-of 'differential map v)
               #:over map))
 
@@ -96,10 +90,7 @@
   (make-field #f (field-types w)
               (lambda (C)
                 (define p (place-over map C))
-                (define x (place-coordinates p))
-                (define slopes
-                  (derivatives-by-coordinates (if (tuple? x) (tuple-elements x) (vector x)) C))
-                (pulled-back (components-over w map C) (field-rank w) slopes
+                (pulled-back (components-over w map C) (field-rank w) (place-slopes p C)
                              (target-dimension p) (coordinate-system-dimension C)))
               (call-of 'pullback map w)
               #:form? #t))

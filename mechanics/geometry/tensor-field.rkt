@@ -23,7 +23,7 @@
 (provide field? make-field native-field
          field-home field-over field-types field-form? field-rank field-datum
          vector-field? form? form-field? tensor?
-         components-in components-over place-over target-dimension
+         components-in components-over place-over place-slopes target-dimension
          common-over common-field-home check-on-manifold
          derivative-along apply-field
          (struct-out place))
@@ -85,6 +85,10 @@
 
 (define (target-dimension p) (coordinate-system-dimension (place-system p)))
 
+;; [k][i] = ∂xᵢ/∂cₖ, of the coordinates x of the place by those of C
+(define (place-slopes p C)
+  (derivatives-by-coordinates (list->vector (scalars (place-coordinates p))) C))
+
 ;; The components of T at the points of a map, which T is over or is taken along.
 (define (components-over T map C)
   (cond [(or (not map) (field-over T)) (components-in T C)]
@@ -129,8 +133,7 @@
 (define (carried-over components types A C)
   (define n (coordinate-system-dimension C))
   (define x (coordinates-in A (generic-point C)))
-  (define xs (if (tuple? x) (tuple-elements x) (vector x)))
-  (define slopes (derivatives-by-coordinates xs C))              ; [j][i] = ∂xᵢ/∂cⱼ
+  (define slopes (place-slopes (place A x) C))
   (define (slope i j) (vector-ref (vector-ref slopes j) i))
   (define inverse
     (and (memq '1form types)
@@ -214,13 +217,7 @@
      (define es (list->vector (scalars e)))
      (define slopes
        (derivatives-by-coordinates-at es (place-system p) (place-coordinates p)))
-     (define components (components-in v C))
-     (define rates
-       (for/list ([j (in-range (vector-length es))])
-         (sum-of-products (vector-length components)
-                          (lambda (i) (vector-ref components i))
-                          (lambda (i) (vector-ref (vector-ref slopes i) j)))))
-     (list->structure e rates))
+     (list->structure e (vector->list (rates-along (components-in v C) slopes))))
    (lambda () (list (value->datum v) (value->datum f)))))
 
 ;; ---------------------------------------------------------------------------
