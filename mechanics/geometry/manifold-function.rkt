@@ -56,8 +56,16 @@
 (define (expression-in f C)
   (cond [(manifold-function? f) ((manifold-function-at f) C)]
         [(tuple? f) (structure-map (lambda (part) (expression-in part C)) (adopt f))]
-        [(procedure? f) (let ([m (typical-point C)]) (in-symbols-of C m (f m)))]
+        [(procedure? f) (let ([m (typical-point C)]) (in-symbols-of C m (value-of-points f (f m))))]
         [else f]))
+
+;; x : what the procedure f gave
+(define (value-of-points f x)
+  (unless (andmap scalar? (scalars x))
+    (complain 'manifold-function
+              "a function on a manifold gives a number, or a tuple of numbers\n  ~a gave: ~a"
+              (value->text f) (describe-with-value x)))
+  x)
 
 (define (value-at-point f m)
   (define home (manifold-function-home f))

@@ -173,3 +173,14 @@
   (check-message
    (string-append "define-coordinates: R3-rect has 3 coordinates; names were given for 2: (p q)")
    (let () (define-coordinates (up p q) R3-rect) p)))
+
+;; What a procedure of points or functions gives
+(define (place m) m)
+(define (twice f) (* (d/dx f) (d/dx f)))
+(says
+ [((d/dx place) m)
+  "manifold-function: a function on a manifold gives a number, or a tuple of numbers\n"
+  "  place gave: ((point R2-rect) (up x0 x1))"]
+ [(((procedure->vector-field twice) x) m)
+  "procedure->vector-field: expected a derivation, as v(f g) = v(f) g + f v(g)\n"
+  "  twice makes of (chart R2-rect): (up (up 1 0) (up 0 0)), an up tuple of 2"])
