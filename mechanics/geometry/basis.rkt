@@ -37,7 +37,11 @@
 (define (make-basis vectors forms)
   (check-argument 'make-basis (tuple-of? vector-field?) vectors "a down tuple of vector fields")
   (check-argument 'make-basis (tuple-of? 1form?) forms "an up tuple of 1-forms")
-  (basis-of (down-of (tuple-elements vectors)) (up-of (tuple-elements forms)) #f))
+  (define-values (es ws) (values (tuple-elements vectors) (tuple-elements forms)))
+  (unless (= (vector-length es) (vector-length ws))
+    (complain 'make-basis "a basis has as many 1-forms as vector fields\n  given: ~a and ~a"
+              (value->text vectors) (value->text forms)))
+  (basis-of (down-of es) (up-of ws) #f))
 
 (define ((tuple-of? good?) x)
   (and (tuple? x) (for/and ([e (in-vector (tuple-elements x))]) (good? e))))
@@ -87,7 +91,10 @@
                   "a tuple of vector fields")
   (check-coordinate-system 'vector-basis->dual C)
   (define vs (tuple-elements vectors))
-  (define n (vector-length vs))
+  (define n (coordinate-system-dimension C))
+  (unless (= n (vector-length vs))
+    (complain 'vector-basis->dual "a basis has ~a vector field~a in ~a\n  given: ~a" n
+              (if (= n 1) "" "s") (value->text C) (value->text vectors)))
   (define (refuse)
     (complain 'vector-basis->dual "these vector fields are not independent\n  given: ~a"
               (value->text vectors)))

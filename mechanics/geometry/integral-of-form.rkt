@@ -42,7 +42,8 @@
                     "ranges, each a list of start and end"))
   (cond [(null? ranges) (for/list ([_ (in-range k)]) '(0 1))]
         [(= (length ranges) k) ranges]
-        [else (complain who "the form has rank ~a; there are ~a ranges" k (length ranges))]))
+        [else (complain who "a form of rank ~a is integrated over ~a range~a\n  given: ~a"
+                        k k (if (= k 1) "" "s") ranges)]))
 
 ;; The box as a manifold, and the map from it
 (define (box-chart k) (coordinate-system-at 'rectangular 'origin (make-manifold R^n k)))

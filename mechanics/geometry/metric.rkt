@@ -13,6 +13,8 @@
          "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
+         "../algebra/expression/expression.rkt"
+         "../value/algebra.rkt" "../value/assumptions.rkt"
          (only-in "../value/matrix/matrix.rkt" matrix? matrix-rows))
 
 (provide metric? as-metric
@@ -58,7 +60,8 @@
   (check-basis 'components->metric basis)
   (define forms (vector->list (tuple-elements (basis-of-forms basis))))
   (define n (length forms))
-  (unless (= n (length (filter tuple? (vector->list (tuple-elements components)))))
+  (define (of-size? x) (and (tuple? x) (= n (vector-length (tuple-elements x)))))
+  (unless (and (of-size? components) (andmap of-size? (vector->list (tuple-elements components))))
     (complain 'components->metric "expected ~a tuples of ~a components\n  given: ~a" n n
               (describe-with-value components)))
   (define fs (for/vector ([row (in-vector (tuple-elements components))]) (tuple-elements row)))
@@ -119,11 +122,24 @@
 ;; Its inverse and its connection
 
 (define (inverse-metric-components g C)
-  (inverse-of-matrix (components-in g C) (coordinate-system-dimension C)
+  (define n (coordinate-system-dimension C))
+  (define gs (components-in g C))
+  (check-symmetric g gs n)
+  (inverse-of-matrix gs n
                      (lambda ()
                        (complain 'metric "~a\n  given: ~a"
                                  "this metric is degenerate: its determinant is 0"
                                  (value->text g)))))
+
+;; Curvature and all else is worked out for a symmetric one, with half of the components.
+(define (check-symmetric g gs n)
+  (for* ([i (in-range n)] [j (in-range i)])
+    (define-values (a b) (values (component gs n (list i j)) (component gs n (list j i))))
+    (define difference (if (equal? a b) 0 (tidied (g:- a b))))
+    (when (and (expression? difference)
+               (eq? 'refuted (zero-test-status (zero-test difference (assumptions-in-force)))))
+      (complain 'metric "a metric is symmetric; of this one two components are ~a and ~a\n  given: ~a"
+                (value->text a) (value->text b) (value->text g)))))
 
 ;; A tensor of two 1-forms
 (define (metric:invert metric [basis #f])

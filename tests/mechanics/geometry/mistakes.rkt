@@ -184,3 +184,26 @@
  [(((procedure->vector-field twice) x) m)
   "procedure->vector-field: expected a derivation, as v(f g) = v(f) g + f v(g)\n"
   "  twice makes of (chart R2-rect): (up (up 1 0) (up 0 0)), an up tuple of 2"])
+
+;; Bases and metrics that are none
+(define (of-components . rows) (components->metric (apply down rows) basis))
+(says
+ [(make-basis (down d/dx) (up dx dy))
+  "make-basis: a basis has as many 1-forms as vector fields\n  given: (down d/dx) and (up dx dy)"]
+ [(vector-basis->dual (down d/dx) R2-rect)
+  "vector-basis->dual: a basis has 2 vector fields in R2-rect\n  given: (down d/dx)"]
+ [(components->metric 3 basis)
+  "components->metric: expected 2 tuples of 2 components\n  given: the number 3"]
+ [(of-components (down 1 2 3) (down 2 4 5))
+  "components->metric: expected 2 tuples of 2 components\n"
+  "  given: (down (down 1 2 3) (down 2 4 5)), a down tuple of 2"]
+ [((scalar-curvature (of-components (down 1 2) (down 3 4)) basis) m)
+  "metric: a metric is symmetric; of this one two components are 3 and 2\n"
+  "  given: (components->metric (down (down 1 2) (down 3 4)) (coordinate-system->basis R2-rect))"]
+ [(integrate-form (wedge dx dy) (lambda (a b) ((point R2-rect) (up a b))) '(0 1))
+  "integrate-form: a form of rank 2 is integrated over 2 ranges\n  given: ((0 1))"])
+
+;; What is symmetric, and not seen to be
+(test-case "a metric whose components are equal in another form"
+  (define g (of-components (down 2 (- (square (cos x)) (square (sin x)))) (down (cos (* 2 x)) 3)))
+  (check-not-exn (lambda () (((metric:invert g) dx dy) m))))
