@@ -9,7 +9,6 @@
 
 (require "basis.rkt" "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt"
          "manifold-chart.rkt"
-         "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
          "../value/operator.rkt")

@@ -55,7 +55,6 @@
               (lambda () (list 'wedge (value->datum a) (value->datum b)))
               #:over over #:form? #t))
 
-
 ;; The types of the arguments of a form of rank k
 (define (vectors k) (for/list ([_ (in-range k)]) 'vector))
 

@@ -4,7 +4,7 @@
 ;; A map μ from M to N is a procedure from points to points.  Forms are pulled back; a vector field
 ;; is pushed to one over the map, and to a field on N where μ has an inverse.
 
-(require "chart-calculus.rkt" "component-array.rkt" "tensor-field.rkt" "basis.rkt"
+(require "component-array.rkt" "tensor-field.rkt" "basis.rkt"
          "manifold-chart.rkt"
          "manifold-function.rkt" "manifold-point.rkt"
          "../error/complain.rkt"

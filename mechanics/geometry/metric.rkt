@@ -138,7 +138,8 @@
     (define difference (if (equal? a b) 0 (tidied (g:- a b))))
     (when (and (expression? difference)
                (eq? 'refuted (zero-test-status (zero-test difference (assumptions-in-force)))))
-      (complain 'metric "a metric is symmetric; of this one two components are ~a and ~a\n  given: ~a"
+      (complain 'metric
+                "a metric is symmetric; of this one two components are ~a and ~a\n  given: ~a"
                 (value->text a) (value->text b) (value->text g)))))
 
 ;; A tensor of two 1-forms
