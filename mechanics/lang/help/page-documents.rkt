@@ -41,9 +41,11 @@
   (not (regexp-match? #rx"[/\\]mechanics[/\\]reference([/\\].*)?[.]scrbl$"
                       (path->string (page-file p)))))
 
+;; A library of several pages is described on the one that declares it.
 (define (libraries place head)
   (for/list ([part (in-list (section-parts head))]
-             #:when (and (pair? part) (eq? (car part) 'defmodule)))
+             #:when (and (pair? part) (eq? (car part) 'defmodule)
+                         (not (memq '#:no-declare part))))
     (define name (symbol->string (cadr part)))
     (document (finding 'library name place "") (list (title-field name)) 0)))
 

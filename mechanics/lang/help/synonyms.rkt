@@ -70,6 +70,7 @@
     ("simulate" "evolve trajectory")
     ("simulation" "evolve trajectory")
     ("time step" "step integration method")
+    ("parallel transport" "transport")
     ("parallel" "cores ensemble")
     ("matlab" "formula manipulator")
     ("mathematica" "formula manipulator")

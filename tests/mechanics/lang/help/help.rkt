@@ -166,7 +166,8 @@ end
     (check-equal? (found with) (found without))))
 
 (test-case "where few are found, what the manual says beyond its first sentence finds more"
-  (check-equal? (found "projection") '(consistent-state constrained-state-derivative))
+  (check-not-false (andmap (lambda (name) (memq name (found "projection")))
+                           '(consistent-state constrained-state-derivative S2-stereographic)))
   (check-equal? (found "constraint projection")
                 '(consistent-state constrained-state-derivative))
   (check-not-false (memq 'constrained-state-derivative (found "drift")))

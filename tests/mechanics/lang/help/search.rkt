@@ -69,6 +69,8 @@
   (check-equal? (first-answer "equation 1.150") "exercises/exercise-3-16.rkt"))
 
 (test-case "words of students stand for those of the manual"
+  (check-not-false (memq (first-answer "parallel transport")
+                         '(evolve-parallel-transport parallel-transport-equation)))
   (check-equal? (first-answer "L4") "questions/triangle-points.rkt")
   (check-equal? (first-answer "Lagrange points") "questions/triangle-points.rkt")
   (check-equal? (first-answer "orbital elements") "interactive/Kepler.rkt")
@@ -96,6 +98,9 @@
 (test-case "a page and its sections are one answer"
   (define pages (filter string? (map answer (found "pendulum"))))
   (check-false (check-duplicates pages)))
+
+(test-case "a library is found once, though several pages describe it"
+  (check-equal? (count (lambda (f) (eq? (finding-kind f) 'library)) (found "geometry")) 1))
 
 (test-case "the table is of modest size"
   (check-true (< (file-size compiled) 500000)))
