@@ -251,7 +251,7 @@
   (define-values (slot shape) (first-misfit (unknown-signature f) args))
   (define a (list-ref args slot))
   (complain name "was declared ~a; slot ~a got ~a~a" (signature->text f) slot
-            (describe-with-value a) (remedy shape a)))
+            (describe-with-value a) (remedy name shape a (null? (cdr args)))))
 
 (define (raise-other-count f name args)
   (define domain (signature-domain (unknown-signature f)))
@@ -259,11 +259,14 @@
             (if (list? domain) (counted (length domain) "argument") "at least 1 argument")
             (length args) (value->text args)))
 
-(define (remedy shape x)
-  (if (and (eq? shape 'Real) (tuple? x))
-      (format "\n  a signature such as (-> ~a Real) declares a function of tuples"
-              (datum->text (shape->datum (shape-of x))))
-      (list-hint x)))
+(define (remedy name shape x alone?)
+  (cond [(and (eq? shape 'Real) (tuple? x))
+         (format "\n  a signature such as (-> ~a Real) declares a function of tuples"
+                 (datum->text (shape->datum (shape-of x))))]
+        [(and (eq? shape 'Real) alone? (procedure? x))
+         (format "\n  what takes it of the values of a function is (compose ~a ~a)" name
+                 (value->text x))]
+        [else (list-hint x)]))
 
 (define (shape-of x)
   (if (tuple? x) (structure-map shape-of (adopt x)) 'Real))

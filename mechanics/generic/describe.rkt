@@ -6,11 +6,14 @@
          "../algebra/expression/write.rkt")
 
 (provide value->datum value->text write-value describe describe-with-value
-         map-leaves leaves procedure-datum prop:printed-datum)
+         map-leaves leaves procedure-datum prop:printed-datum prop:word)
 
 ;; Of structs that are no kind of value: value -> the S-expression it prints as.
 (define-values (prop:printed-datum prints-as-datum? printed-datum-of)
   (make-struct-type-property 'printed-datum))
+
+;; Of such structs: what messages call them.
+(define-values (prop:word has-word? word-of) (make-struct-type-property 'word))
 
 ;; The S-expression a value prints as: never a tag, an address or a struct.
 (define (value->datum x)
@@ -47,6 +50,7 @@
         [(string? x) "a string"]
         [(boolean? x) "a boolean"]
         [(void? x) "no value (void)"]
+        [(has-word? x) (word-of x)]
         [else #f]))
 
 ;; "the number 3", "the procedure `-`", "(up x y), an up tuple of 2"; what is no part of the

@@ -10,6 +10,7 @@
          (submod racket/performance-hint begin-encourage-inline)
          "describe.rkt" "kind.rkt" "notation.rkt" "scalar.rkt" "value-struct.rkt"
          "wrong-argument.rkt"
+         (only-in "../algebra/expression/write.rkt" datum->brief-text)
          "../error/complain.rkt"
          "../numeric/vector-map.rkt")
 
@@ -115,7 +116,7 @@
          (complain 'application
                    (string-append "a tuple applies its components to the arguments, "
                                   "but the component ~a of ~a is not a function~a")
-                   (value->text f) (value->text s)
+                   (brief-text f) (brief-text s)
                    (cond [(symbol? f)
                           (format "; (literal-function '~a) makes a function of it" f)]
                          [(number? f)
@@ -123,6 +124,8 @@
                                                  "\n  a component is (ref s 0)")
                                   f)]
                          [else ""]))]))
+
+(define (brief-text x) (datum->brief-text (value->datum x)))
 
 (define-syntax-rule (define-constructor make)
   (define make

@@ -8,6 +8,7 @@
 ;;     #:kind kind            it joins the arithmetic, and prints as its kind says
 ;;     #:datum f              it prints as the datum (f value)
 ;;     #:text f               it prints as the text (f value)
+;;     #:word text            messages call it so: "a point of a manifold"
 ;;     #:notation f           it is typeset as the tree (f value see) (notation.rkt); else as
 ;;                            its datum or the lines of its text
 ;;     #:equal-by part        two are equal if (part value) is
@@ -44,6 +45,8 @@
     [(#:text f . more)
      #`(#,@(printing #'write-string #'f) #,@(typesetting #'text-notation #'f #'more)
         #,@(options #'more))]
+    [(#:word text . more)
+     #`(#:property prop:word text #,@(options #'more))]
     [(#:notation f . more)
      #`(#:property prop:notation (lambda (v see) (f v see)) #,@(options #'more))]
     [(#:equal-by part . more)

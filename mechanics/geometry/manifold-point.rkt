@@ -21,7 +21,8 @@
 (value-struct manifold-point (system coordinates)
   #:datum (lambda (m)
             `((point ,(value->datum (manifold-point-system m)))
-              ,(value->datum (manifold-point-coordinates m)))))
+              ,(value->datum (manifold-point-coordinates m))))
+  #:word "a point of a manifold")
 
 (define (point? x) (manifold-point? x))
 (define (point-system m) (manifold-point-system m))
