@@ -29,7 +29,7 @@
      #f
      (lambda (C)
        (define G (for*/vector ([u (in-list es)] [v (in-list es)]) (expression-in (g u v) C)))
-       (tidied (g:sqrt (g:abs (determinant-of-matrix G n)))))
+       (root-of-size (determinant-of-matrix G n) C))
      (lambda () `(volume ,(value->datum g) ,(value->datum basis)))))
   (g:* size (apply wedge (vector->list (tuple-elements (basis-of-forms basis))))))
 

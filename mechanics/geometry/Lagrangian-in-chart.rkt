@@ -7,6 +7,7 @@
 ;; agree where the motion goes over from one to another.
 
 (require "chart-choice.rkt" "manifold-chart.rkt" "manifold-point.rkt"
+         (only-in "metric.rkt" metric?)
          "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
@@ -46,6 +47,8 @@
 
 ;; L : a Lagrangian in the chart C, or a list of (list chart Lagrangian) -> chart -> Lagrangian
 (define (Lagrangian-by-charts who L C)
+  (when (metric? L)
+    (complain-of-argument who a-Lagrangian L "\n  that of a metric is (metric->Lagrangian g chart)"))
   (define given (if (list? L) L (list (list C L))))
   (for ([one (in-list given)])
     (unless (and (list? one) (= (length one) 2) (coordinate-system? (car one))

@@ -12,10 +12,12 @@
          "../calculus/dual.rkt" "../calculus/expression-function.rkt"
          "../calculus/perturbed-value.rkt"
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
-         "../value/simplify.rkt")
+         "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../value/assumptions.rkt" "../value/simplify.rkt")
 
 (provide derivatives-by-coordinates derivatives-by-coordinates-at
-         evaluate-components in-place-of-symbols inverse-of-matrix determinant-of-matrix tidied)
+         evaluate-components in-place-of-symbols inverse-of-matrix determinant-of-matrix tidied
+         root-of-size)
 
 ;; -> a vector with, for each coordinate of C, the vector of derivatives of the expressions
 (define (derivatives-by-coordinates es C)
@@ -98,3 +100,9 @@
          (if (> (graph-size simple) (* 2 (graph-size e))) e simple)]))
 
 (define large 300)                      ; nodes
+
+;; √|e|, for what is positive in the chart
+(define (root-of-size e C)
+  (call-assuming (for/list ([p (in-list (coordinate-system-positive C))])
+                   (list '> (value->datum p) 0))
+                 (lambda () (tidied (g:sqrt (g:abs e))))))

@@ -55,7 +55,7 @@
   (if (and (real? w) (finite? w)) w 0))
 
 (define (check-one-manifold who home C)
-  (unless (eq? (coordinate-system-manifold C) (coordinate-system-manifold home))
+  (unless (on-one-manifold? C home)
     (complain-showing who "the charts are of different manifolds" "chart" C "home" home)))
 
 ;; For each coordinate, 2π if a turn of it comes back to the same place, else #f.

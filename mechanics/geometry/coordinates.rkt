@@ -40,6 +40,12 @@
 
 (begin-for-syntax
   (define (all-names pattern stx)
+    (define names (names-in pattern stx))
+    (define twice (check-duplicate-identifier names))
+    (when twice (raise-syntax-error #f "two coordinates have the same name" stx twice))
+    names)
+
+  (define (names-in pattern stx)
     (let walk ([p pattern])
       (syntax-case p (up down)
         [name (identifier? #'name) (list #'name)]

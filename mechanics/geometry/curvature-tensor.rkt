@@ -98,6 +98,7 @@
 
 ;; ((Ricci nabla basis) u v); the contraction is the same in every basis.
 (define (Ricci nabla [basis #f])
+  (check-covariant-derivative 'Ricci nabla)
   (when basis (check-basis 'Ricci basis))
   (define R (Riemann nabla))
   (make-field (field-home R) '(vector vector)

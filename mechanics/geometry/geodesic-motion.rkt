@@ -6,7 +6,7 @@
 
 (require "chart-calculus.rkt" "chart-choice.rkt" "component-array.rkt" "connection.rkt" "basis.rkt"
          "manifold-chart.rkt" "metric.rkt" "motion-on-manifold.rkt" "tensor-field.rkt"
-         "../error/failure.rkt"
+         "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt"
@@ -48,7 +48,10 @@
 ;; Is the metric one of the manifold of C?
 (define (check-home who g C)
   (define home (field-home g))
-  (when home (check-one-manifold who home C)))
+  (unless (or (not home) (on-one-manifold? home C))
+    (complain-showing who "the metric is of another manifold than the chart"
+                      "metric of" (coordinate-system-manifold home)
+                      "chart of" (coordinate-system-manifold C))))
 
 ;; −Σ Γᵃ_bk uᵇ vᵏ at the coordinates q, a tuple like u
 (define (turning Gamma C q u v)

@@ -13,7 +13,7 @@
          "chart-calculus.rkt" "standard-manifolds.rkt"
          "../compile/definite-integral.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/function.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../verdict/prove-zero.rkt" "../verdict/verdict.rkt")
 
@@ -48,9 +48,11 @@
 ;; The box as a manifold, and the map from it
 (define (box-chart k) (coordinate-system-at 'rectangular 'origin (make-manifold R^n k)))
 
-(define ((on-points map) m)
-  (define x (point-coordinates m))
-  (apply map (if (tuple? x) (vector->list (tuple-elements x)) (list x))))
+(define (on-points map)
+  (define (f m)
+    (define x (point-coordinates m))
+    (apply map (if (tuple? x) (vector->list (tuple-elements x)) (list x))))
+  (procedure-rename f (procedure-datum map)))
 
 ;; numbers -> the value of the form on the images of ∂/∂u₁ …
 (define (density w map k)
@@ -95,4 +97,4 @@
   (define back (pullback (on-points map)))
   (define residual (g:- (back (exterior-derivative w)) (exterior-derivative (back w))))
   (with-remark (prove-zero (up-of (components-in residual (box-chart k))))
-               "Stokes' theorem holds for boxes on which the form, along the map, is smooth"))
+               "Stokes' theorem holds on boxes where the form is smooth along the map"))

@@ -19,9 +19,9 @@
          make-manifold manifold? manifold-dimension manifold-charts
          patch coordinate-system-at coordinate-system make-coordinate-system
          coordinate-system? coordinate-system-manifold coordinate-system-dimension
-         coordinate-system-names coordinate-system-symbols
+         coordinate-system-names coordinate-system-symbols coordinate-system-positive
          coordinates->place place->coordinates coordinate-system-to
-         same-chart? once-a-chart check-coordinate-system with-coordinate-names coordinate-tuple)
+         same-chart? on-one-manifold? once-a-chart check-coordinate-system with-coordinate-names coordinate-tuple)
 
 ;; ---------------------------------------------------------------------------
 ;; Types
@@ -30,8 +30,8 @@
 (value-struct family (name [patches #:mutable] [recipes #:mutable])
   #:datum family-name)
 
-;; makes : dimension -> (list coordinates->place place->coordinates names); #f for dimensions
-;; that the system is not for
+;; makes : dimension -> (list coordinates->place place->coordinates names positive); #f for
+;; dimensions that the system is not for
 (struct recipe (patch name makes) #:authentic)
 
 (define (make-manifold-type name . patches)
@@ -45,13 +45,15 @@
 
 ;; to-place, to-coordinates : dimension -> map; coordinates are an up tuple, or a number where the
 ;; dimension is 1.  allowed : list of dimensions, #f for all.  names : dimension -> symbols
+;; positive : dimension -> coordinates -> list of what is positive in the chart, as a radius is
 (define (attach-coordinate-system name patch type to-place to-coordinates
-                                  #:dimensions [allowed #f] #:names [names numbered-names])
+                                  #:dimensions [allowed #f] #:names [names numbered-names]
+                                  #:positive [positive (lambda (n) (lambda (x) '()))])
   (define who 'attach-coordinate-system)
   (check-argument who family? type "a type of manifolds")
   (check-known who "patch" patch (family-patches type))
   (define (makes n)
-    (and (or (not allowed) (memv n allowed)) (list (to-place n) (to-coordinates n) (names n))))
+    (and (or (not allowed) (memv n allowed)) (list (to-place n) (to-coordinates n) (names n) (positive n))))
   (set-family-recipes! type (cons (recipe patch name makes) (family-recipes type))))
 
 (define (numbered-names n) (for/list ([k (in-range n)]) (string->symbol (format "x~a" k))))
@@ -76,7 +78,7 @@
             type n (make-hash)))
 
 (value-struct patch-of (name manifold)
-  #:datum (lambda (p) `(patch ',(patch-of-name p) ,(value->datum (patch-of-manifold p)))))
+  #:datum (lambda (p) `(patch ,(patch-of-name p) ,(value->datum (patch-of-manifold p)))))
 
 (define (patch name manifold)
   (check-argument 'patch manifold? manifold "a manifold")
@@ -89,7 +91,8 @@
 ;; to : coordinates -> place;  from : place -> coordinates
 ;; names : vector of the names of the coordinates
 ;; symbols : vector of uninterned symbols, the coordinates of a generic point
-(value-struct system (name manifold to from names symbols)
+;; positive : list of expressions in these that are positive in the chart
+(value-struct system (name manifold to from names symbols positive)
   #:datum system-name)
 
 (define (coordinate-system? x) (system? x))
@@ -97,6 +100,7 @@
 (define (coordinate-system-to C) (system-to C))
 (define (coordinate-system-names C) (system-names C))
 (define (coordinate-system-symbols C) (system-symbols C))
+(define (coordinate-system-positive C) (system-positive C))
 (define (coordinate-system-dimension C) (manifold-dimension (system-manifold C)))
 (define (coordinates->place C x) ((system-to C) x))
 (define (place->coordinates C place) ((system-from C) place))
@@ -125,8 +129,7 @@
   (check-known who "coordinate system" name (map recipe-name there))
   (hash-ref! (manifold-systems m) (cons patch-name name)
              (lambda ()
-               (make-system (or printed `(coordinate-system-at ',name ',patch-name
-                                                               ,(value->datum m)))
+               (make-system (or printed `(coordinate-system-at ,name ,patch-name ,(value->datum m)))
                             m name there))))
 
 (define (make-system printed m name recipes)
@@ -138,14 +141,16 @@
               name n (if (= n 1) "" "s")))
   (apply make-coordinate-system printed m made))
 
-;; printed : the datum that it prints as
-(define (make-coordinate-system printed m to from names)
-  (system printed m to from (list->vector names) (generic-symbols names)))
+;; printed : the datum that it prints as;  positive : coordinates -> list
+(define (make-coordinate-system printed m to from names [positive (lambda (x) '())])
+  (define symbols (generic-symbols names))
+  (system printed m to from (list->vector names) symbols (positive (coordinate-tuple symbols))))
 
 (define (generic-symbols names)
   (for/vector ([s (in-list names)]) (string->uninterned-symbol (symbol->string s))))
 
 (define (same-chart? A B) (eq? (system-symbols A) (system-symbols B)))
+(define (on-one-manifold? A B) (eq? (system-manifold A) (system-manifold B)))
 
 ;; The function f of coordinate systems, called once for each chart.  What it gave is kept as long
 ;; as the chart is.

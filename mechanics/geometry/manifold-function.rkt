@@ -8,7 +8,7 @@
 (require "chart-calculus.rkt" "manifold-chart.rkt" "manifold-point.rkt"
          "../calculus/literal-function.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/dispatch.rkt"
+         "../generic/describe.rkt" "../generic/dispatch.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/scalar.rkt"
          "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
@@ -19,7 +19,7 @@
 (provide manifold-function? make-manifold-function manifold-function-home
          expression-in evaluate-structure in-symbols-of on-its-manifold
          home-of common-home function-of-points?
-         judged-in
+         judged-in datum-of-two
          literal-of-coordinates literal-manifold-function constant-manifold-function
          zero-manifold-function one-manifold-function)
 
@@ -102,7 +102,14 @@
          (make-manifold-function
           (common-home (generic-op-name op) f g)
           (lambda (C) (combine (expression-in f C) (expression-in g C)))
-          (lambda () (list (generic-op-name op) (value->datum f) (value->datum g))))]))
+          (lambda () (datum-of-two op f g)))]))
+
+;; (+ a b c) of (+ a b) and c
+(define (datum-of-two op f g)
+  (define-values (name a b) (values (generic-op-name op) (value->datum f) (value->datum g)))
+  (if (and (memq name '(+ *)) (pair? a) (eq? (car a) name))
+      (append a (list b))
+      (list name a b)))
 
 (define (distributed op f g)
   (define combine (generic-op-procedure op))
@@ -116,7 +123,7 @@
 (define (function-of-points? f)
   (or (manifold-function? f) (scalar? f)
       (and (tuple? f) (for/and ([part (in-vector (tuple-elements f))]) (function-of-points? part)))
-      (and (procedure? f) (not (has-kind? f)))
+      (and (procedure? f) (not (has-kind? f)) (accepts? f 1))
       (and (has-kind? f) (eqv? (kind-rank (kind-of f)) rank:function))))
 
 ;; ---------------------------------------------------------------------------

@@ -97,6 +97,6 @@
 ;; Coordinates, and a point, of names that stand in no expression.
 (define (typical-coords C)
   (check-coordinate-system 'typical-coords C)
-  (symbols-like (coordinate-tuple (coordinate-system-symbols C)) "x"))
+  (unknowns-like (coordinate-tuple (coordinate-system-symbols C))))
 
 (define (typical-point C) (manifold-point C (typical-coords C)))

@@ -82,10 +82,10 @@
     (evaluate-structure (expression-in f (place-system p)) (place-system p) (place-coordinates p)))
   (make-manifold-function #f there (call-of 'pullback map f)))
 
-;; (μ*ω)(v …) = ω(dμ v …)
+;; (μ*ω)(v …) = ω(dμ v …), of a form or a metric
 (define ((pullback-form map) w)
   (check-map 'pullback map)
-  (check-argument 'pullback form-field? w "a form")
+  (check-argument 'pullback of-vectors? w "a form, or another tensor of vectors, as a metric is")
   (unless (eq? (field-over w) map) (check-on-manifold 'pullback w))
   (make-field #f (field-types w)
               (lambda (C)
@@ -93,7 +93,9 @@
                 (pulled-back (components-over w map C) (field-rank w) (place-slopes p C)
                              (target-dimension p) (coordinate-system-dimension C)))
               (call-of 'pullback map w)
-              #:form? #t))
+              #:form? (field-form? w)))
+
+(define (of-vectors? w) (and (field? w) (andmap (lambda (t) (eq? t 'vector)) (field-types w))))
 
 ;; slopes : [k][i] = ∂xᵢ/∂cₖ; from n dimensions to m
 (define (pulled-back Ts rank slopes n m)

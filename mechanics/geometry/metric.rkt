@@ -53,6 +53,7 @@
 
 ;; g : vector fields u, v -> function
 (define (make-metric g [home #f])
+  (check-argument 'make-metric procedure? g "a function of two vector fields")
   (with-argument-types g '(vector vector) home (call-datum 'make-metric g)))
 
 ;; components : a tuple of tuples of functions on the manifold
@@ -112,7 +113,7 @@
         [(tuple? x) (tuple-elements x)]
         [else (vector x)]))
 
-(define S2-metric (coordinate-system->metric S2-spherical))
+(define S2-metric (induced-metric S2-spherical (lambda (k) 1) (lambda () 'S2-metric)))
 
 (define (metric-over-map map metric)
   (define g (as-metric 'metric-over-map metric))

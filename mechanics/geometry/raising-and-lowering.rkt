@@ -93,18 +93,21 @@
   (check-argument who tuple? vectors "a tuple of vector fields")
   (define g (as-metric who metric))
   (check-coordinate-system who C)
-  (define (unit e)
-    (define length^2 (tidied (expression-in (g e e) C)))
-    (when (eqv? length^2 0)
+  (define (unit e i)
+    (when (eqv? (tidied (expression-in (g e e) C)) 0)
       (complain who "a vector of length 0 came up, which cannot be made a unit vector\n  it is: ~a"
                 (value->text e)))
-    (g:* (g:/ 1 (g:sqrt (g:abs (g e e)))) e))
+    (define (find B)
+      (define length (root-of-size (expression-in (g e e) B) B))
+      (for/vector ([x (in-vector (components-in e B))]) (tidied (g:/ x length))))
+    (make-field C '(1form) find
+                (lambda () `(ref (orthonormalize ,(value->datum vectors) ,(value->datum g)) ,i))))
   (define found
-    (for/fold ([found '()]) ([v (in-vector (tuple-elements vectors))])
+    (for/fold ([found '()]) ([v (in-vector (tuple-elements vectors))] [i (in-naturals)])
       (define rest
         (for/fold ([v v]) ([e (in-list found)])
           (g:- v (g:* (g:/ (g v e) (g e e)) e))))
-      (cons (unit rest) found)))
+      (cons (unit rest i) found)))
   (down-of (list->vector (reverse found))))
 
 ;; ---------------------------------------------------------------------------

@@ -23,11 +23,12 @@
 (define (length-of xs) (g:sqrt (g:for/sum ([x (in-list xs)]) (g:square x))))
 
 ;; A system for manifolds of the type, at the patch, of one of the dimensions (#f: any): the same
-;; two maps between lists for all of them.
-(define (attach name patch type dimensions to from names)
+;; two maps between lists for all of them, and what is positive.
+(define (attach name patch type dimensions to from names [positive (lambda (x) '())])
   (define ((on-tuples f) n) (lambda (x) (tuple-of (f (list-of x)))))
   (attach-coordinate-system name patch type (on-tuples to) (on-tuples from)
-                            #:dimensions dimensions #:names names))
+                            #:dimensions dimensions #:names names
+                            #:positive (lambda (n) (lambda (x) (positive (list-of x))))))
 
 (define ((first-of names) n) (take names n))
 
@@ -51,7 +52,7 @@
   (list* (length-of (take x 2)) (g:atan (cadr x) (car x)) (cddr x)))
 
 (attach 'polar/cylindrical 'origin R^n '(2 3 4) polar->place place->polar
-        (first-of '(r theta z w)))
+        (first-of '(r theta z w)) (lambda (x) (list (car x))))
 
 ;; r, the colatitude θ and the longitude φ
 (define (spherical->place x)
@@ -61,8 +62,10 @@
   (define r (length-of x))
   (list r (g:acos (g:/ (caddr x) r)) (g:atan (cadr x) (car x))))
 
+(define (radius-and-sine x) (list (car x) (g:sin (cadr x))))
+
 (attach 'spherical/polar 'origin R^n '(3) spherical->place place->spherical
-        (first-of '(r theta phi)))
+        (first-of '(r theta phi)) radius-and-sine)
 
 ;; Beside the time
 (attach 'spacetime-rectangular 'origin R^n '(4) values values (first-of '(t x y z)))
@@ -70,7 +73,7 @@
 (attach 'spacetime-spherical 'origin R^n '(4)
         (lambda (x) (cons (car x) (spherical->place (cdr x))))
         (lambda (x) (cons (car x) (place->spherical (cdr x))))
-        (first-of '(t r theta phi)))
+        (first-of '(t r theta phi)) (lambda (x) (radius-and-sine (cdr x))))
 
 ;; ---------------------------------------------------------------------------
 ;; Spheres.  Colatitudes first, the longitude last: the point of S² at (θ, φ) is
@@ -98,7 +101,10 @@
     [(2 3) (drop '(psi theta phi) (- 3 n))]
     [else (for/list ([k (in-range n)]) (string->symbol (format "theta~a" k)))]))
 
-(attach 'spherical 'north-pole S^n #f angles->unit unit->angles sphere-names)
+;; The sines of colatitudes
+(define (sines x) (map g:sin (drop-right x 1)))
+
+(attach 'spherical 'north-pole S^n #f angles->unit unit->angles sphere-names sines)
 
 ;; The axis of the angles lies along the first axis of space.
 (define (turned u) (cons (last u) (drop-right u 1)))
@@ -106,7 +112,7 @@
 
 (attach 'spherical 'tilted S^n #f
         (lambda (x) (turned (angles->unit x))) (lambda (u) (unit->angles (turned-back u)))
-        sphere-names)
+        sphere-names sines)
 
 ;; From a pole onto the plane of the equator.  sign : of the pole's last place
 (define ((stereographic->unit sign) x)
@@ -144,7 +150,7 @@
 
 (define SO3-type (make-manifold-type 'SO3 'Euler-patch 'alternate-patch))
 
-(define (attach-angles name patch last-turn read)
+(define (attach-angles name patch last-turn read positive)
   (attach-coordinate-system
    name patch SO3-type
    (lambda (n)
@@ -152,17 +158,20 @@
        (define-values (theta phi psi) (apply values (list-of x)))
        (g:* (rotate-z-matrix phi) (g:* (rotate-x-matrix theta) (last-turn psi)))))
    (lambda (n) (lambda (M) (read (lambda (i j) (matrix-ref M i j)))))
-   #:dimensions '(3) #:names (first-of '(theta phi psi))))
+   #:dimensions '(3) #:names (first-of '(theta phi psi))
+   #:positive (lambda (n) (lambda (x) (list (positive (car (list-of x))))))))
 
 (attach-angles 'Euler 'Euler-patch rotate-z-matrix
                (lambda (M)
                  (up (g:acos (M 2 2)) (g:atan (M 0 2) (g:negate (M 1 2)))
-                     (g:atan (M 2 0) (M 2 1)))))
+                     (g:atan (M 2 0) (M 2 1))))
+               g:sin)
 
 (attach-angles 'alternate 'alternate-patch rotate-y-matrix
                (lambda (M)
                  (up (g:asin (M 2 1)) (g:atan (g:negate (M 0 1)) (M 1 1))
-                     (g:atan (g:negate (M 2 0)) (M 2 2)))))
+                     (g:atan (g:negate (M 2 0)) (M 2 2))))
+               g:cos)
 
 ;; ---------------------------------------------------------------------------
 ;; Those that have names

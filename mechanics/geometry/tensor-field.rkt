@@ -14,7 +14,8 @@
          "manifold-point.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/dispatch.rkt"
-         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/scalar.rkt"
+         "../generic/function.rkt" "../generic/kind.rkt" "../generic/on-demand.rkt"
+         "../generic/scalar.rkt"
          "../generic/up-down.rkt" "../generic/value-struct.rkt"
          "../value/operator.rkt" "../value/shape.rkt")
 
@@ -78,7 +79,8 @@
   (define m (if map (typical-point C) (generic-point C)))
   (define image (if map (map m) m))
   (unless (point? image)
-    (complain 'manifold-map "a map between manifolds gives points\n  map: ~a\n  it gave: ~a"
+    (complain 'manifold-map "a map between manifolds gives points~a\n  map: ~a\n  it gave: ~a"
+              ", such as ((point R2-rect) (up 1 2))"
               (value->text map) (describe-with-value image)))
   (place (point-system image)
          (if map (in-symbols-of C m (point-coordinates image)) (point-coordinates image))))
@@ -205,7 +207,7 @@
 (define (derivative-of-function v f)
   (unless (function-of-points? f)
     (complain (value->text v) "a vector field acts on functions on a manifold\n  given: ~a~a"
-              (describe-with-value f)
+              (if (procedure? f) (describe-function f) (describe-with-value f))
               (if (field? f) "\n  fields have a Lie-derivative and a covariant-derivative" "")))
   (define over (field-over v))
   (define home (if over (field-home v) (common-field-home (value->text v) (list v f))))
@@ -251,7 +253,7 @@
                 (for/vector ([x (in-vector (components-over a over C))]
                              [y (in-vector (components-over b over C))])
                   (combine x y)))
-              (lambda () (list (generic-op-name op) (value->datum a) (value->datum b)))
+              (lambda () (datum-of-two op a b))
               #:over over #:form? (and (field-form? a) (field-form? b))))
 
 (define (multiple op f T)

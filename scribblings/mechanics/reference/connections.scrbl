@@ -286,11 +286,15 @@ orthogonal and of length 1 (−1 where the inner product with itself is negative
               @defproc[((codifferential [metric any/c] [basis basis?]) [w any/c]) any/c])]{
 
 Hodge's star of a form or a function, the form of volume with the orientation of the basis, and the
-divergence of forms, −∇ⁱω@subscript{i…}.
+divergence of forms, −∇ⁱω@subscript{i…}. A radius and the sine of a colatitude are positive in
+the charts that have names; what else is, you declare: @racket[(assume '(> a 0))].
 
 @examples[#:eval session
 (verify-equal ((Hodge-star (coordinate-system->metric R2-rect) R2-basis) dx) dy)
 (((volume-form S2-metric S2-basis) d/dcolat d/dphi) m)
+(define (stretched u v) (* 'a (S2-metric u v)))
+(((volume-form stretched S2-basis) d/dcolat d/dphi) m)
+(assuming ('(> a 0)) (((volume-form stretched S2-basis) d/dcolat d/dphi) m))
 (((codifferential S2-metric S2-basis) (* (cos colat) (d colat))) m)]}
 
 @deftogether[(@defproc[((divergence [metric any/c] [basis basis?]) [v vector-field?])

@@ -280,12 +280,14 @@ A field, or a basis, at the points of the map.
                         [v vector-field?]) vector-field?])]{
 
 From the manifold that a map goes to back to that which it comes from: a function is composed with
-the map, a form takes images of vectors. A vector field needs the inverse of the map. The first
-looks what it is given.
+the map, a form takes images of vectors, and so does a metric: a surface in space has that of the
+space. A vector field needs the inverse of the map. The first looks what it is given.
 
 @examples[#:eval session
 (((pullback-function turn) x) ((point R2-polar) (up 'r 'theta)))
 (verify-equal (((pullback turn) (d f)) v) (v ((pullback turn) f)))
+(define (saddle p) ((point R3-rect) (up (x p) (y p) (* (x p) (y p)))))
+((((pullback saddle) (coordinate-system->metric R3-rect)) d/dx d/dy) m)
 (verify-equal ((pullback-form turn) (wedge dx dy)) (wedge dx dy))
 (verify-equal ((pullback-vector-field turn back) d/dtheta) d/dtheta)]}
 

@@ -126,12 +126,15 @@ A chart of a manifold, by its name and that of its patch, a part of the manifold
                         [to-place (-> exact-integer? procedure?)]
                         [to-coordinates (-> exact-integer? procedure?)]
                         [#:dimensions dimensions (or/c (listof exact-integer?) #f) #f]
-                        [#:names names (-> exact-integer? (listof symbol?)) procedure?])
+                        [#:names names (-> exact-integer? (listof symbol?)) procedure?]
+                        [#:positive positive (-> exact-integer? procedure?) procedure?])
                        void?])]{
 
 A new type of manifolds, a patch more, and a chart more. A chart is a map from coordinates to a
 place, anything that tells a point, and one back; both are made for a dimension. All charts of a
-type must mean the same by a place.
+type must mean the same by a place. @racket[positive] makes, of the coordinates, the list of what is
+positive in the chart, such as a radius or the sine of a colatitude: @racket[volume-form] needs no
+absolute value of it.
 
 @examples[#:eval session
 (define surface (make-manifold-type 'surface 'middle))

@@ -52,6 +52,39 @@
   (check-identity ((interior-product X) (wedge a b)) (- (* (a X) b) (* (b X) a)))
   (check-identity ((interior-product X) ((interior-product X) (wedge a b))) 0))
 
+(define-coordinates (up r theta phi) R3-spherical)
+(define space (coordinate-system->metric R3-spherical))
+(define space-basis (coordinate-system->basis R3-spherical))
+
+;; As the form of volume of the chart prints, at a point of it
+(define (printed-volume volume C)
+  (define es (structure->list (coordinate-system->vector-basis C)))
+  (format "~a" (simplify ((apply volume es) (typical-point C)))))
+
+(test-case "radius and sine of the colatitude are positive: no absolute values in volumes"
+  (define star (Hodge-star space space-basis))
+  (check-identity (star dr) (* (square r) (sin theta) (wedge dtheta dphi)))
+  (check-identity ((curl space space-basis) (* (/ 1 (square r)) d/dphi))
+                  (* 2 (/ (cos theta) (square r)) d/dr))
+  (check-identity (ref (orthonormalize (basis->vector-basis space-basis) space R3-spherical) 2)
+                  (* (/ 1 (* r (sin theta))) d/dphi))
+  (for ([C (list R2-polar R3-cyl R3-spherical R4-cyl S2-spherical S2-tilted S3-spherical
+                 Euler-angles alternate-angles)])
+    (define volume (volume-form (coordinate-system->metric C) (coordinate-system->basis C)))
+    (check-false (regexp-match? #rx"abs" (printed-volume volume C)))))
+
+(test-case "a metric is pulled back by an embedding"
+  (define-coordinates (up u v) R2-rect)
+  (define-coordinates (up x y z) R3-rect)
+  (define (torus m)
+    (define-values (a b) (values (u m) (v m)))
+    ((point R3-rect) (up (* (+ 'R (* 'r (cos a))) (cos b)) (* (+ 'R (* 'r (cos a))) (sin b))
+                         (* 'r (sin a)))))
+  (define g ((pullback torus) space))
+  (check-identity (+ g (* -1 (square 'r) (coordinate-system->metric R2-rect)))
+                  (make-metric (lambda (X Y) (* (- (square (+ 'R (* 'r (cos u)))) (square 'r))
+                                                (dv X) (dv Y))))))
+
 (for-charts "d: d of d is 0, a graded derivation" (C all-charts)
   (define-values (f) (functions C 'f))
   (define-values (a b) (forms C 'a 'b))

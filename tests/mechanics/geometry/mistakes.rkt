@@ -14,6 +14,8 @@
 (define basis (coordinate-system->basis R2-rect))
 (define nabla (covariant-derivative (literal-Cartan 'G R2-rect)))
 (define (degenerate u v) (* (dx u) (dx v)))
+(define (lopsided u v) (+ (* (dx u) (dx v)) (* y (dx u) (dy v)) (* (dy u) (dy v))))
+(define (identity x) x)
 (define (to-number m) 3)
 
 ;; Points and charts
@@ -74,6 +76,18 @@
   "v: a vector field acts on functions on a manifold\n  given: v, a vector field\n"
   "  fields have a Lie-derivative and a covariant-derivative"]
  [(v f f) "v: a vector field takes 1 function; it was given 2"]
+ [(v m)
+  "v: a vector field acts on functions on a manifold\n"
+  "  given: ((point R2-rect) (up 1 2)), a point of a manifold"]
+ [(v cons)
+  "v: a vector field acts on functions on a manifold\n"
+  "  given: the procedure `cons`, which takes 2 arguments"]
+ [((v sin) m)
+  "sin: cannot be taken of a point of a manifold\n"
+  "  argument 1: ((point R2-rect) (up x y)), a point of a manifold"]
+ [((literal-function 'F) x)
+  "F: was declared (-> Real Real); slot 0 got x, a function on a manifold\n"
+  "  what takes it of the values of a function is (compose F x)"]
  [(w f) "w: argument 1: expected a vector field\n  given: f, a function on a manifold"]
  [(w v v) "w: a 1-form takes 1 field: (vector)\n  it was given 2"]
  [((wedge dx dy) d/dx)
@@ -126,8 +140,14 @@
   "differential: expected a map between manifolds, a function from points to points\n"
   "  given: the number 3"]
  [((((differential to-number) v) x) m)
-  "manifold-map: a map between manifolds gives points\n  map: to-number\n"
-  "  it gave: the number 3"]
+  "manifold-map: a map between manifolds gives points, such as ((point R2-rect) (up 1 2))\n"
+  "  map: to-number\n  it gave: the number 3"]
+ [(integrate-form dx identity '(0 1))
+  "manifold-map: a map between manifolds gives points, such as ((point R2-rect) (up 1 2))\n"
+  "  map: identity\n  it gave: the symbol t"]
+ [((pullback (lambda (m) m)) (metric:invert g))
+  "pullback: expected a form, or another tensor of vectors, as a metric is\n"
+  "  given: (metric:invert g), a tensor field of 2 arguments"]
  [((pullback (lambda (m) m)) v)
   "pullback: a vector field is pulled back along a map that has an inverse:"
   " ((pullback map inverse) v)"]
@@ -142,6 +162,9 @@
  [(nabla w) "covariant-derivative: expected a vector field\n  given: w, a 1-form"]
  [(Riemann g)
   "Riemann: expected a covariant derivative, such as (covariant-derivative Cartan)\n"
+  "  given: g, a tensor field of 2 arguments"]
+ [(Ricci g)
+  "Ricci: expected a covariant derivative, such as (covariant-derivative Cartan)\n"
   "  given: g, a tensor field of 2 arguments"]
  [(Ricci nabla 3)
   "Ricci: expected a basis, such as (coordinate-system->basis R3-rect)\n  given: the number 3"]
@@ -158,6 +181,10 @@
  [((Christoffel->symbols (metric->Christoffel-2 (make-metric degenerate) basis)) m)
   "metric: this metric is degenerate: its determinant is 0\n"
   "  given: (make-metric degenerate)"]
+ [((Christoffel->symbols (metric->Christoffel-2 (make-metric lopsided) basis)) m)
+  "metric: a metric is symmetric; of this one two components are 0 and y\n"
+  "  given: (make-metric lopsided)"]
+ [(make-metric 3) "make-metric: expected a function of two vector fields\n  given: the number 3"]
  [((raise g basis) v) "raise: expected a 1-form\n  given: v, a vector field"]
  [((lower g) w) "lower: expected a vector field\n  given: w, a 1-form"]
  [(curl g basis)
@@ -172,7 +199,21 @@
 (test-case "names and charts that do not fit each other"
   (check-message
    (string-append "define-coordinates: R3-rect has 3 coordinates; names were given for 2: (p q)")
-   (let () (define-coordinates (up p q) R3-rect) p)))
+   (let () (define-coordinates (up p q) R3-rect) p))
+  (check-regexp-match #rx"define-coordinates: two coordinates have the same name"
+                      (parameterize ([current-namespace (variable-reference->namespace
+                                                         (#%variable-reference))])
+                        (message-of (eval '(let () (define-coordinates (up p p) R2-rect) p))
+                                    exn:fail:syntax?))))
+
+(test-case "how sums of fields, charts and unit vectors print"
+  (check-equal? (format "~a" (+ (* x dx) dy (* y dx)))
+                "(+ (* x dx) dy (* y dx))")
+  (check-equal? (format "~a" (coordinate-system-at 'stereographic 'south-pole S2))
+                "(coordinate-system-at stereographic south-pole S2)")
+  (check-equal? (format "~a" (ref (orthonormalize (down d/dx d/dy) g R2-rect) 1))
+                "(ref (orthonormalize (down d/dx d/dy) g) 1)"))
+
 
 ;; What a procedure of points or functions gives
 (define (place m) m)
@@ -180,7 +221,7 @@
 (says
  [((d/dx place) m)
   "manifold-function: a function on a manifold gives a number, or a tuple of numbers\n"
-  "  place gave: ((point R2-rect) (up x0 x1))"]
+  "  place gave: ((point R2-rect) (up x y)), a point of a manifold"]
  [(((procedure->vector-field twice) x) m)
   "procedure->vector-field: expected a derivation, as v(f g) = v(f) g + f v(g)\n"
   "  twice makes of (chart R2-rect): (up (up 1 0) (up 0 0)), an up tuple of 2"])

@@ -90,8 +90,12 @@
  [(evolve-geodesic 3 S2-spherical start 1)
   "evolve-geodesic: expected a metric or a connection\n  given: the number 3"]
  [(evolve-geodesic g R2-rect (up 0 (up 0.0 0.0) (up -1.0 0.0)) 5)
-  "evolve-geodesic: the charts are of different manifolds\n  chart: R2-rect\n"
-  "  home: S2-spherical"]
+  "evolve-geodesic: the metric is of another manifold than the chart\n  metric of: S2\n"
+  "  chart of: R2"]
+ [(evolve-on g S2-spherical start 1)
+  "evolve-on: expected a Lagrangian, a function of the local tuple\n"
+  "  given: (coordinate-system->metric S2-spherical), a tensor field of 2 arguments\n"
+  "  that of a metric is (metric->Lagrangian g chart)"]
  [(evolve-parallel-transport g S2-spherical 3 (up 1 2) 0 1)
   "evolve-parallel-transport: expected a path: a function from the time to coordinates, "
   "or a motion on a manifold\n  given: the number 3"]
