@@ -48,7 +48,8 @@
 ;; L : a Lagrangian in the chart C, or a list of (list chart Lagrangian) -> chart -> Lagrangian
 (define (Lagrangian-by-charts who L C)
   (when (metric? L)
-    (complain-of-argument who a-Lagrangian L "\n  that of a metric is (metric->Lagrangian g chart)"))
+    (complain-of-argument who a-Lagrangian L
+                          "\n  that of a metric is (metric->Lagrangian g chart)"))
   (define given (if (list? L) L (list (list C L))))
   (for ([one (in-list given)])
     (unless (and (list? one) (= (length one) 2) (coordinate-system? (car one))

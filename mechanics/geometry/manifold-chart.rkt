@@ -21,7 +21,8 @@
          coordinate-system? coordinate-system-manifold coordinate-system-dimension
          coordinate-system-names coordinate-system-symbols coordinate-system-positive
          coordinates->place place->coordinates coordinate-system-to
-         same-chart? on-one-manifold? once-a-chart check-coordinate-system with-coordinate-names coordinate-tuple)
+         same-chart? on-one-manifold? once-a-chart check-coordinate-system with-coordinate-names
+         coordinate-tuple)
 
 ;; ---------------------------------------------------------------------------
 ;; Types
@@ -53,7 +54,8 @@
   (check-argument who family? type "a type of manifolds")
   (check-known who "patch" patch (family-patches type))
   (define (makes n)
-    (and (or (not allowed) (memv n allowed)) (list (to-place n) (to-coordinates n) (names n) (positive n))))
+    (and (or (not allowed) (memv n allowed))
+         (for/list ([make (in-list (list to-place to-coordinates names positive))]) (make n))))
   (set-family-recipes! type (cons (recipe patch name makes) (family-recipes type))))
 
 (define (numbered-names n) (for/list ([k (in-range n)]) (string->symbol (format "x~a" k))))

@@ -6,7 +6,7 @@
 ;; which that was, and told in one.
 
 (require (only-in racket/list append-map)
-         "geodesic-motion.rkt" "Lagrangian-in-chart.rkt" "manifold-chart.rkt"
+         "geodesic-motion.rkt" "Lagrangian-in-chart.rkt" "manifold-chart.rkt" "manifold-point.rkt"
          "motion-on-manifold.rkt" "motion-stretch.rkt"
          "../calculus/derivative.rkt"
          "../error/complain.rkt"
@@ -19,13 +19,14 @@
 
 (provide evolve-parallel-transport)
 
-;; path : time -> coordinates in C, or a motion on the manifold
+;; path : time -> coordinates in C or a point, or a motion on the manifold
 ;; u : the vector at the time `from`, components in C -> a trajectory of states (up t u)
 (define-plain (evolve-parallel-transport c C path u from to #:tolerance [tolerance #f])
   (define who 'evolve-parallel-transport)
   (check-coordinate-system who C)
   (check-argument who procedure? path
                   "a path: a function from the time to coordinates, or a motion on a manifold")
+  (check-argument who (lambda (u) (not (down? u))) u "a vector, an up tuple of components")
   (check-real who "time" from)
   (check-real who "time" to)
   (define n (coordinate-system-dimension C))
@@ -44,7 +45,10 @@
       (carried C (along-path who path C from) u from to)))
 
 ;; time -> coordinates and velocities
-(define (along-path who path C from)
+(define (along-path who given C from)
+  (define (path t)
+    (define q (given t))
+    (if (point? q) ((chart C) q) q))
   (define q (path from))
   (unless (same-shape? q (coordinate-tuple (coordinate-system-symbols C)))
     (complain-showing who "the path has other coordinates than the chart"

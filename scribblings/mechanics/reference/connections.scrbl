@@ -292,9 +292,9 @@ the charts that have names; what else is, you declare: @racket[(assume '(> a 0))
 @examples[#:eval session
 (verify-equal ((Hodge-star (coordinate-system->metric R2-rect) R2-basis) dx) dy)
 (((volume-form S2-metric S2-basis) d/dcolat d/dphi) m)
-(define (stretched u v) (* 'a (S2-metric u v)))
-(((volume-form stretched S2-basis) d/dcolat d/dphi) m)
-(assuming ('(> a 0)) (((volume-form stretched S2-basis) d/dcolat d/dphi) m))
+(define (scaled u v) (* 'a (S2-metric u v)))
+(((volume-form scaled S2-basis) d/dcolat d/dphi) m)
+(assuming ('(> a 0)) (((volume-form scaled S2-basis) d/dcolat d/dphi) m))
 (((codifferential S2-metric S2-basis) (* (cos colat) (d colat))) m)]}
 
 @deftogether[(@defproc[((divergence [metric any/c] [basis basis?]) [v vector-field?])

@@ -151,8 +151,8 @@ that becomes degenerate on the way is a failure, @racket[exn:fail:mechanics:sing
 
 The vector @racket[u], an up tuple of components in the chart, carried parallel along a path from
 one value of its parameter to another: a trajectory of states @racket[(up t u)]. The path is a
-function from the time to coordinates in the chart; or a motion on the manifold, which may lead
-through places where the chart is singular.
+function from the time to coordinates in the chart, or to points; or a motion on the manifold, which
+may lead through places where the chart is singular.
 
 On a sphere a vector that is carried once round the circle of colatitude θ, in the sense in which
 φ grows, turns by 2π(1 − cos θ) from south to east.

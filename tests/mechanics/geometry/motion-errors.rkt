@@ -102,6 +102,9 @@
  [(evolve-parallel-transport g S2-spherical (lambda (t) (up 1 t)) (up 1 2 3) 0 1)
   "evolve-parallel-transport: a vector has 2 components here\n"
   "  given: (up 1 2 3), an up tuple of 3"]
+ [(evolve-parallel-transport g S2-spherical (lambda (t) (up 1 t)) (down 1 2) 0 1)
+  "evolve-parallel-transport: expected a vector, an up tuple of components\n"
+  "  given: (down 1 2), a down tuple of 2"]
  [(evolve-parallel-transport g S2-spherical (lambda (t) (up 1 t 3)) (up 1 2) 0 1)
   "evolve-parallel-transport: the path has other coordinates than the chart\n"
   "  chart: S2-spherical\n  path: (up 1 0 3)"]

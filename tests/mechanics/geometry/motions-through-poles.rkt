@@ -162,3 +162,17 @@
   (for ([t 11])
     (define p (trajectory-momentum tr t))
     (check-close (ref p 1) (ref p 2) 1e-10)))
+
+(test-case "a path along which a vector is carried may give points, in any chart"
+  (define (carried path)
+    (coordinate
+     ((evolve-parallel-transport S2-metric S2-spherical path (up 1 0) 0 2) 2)))
+  (define by-coordinates (carried (lambda (t) (up 1 t))))
+  (define equal-points (list (lambda (t) ((point S2-spherical) (up 1 t)))
+                             (lambda (t)
+                               ((point S2-stereographic)
+                                (let ([rho (/ (sin 1) (- 1 (cos 1)))])
+                                  (up (* rho (cos t)) (* rho (sin t))))))))
+  (for ([path equal-points])
+    (for ([a (structure->list (carried path))] [b (structure->list by-coordinates)])
+      (check-within a b 1e-9))))
