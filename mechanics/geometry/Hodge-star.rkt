@@ -12,7 +12,7 @@
          "covariant-derivative.rkt" "exterior-calculus.rkt" "tensor-field.rkt" "manifold-chart.rkt"
          "manifold-function.rkt" "metric.rkt" "raising-and-lowering.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt")
 
 (provide Hodge-star volume-form codifferential

@@ -4,7 +4,7 @@
 ;; In a chart a geodesic has the accelerations −Σ Γᵃ_bk vᵇ vᵏ.  Of a metric these are Lagrange's
 ;; equations of ½ g(v, v).
 
-(require "chart-calculus.rkt" "chart-choice.rkt" "component-array.rkt" "connection.rkt" "basis.rkt"
+(require "chart-calculus.rkt" "component-array.rkt" "connection.rkt" "basis.rkt"
          "manifold-chart.rkt" "metric.rkt" "motion-on-manifold.rkt" "tensor-field.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt"

@@ -5,7 +5,7 @@
          "manifold-chart.rkt" "manifold-function.rkt" "metric.rkt"
          "covariant-derivative.rkt" "curvature-tensor.rkt"
          "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt")
 
 (provide lower raise-form contract
