@@ -52,8 +52,16 @@
 
 (define (make-Cartan forms basis)
   (define n (check-parts 'make-Cartan forms basis 2 "1-forms: a down tuple of up tuples"))
-  (Cartan forms basis (once-a-chart (lambda (C) (coefficients-of forms basis n C)))
+  (define fields (structure-map (lambda (column) (structure-map form-field column)) forms))
+  (Cartan fields basis (once-a-chart (lambda (C) (coefficients-of fields basis n C)))
           (call-datum 'make-Cartan forms basis)))
+
+;; A 1-form, a procedure that is one, or 0
+(define (form-field w)
+  (cond [(or (field? w) (eqv? w 0)) w]
+        [(procedure? w) (procedure->1form-field w)]
+        [else (complain 'make-Cartan "expected 1-forms\n  given among them: ~a"
+                        (describe-with-value w))]))
 
 (define (check-parts who parts basis depth expected)
   (check-basis who basis)

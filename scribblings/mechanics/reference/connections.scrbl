@@ -36,11 +36,11 @@ is expected, a procedure of two vector fields will do.
 
 A connection of its 1-forms, a @racket[down] of @racket[up]s, and the parts of one: the derivative
 of the basis vector number j along v has, as its component number i, the i-th part of the j-th tuple
-of forms, applied to v.
+of forms, applied to v. A procedure of a vector field will do as a 1-form, and 0 for one that
+vanishes.
 
 @examples[#:eval session
-(define none (* 0 dx))
-(define flat-plane (make-Cartan (down (up none none) (up none none)) R2-basis))
+(define flat-plane (make-Cartan (down (up 0 0) (up 0 0)) R2-basis))
 (Cartan? flat-plane)
 (((Cartan->forms sphere) d/dphi) m)
 (Cartan->basis sphere)]}

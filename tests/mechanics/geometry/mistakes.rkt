@@ -171,6 +171,8 @@
  [(covariant-derivative g)
   "covariant-derivative: expected a connection, such as (Christoffel->Cartan Christoffel)\n"
   "  given: g, a tensor field of 2 arguments"]
+ [(make-Cartan (down (up 0 0) (up 0 3)) basis)
+  "make-Cartan: expected 1-forms\n  given among them: the number 3"]
  [(metric->Christoffel-2 g 3)
   "metric->Cartan: expected a basis, such as (coordinate-system->basis R3-rect)\n"
   "  given: the number 3"]
