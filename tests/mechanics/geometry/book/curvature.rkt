@@ -151,34 +151,3 @@
                     (lambda (x y z) (+ (((nabla x) R) omega V y z) (R omega V (T x y) z))))
                    X Y Z)
                   0))
-
-;; ---------------------------------------------------------------------------
-
-(test-case "exercise 8.1: Ricci's tensor of the sphere is its metric"
-  (check-identity (Ricci nabla S2-basis) S2-metric)
-  (check-prints (((Ricci nabla S2-basis) d/dphi d/dphi) m) '(expt (sin theta0) 2)))
-
-(define (pseudosphere-metric)
-  (define (place t theta)
-    (up (/ (cos theta) (cosh t)) (/ (sin theta) (cosh t)) (- t (tanh t))))
-  (define-coordinates (up t angle) R2-rect)
-  (define dF (map d (tuple-parts (place t angle))))
-  (make-metric (lambda (u v) (apply + (for/list ([w dF]) (* (w u) (w v)))))))
-
-(define (tuple-parts s) (structure->list s))
-
-(test-case "exercise 8.2: the pseudosphere"
-  (define basis (coordinate-system->basis R2-rect))
-  (define metric (pseudosphere-metric))
-  (define symbols
-    ((Christoffel->symbols (metric->Christoffel-2 metric basis)) ((point R2-rect) (up 't 'theta))))
-  (define-values (c s) (values (cosh 't) (sinh 't)))
-  (check-identity symbols
-                  (down (down (up (/ (+ (* 2 (square c) (square s)) (* -2 (expt s 4)) (square c)
-                                        (* -2 (square s)))
-                                     (+ (* c (expt s 3)) (* c s)))
-                                  0)
-                              (up 0 (/ (* -1 s) c)))
-                        (down (up 0 (/ (* -1 s) c))
-                              (up (/ c (+ (expt s 3) s)) 0))))
-  (check-identity ((scalar-curvature metric basis) ((point R2-rect) (up 't 'theta))) -2))

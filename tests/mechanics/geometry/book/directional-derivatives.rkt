@@ -199,31 +199,3 @@
                    't0)
                   (down (ref residual 0)
                         (* (square (sin ((literal-function 'alpha) 't0))) (ref residual 1)))))
-
-;; ---------------------------------------------------------------------------
-
-(test-case "exercise 7.1: Hamilton's vector field of the sphere, and its series"
-  (define H (Lagrangian->Hamiltonian (L-sphere)))
-  (define rates
-    ((Hamiltonian->state-derivative H) (up 't (up 'theta 'phi) (down 'p_theta 'p_phi))))
-  (check-identity rates
-                  (up 1 (up 'p_theta (/ 'p_phi (square (sin 'theta))))
-                      (down (/ (* (square 'p_phi) (cos 'theta)) (cube (sin 'theta))) 0)))
-  (define space (coordinate-system-at 'rectangular 'origin (make-manifold R^n 5)))
-  (define-coordinates (up t (up theta phi) (down p_theta p_phi)) space)
-  (define v
-    (+ d/dt (* p_theta d/dtheta) (* (/ p_phi (square (sin theta))) d/dphi)
-       (* (/ (* (square p_phi) (cos theta)) (cube (sin theta))) d/dp_theta)))
-  (define start ((point space) (up 0 'theta0 'phi0 'p_theta 'p_phi)))
-  (define terms (series:head (((exp (* 's (Lie-derivative v))) theta) start) 3))
-  (check-identity (cadr terms) (* 's 'p_theta))
-  (check-identity (caddr terms)
-                  (/ (* 1/2 (square 's) (square 'p_phi) (cos 'theta0)) (cube (sin 'theta0)))))
-
-(test-case "exercise 7.2: a connection that makes one Lie derivative covariant"
-  (define-values (v y) (values (literal-vector-field 'v R2-rect) (literal-vector-field 'y R2-rect)))
-  (define-coordinates (up x y1) R2-rect)
-  ;; ∇_∂x ∂j = [∂x, ∂j] = 0, which the flat connection does; but it is not that for all fields
-  (define nabla (covariant-derivative R2-rect-Cartan))
-  (check-identity ((nabla d/dx) y) ((Lie-derivative d/dx) y))
-  (check-pred refuted? (verify-equal ((nabla v) y) ((Lie-derivative v) y))))

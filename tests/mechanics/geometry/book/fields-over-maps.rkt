@@ -64,14 +64,3 @@
   (check-identity (((pushforward-vector turn back) d/dx) y) (sin 'a))
   (check-identity (((pullback-vector-field turn back) d/dx) y) (- (sin 'a)))
   (check-identity (((pullback turn back) ((pushforward-vector turn back) X)) x) (X x)))
-
-;; ---------------------------------------------------------------------------
-
-(test-case "exercise 6.1: speeds on a globe, and on a stereographic map of it"
-  (define east (compose (point S2-spherical) (lambda (t) (up 'theta0 (* 'rate t))) (chart R1-rect)))
-  (define v ((differential east) d/dt))
-  (define speed^2 (((metric-over-map east S2-metric) v v) now))
-  (check-identity speed^2 (square (* 'rate (sin 'theta0))))
-  (define on-the-map ((v (chart S2-Riemann)) now))
-  (check-identity (square on-the-map)
-                  (square (/ (* 'rate (sin 'theta0)) (- 1 (cos 'theta0))))))

@@ -67,20 +67,3 @@
   (define area (* 1/2 (integrate-form (d w) sector (list 0 2) (list 0 (/ pi 2)))))
   (check-= area pi 1e-9)
   (check-= (integrate-over-boundary w sector (list 0 2) (list 0 (/ pi 2))) (* 2 pi) 1e-9))
-
-;; ---------------------------------------------------------------------------
-
-(test-case "exercise 5.1: products are associative, and change sign by their ranks"
-  (define-values (p q s) (apply values (for/list ([n '(p q s)]) (literal-1form-field n R3-rect))))
-  (check-identity (wedge p (wedge q s)) (wedge (wedge p q) s))
-  (check-identity (wedge p (wedge q s)) (wedge (wedge q s) p))
-  (check-identity (wedge p q) (- (wedge q p))))
-
-(test-case "exercise 5.2: d is a graded derivation"
-  (define-values (p q) (values (literal-1form-field 'p R3-rect) (literal-1form-field 'q R3-rect)))
-  (check-identity (d (wedge p q)) (- (wedge (d p) q) (wedge p (d q))))
-  (check-identity (d (* a p)) (+ (wedge (d a) p) (* a (d p)))))
-
-(test-case "exercise 5.3: d of d is 0"
-  (check-identity (d (d theta-form)) 0)
-  (check-identity (d (d (* a (wedge (d b) (d c))))) 0))

@@ -57,12 +57,3 @@
   (define components (metric->components the-metric basis))
   (check-identity residual
                   (* (* 'm (components (gamma ((point R1-rect) 't)))) geodesic-residual)))
-
-;; ---------------------------------------------------------------------------
-
-(test-case "exercise 1.1: the equator and the meridians are motions on the sphere"
-  (define ((residual path) t) (((Lagrange-equations (L-sphere 1 1)) path) t))
-  (check-identity ((residual (up (lambda (t) (/ ':pi 2)) (lambda (t) (* 'a t)))) 't) (down 0 0))
-  (check-identity ((residual (up (lambda (t) (* 'a t)) (lambda (t) 'phi0))) 't) (down 0 0))
-  (define on-a-circle ((residual (up (lambda (t) 'theta0) (lambda (t) (* 'a t)))) 't))
-  (check-pred refuted? (verify-equal on-a-circle (down 0 0))))

@@ -46,16 +46,3 @@
   (check-prints (h R2-rect-point) '(+ (expt x0 3) (* x0 (expt y0 2)) (expt y0 3)))
   (check-identity (h ((point R2-polar) (up 'r0 'theta0)))
                   (+ (* (cube 'r0) (cube (sin 'theta0))) (* (cube 'r0) (cos 'theta0)))))
-
-(test-case "exercise 2.1: a cardioid in rectangular coordinates"
-  (define residual ((- r (* 2 'a (+ 1 (cos theta)))) ((point R2-rect) (up 'x 'y))))
-  (define R (sqrt (+ (square 'x) (square 'y))))
-  (check-identity residual (/ (+ (* -2 'a 'x) (* -2 'a R) (square 'x) (square 'y)) R)))
-
-(test-case "exercise 2.2: the stereographic projection"
-  (define image
-    ((compose (chart S2-spherical) (point S2-Riemann) (chart R2-rect) (point R2-polar))
-     (up 'rho 'theta)))
-  (check-identity (ref image 0) (acos (/ (- (square 'rho) 1) (+ (square 'rho) 1))))
-  (check-identity (cos (ref image 0)) (/ (- (square 'rho) 1) (+ (square 'rho) 1)))
-  (check-identity (tan (ref image 1)) (tan 'theta)))

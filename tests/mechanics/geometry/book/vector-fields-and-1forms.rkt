@@ -99,26 +99,3 @@
   (define v (literal-vector-field 'b R2-rect))
   (check-prints ((w v) R2-rect-point)
                 '(+ (* (a_0 (up x0 y0)) (b^0 (up x0 y0))) (* (a_1 (up x0 y0)) (b^1 (up x0 y0))))))
-
-;; ---------------------------------------------------------------------------
-
-(test-case "exercise 3.1: a state derivative as a vector field on R⁵"
-  (define space (make-manifold R^n 5))
-  (define C (coordinate-system-at 'rectangular 'origin space))
-  (define-coordinates (up t X Y vx vy) C)
-  (define (A name) (compose (literal-function name R2->R) (up X Y)))
-  (define v (+ d/dt (* vx d/dX) (* vy d/dY) (* (A 'Ax) d/dvx) (* (A 'Ay) d/dvy)))
-  (define terms (series:head (((exp (* 's v)) X) ((point C) (up 't 'x 'y 'u 'w))) 3))
-  (check-prints (cadr terms) '(* s u))
-  (check-prints (caddr terms) '(* 1/2 (expt s 2) (Ax (up x y)))))
-
-(test-case "exercise 3.2: components of a 1-form in two charts"
-  (define a (1form-field->components omega R2-rect))
-  (define a-polar (1form-field->components omega R2-polar))
-  (define slopes ((D (compose (chart R2-rect) (point R2-polar))) (up 'r 'theta)))
-  (check-identity (a-polar (up 'r 'theta))
-                  (* (a ((compose (chart R2-rect) (point R2-polar)) (up 'r 'theta))) slopes)))
-
-(test-case "exercise 3.3: the power that climbing needs"
-  (define h (literal-manifold-function 'h R2-rect))
-  (check-identity (* 'm 'g ((d h) v)) (* 'm 'g (v h))))
