@@ -30,6 +30,7 @@
 (define needed
   '(("mechanics/algebra/expression/operation.rkt" . "\"numeric-functions.rkt\"")
     ("tests/mechanics/examples.rkt" . "mechanics/book")
+    ("tests/mechanics/examples.rkt" . "mechanics/geometry")
     ("tests/mechanics/examples.rkt" . "mechanics/plot")
     ("tests/mechanics/exercises.rkt" . "mechanics/book")
     ("tests/mechanics/exercises.rkt" . "mechanics/plot")

@@ -1,5 +1,6 @@
 #lang racket/base
-;; The programs for the exercises of a chapter, listed by what their first lines say:
+;; The programs for the exercises of a chapter, and for those of Functional Differential Geometry,
+;; listed by what their first lines say:
 ;;
 ;;   ;; Exercise 1.17 (SICM 1.6.2): a bead on a helical wire
 ;;   ;; Checked: the equation of motion in the angle about the axis
@@ -11,12 +12,13 @@
          scribble/base
          (only-in "program.rkt" program-link))
 
-(provide exercise-table
-         exercises (struct-out exercise))
+(provide exercise-table geometry-exercise-table
+         exercises geometry-exercises (struct-out exercise))
 
-(define-runtime-path folder "../../examples/mechanics/exercises")
+(define-runtime-path examples "../../examples/mechanics")
 
 ;; chapter, number : 1 and 17 for exercise 1.17.  section, subject, checked, how : strings
+;; file : of the program, below the examples
 (struct exercise (chapter number section subject checked how file) #:transparent)
 
 ;; ---------------------------------------------------------------------------
@@ -24,22 +26,29 @@
 
 ;; -> exercises of a chapter, by number
 (define (exercises chapter)
-  (define name (regexp (format "^exercise-~a-.*[.]rkt$" chapter)))
-  (sort (for/list ([file (in-list (directory-list folder))]
+  (read-exercises "exercises" (regexp (format "^exercise-~a-.*[.]rkt$" chapter))))
+
+(define (geometry-exercises)
+  (read-exercises "geometry/exercises" #rx"^FDG-exercise-.*[.]rkt$"))
+
+(define (read-exercises folder name)
+  (define (place e) (+ (* 1000 (exercise-chapter e)) (exercise-number e)))
+  (sort (for/list ([file (in-list (directory-list (build-path examples folder)))]
                    #:when (regexp-match? name (path->string file)))
-          (read-exercise (path->string file)))
-        < #:key exercise-number))
+          (read-exercise (format "~a/~a" folder file)))
+        < #:key place))
 
 (define (read-exercise file)
-  (define lines (file->lines (build-path folder file)))
+  (define lines (file->lines (build-path examples file)))
   (define (line-that pattern line)
     (cond [(regexp-match pattern line) => cdr]
           [else (raise-arguments-error
-                 'exercises "expected lines of the form `;; Exercise C.N (SICM S): subject`, \
+                 'exercises "expected lines of the form `;; Exercise C.N (BOOK S): subject`, \
 `;; Checked: ...` and `;; How: ...` after the language"
                  "file" file "line" line)]))
   (define heading
-    (line-that #px"^;; Exercise (\\d+)[.](\\d+) \\(SICM ([\\d.]+)\\): (.+)$" (list-ref lines 1)))
+    (line-that #px"^;; Exercise (\\d+)[.](\\d+) \\((?:SICM|FDG) ([\\d.]+)\\): (.+)$"
+               (list-ref lines 1)))
   (define checked (line-that #rx"^;; Checked: (.+)$" (list-ref lines 2)))
   (define how (line-that #rx"^;; How: (.+)$" (list-ref lines 3)))
   (exercise (string->number (first heading)) (string->number (second heading))
@@ -69,19 +78,26 @@
         [else (string-append section ", in pp. " range)]))
 
 (define (exercise-table chapter)
-  (define heading (map bold '("" "Section" "What is checked, and how")))
+  (table '("" "Section" "What is checked, and how")
+         (for/list ([e (in-list (exercises chapter))]) (list (link e) (place e) (what e)))))
+
+(define (geometry-exercise-table)
+  (table '("" "What is checked, and how")
+         (for/list ([e (in-list (geometry-exercises))]) (list (link e) (what e)))))
+
+(define (table heading rows)
   (tabular #:style 'boxed
            #:row-properties '(bottom-border)
-           #:column-properties '(top top top)
+           #:column-properties '(top)
            #:sep (hspace 2)
-           (cons heading
-                 (for/list ([e (in-list (exercises chapter))])
-                   (list (program-link (string-append "exercises/" (exercise-file e))
-                                       (format "~a.~a" chapter (exercise-number e)))
-                         (place e)
-                         (list (italic (capitalized (exercise-subject e))) ". "
-                               (capitalized (exercise-checked e)) ": "
-                               (exercise-how e) "."))))))
+           (cons (map bold heading) rows)))
+
+(define (link e)
+  (program-link (exercise-file e) (format "~a.~a" (exercise-chapter e) (exercise-number e))))
+
+(define (what e)
+  (list (italic (capitalized (exercise-subject e))) ". "
+        (capitalized (exercise-checked e)) ": " (exercise-how e) "."))
 
 (define (capitalized text)
   (string-append (string-upcase (substring text 0 1)) (substring text 1)))

@@ -3,6 +3,7 @@
 ;; their own here; the others are run by this one.
 
 (require (only-in mechanics/book)
+         (only-in mechanics/geometry)
          (only-in mechanics/plot)
          racket/path
          racket/runtime-path
@@ -29,7 +30,8 @@
 
 (for ([program (in-list programs)])
   (define name (name-of program))
-  (define space (loaded-from here 'rackunit 'mechanics 'mechanics/book 'mechanics/plot))
+  (define space (loaded-from here 'rackunit 'mechanics 'mechanics/book 'mechanics/plot
+                             'mechanics/geometry))
   (alone (format "the tests of ~a" name)
          (test-case (format "nothing opaque is in what ~a prints" name)
            (check-false (string-contains? (run-example space program) "#<")))

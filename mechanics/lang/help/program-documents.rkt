@@ -26,15 +26,21 @@
 
 (define (program-document name file)
   (define subject (program-heading file))
-  (cond [(regexp-match #px"^Exercise (\\d+[.]\\d+) [^:]*: (.*?)(?: Checked: .*)?$" subject)
-         => (lambda (found)
-              (numbered-document 'exercise (string-append "Exercise " (second found)) (third found)
-                                 name file 8))]
+  (cond [(regexp-match #px"^Exercise (\\d+[.]\\d+) [(](SICM|FDG) [^:]*: (.*?)(?: Checked: .*)?$"
+                       subject)
+         => (lambda (found) (exercise-document (cdr found) name file))]
         [(regexp-match #px"figures[/\\\\](figure|exercise)-(\\d)-(\\d+)[.]rkt$" name)
          => (lambda (found)
               (numbered-document 'program (apply format "~a ~a.~a" (cdr found))
                                  (without-place subject) name file 0))]
         [else (titled-document (title-of-file name) (without-place subject) name file)]))
+
+;; found : number, book, subject.  Numbers of both books are most often meant of the first.
+(define (exercise-document found name file)
+  (define-values (number book subject) (apply values found))
+  (if (equal? book "SICM")
+      (numbered-document 'exercise (format "Exercise ~a" number) subject name file 8)
+      (numbered-document 'exercise (format "Exercise ~a of ~a" number book) subject name file 0)))
 
 (define (without-place text) (regexp-replace #px" *[(]SICM [^)]*[)]" text ""))
 

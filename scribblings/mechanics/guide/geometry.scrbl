@@ -1,5 +1,6 @@
 #lang scribble/manual
-@(require (for-label mechanics mechanics/geometry) "../eval.rkt" "../next-pages.rkt")
+@(require (for-label mechanics mechanics/geometry) "../eval.rkt" "../exercises.rkt"
+          "../next-pages.rkt")
 
 @title[#:tag "geometry-guide"]{Along with Functional Differential Geometry}
 
@@ -125,6 +126,14 @@ The connection of a metric keeps it; a surface has no Einstein tensor, whatever 
 @examples[#:eval session #:label #f
 (verify-equal (((covariant-derivative connection) v) g) 0)
 (verify-equal (Einstein-tensor g (coordinate-system->basis R2-rect)) 0)]
+
+@section[#:tag "geometry-exercises"]{Exercises}
+
+For the exercises whose answer a verdict can judge there are programs in
+@filepath{examples/mechanics/geometry/exercises}. Each states its problem in its own words, has an
+answer proved, and one with a slip refuted.
+
+@(geometry-exercise-table)
 
 @next-pages["geometry-stories" "a sphere, a black hole and the rotations"
             "reference-manifolds" "charts and points"

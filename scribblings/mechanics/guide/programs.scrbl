@@ -23,6 +23,9 @@ Each name leads to the program. In a checkout
 @section[#:tag "programs-questions"]{Questions}
 @(program-table "questions")
 
+@section[#:tag "programs-geometry"]{Curved spaces}
+@(program-table "geometry")
+
 @section[#:tag "programs-figures"]{Figures}
 @(program-table "figures")
 
@@ -35,7 +38,8 @@ Each name leads to the program. In a checkout
 @section[#:tag "programs-sandbox"]{Grading}
 @(program-table "sandbox")
 
-The programs for the exercises are listed in @secref["guide-exercises"].
+The programs for the exercises are listed in @secref["guide-exercises"], those for the exercises of
+the book's sequel in @secref["geometry-exercises"].
 
 @next-pages["guide-exercises" "those for the exercises of the book"
             "guide-showing" "a program of yours as a page"

@@ -55,6 +55,12 @@
       (check-equal? (first-answer text) program text)
       (check-eq? (finding-kind (car (found text))) 'exercise))))
 
+(test-case "those of the book's sequel come after those of the book"
+  (check-equal? (finding-where (cadr (found "exercise 4.2")))
+                "geometry/exercises/FDG-exercise-4-2.rkt")
+  (check-equal? (first-answer "FDG exercise 4.2") "geometry/exercises/FDG-exercise-4-2.rkt")
+  (check-equal? (first-answer "exercise 9.10") "geometry/exercises/FDG-exercise-9-10.rkt"))
+
 (test-case "exercises that have no program are found as well, and figures and chapters are"
   (for ([number '("1.1" "1.2" "1.23" "2.7" "2.13" "9.2")])
     (define first-found (car (found number)))
