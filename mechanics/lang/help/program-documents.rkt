@@ -2,7 +2,6 @@
 ;; Programs of the examples as the search can find them, and the exercises of the book.
 
 (require racket/file
-         racket/list
          racket/path
          racket/string
          "document.rkt" "exercise-without-program.rkt" "finding.rkt" "program-heading.rkt")

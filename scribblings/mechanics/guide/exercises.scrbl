@@ -14,7 +14,8 @@ program in
 @program-link["exercises/exercise-1-17.rkt" @filepath{exercise-1-17.rkt}] for exercise 1.17. It
 states the problem in its own words, takes an attempt that is right and one with a slip that
 is easily made, and shows how the verdict on the latter leads to the slip. Replace the attempt
-by your own before you read on.
+by your own before you read on. Those for the book's sequel are listed in
+@secref["geometry-exercises"].
 
 @section{Chapter 1}
 

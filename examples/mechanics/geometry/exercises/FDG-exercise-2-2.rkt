@@ -1,7 +1,7 @@
 #lang mechanics
 ;; Exercise 2.2 (FDG 2): the stereographic projection
 ;; Checked: colatitude and longitude of the point that a point of the plane is the image of
-;; How: from chart to chart: polar and rectangular ones of the plane, two of the sphere
+;; How: through polar and rectangular coordinates of the plane and two charts of the sphere
 
 (require mechanics/geometry)
 
@@ -11,7 +11,7 @@
 (define image (to-sphere (up 'rho 'theta)))
 (cos (ref image 0))
 
-;; By hand: the ray's slope is half the angle at the other pole, so that cot(colatitude/2) = ρ.
+;; By hand: between ray and axis is the angle (π − colatitude)/2, and ρ is its tangent.
 (define colatitude
   (verify-equal (cos (ref image 0)) (/ (- (square 'rho) 1) (+ (square 'rho) 1))))
 (define longitude (verify-equal (tan (ref image 1)) (tan 'theta)))

@@ -11,7 +11,7 @@
 (define right (for/list ([w (list f p (wedge p q))]) (verify-equal (d (d w)) 0)))
 right
 
-;; A form of which d is 0 need not be d of another one on the whole: but d of f d(f) is.
+;; So d of f df is 0, which is d of f²/2.
 (define closed (verify-equal (d (* f (d f))) 0))
 closed
 

@@ -24,7 +24,7 @@ right
 (define same (verify-equal (scalar-curvature g basis) (/ 2 (square 'r))))
 same
 
-;; The slip: a trace without the inverse of the metric, which is the same for all spheres
+;; The slip: the trace by the metric of the unit sphere, which is 2 for all spheres
 (define wrong (verify-equal ((trace2down (sphere 1) basis) R) (/ 2 (square 'r))))
 wrong
 

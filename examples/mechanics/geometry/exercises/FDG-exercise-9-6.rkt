@@ -1,6 +1,6 @@
 #lang mechanics
 ;; Exercise 9.6 (FDG 9): Schwarzschild's spacetime
-;; Checked: outside the mass there is none: Ricci's tensor is 0
+;; Checked: it is empty, for Ricci's tensor is 0 outside the mass
 ;; How: for all components at once, and for a metric with a slip
 
 (require mechanics/geometry)

@@ -35,7 +35,7 @@ characteristic
 (define right (verify-equal characteristic (with-inner-radius 6)))
 right
 
-;; The slip: stable from the radius of circular light on
+;; The slip: stable from 3GM/c² on, where light goes round
 (define wrong (verify-equal characteristic (with-inner-radius 3)))
 wrong
 
