@@ -58,8 +58,9 @@
 
 ;; A 1-form, a procedure that is one, or 0
 (define (form-field w)
-  (cond [(or (field? w) (eqv? w 0)) w]
+  (cond [(field? w) w]
         [(procedure? w) (procedure->1form-field w)]
+        [(eqv? w 0) (procedure->1form-field (lambda (v) 0) 0)]
         [else (complain 'make-Cartan "expected 1-forms\n  given among them: ~a"
                         (describe-with-value w))]))
 
@@ -86,8 +87,7 @@
   (define omega                                                  ; [j][i][k]
     (for/vector ([j (in-range n)])
       (for/vector ([i (in-range n)])
-        (define w (part forms j i))
-        (if (field? w) (components-in w C) (make-vector n 0)))))
+        (components-in (part forms j i) C))))
   (define (at v . is) (for/fold ([v v]) ([i (in-list is)]) (vector-ref v i)))
   (define (inner i b k)
     (g:+ (at slopes i k b)

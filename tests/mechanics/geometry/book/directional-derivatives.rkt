@@ -112,12 +112,14 @@
                      (+ (V components) (* ((Cartan->forms Cartan) V) components)))
                   ((((covariant-derivative Cartan) V) U) f)))
 
-(test-case "7.2: the 1-forms of a connection may be procedures"
+(test-case "7.2: the 1-forms of a connection may be procedures, or 0"
   (define-coordinates (up x y) R2-rect)
   (define (with form)
     ((covariant-derivative (make-Cartan (down (up 0 form) (up 0 0)) R2-rect-basis)) d/dy))
   (check-identity ((with dy) d/dx) d/dy)
-  (check-identity ((with (lambda (v) (dy v))) d/dx) d/dy))
+  (check-identity ((with (lambda (v) (dy v))) d/dx) d/dy)
+  (define flat (Cartan->forms (make-Cartan (down (up 0 0) (up 0 0)) R2-rect-basis)))
+  (check-identity (flat d/dx) (down (up 0 0) (up 0 0))))
 
 ;; ---------------------------------------------------------------------------
 ;; 7.3 Parallel transport, 7.4 geodesics
