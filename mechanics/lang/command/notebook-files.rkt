@@ -8,7 +8,7 @@
          (only-in "../redefinition/late-definitions.rkt" late-definitions)
          "../../error/complain.rkt"
          "../../show/notebook/notebook-file.rkt" "../../show/notebook/program-cells.rkt"
-         "../../show/plot/picture-file.rkt"
+         "../../generic/output-file.rkt"
          "../../generic/on-demand.rkt")
 
 (require-on-demand ["../../notebook/run-cells.rkt" run-cells]

@@ -7,7 +7,7 @@
          (only-in "../program-file.rkt" about-language language-without-us)
          "../../show/document/TeX-document.rkt" "../../show/document/web-page.rkt"
          "../../error/complain.rkt"
-         "../../show/plot/picture-file.rkt")
+         "../../generic/output-file.rkt")
 
 (provide show-command TeX-command write-document)
 

@@ -7,7 +7,7 @@
          racket/runtime-path
          "load-worksheet.rkt" "show-program.rkt" "written-files.rkt"
          "../../error/complain.rkt"
-         "../../show/plot/picture-file.rkt"
+         "../../generic/output-file.rkt"
          "../../teaching/worksheet/handout.rkt" "../../teaching/worksheet/student-file.rkt"
          "../../teaching/worksheet/student-notebook.rkt")
 

@@ -3,7 +3,7 @@
 
 (require racket/cmdline
          racket/path
-         "../../error/complain.rkt" "../../show/plot/picture-file.rkt")
+         "../../error/complain.rkt" "../../generic/output-file.rkt")
 
 (provide read-arguments write-text short-path print-paths check-new-file)
 

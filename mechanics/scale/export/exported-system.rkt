@@ -5,6 +5,7 @@
 ;; symbols left in it are parameters of the code; those of the example name the variables.
 
 (require racket/list
+         "state-variables.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
          "../../compile/derivative-sweep.rkt" "../../compile/trace.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
@@ -105,38 +106,6 @@
       (define name (or x (free other taken)))
       (values (cons name names) (cons name taken))))
   (reverse names))
-
-;; Names for the variables of a state whose example is of numbers: t, q and v, or p, for a state
-;; (up t q v), numbered where coordinates are several; for any other x with the indices that `ref`
-;; takes, as x1_0.
-;; clock? : is the rate of the first scalar 1?  -> symbols, one for each scalar
-(define (suggested-names derivative example clock?)
-  (define parts (if (tuple? example) (structure->list example) (list example)))
-  (cond [(and clock? (local-state? parts))
-         (append (list 't)
-                 (named 'q (cadr parts))
-                 (named (if (momenta? derivative (caddr parts)) 'p 'v) (caddr parts)))]
-        [else
-         (define names (named 'x example))
-         (if clock? (cons 't (cdr names)) names)]))
-
-(define (local-state? parts)
-  (and (= 3 (length parts))
-       (not (tuple? (car parts)))
-       (= (shape-length (cadr parts)) (shape-length (caddr parts)))))
-
-;; Momenta are down, and those of Hamilton's equations are no velocities.
-(define (momenta? derivative x)
-  (or (and (tuple? x) (down? x)) (eq? 'Hamiltonian->state-derivative (made-by derivative))))
-
-;; q; or q0, q1 ..., and q0_1 in tuples of tuples
-(define (named letter x)
-  (let walk ([name (symbol->string letter)] [x x] [joint ""])
-    (if (tuple? x)
-        (for*/list ([(e k) (in-indexed (structure->list x))]
-                    [all (in-list (walk (format "~a~a~a" name joint k) e "_"))])
-          all)
-        (list (string->symbol name)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Parameters

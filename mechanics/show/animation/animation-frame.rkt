@@ -2,7 +2,7 @@
 ;; Single pictures of an animation, and files of all of them.
 
 (require "animation.rkt" "drawing.rkt" "film.rkt" "on-demand.rkt" "pictures-on-demand.rkt"
-         "../plot/picture-file.rkt")
+         "../../generic/output-file.rkt")
 
 (provide animation-frame animation-save)
 

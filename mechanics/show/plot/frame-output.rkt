@@ -4,7 +4,7 @@
 ;; A pict and a file hold the picture as it is now, which later drawing does not change; a window
 ;; follows later drawing.
 
-(require "frame.rkt" "on-demand.rkt" "picture-file.rkt"
+(require "frame.rkt" "on-demand.rkt" "../../generic/output-file.rkt"
          "../display/drawing-library.rkt"
          "../../generic/define-plain.rkt")
 

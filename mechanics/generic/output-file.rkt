@@ -1,13 +1,13 @@
 #lang racket/base
-;; Files with what is to be seen, pictures and pages: what their names say, and writing them
-;; whole or not at all.
+;; Files that are written for readers, pictures, pages and tables: what their names say, and
+;; writing them whole or not at all.
 
 (require racket/file
          racket/path
-         "../../error/complain.rkt" "../../error/machine-limits.rkt"
-         "../../generic/wrong-argument.rkt")
+         "wrong-argument.rkt"
+         "../error/complain.rkt" "../error/machine-limits.rkt")
 
-(provide format-of-file check-file write-file)
+(provide format-of-file check-file write-file call-writing-file)
 
 ;; formats : ((extension . format) ...), such as #".png"; listed : as a message lists them
 (define (format-of-file who file formats listed)
@@ -35,9 +35,13 @@
 
 ;; The file is written whole or not at all.
 (define (write-file who file bytes)
+  (call-writing-file who file (lambda (port) (void (write-bytes bytes port)))))
+
+;; write : port -> void
+(define (call-writing-file who file write)
   (define (failed e) (raise-not-written who "the file cannot be written" file (exn-message e)))
   (with-handlers ([exn:fail:filesystem? failed])
-    (call-with-atomic-output-file file (lambda (port path) (void (write-bytes bytes port))))))
+    (call-with-atomic-output-file file (lambda (port path) (write port)))))
 
 (define (raise-not-written who what file reason)
   (raise-unwritable who "~a\n  file: ~a~a" what file
