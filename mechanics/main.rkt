@@ -20,6 +20,7 @@
          "show/interact/interact.rkt"
          (only-in "show/interact/on-demand.rkt" interaction-show)
          "scale/ensemble/on-demand.rkt"
+         "scale/data/on-demand.rkt"
          "scale/export/on-demand.rkt"
          "force/on-demand.rkt"
          (except-in "hamiltonian/H-state.rkt" check-H-state state-of-momenta?
@@ -62,6 +63,8 @@
  (all-from-out "calculus/on-demand.rkt")
  ;; many motions
  (all-from-out "scale/ensemble/on-demand.rkt")
+ ;; tables in files, motions fitted to data
+ (all-from-out "scale/data/on-demand.rkt")
  ;; systems in other languages
  (all-from-out "scale/export/on-demand.rkt")
  ;; equations of motion

@@ -17,7 +17,9 @@
 (provide trajectory? trajectory-states trajectory-so-far
          ;; for those who make them
          trajectory trajectory-steps (struct-out step) (struct-out reading)
-         state-within method-shown between? raise-outside)
+         state-within method-shown between? raise-outside
+         ;; for those who write them
+         step-times)
 
 ;; steps : vector of steps, in their order; events : occurrences, in theirs
 ;; reading : how states are made of steps; method : the name of the method of integration, or a

@@ -70,6 +70,7 @@ References such as @sicm{1.5, p. 33} are to sections, pages and exercises of
 @include-section["reference/maps.scrbl"]
 @include-section["reference/branches.scrbl"]
 @include-section["reference/ensembles.scrbl"]
+@include-section["reference/data.scrbl"]
 @include-section["reference/compiled-functions.scrbl"]
 @include-section["reference/manifolds.scrbl"]
 @include-section["reference/fields.scrbl"]

@@ -90,6 +90,7 @@
    [name (bad) (let ([d (lambda (s) (bad (turning s)))]) question)] ...))
 
 (define (above s) (- (ref s 1) 0.5))
+(define measured '((0.5 0.1) (1.0 0.2) (1.5 0.1) (2.0 0.0)))
 
 (define motions
   (append
@@ -116,8 +117,10 @@
      [Lyapunov-exponents (Lyapunov-exponents d start 5.0)]
      [maximal-Lyapunov-exponent (maximal-Lyapunov-exponent d start 5.0)]
      [evolve-ensemble (evolve-ensemble (lambda () d) (list start start) 1.0)]
+     [fit-motion (fit-motion d start measured #:measured above)]
 )
    (rows-of
+    [fit-motion (bad) (fit-motion turning start measured #:measured (lambda (s) (bad (above s))))]
     [event (bad) (evolve-trajectory turning start 2.0
                                     #:events (event (lambda (s) (bad (above s)))))]
     [Poincare-map (bad) ((Poincare-map turning (event (lambda (s) (bad (above s))))) start)]
@@ -178,7 +181,8 @@
 
 (define-runtime-path reference "../../scribblings/mechanics/reference")
 (define numeric-pages
-  '("branches" "compiled-functions" "ensembles" "local-tuples" "maps" "motion" "pictures" "scmutils"))
+  '("branches" "compiled-functions" "data" "ensembles" "local-tuples" "maps" "motion" "pictures"
+    "scmutils"))
 
 ;; They make something of the procedure, which is not called, or call it where the user does.
 (define no-numbers
@@ -187,7 +191,9 @@
     derivative matrix:generate generalized-LE LE Lagrange-equations-operator
     local-state-derivative Lagrange-equations-1 phase-space-derivative
     ;; the map is called in a window; the error is the reason why there is no code
-    explore-map default-collector export-system))
+    explore-map default-collector export-system
+    ;; called with rows that were read, as the user's loop would call it
+    read-table))
 
 (define (manual-page name)
   (call-with-input-file (build-path reference (string-append name ".scrbl"))

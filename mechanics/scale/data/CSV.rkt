@@ -1,0 +1,142 @@
+#lang racket/base
+;; Tables as text, by RFC 4180: a line for each row, commas between fields, quotation marks about
+;; a field that has commas, quotation marks or line ends in it; the first line has the names.
+;;
+;; A number is written with the fewest digits that are read back as the same flonum.  What is
+;; read may end its lines in any of the three ways.
+
+(require racket/flonum
+         racket/string
+         "number-table.rkt"
+         "../../error/complain.rkt" "../../error/message-words.rkt")
+
+(provide write-CSV call-reading-CSV)
+
+;; ---------------------------------------------------------------------------
+;; Writing
+
+;; next : -> flvector or #f
+(define (write-CSV names next port)
+  (define (write-fields fields)
+    (write-string (string-join fields ",") port)
+    (write-string "\r\n" port))
+  (write-fields (for/list ([name (in-list names)]) (quoted (symbol->string name))))
+  (let loop ()
+    (define row (next))
+    (when row
+      (write-fields (for/list ([x (in-flvector row)]) (number->field x)))
+      (loop))))
+
+(define (quoted text)
+  (if (regexp-match? #rx"[\",\r\n]" text)
+      (string-append "\"" (string-replace text "\"" "\"\"") "\"")
+      text))
+
+;; As NumPy and spreadsheets read what is no finite number.
+(define (number->field x)
+  (cond [(fl< (flabs x) +inf.0) (number->string x)]
+        [(fl= x +inf.0) "inf"]
+        [(fl= x -inf.0) "-inf"]
+        [else "nan"]))
+
+;; ---------------------------------------------------------------------------
+;; Reading
+
+;; given-names : symbols, where the file has no line of names; wanted : names of columns, or #f
+;; (use names next) gets the names that are wanted and a procedure that returns the next row, a
+;; list of flonums, or #f -> its value
+(define (call-reading-CSV who file given-names wanted use)
+  (call-with-input-file* file
+    (lambda (in)
+      (define next-record (record-reader who file in))
+      (define names
+        (or given-names
+            (let-values ([(fields line) (next-record)])
+              (unless fields (complain who "the file is empty\n  file: ~a" file))
+              (names-of-fields who file fields))))
+      (define places
+        (if wanted
+            (for/list ([name (in-list wanted)]) (place-of who names name))
+            (for/list ([_ (in-list names)] [k (in-naturals)]) k)))
+      (define (next)
+        (define-values (fields line) (next-record))
+        (and fields (record->row who file names places fields line)))
+      (use (for/list ([k (in-list places)]) (list-ref names k)) next))))
+
+(define (names-of-fields who file fields)
+  (when (andmap field->number fields)
+    (complain who
+              (string-append "the first line has numbers and no names"
+                             "\n  file: ~a\n  line 1: ~a\n  #:names tells the names of columns")
+              file (string-join fields ",")))
+  (check-names who (map string-trim fields)))
+
+(define (record->row who file names places fields line)
+  (unless (= (length fields) (length names))
+    (complain who "line ~a has ~a, for ~a\n  file: ~a" line
+              (counted (length fields) "field") (counted (length names) "column") file))
+  (define all (list->vector fields))
+  (for/list ([k (in-list places)])
+    (define field (vector-ref all k))
+    (or (field->number field)
+        (complain who "expected a number\n  file: ~a\n  line: ~a\n  column: ~a, ~a\n  given: ~s"
+                  file line (+ k 1) (list-ref names k) field))))
+
+(define decimal #px"^[ \t]*([+-]?)(?:([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?)[ \t]*$")
+(define no-finite-number #px"^(?i:[ \t]*([+-]?)(nan|inf|infinity)[ \t]*)$")
+
+;; -> a flonum, or #f
+(define (field->number text)
+  (cond [(regexp-match? decimal text)
+         (real->double-flonum (string->number (string-trim text) 10 'number-or-false
+                                              'decimal-as-inexact))]
+        [(regexp-match no-finite-number text)
+         => (lambda (m)
+              (cond [(regexp-match? #rx"^[nN]" (caddr m)) +nan.0]
+                    [(equal? (cadr m) "-") -inf.0]
+                    [else +inf.0]))]
+        [else #f]))
+
+;; -> a procedure that returns the fields of the next record, or #f, and the number of its first
+;; line.  Empty lines are passed over.
+(define (record-reader who file in)
+  (define line 0)
+  (define (next-line)
+    (set! line (+ line 1))
+    (read-line in 'any))
+  (define (next)
+    (define text (next-line))
+    (define at line)
+    (cond [(eof-object? text) (values #f at)]
+          [(equal? text "") (next)]
+          [else
+           (define plain (if (= at 1) (string-trim text "\uFEFF" #:right? #f) text))
+           (values (record-fields who file plain next-line at) at)]))
+  next)
+
+;; A field that is quoted may go on in the next line.
+(define (record-fields who file text next-line at)
+  (cond [(not (for/or ([c (in-string text)]) (eqv? c #\"))) (string-split text "," #:trim? #f)]
+        [(even? (for/sum ([c (in-string text)]) (if (eqv? c #\") 1 0)))
+         (quoted-fields who file text at)]
+        [else
+         (define more (next-line))
+         (when (eof-object? more)
+           (complain who "a quotation mark is not closed\n  file: ~a\n  line: ~a" file at))
+         (record-fields who file (string-append text "\n" more) next-line at)]))
+
+(define quoted-field #px"^\"((?:[^\"]|\"\")*)\"(,|$)")
+(define plain-field #px"^([^\",]*)(,|$)")
+
+(define (quoted-fields who file text at)
+  (let loop ([text text])
+    (define m (or (regexp-match quoted-field text) (regexp-match plain-field text)))
+    (unless m
+      (complain who
+                (string-append "a quotation mark stands within a field"
+                               "\n  file: ~a\n  line: ~a\n  there: ~a")
+                file at text))
+    (define field (string-replace (cadr m) "\"\"" "\""))
+    (if (equal? (caddr m) "")
+        (list field)
+        (cons field (loop (substring text (string-length (car m))))))))
