@@ -108,6 +108,7 @@
      [evolve-trajectory (evolve-trajectory d start 2.0 #:method (Gauss-Legendre-4 0.1))]
      [evolve-trajectory (evolve-trajectory d start 1.0 #:precision 80)]
      [linearized-flow ((linearized-flow (lambda () d)) start 2.0)]
+     [chaos-indicator (chaos-indicator d start 5.0)]
      [Poincare-map ((Poincare-map d (event above)) start)]
      [stroboscopic-map ((stroboscopic-map d 2.0) start)]
      [find-periodic-orbit (find-periodic-orbit d start 6.3)]
@@ -172,7 +173,10 @@
       (bad) (plot-phase-portrait (frame -1 1 -1 1) (lambda (s) (bad (H-oscillator s))))])
    (map-rows (m)
      [display-map (display-map (frame -3 3 -3 3) m 0.1 0.1 10)]
-     [chaos-map (chaos-map (frame -3 3 -3 3 #:width 60 #:height 60) m 10 #:samples 4)])))
+     [chaos-map (chaos-map (frame -3 3 -3 3 #:width 60 #:height 60) m 10 #:samples 4)])
+   (motion-rows (d)
+     [chaos-map (chaos-map (frame -3 3 -3 3 #:width 60 #:height 60) d 1.0 #:samples 2
+                           #:state (lambda (q p) (up 0 q p)))])))
 
 (define table (append functions-of-numbers of-Lagrangians motions maps pictures))
 

@@ -1,31 +1,55 @@
 #lang racket/base
-;; Where orbits of a map are chaotic: the fast Lyapunov indicator of a grid of starts, in colours.
+;; Where orbits of a map, or motions, are chaotic: an indicator of a grid of starts, in colours.
 
 (require racket/flonum
+         racket/future
          (only-in racket/math exact-floor exact-round)
          "frame.rkt" "picture-layer.rkt" "style.rkt"
-         "../../generic/on-demand.rkt" "../../generic/wrong-argument.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt" "../../generic/on-demand.rkt"
+         "../../generic/printed-function.rkt" "../../generic/wrong-argument.rkt"
          "../../dynamics/map/map-of-the-plane.rkt")
 
 (require-on-demand ["../../dynamics/fast-Lyapunov-indicator.rkt" indicator-grid]
-         ["../../dynamics/map/plane-points.rkt" part-middle])
+                   ["motion-indicators.rkt" motion-indicators]
+                   ["../../dynamics/map/plane-points.rkt" part-middle])
 
 (provide chaos-map)
 
-;; n : steps of each orbit; samples : number of starts to a side, or (list across up)
+;; system : a map of the plane; or, with #:state, a state derivative
+;; n : steps of each orbit, or the duration of each motion
+;; samples : number of starts to a side, or (list across up)
 ;; -> the frame
-(define (chaos-map f map [n 1000] #:samples [samples 200])
+(define (chaos-map f system [n 1000] #:samples [samples 200]
+                   #:state [state-at #f] #:indicator [kind 'FLI] #:tolerance [tolerance 1e-10]
+                   #:jobs [jobs (processor-count)] #:checkpoint [file #f])
   (define who 'chaos-map)
   (check-open who f)
-  (check-map who map)
+  (unless state-at
+    (check-no-motion who system)
+    (check-map who system)
+    (unless (eq? kind 'FLI)
+      (complain who "of maps of the plane there is the indicator 'FLI alone")))
   (define-values (across up) (numbers-of-samples who samples))
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
   ;; rows from above, as those of a raster
+  (define-values (xs ys) (values (middles x-min x-max across) (middles y-max y-min up)))
   (define indicators
-    (indicator-grid who map (middles x-min x-max across) (middles y-max y-min up) n))
+    (if state-at
+        (motion-indicators who system state-at xs ys n #:indicator kind
+                           #:tolerance tolerance #:jobs jobs #:checkpoint file)
+        (indicator-grid who system xs ys n)))
   (add-layer! who f (make-style who 'image 0 0 'solid #f)
-              (raster across up (colored indicators n)))
+              (raster across up (colored indicators (chaos-share kind n))))
   f)
+
+(define (check-no-motion who system)
+  (when (memq (made-by system) '(stroboscopic-map Poincare-map))
+    (complain who
+              (string-append "motions are followed by their state derivative, with their variations"
+                             "\n  given: ~a\n  (chaos-map frame derivative duration "
+                             "#:state (lambda (q p) (up 0 q p)))")
+              (value->text system))))
 
 (define (numbers-of-samples who samples)
   (define (count? k) (and (exact-integer? k) (<= 1 k 5000)))
@@ -43,14 +67,22 @@
 ;; ---------------------------------------------------------------------------
 ;; Colours
 
-;; The indicator of a regular orbit is about log n; three times that is chaos beyond doubt.
-(define (colored indicators n)
-  (define regular (log (max n 2) 10))
+;; share : indicator -> 0 for regular, 1 for chaotic
+(define (colored indicators share)
   (define bytes (make-bytes (* 4 (flvector-length indicators)) 255))
   (for ([value (in-flvector indicators)] [k (in-naturals)])
-    (define color (color-between (/ (- value (* 0.5 regular)) (* 2.5 regular))))
-    (for ([c (in-list color)] [i (in-naturals 1)]) (bytes-set! bytes (+ (* 4 k) i) c)))
+    (for ([c (in-list (color-between (share value)))] [i (in-naturals 1)])
+      (bytes-set! bytes (+ (* 4 k) i) c)))
   bytes)
+
+;; FLI is about log n for a regular orbit; three times that is chaos beyond doubt.  MEGNO is 2 for
+;; a regular motion, SALI falls to nothing for a chaotic one.
+(define (chaos-share kind n)
+  (define regular (log (max n 2) 10))
+  (case kind
+    [(FLI) (lambda (x) (/ (- x (* 0.5 regular)) (* 2.5 regular)))]
+    [(MEGNO) (lambda (x) (/ (- x 1.0) 5.0))]
+    [(SALI) (lambda (x) (if (= x 0) 1.0 (/ (log x 10) -8.0)))]))
 
 ;; From dark blue, regular, by red to yellow, chaotic; grey where the orbit ends.
 (define stops '((20 20 90) (60 60 160) (200 60 70) (250 160 50) (255 240 150)))

@@ -390,6 +390,37 @@ more; @racket[chaos-map] draws it. (C. Froeschlé, E. Lega and R. Gonczi 1997.)
 (fast-Lyapunov-indicator (standard-map 1.0) (up :pi 1))
 (fast-Lyapunov-indicator (standard-map 1.0) (up 0.1 0.1))]}
 
+@defproc[(chaos-indicator [derivative (-> value value)] [state value] [duration real?]
+                          [#:indicator indicator (or/c 'FLI 'MEGNO 'SALI) 'FLI]
+                          [#:tolerance tolerance real? 1e-10])
+         real?]{
+
+A number that tells whether a motion is regular or chaotic, from the equations of variations, which
+are integrated beside it:
+
+@itemlist[
+ @item{@racket['FLI]: the length of a small displacement at the end, beside that at the start, as a
+ decimal logarithm: about that of the duration where the motion is regular, and proportional to the
+ duration where it is chaotic.}
+ @item{@racket['MEGNO]: the mean exponential growth of nearby orbits, averaged over the time. It
+ tends to 2 where the motion is quasiperiodic, to 0 beside a stable equilibrium of an oscillator,
+ and grows as half the duration times the Lyapunov exponent where it is chaotic.}
+ @item{@racket['SALI]: the lesser distance of two directions from each other or from each other's
+ opposite. It stays where the motion is regular, and falls to 0 within rounding where it is
+ chaotic.}]
+
+The state may have any shape, and units are any consistent ones. It is an error if the motion cannot
+be followed to the end. @racket[chaos-map] draws the indicators of many motions; of maps there is
+@racket[fast-Lyapunov-indicator]. (P. M. Cincotta and C. Simó 2000; Ch. Skokos 2001.)
+
+@examples[#:eval session
+(define regular (section->state 1/8 0.1 0))
+(define chaotic (section->state 1/8 -0.1 0))
+(for/list ([kind '(FLI MEGNO SALI)])
+  (list kind
+        (chaos-indicator (HHsysder) regular 1000 #:indicator kind)
+        (chaos-indicator (HHsysder) chaotic 1000 #:indicator kind)))]}
+
 @deftogether[(@defproc[(Lyapunov-exponents [derivative (-> value value)] [state value]
                                            [duration real?]
                                            [#:count count (or/c exact-positive-integer? #f) #f]

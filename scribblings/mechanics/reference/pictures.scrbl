@@ -324,18 +324,24 @@ Draws one orbit of a map of the plane: its start and @racket[n] images.
   (return (- (* 0.25 x) (* 0.97 sheared)) (+ (* 0.97 x) (* 0.25 sheared))))
 (display-map (frame -1 1 -1 1 #:width 300 #:height 300) turned 0.3 0.2 2000)]}
 
-@defproc[(chaos-map [f frame?] [map procedure?] [n exact-positive-integer? 1000]
+@defproc[(chaos-map [f frame?] [system (or/c map (-> state rates))] [n real? 1000]
                     [#:samples samples
                                (or/c exact-positive-integer?
                                      (list/c exact-positive-integer? exact-positive-integer?))
-                               200])
+                               200]
+                    [#:state state (or/c (-> real? real? (or/c value #f)) #f) #f]
+                    [#:indicator indicator (or/c 'FLI 'MEGNO 'SALI) 'FLI]
+                    [#:tolerance tolerance real? 1e-10]
+                    [#:jobs jobs exact-positive-integer? (processor-count)]
+                    [#:checkpoint file (or/c path-string? #f) #f])
          frame?]{
 
-Colours a frame by where orbits of a map of the plane are chaotic: @racket[samples] starts to a
-side, each followed for @racket[n] steps with a displacement of it, tell by their
-@racket[fast-Lyapunov-indicator]. Blue is regular, yellow chaotic, red between the two, and grey
-where
-an orbit ends. All cores work where the map can be compiled. What is drawn afterwards is above it.
+Colours a frame by where orbits of a map of the plane, or motions, are chaotic: @racket[samples]
+starts to a side. Blue is regular, yellow chaotic, red between the two, and grey where an orbit
+ends. What is drawn afterwards is above it.
+
+Orbits of a map are followed for @racket[n] steps with a displacement of each, and tell by their
+@racket[fast-Lyapunov-indicator]. All cores work where the map can be compiled.
 
 @examples[#:eval session
 (define ((kicked-rotor K) theta I return fail)
@@ -343,6 +349,23 @@ an orbit ends. All cores work where the map can be compiled. What is drawn after
   (return ((principal-value :2pi) (+ theta next))
           ((principal-value :2pi) next)))
 (chaos-map (frame 0 :2pi 0 :2pi #:width 300 #:height 300) (kicked-rotor 1.0) 200 #:samples 100)]
+
+With @racketvarfont{state}, @racket[system] is a state derivative, and motions are followed for the
+duration @racket[n] from the states that @racketvarfont{state} makes of two coordinates, all at
+one time; where there is none, as outside an energy, it returns @racket[#f]. They tell by their
+@racket[chaos-indicator]. Displacements are integrated beside the motion, and workers do it on all
+cores, with a checkpoint if a file is given (@racket[evolve-ensemble]). 60 by 60 starts for 60
+periods of a driven pendulum take some 10 s of one core. A stroboscopic picture is that of the state
+derivative for so many periods.
+
+@examples[#:eval session #:label #f
+(define (driven-rotor (up t q p))
+  (up 1 p (- (* 0.3 (sin q) (cos t)) (sin q))))
+(chaos-map (frame -3 3 -3 3 #:width 200 #:height 200) driven-rotor (* 10 :2pi)
+           #:samples 20 #:state (lambda (q p) (up 0 q p)) #:jobs 1)]
+
+It is an error if no start has a state, or if a map that was made of a motion is given in place of
+the state derivative.
 
 @sicm{3.9, p. 279}}
 

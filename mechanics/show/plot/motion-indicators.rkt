@@ -1,0 +1,54 @@
+#lang racket/base
+;; The indicators of chaos of many motions, whose starts stand on a grid of points, by the workers
+;; of ensembles.
+
+(require racket/flonum
+         "../../dynamics/chaos-indicator.rkt" "../../dynamics/map/period-check.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt" "../../generic/function-check.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../motion/observed-systems.rkt" "../../motion/system/check.rkt"
+         "../../scale/ensemble/evolve-ensemble.rkt"
+         "../../value/shape.rkt")
+
+(provide motion-indicators)
+
+;; f : state derivative; state-at : x y -> the state there, or #f where there is none
+;; xs, ys : flvectors -> an flvector, row by row, with not-a-number where there is no motion
+(define (motion-indicators who f state-at xs ys duration
+                           #:indicator kind #:tolerance tolerance #:jobs jobs #:checkpoint file)
+  (check-asked who f state-at duration kind)
+  (define states
+    (for*/list ([y (in-flvector ys)] [x (in-flvector xs)]) (state-at x y)))
+  (define starts (filter values states))
+  (unless (pair? starts) (complain who "#:state gives no state in the frame"))
+  (check-derivative who f (car starts))
+  (note-followed f '() (car starts))
+  (define begin-time (if (timed-state? f (car starts)) (car (scalars (car starts))) 0))
+  (define found
+    (call-unwatched
+     (lambda ()
+       (evolve-ensemble (watched-derivative kind f)
+                        (for/list ([s (in-list starts)]) (watched-start kind f s))
+                        (+ begin-time duration)
+                        #:collect (lambda (all) (indicator-of kind all))
+                        #:tolerance tolerance #:method indicator-method
+                        #:jobs jobs #:checkpoint file))))
+  (spread states found))
+
+(define (check-asked who f state-at duration kind)
+  (check-kind who kind)
+  (check-positive who "duration" duration)
+  (unless (takes-arguments? f 1)
+    (complain who "with #:state, expected a state derivative\n  given: ~a" (describe-with-value f)))
+  (unless (takes-arguments? state-at 2)
+    (complain-of-argument who "#:state, a function of two coordinates" state-at)))
+
+;; found : values of the states that are none #f, in their order
+(define (spread states found)
+  (define all (make-flvector (length states) +nan.0))
+  (for/fold ([left found]) ([s (in-list states)] [k (in-naturals)] #:when s)
+    (define x (car left))
+    (when (real? x) (flvector-set! all k (real->double-flonum x)))
+    (cdr left))
+  all)
