@@ -8,12 +8,12 @@
          "../calculus/perturbed-value.rkt"
          "../generic/function-check.rkt" "../generic/function.rkt" "../generic/on-demand.rkt"
          "../generic/printed-function.rkt" "../generic/up-down.rkt"
-         "../error/progress.rkt"
+         "../error/computed-once.rkt" "../error/progress.rkt"
          "../numeric/equal-steps.rkt"
          "../value/shape.rkt")
 
 (require-on-demand ["precise-run.rkt" advance-precisely follow-precisely]
-                   ["linearized-flow.rkt" advance-perturbed flow-derivative])
+                   ["linearized-flow.rkt" advance-perturbed flow-derivative variation-maker])
 
 (provide state-advancer evolve linearized-flow
          ;; for single steps and sections
@@ -47,6 +47,8 @@
 (define (state-advancer derivative-maker . parameters)
   (define system-for (system-by-shape 'state-advancer derivative-maker parameters))
   (define datum (apply call-datum 'state-advancer derivative-maker parameters))
+  (define kept (box #f))
+  (define variation (once (lambda () (variation-maker derivative-maker (length parameters)))))
   (define (advance plan-with state duration [tolerance #f] [continue state-alone])
     (define p (plan-with tolerance))
     (note-followed derivative-maker parameters state)
@@ -54,7 +56,8 @@
       [(varied? parameters state duration)
        (check-method-of-displacements 'state-advancer (plan-method p))
        (continue
-        (advance-perturbed 'state-advancer (advancing p) derivative-maker parameters state duration)
+        (advance-perturbed 'state-advancer (advancing p kept) derivative-maker (variation)
+                           parameters state duration)
         duration duration)]
       [else
        (check-real 'state-advancer "duration" duration)
@@ -76,14 +79,24 @@
   (for*/or ([x (in-list (list* duration state parameters))] [y (in-list (scalars x))])
     (perturbed? y)))
 
-;; Advances another system by the plan p.
-(define ((advancing p) maker parameters state duration)
+;; Advances another system by the plan p.  The last advancer is kept in the box, for it has the
+;; system traced.
+(define ((advancing p [kept (box #f)]) maker parameters state duration)
+  (define advance (advancer-kept kept maker parameters))
   (call-unwatched
    (lambda ()
-     ((apply state-advancer maker parameters) state duration (plan-tolerance p)
+     (advance state duration (plan-tolerance p)
       #:method (plan-method p) #:precision (plan-bits p)
       #:longest-step (plan-longest p) #:most-steps (plan-most p)
       #:progress? (plan-progress? p)))))
+
+(define (advancer-kept kept maker parameters)
+  (define known (unbox kept))
+  (cond [(and known (eq? (caar known) maker) (equal? (cdar known) parameters)) (cdr known)]
+        [else
+         (define advance (apply state-advancer maker parameters))
+         (set-box! kept (cons (cons maker parameters) advance))
+         advance]))
 
 ;; (linearized-flow sysder p ...) : state, duration, tolerance -> the derivative, by the state
 ;; and, if that is asked for, the parameters, of the state that is reached

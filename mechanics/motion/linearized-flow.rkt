@@ -17,7 +17,7 @@
          "../value/shape.rkt"
          (only-in "../value/structure.rkt" flip ref s:map/r structure->list zero-like))
 
-(provide advance-perturbed flow-derivative
+(provide advance-perturbed flow-derivative variation-maker
          ;; for exponents and multipliers
          with-displacements unit-displacements call-for-state)
 
@@ -27,10 +27,11 @@
 ;; advance : maker parameters state duration -> state, as of a state-advancer
 
 ;; The state reached where the state, a parameter or the duration is being differentiated.
-(define (advance-perturbed who advance maker ps state duration)
+;; variation : as variation-maker makes it of the maker
+(define (advance-perturbed who advance maker variation ps state duration)
   (define x (outermost-of (append (scalars state) (append-map scalars ps) (list duration))))
   (define tag (perturbed-tag x))
-  (cond [(dual? x) (advance-dual tag advance maker ps state duration)]
+  (cond [(dual? x) (advance-dual tag advance maker variation ps state duration)]
         [(recorded? x) (advance-recorded tag advance maker ps state duration)]
         [else (raise-no-series who)]))
 
@@ -45,11 +46,11 @@
 ;; ---------------------------------------------------------------------------
 ;; One direction
 
-(define (advance-dual tag advance maker ps state duration)
+(define (advance-dual tag advance maker variation ps state duration)
   (define (value x) (map-scalars (lambda (x) (primal-part x tag)) x))
   (define (change x) (map-scalars (lambda (x) (tangent-part x tag)) x))
   (define pair
-    (advance (variation-maker maker (length ps))
+    (advance variation
              (append (map value ps) (map change ps))
              (up (value state) (change state))
              (primal-part duration tag)))
