@@ -48,6 +48,18 @@ run of hours wants a checkpoint, @racket[#:checkpoint "swings.ensemble"]: stoppe
 may be, Ctrl-C, a full disk or a power cut, the same call goes on where it was, and so does a call
 with more starts behind those.
 
+@section{Tables for other programs}
+
+@racket[write-table] writes what came out, row by row: as text, or as arrays that NumPy loads.
+@racket[read-table] reads such files, and @racket[fit-motion] finds the parameters for which a motion
+comes closest to what was measured.
+
+@examples[#:eval session #:label #f
+(define file (build-path (find-system-path 'temp-dir) "swings.npy"))
+(write-table (evolve-ensemble swing (starts 3) 10 #:parameters (rows 3) #:jobs 1) file)
+(table-rows (read-table file) (up 't 'q 'v))
+(delete-file file)]
+
 @section{A program in C}
 
 @racket[export-system] writes the system as C, with the method of integration and a loop over

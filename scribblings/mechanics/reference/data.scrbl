@@ -109,8 +109,8 @@ Finds the start and the parameters of a system for which its motion comes closes
 those for which the squares of the differences add up to the least. Each row of @racket[data] is a
 time and what was measured then, a table whose first column is the time or a list of tuples or
 lists. @racket[measured] is the function of the state that was measured, a number or a tuple;
-without it, it is the whole state but for the time. The data may be in any order, none before the time of
-the start, which is 0 if the state does not tell it.
+without it, it is the whole state but for the time. The data may be in any order, none before the
+time of the start, which is 0 if the state does not tell it.
 
 @racket[start] and @racket[parameters], names with first values in the order in which
 @racket[maker] takes them, are where the search begins. Names of the state's variables are those
