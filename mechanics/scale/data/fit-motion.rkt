@@ -16,7 +16,7 @@
          "../../dynamics/map/period-check.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/message-words.rkt"
          "../../error/progress.rkt" "../../error/spelling.rkt"
-         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/define-plain.rkt"
          "../../generic/function-check.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
          "../../motion/evolve-trajectory.rkt" "../../motion/linearized-flow.rkt"

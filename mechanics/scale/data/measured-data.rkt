@@ -7,7 +7,6 @@
          "../../error/complain.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
-         "../../numeric/flvector.rkt"
          "../../value/shape.rkt")
 
 (provide measured-rows check-deviations (struct-out measured))

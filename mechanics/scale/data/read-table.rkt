@@ -2,7 +2,6 @@
 ;; Tables read from files, whole or row by row.
 
 (require racket/flonum
-         racket/list
          "CSV.rkt" "NPY.rkt" "NPZ.rkt" "number-table.rkt" "table-format.rkt"
          "../../error/complain.rkt"
          "../../generic/define-plain.rkt" "../../generic/function-check.rkt"

@@ -10,10 +10,10 @@
          "../../compile/derivative-sweep.rkt" "../../compile/trace.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/describe.rkt" "../../generic/function-check.rkt"
-         "../../generic/printed-function.rkt" "../../generic/up-down.rkt"
+         "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
          (only-in "../../motion/system/check.rkt" check-rates)
-         "../../value/shape.rkt" (only-in "../../value/structure.rkt" structure->list))
+         "../../value/shape.rkt")
 
 (provide (struct-out exported) make-exported with-jacobian
          exported-size exported-parameter-count no-function)

@@ -2,8 +2,7 @@
 ;; Names for the variables of a state that has numbers: those of a program in another language,
 ;; and of the columns of a table.
 
-(require racket/list
-         "../../generic/printed-function.rkt" "../../generic/up-down.rkt"
+(require "../../generic/printed-function.rkt" "../../generic/up-down.rkt"
          "../../value/shape.rkt" (only-in "../../value/structure.rkt" structure->list))
 
 (provide suggested-names local-state?)

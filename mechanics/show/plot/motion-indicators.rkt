@@ -5,7 +5,7 @@
 (require racket/flonum
          "../../dynamics/chaos-indicator.rkt" "../../dynamics/map/period-check.rkt"
          "../../error/complain.rkt"
-         "../../generic/describe.rkt" "../../generic/function-check.rkt" "../../generic/up-down.rkt"
+         "../../generic/describe.rkt" "../../generic/function-check.rkt"
          "../../generic/wrong-argument.rkt"
          "../../motion/observed-systems.rkt" "../../motion/system/check.rkt"
          "../../scale/ensemble/evolve-ensemble.rkt"

@@ -51,8 +51,8 @@ with more starts behind those.
 @section{Tables for other programs}
 
 @racket[write-table] writes what came out, row by row: as text, or as arrays that NumPy loads.
-@racket[read-table] reads such files, and @racket[fit-motion] finds the parameters for which a motion
-comes closest to what was measured.
+@racket[read-table] reads such files, and @racket[fit-motion] finds the parameters for which a
+motion comes closest to what was measured.
 
 @examples[#:eval session #:label #f
 (define file (build-path (find-system-path 'temp-dir) "swings.npy"))

@@ -4,7 +4,6 @@
 (require json
          mechanics
          (only-in mechanics/book L-pendulum)
-         racket/string
          "../../support/checks.rkt" "../../support/folder.rkt" "../../support/python.rkt"
          "../../support/random.rkt" "../../support/skip.rkt")
 
