@@ -355,7 +355,7 @@ duration @racket[n] from the states that @racketvarfont{state} makes of two coor
 one time; where there is none, as outside an energy, it returns @racket[#f]. They tell by their
 @racket[chaos-indicator]. Displacements are integrated beside the motion, and workers do it on all
 cores, with a checkpoint if a file is given (@racket[evolve-ensemble]). 60 by 60 starts for 60
-periods of a driven pendulum take some 10 s of one core. A stroboscopic picture is that of the state
+periods of a driven pendulum take some 12 s of one core. A stroboscopic picture is that of the state
 derivative for so many periods.
 
 @examples[#:eval session #:label #f
