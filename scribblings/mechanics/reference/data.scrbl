@@ -5,7 +5,7 @@
 @(define session (make-session '(require mechanics/book)
                                '(current-directory (find-system-path 'temp-dir))))
 
-@title[#:tag "data"]{Tables in files, and motions fitted to data}
+@title[#:tag "tables-and-fits"]{Tables in files, and motions fitted to data}
 
 Numbers that go to other programs, and numbers that were measured.
 
