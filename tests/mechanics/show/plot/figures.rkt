@@ -55,7 +55,7 @@
   (if problem (make-namespace) (apply loaded-from here 'mechanics/show/plot/picture libraries)))
 
 (test-case "all figures are there"
-  (check-equal? (length programs) 79))
+  (check-equal? (length programs) 80))
 
 (skip-unless (not problem)
              "the shared libraries of racket/draw are not installed: no figures"
