@@ -70,7 +70,7 @@ size.
 (periodic-orbit-multipliers cycle)
 (periodic-orbit-stable? cycle)]}
 
-@section{Branches}
+@section{Following a branch}
 
 @defproc[(continue-equilibrium [family (-> real? (-> value value))] [state value]
                                [from real?] [to real?]

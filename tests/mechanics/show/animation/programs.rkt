@@ -5,6 +5,7 @@
 (require (only-in mechanics/animate)
          (only-in mechanics/show/animation/on-demand why-no-pictures)
          (only-in mechanics/book)
+         (only-in mechanics/geometry)
          racket/file
          racket/path
          racket/runtime-path
@@ -24,7 +25,8 @@
 
 (define-namespace-anchor here)
 
-(define (make-namespace) (loaded-from here 'rackunit 'mechanics 'mechanics/animate 'mechanics/book))
+(define (make-namespace)
+  (loaded-from here 'rackunit 'mechanics 'mechanics/animate 'mechanics/book 'mechanics/geometry))
 
 ;; What it prints, run as a program with these arguments; again in another namespace, where
 ;; it was not run before.
