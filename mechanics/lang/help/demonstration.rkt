@@ -26,7 +26,9 @@
   (define space (fresh-prompt (example-libraries e)))
   (in-own-thread
    (lambda ()
-     (parameterize ([current-namespace space])
+     ;; Files that an example writes are none of the reader's.
+     (parameterize ([current-namespace space]
+                    [current-directory (find-system-path 'temp-dir)])
        (eval '(forget-assumptions))
        (for ([d (in-list (example-definitions e))]) (eval (read-form d)))
        (for/list ([typed (in-list (example-expressions e))]

@@ -200,7 +200,8 @@ of the phase plane moved on, @program-link["figures/figure-3-25.rkt"] and
 @program-link["figures/figure-3-26.rkt"]; the standard map,
 @program-link["figures/figure-3-27.rkt"], @program-link["figures/figure-3-28.rkt"] and
 @program-link["figures/chaos-by-colours.rkt"]; a driven pendulum's chaos in one picture,
-@program-link["figures/chaos-of-a-driven-pendulum.rkt"]. Figures 3.3, 3.11 and 3.18 are drawings of an idea,
+@program-link["figures/chaos-of-a-driven-pendulum.rkt"].
+Figures 3.3, 3.11 and 3.18 are drawings of an idea,
 and no programs. Those of chapter 4 are in @secref["chapter-4-figures"].
 
 @section[#:tag "chapter-3-exercises"]{Exercises}
