@@ -42,13 +42,11 @@
   (define along (rates-along Xs (derivatives-by-coordinates Ts C)))
   (define rank (field-rank T))
   (for/fold ([sum along]) ([type (in-list (field-types T))] [p (in-naturals)])
-    (added sum
-           (apply-to-index Ts n rank p
-                           (if (eq? type 'vector)
-                               (lambda (i k) (slope i k))
-                               (lambda (i k) (g:- (slope k i))))))))
-
-(define (added a b) (for/vector ([x (in-vector a)] [y (in-vector b)]) (g:+ x y)))
+    (add-components sum
+                    (apply-to-index Ts n rank p
+                                    (if (eq? type 'vector)
+                                        slope
+                                        (lambda (i k) (g:- (slope k i))))))))
 
 (define (Lie-bracket X Y)
   (check-argument 'commutator vector-field? X "a vector field")

@@ -3,7 +3,8 @@
 
 (require "../generic/arithmetic.rkt")
 
-(provide build-components component sum-of-products contract-first apply-to-index
+(provide build-components component components-from sum-of-products
+         contract-first contract-all apply-to-index add-components
          sum-over times rates-along)
 
 ;; f : indices, a list of k -> component
@@ -22,6 +23,13 @@
   (for/fold ([place 0]) ([i (in-list indices)]) (+ (* n place) i)))
 
 (define (component v n indices) (vector-ref v (place-of n indices)))
+
+;; T[i …], the components whose first index is i
+(define (components-from T n i)
+  (define size (quotient (vector-length T) n))
+  (for/vector #:length size ([j (in-range size)]) (vector-ref T (+ (* i size) j))))
+
+(define (add-components S T) (for/vector ([x (in-vector S)] [y (in-vector T)]) (g:+ x y)))
 
 ;; Σ f(i) for i below n; sums of many exact zeros cost nothing.
 (define (sum-over n f)
@@ -43,6 +51,10 @@
   (for/vector #:length size ([place (in-range size)])
     (sum-of-products n (lambda (i) (vector-ref a i))
                      (lambda (i) (vector-ref T (+ (* i size) place))))))
+
+;; The same for one vector after the other: the components of what is left
+(define (contract-all T n vectors)
+  (for/fold ([rest T]) ([a (in-list vectors)]) (contract-first rest n a)))
 
 ;; Σₖ vₖ slopes[k][j], for each j
 (define (rates-along v slopes)

@@ -79,10 +79,11 @@
   (define Ts (components-over T over C))
   (for/fold ([sum rates]) ([type (in-list (field-types T))] [i (in-naturals)])
     (define (turn a b) (component turning n (list a b)))
-    (define change
-      (apply-to-index Ts n (field-rank T) i
-                      (if (eq? type 'vector) (lambda (b a) (g:- (turn a b))) turn)))
-    (for/vector ([x (in-vector sum)] [y (in-vector change)]) (g:+ x y))))
+    (add-components sum
+                    (apply-to-index Ts n (field-rank T) i
+                                    (if (eq? type 'vector)
+                                        (lambda (b a) (g:- (turn a b)))
+                                        turn)))))
 
 ;; -> vᵏ ∂ₖT, and the direction in the chart of p
 (define (rates-of v T over p C)

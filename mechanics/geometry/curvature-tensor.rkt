@@ -39,8 +39,9 @@
 
 (define (torsion-vector nabla)
   (define T (torsion nabla))
-  (lambda (X Y) (vector-of T (list X Y) `((torsion-vector ,(value->datum nabla))
-                                          ,(value->datum X) ,(value->datum Y)))))
+  (lambda (X Y) (vector-of 'torsion-vector T (list X Y) `((torsion-vector ,(value->datum nabla))
+                                                          ,(value->datum X)
+                                                          ,(value->datum Y)))))
 
 ;; ((Riemann nabla) w V X Y) = w(((Riemann-curvature nabla) X Y) V)
 (define (Riemann nabla)
@@ -68,16 +69,13 @@
   (define R (Riemann nabla))
   (lambda (X Y)
     (lambda (V)
-      (vector-of R (list V X Y) `(((Riemann-curvature ,(value->datum nabla))
-                                   ,(value->datum X) ,(value->datum Y))
-                                  ,(value->datum V))))))
+      (vector-of 'Riemann-curvature R (list V X Y)
+                 `(((Riemann-curvature ,(value->datum nabla)) ,(value->datum X) ,(value->datum Y))
+                   ,(value->datum V))))))
 
 ;; The vector field whose 1-form is the tensor's first argument, the others given.
-(define (vector-of T vectors datum)
-  (for ([v (in-list vectors)])
-    (check-argument (car (if (pair? (car datum)) (if (pair? (caar datum)) (caar datum) (car datum))
-                             datum))
-                    vector-field? v "a vector field"))
+(define (vector-of who T vectors datum)
+  (for ([v (in-list vectors)]) (check-argument who vector-field? v "a vector field"))
   (define all (cons T vectors))
   (define over (common-over 'Riemann all))
   (make-field (common-field-home 'Riemann all) '(1form)
@@ -85,14 +83,8 @@
                 (define n (target-dimension (place-over over C)))
                 (define Ts (components-over T over C))
                 (define given (for/list ([v (in-list vectors)]) (components-over v over C)))
-                (define size (quotient (vector-length Ts) n))
                 (for/vector #:length n ([a (in-range n)])
-                  (define row
-                    (for/vector #:length size ([i (in-range size)])
-                      (vector-ref Ts (+ (* a size) i))))
-                  (define left
-                    (for/fold ([rest row]) ([v (in-list given)]) (contract-first rest n v)))
-                  (vector-ref left 0)))
+                  (vector-ref (contract-all (components-from Ts n a) n given) 0)))
               (lambda () datum)
               #:over over))
 

@@ -62,9 +62,7 @@
   (list->structure
    u
    (for/list ([a (in-range n)])
-     (define block (for/vector #:length (* n n) ([i (in-range (* n n))])
-                     (vector-ref G (+ (* a n n) i))))
-     (g:- (quadratic block us vs n)))))
+     (g:- (quadratic (components-from G n a) us vs n)))))
 
 ;; (up t q v) -> (up 1 v a), of a metric or a connection
 (define-printed (geodesic-state-derivative c C)

@@ -19,7 +19,7 @@
 (provide manifold-function? make-manifold-function manifold-function-home
          expression-in evaluate-structure in-symbols-of on-its-manifold
          home-of common-home function-of-points?
-         judged-in datum-of-two
+         judged-in datum-of-two distributed
          literal-of-coordinates literal-manifold-function constant-manifold-function
          zero-manifold-function one-manifold-function)
 

@@ -102,9 +102,7 @@
   (build-components
    m rank
    (lambda (ks)
-     (vector-ref (for/fold ([rest Ts]) ([k (in-list ks)])
-                   (contract-first rest n (vector-ref slopes k)))
-                 0))))
+     (vector-ref (contract-all Ts n (for/list ([k (in-list ks)]) (vector-ref slopes k))) 0))))
 
 ;; By the inverse map, which a vector field needs.
 (define ((pullback-vector-field map inverse) v) ((pushforward-vector inverse map) v))

@@ -123,10 +123,14 @@
 ;; Its inverse and its connection
 
 (define (inverse-metric-components g C)
-  (define n (coordinate-system-dimension C))
-  (define gs (components-in g C))
-  (check-symmetric g gs n)
-  (inverse-of-matrix gs n
+  (check-symmetric g (components-in g C) (coordinate-system-dimension C))
+  ((hash-ref! inverses g (lambda () (once-a-chart (lambda (C) (inverted g C))))) C))
+
+;; metric -> its inverse, a function of charts
+(define inverses (make-ephemeron-hasheq))
+
+(define (inverted g C)
+  (inverse-of-matrix (components-in g C) (coordinate-system-dimension C)
                      (lambda ()
                        (complain 'metric "~a\n  given: ~a"
                                  "this metric is degenerate: its determinant is 0"

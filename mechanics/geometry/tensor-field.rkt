@@ -177,9 +177,8 @@
    (common-field-home who all)
    (lambda (C)
      (define n (target-dimension (place-over over C)))
-     (vector-ref (for/fold ([rest (components-over T over C)]) ([a (in-list arguments)])
-                   (contract-first rest n (components-over a over C)))
-                 0))
+     (define vectors (for/list ([a (in-list arguments)]) (components-over a over C)))
+     (vector-ref (contract-all (components-over T over C) n vectors) 0))
    (lambda () (cons (value->datum T) (map value->datum arguments)))))
 
 (define (check-arguments T arguments)
@@ -265,11 +264,6 @@
               (lambda () (list '* (value->datum f) (value->datum T)))
               #:over (field-over T) #:form? (field-form? T)))
 
-(define (distributed op a b)
-  (if (tuple? a)
-      (structure-map (lambda (x) (g:* x b)) (adopt a))
-      (structure-map (lambda (x) (g:* a x)) (adopt b))))
-
 ;; Forms multiply as `wedge` says, which asks for this product; vector fields as operators.
 (define (product op a b)
   (if (and (vector-field? a) (vector-field? b))
@@ -311,11 +305,8 @@
                     (lambda (is) (if (apply < is) (component Ts n is) 0))))
 
 (define (nested components n types)
-  (define width (quotient (vector-length components) n))
   (define (part i)
     (if (null? (cdr types))
         (vector-ref components i)
-        (nested (for/vector #:length width ([j (in-range width)])
-                  (vector-ref components (+ (* i width) j)))
-                n (cdr types))))
+        (nested (components-from components n i) n (cdr types))))
   ((if (eq? (car types) 'vector) down-of up-of) (build-vector n part)))
