@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a student's file or notebook requires: holes, and what checks the answers.
+;; The library of a student's file or notebook: holes, and the check of answers.
 
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)

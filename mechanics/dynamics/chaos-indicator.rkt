@@ -96,7 +96,7 @@
   (up 1.0 at (g:* at (g:* 0.5 (g:log (g:+ (g:* t t) 1e-300))))))
 
 ;; ---------------------------------------------------------------------------
-;; What it tells at the end.  No decision is taken, so that this is compiled.
+;; The indicator at the end.  No decision is taken, so that this is compiled.
 
 (define (indicator-of kind all)
   (define parts (structure->list all))

@@ -101,7 +101,7 @@
 ;; ---------------------------------------------------------------------------
 ;; From coefficients in charts, of which the forms are made
 
-;; basis : the one that the forms refer to;  home : the chart that verdicts are asked in
+;; find : coordinate system -> coefficients;  basis : the one that the forms refer to
 (define (make-connection find basis make-datum)
   (define coefficients (once-a-chart find))
   (define n (basis->dimension basis))

@@ -13,8 +13,7 @@
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../generic/wrong-argument.rkt")
 
-(provide torsion torsion-vector Riemann Riemann-curvature Ricci
-         ricci-components)
+(provide torsion torsion-vector Riemann Riemann-curvature Ricci)
 
 ;; A tensor field of the connection, whose components f makes of its coefficients.
 (define (tensor-of who nabla types f)

@@ -74,8 +74,9 @@
   (define C (point-system m))
   (evaluate-structure (expression-in f C) C (point-coordinates m)))
 
-;; What a procedure made of the typical point m, in the symbols of C.  It is not called at these:
-;; the coordinates of its point may be constants where it takes derivatives by coordinates.
+;; The value e of a procedure at the typical point m, in the symbols of C.  The procedure is not
+;; called at these: to it the coordinates of its point may be constants, while it takes derivatives
+;; by coordinates.
 (define (in-symbols-of C m e)
   (structure-with e (list->vector (scalars (point-coordinates m)))
                   (coordinate-tuple (coordinate-system-symbols C))))

@@ -94,7 +94,7 @@
                     events charts (make-plan who tolerance (check-steps who method) longest)
                     #:Lagrangian L-in #:agreeing? (list? L)))
 
-;; What is asked.  ways : chart, state there -> passage to home;  check : of two stretches
+;; The question.  ways : chart, state there -> passage to home;  check : of two stretches
 (struct request (plan rates-in home ways events charts end L-in agreeing?) #:authentic)
 
 ;; rates-in : chart -> state derivative there

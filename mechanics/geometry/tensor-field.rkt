@@ -23,7 +23,7 @@
 
 (provide field? make-field native-field
          field-home field-over field-types field-form? field-rank field-datum
-         vector-field? form? form-field? tensor?
+         vector-field? form-field?
          components-in components-over place-over place-slopes target-dimension
          common-over common-field-home check-on-manifold
          derivative-along apply-field
@@ -57,8 +57,6 @@
 
 (define (vector-field? x) (and (field? x) (equal? (field-types x) '(1form))))
 (define (form-field? x) (and (field? x) (field-form? x)))
-(define (form? x) (form-field? x))
-(define (tensor? x) (field? x))
 
 (define (describe-field T)
   (define over (if (field-over T) " over a map" ""))

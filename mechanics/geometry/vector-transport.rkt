@@ -55,10 +55,10 @@
                       "chart" C "path" q))
   (lambda (t) (value-and-derivative-along path t 1)))
 
-;; What is carried along a piece of a motion, in the chart B
+;; A piece of a motion, followed in one chart
 (struct piece (stretch from to) #:authentic)
 
-;; Those between the times, in the order from the one to the other
+;; The pieces between the times, in the order from the one to the other
 (define (pieces-between motion from to)
   (unless (and (between? (trajectory-start motion) from (trajectory-end motion))
                (between? (trajectory-start motion) to (trajectory-end motion)))

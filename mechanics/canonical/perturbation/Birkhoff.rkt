@@ -92,7 +92,7 @@
 (define (first-nonzero k) (or (findf (lambda (x) (not (zero? x))) k) 0))
 
 ;; The polynomials of degree 2, …, of the Taylor series of H at the place, in the modes' variables.
-;; Those of degree 2 are what the modes say, without what rounding leaves beside.
+;; The terms of degree 2 are those of the modes: rounding leaves others beside them.
 (define (homogeneous-parts who H state place M m degree)
   (define (variable row)
     (for/fold ([p (make-hasheqv)]) ([c (in-vector row)] [k (in-naturals)])

@@ -131,7 +131,7 @@
         [else (growing)]))
 
 ;; ---------------------------------------------------------------------------
-;; What is near 0
+;; Modes of frequencies near 0
 
 ;; The form on the space of these directions, in coordinates of its own.  If that is all there is,
 ;; its frequencies are nothing beside its entries.
@@ -164,7 +164,7 @@
              (cons q qs) (cons p* ps))])))
 
 ;; ---------------------------------------------------------------------------
-;; What grows and decays
+;; Modes that grow and decay
 
 ;; lambdas : with positive real part, of which those above the real line stand for their conjugates
 (define (growing-modes B lambdas size tolerance stop)
@@ -226,7 +226,7 @@
 ;; Vectors
 
 ;; Of the space that belongs to the m eigenvalues near z: orthonormal vectors, real for a real z.
-;; What is solved with lies a little beside z, where there may be an eigenvalue.
+;; The shift lies a little beside z, where the shifted matrix may be singular.
 (define (invariant-basis B m z size stop)
   (define n (vector-length B))
   (define beside (+ z (* 1e-6 size)))

@@ -16,7 +16,7 @@
          ;; for those who begin one
          (struct-out family) (struct-out limits) branch-from make-limits)
 
-;; What is followed.  noun : "equilibria", "periodic orbits"; orbit? : is its spectrum one of
+;; A family of states.  noun : "equilibria", "periodic orbits"; orbit? : is its spectrum one of
 ;; multipliers?; state : unknowns -> value
 (struct family (equations noun orbit? state) #:authentic)
 
@@ -99,7 +99,8 @@
 
 (define (branch-end b) (if (string? (branch-ending b)) 'no-next-point (branch-ending b)))
 
-;; What is wrong a little beyond the point a: the message of a refusal, or that there is no point
+;; The reason why a branch ends at a: the message of a refusal a little beyond it, or that there is
+;; no point
 (define (reason e a t)
   (define beyond
     (along (point-x a) (* 1e3 shortest-step) (flvector-map fl* t (equations-scales e))))

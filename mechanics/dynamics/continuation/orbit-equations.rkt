@@ -51,7 +51,7 @@
 
 (define (state-of o z) (with-unknowns (orbits-state o) (orbits-timed? o) (up-of-numbers z)))
 
-;; What a state has but the time
+;; The numbers of a state, without the time
 (define (moving o state)
   (define all (numbers-of state))
   (if (orbits-timed? o) (apply flvector (cdr (flvector->list all))) all))
