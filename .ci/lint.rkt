@@ -25,21 +25,9 @@
 (define-runtime-path top "..")
 (define folders '("mechanics" "tests" "examples" "scribblings" ".ci"))
 
-;; Kept for names that do not stand in the file: programs run in its namespace, or names are made
-;; by a macro.  ((file . module) ...)
+;; Kept for names that do not stand in the file, which a macro makes.  ((file . module) ...)
 (define needed
-  '(("mechanics/algebra/expression/operation.rkt" . "\"numeric-functions.rkt\"")
-    ("tests/mechanics/examples.rkt" . "mechanics/book")
-    ("tests/mechanics/examples.rkt" . "mechanics/geometry")
-    ("tests/mechanics/examples.rkt" . "mechanics/plot")
-    ("tests/mechanics/exercises.rkt" . "mechanics/book")
-    ("tests/mechanics/exercises.rkt" . "mechanics/plot")
-    ("tests/mechanics/show/plot/figures.rkt" . "mechanics/book")
-    ("tests/mechanics/show/plot/figures.rkt" . "mechanics/plot")
-    ("tests/mechanics/show/animation/programs.rkt" . "mechanics/animate")
-    ("tests/mechanics/show/animation/programs.rkt" . "mechanics/book")
-    ("tests/mechanics/show/interact/programs.rkt" . "mechanics/book")
-    ("tests/mechanics/show/interact/programs.rkt" . "mechanics/plot")))
+  '(("mechanics/algebra/expression/operation.rkt" . "\"numeric-functions.rkt\"")))
 
 ;; ---------------------------------------------------------------------------
 ;; Files

@@ -56,9 +56,11 @@
 ;; What a require gives
 
 ;; A module of a require, and what becomes of a name it provides: the local name, or #f.
+;; Where no name is chosen, the module is wanted for being loaded.
 ;; -> ((path . rename) ...)
 (define (parts spec [rename values])
   (match spec
+    [`(only-in ,_) '()]
     [`(only-in ,m . ,chosen)
      (define local
        (for/hasheq ([c (in-list chosen)])
