@@ -33,8 +33,9 @@
 ;; component : value index -> the part that `ref` gives; #f where there is none
 ;; parts     : of carriers, what their own floor wants to know of them
 ;; order     : of carriers, value -> the highest power of its infinitesimal that is kept
-;; judged    : value -> what a verdict judges in its place, a structure of expressions, and the
-;;             list of symbols that stand there for any value; #f: the value itself
+;; judged    : value -> what a verdict judges in its place, a structure of expressions, the list
+;;             of symbols that stand there for any value, and expressions in these that are
+;;             positive; #f: the value itself
 ;; notation  : value (value -> tree) -> the tree it is typeset by (notation.rkt); #f: that of
 ;;             its datum
 (struct kind (rank describe datum map unary binary comparand zero? same? arity closed?

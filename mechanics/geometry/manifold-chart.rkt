@@ -93,7 +93,7 @@
 ;; to : coordinates -> place;  from : place -> coordinates
 ;; names : vector of the names of the coordinates
 ;; symbols : vector of uninterned symbols, the coordinates of a generic point
-;; positive : list of expressions in these that are positive in the chart
+;; positive : coordinates -> list of what is positive in the chart
 (value-struct system (name manifold to from names symbols positive)
   #:datum system-name)
 
@@ -102,7 +102,9 @@
 (define (coordinate-system-to C) (system-to C))
 (define (coordinate-system-names C) (system-names C))
 (define (coordinate-system-symbols C) (system-symbols C))
-(define (coordinate-system-positive C) (system-positive C))
+;; By the coordinates, the generic ones if none are given
+(define (coordinate-system-positive C [x (coordinate-tuple (system-symbols C))])
+  ((system-positive C) x))
 (define (coordinate-system-dimension C) (manifold-dimension (system-manifold C)))
 (define (coordinates->place C x) ((system-to C) x))
 (define (place->coordinates C place) ((system-from C) place))
@@ -145,8 +147,7 @@
 
 ;; printed : the datum that it prints as;  positive : coordinates -> list
 (define (make-coordinate-system printed m to from names [positive (lambda (x) '())])
-  (define symbols (generic-symbols names))
-  (system printed m to from (list->vector names) symbols (positive (coordinate-tuple symbols))))
+  (system printed m to from (list->vector names) (generic-symbols names) positive))
 
 (define (generic-symbols names)
   (for/vector ([s (in-list names)]) (string->uninterned-symbol (symbol->string s))))

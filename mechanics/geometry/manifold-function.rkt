@@ -156,8 +156,10 @@
   (define symbols
     (for/vector ([s (in-vector (coordinate-system-names home))])
       (string->uninterned-symbol (symbol->string s))))
-  (values (evaluate-structure (find home) home (coordinate-tuple symbols))
-          (vector->list symbols)))
+  (define at (coordinate-tuple symbols))
+  (values (evaluate-structure (find home) home at)
+          (vector->list symbols)
+          (coordinate-system-positive home at)))
 
 ;; ---------------------------------------------------------------------------
 ;; Literal and constant functions

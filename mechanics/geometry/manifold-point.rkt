@@ -44,7 +44,14 @@
   (define own (chart-of-coordinates x))
   (unless (or (not own) (same-chart? own C))
     (complain 'point "these coordinates are in ~a, not in ~a\n  given: ~a" (value->text own)
-              (value->text C) (describe-with-value x))))
+              (value->text C) (describe-with-value x)))
+  (for ([p (in-list (coordinate-system-positive C x))]
+        [q (in-list (coordinate-system-positive C (named-coordinates C)))]
+        #:when (and (real? p) (< p 0)))
+    (complain 'point "the point is outside the chart ~a, where ~a is positive\n  given: ~a"
+              (value->text C) (value->text q) (describe-with-value x))))
+
+(define (named-coordinates C) (coordinate-tuple (coordinate-system-names C)))
 
 ;; up tuple -> the chart that it is marked for
 (define charts-of-tuples (make-weak-hasheq))

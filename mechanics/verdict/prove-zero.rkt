@@ -43,14 +43,18 @@
   (define endless? #f)
   (define (note-endless!) (set! endless? #t))
   (define in-force (assumptions-in-force))
+  (define found '())
+  (define (rely-on! relations) (set! found (append found relations)))
   (define-values (judged missing)
-    (call-for-value (lambda () (at-symbolic-arguments x '() variables note-endless!))
-                    (not motion-domain)))
+    (call-for-value
+     (lambda () (at-symbolic-arguments x '() '() variables note-endless! rely-on!))
+     (not motion-domain)))
+  (define rested-on (append relied-on (remove-duplicates found)))
   (define arguments (remove* names (hash-keys variables)))
   (define beside
     (domain-expressions (if motion-domain (domain-along motion-domain arguments) (domain))))
-  (define A (common-assumptions (with-relations (with-domain in-force beside) relied-on) judged))
-  (define kinks (once (lambda () (kinks-of surveys relied-on in-force))))
+  (define A (common-assumptions (with-relations (with-domain in-force beside) rested-on) judged))
+  (define kinks (once (lambda () (kinks-of surveys rested-on in-force))))
   (define-values (residual tests) (judge-all judged A (hash-keys variables) kinks))
   (make-verdict residual (map cdr tests) (assumptions 'declared) endless? kinks
                 (lambda (status)
@@ -192,19 +196,25 @@
 ;; A function, wherever it stands in x, is taken at symbols of its own, which
 ;; occur nowhere else; its value may be a function again.  In the result they
 ;; are renamed to t, or t0 t1 ... if there are several, or to what comes next if
-;; the user has a t already.  Their names are added to the table `variables`.
-(define (at-symbolic-arguments x arguments variables note!)
+;; the user has a t already.  Their names are added to the table `variables`.  A kind of value
+;; that is judged so may say which expressions of its arguments are positive: (rely-on! relations).
+(define (at-symbolic-arguments x arguments positive variables note! rely-on!)
   (map-leaves
    (lambda (leaf)
-     (define (judge-instead value fresh)
-       (at-symbolic-arguments value (append arguments fresh) variables note!))
+     (define (judge-instead value fresh [positive-now '()])
+       (at-symbolic-arguments value (append arguments fresh) (append positive positive-now)
+                              variables note! rely-on!))
      (cond [(operator? leaf) (raise-operator leaf)]
            [(and (has-kind? leaf) (kind-judged (kind-of leaf)))
             => (lambda (judged) (call-with-values (lambda () (judged leaf)) judge-instead))]
            [(procedure? leaf)
             (define fresh (fresh-arguments leaf))
             (judge-instead (apply leaf fresh) fresh)]
-           [(symbolic? leaf) (rename-arguments leaf arguments variables)]
+           [(or (symbolic? leaf) (pair? positive))
+            (define new-names (names-beside leaf arguments variables))
+            (rely-on! (for/list ([e (in-list positive)])
+                        (list '> (expression->datum (substitute-expression e new-names)) 0)))
+            (if (symbolic? leaf) (substitute-expression leaf new-names) leaf)]
            [else leaf]))
    (with-terms x note!)))
 
@@ -234,15 +244,15 @@
               (joined (for/list ([k (in-list names)]) (string-append "#:" k)) " and ")
               (joined (for/list ([k (in-list names)]) (format "#:~a ~a" k k)) " "))))
 
-(define (rename-arguments e arguments variables)
-  (define taken (make-hasheq (for/list ([s (in-list (symbols-in e))]) (cons s #t))))
-  (substitute-expression
-   e
-   (for/list ([a (in-list arguments)])
-     (define name (unused-name (symbol->string a) taken))
-     (hash-set! taken name #t)
-     (hash-set! variables name #t)
-     (cons a name))))
+;; -> ((argument . name) ...)
+(define (names-beside e arguments variables)
+  (define symbols (if (symbolic? e) (symbols-in e) '()))
+  (define taken (make-hasheq (for/list ([s (in-list symbols)]) (cons s #t))))
+  (for/list ([a (in-list arguments)])
+    (define name (unused-name (symbol->string a) taken))
+    (hash-set! taken name #t)
+    (hash-set! variables name #t)
+    (cons a name)))
 
 ;; ---------------------------------------------------------------------------
 ;; Refutations at points where derivatives do not see a jump are none: at t = 0 the derivative of

@@ -4,7 +4,8 @@
 
 (require mechanics
          mechanics/geometry
-         "../support/checks.rkt" "../support/close.rkt" "../support/random.rkt"
+         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt"
+         "../support/random.rkt"
          "../support/same.rkt" "../support/session.rkt"
          "../support/standard-charts.rkt")
 
@@ -72,6 +73,23 @@
                  Euler-angles alternate-angles)])
     (define volume (volume-form (coordinate-system->metric C) (coordinate-system->basis C)))
     (check-false (regexp-match? #rx"abs" (printed-volume volume C)))))
+
+(test-case "a proof in a chart says what is positive there"
+  (define volume (volume-form space space-basis))
+  (define proof (verify-equal volume (* (square r) (sin theta) (wedge dr dtheta dphi))))
+  (check-true (proved? proof))
+  (check-equal? (verdict-assumptions proof) '((> r 0) (> (sin theta) 0)))
+  (check-equal? (verdict-assumptions (verify-equal (sqrt (square r)) r))
+                '((> r 0) (> (sin theta) 0))))
+
+;; A point that has other signs is not there.
+(says
+ [((point R3-spherical) (up -1 1 0))
+  "point: the point is outside the chart R3-spherical, where r is positive\n"
+  "  given: (up -1 1 0), an up tuple of 3"]
+ [((point S2-spherical) (up -0.5 0))
+  "point: the point is outside the chart S2-spherical, where (sin theta) is positive\n"
+  "  given: (up -0.5 0), an up tuple of 2"])
 
 (test-case "a metric is pulled back by an embedding"
   (define-coordinates (up u v) R2-rect)
