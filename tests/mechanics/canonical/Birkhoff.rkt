@@ -86,7 +86,9 @@
   (check-equal? (normal-form-resonances M) '())
   (check-close (map cdr (map cdr (filter (lambda (d) (equal? (cadr d) '(2 -1)))
                                          (normal-form-divisors M))))
-               (list (- 2 (sqrt 2.0))) 1e-12))
+               (list (- 2 (sqrt 2.0))) 1e-12)
+  (check-equal? (for/list ([d (normal-form-divisors M)] #:when (equal? (cadr d) '(2 -1))) (car d))
+                '(3)))
 
 (test-case "what it prints"
   (check-equal? (format "~a" (Birkhoff-normal-form Henon-Heiles plane #:degree 3))

@@ -113,3 +113,9 @@
                      "1e-[5-8] of the frequency is uncertain\n$")
       text)
      text)))
+
+(test-case "a Hamiltonian that has its value again at one place a turn on is not periodic"
+  (define (once-again s) (+ (* 1/2 (square (momentum s)))
+                            (* (coordinate s) (- (coordinate s) (* 2 pi)))))
+  (check-exn #rx"^action-of-orbit: .*does not come again after a turn of 6.28"
+             (lambda () (action-of-orbit once-again (up 0 0.0 1.0) #:turn (* 2 pi)))))

@@ -69,6 +69,11 @@
            (verdict-remarks v)))
   (define K (C->K moving line))
   (check-pred proved? (verify-canonical moving pendulum (+ (compose pendulum moving) K) line))
+  ;; the momentum alone may depend on it
+  (define (kicked s) (up (time s) (coordinate s) (+ (momentum s) (time s))))
+  (check-true (ormap (lambda (text) (regexp-match? #rx"depends on the time" text))
+                     (verdict-remarks (verify-canonical kicked pendulum (compose pendulum kicked)
+                                                        line))))
   ;; of one that does not depend on it, or is not canonical, that would be no help
   (for ([C (list (polar-canonical 'a) (lambda (s) (up (time s) (* (time s) (coordinate s))
                                                       (momentum s))))])

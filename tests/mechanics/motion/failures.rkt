@@ -84,6 +84,9 @@
                     "  last state: [^\n]*\n  if it is stiff, use the method 'Radau-IIA-5$")
      (evolve-trajectory oscillator start 100 #:most-steps 20)))
   (check-= (length (trajectory-states tr)) 21 0)
+  ;; who uses it already is not told of it
+  (check-failure #rx"\n  last state: [^\n]*$"
+                 (evolve-trajectory oscillator start 100 #:most-steps 5 #:method 'Radau-IIA-5))
   (check-= (coordinate (tr 1)) (cos 1) 1e-9)
   (check-failure #rx"^state-advancer: .*more steps than allowed"
                  ((state-advancer oscillator-maker) start 100 1e-10 #:most-steps 3))

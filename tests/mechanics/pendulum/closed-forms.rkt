@@ -130,6 +130,12 @@
 (test-case "a pendulum at rest stays where it is"
   (check-equal? (((pendulum-advance 1 9.8) (up 0 0 0)) 3) (up 3 0 0)))
 
+(test-case "an angle is known up to whole turns"
+  (for ([phase (list (pendulum-oscillating-phase 1 9.8) (pendulum-circulating-phase 1 9.8))]
+        [p '(1.0 9.0)])
+    (for ([turns '(-2 -1 1 3)])
+      (check-close (phase (up 0 (+ 0.5 (* turns 2 pi)) p)) (phase (up 0 0.5 p)) 1e-12))))
+
 (says
  [(pendulum-frequency 1 9.8 -10)
   "pendulum-frequency: the energy of a pendulum is at least -beta; given -10, with beta = 9.8"]

@@ -27,3 +27,7 @@
   (check-regexp-match
    #rx"decimals: .* and 26 more stand in the way, too many to be read as exact numbers"
    (format "~a" (prove-zero (sum-of 30)))))
+
+(test-case "as many decimals as are told have no others beside them"
+  (define text (format "~a" (prove-zero (+ (* 0.1 'x) (* 0.2 'x) (* -0.3 'x)))))
+  (check-false (regexp-match? #rx"and 0 more" text)))

@@ -72,6 +72,11 @@
    (lambda () (find-root (lambda (s) (ref s 0)) (up 1 1))))
   (check-exn #rx"positive tolerance" (lambda () (find-root g:square 1 #:tolerance -1))))
 
+(test-case "more equations than unknowns"
+  (check-exn
+   #rx"^find-root: the function must give as many numbers as it takes\n  given: 3\n  expected: 2"
+   (lambda () (find-root (lambda (s) (up (ref s 0) (ref s 1) 0)) (up 1 1)))))
+
 ;; ---------------------------------------------------------------------------
 ;; Other ways to ask
 
@@ -92,12 +97,13 @@
   (check-equal? limit 4))
 
 (test-case "the report: root, error, evaluations"
-  (define (honest? x error count most)
+  (define ((honest? most) x error count)
     (check-= x golden (+ 1e-15 error))
     (check-true (<= 4 count most) (format "~a" count)))
-  (find-root f-golden 1 2 #:report (lambda (x error count) (honest? x error count 12)))
-  (find-root f-golden 1 #:report (lambda (x error count) (honest? x error count 16)))
-  (bisect f-golden 1 2 #:report (lambda (x error count) (honest? x error count 56)))
+  (with-called ([between (honest? 12)] [near (honest? 16)] [halved (honest? 56)])
+    (find-root f-golden 1 2 #:report between)
+    (find-root f-golden 1 #:report near)
+    (bisect f-golden 1 2 #:report halved))
   (check-equal? (newton-search f-golden 1 #:report (lambda (x error count) x))
                 (find-root f-golden 1)))
 

@@ -19,6 +19,7 @@
  check-not-equal? check-not-eq? check-not-false check-pred check-exn check-not-exn
  check-regexp-match
  test-case define-check
+ with-called        ; (with-called ([name procedure] ...) body ...)
  current-check-handler exn:test:check exn:test:check? fail-check with-check-info)
 
 ;; ---------------------------------------------------------------------------
@@ -99,6 +100,23 @@
   [check-regexp-match rackunit:check-regexp-match])
 
 ;; ---------------------------------------------------------------------------
+;; Checks in a handler or a callback pass if it is never called.
+
+;; The body, in which each of the procedures is called, or it fails.
+(define-syntax-rule (with-called ([name procedure] ...) body ...)
+  (let ([calls (make-hasheq)])
+    (let ([name (noted-in calls 'name procedure)] ...)
+      (begin0 (let () body ...)
+              (check-called calls 'name) ...))))
+
+(define (noted-in calls name f)
+  (procedure-reduce-arity (lambda arguments (hash-set! calls name #t) (apply f arguments))
+                          (procedure-arity f)))
+
+(define-check (check-called calls name)
+  (unless (hash-ref calls name #f) (fail-check)))
+
+;; ---------------------------------------------------------------------------
 
 (module+ test
   ;; What the failure of a check tells: (listof (cons name value))
@@ -143,4 +161,9 @@
 
   (test-case "the name of a test case is a string"
     (check-exn #rx"^test-case: contract violation\n  expected: string\\?"
-               (lambda () (run-test 'a void)))))
+               (lambda () (run-test 'a void))))
+
+  (test-case "a procedure that is not called is told by its name"
+    (check-equal? (with-called ([f add1] [g sub1]) (g (f 1))) 1)
+    (define infos (told (with-called ([f add1] [g sub1]) (f 1))))
+    (check-regexp-match #rx" g[)]" (format "~a" (cdr (assq 'params infos))))))

@@ -134,3 +134,10 @@
  [(expt q 'n)
   "expt: cannot raise a quaternion to the power of a number-like expression\n"
   "  argument 1: (quaternion a b c d), a quaternion\n  argument 2: the symbol n"])
+
+(test-case "exp of a quaternion with a real part"
+  (define size (sqrt 29))
+  (check-close (quaternion->vector (exp (quaternion 1 2 3 4)))
+               (for/list ([part '(1 2 3 4)] [k 4])
+                 (* (exp 1.0) (if (zero? k) (cos size) (* (/ (sin size) size) part))))
+               1e-14))

@@ -92,3 +92,9 @@
   (define-values (output errors) (session '("-I" "mechanics") "(= sin cos)" "(= cos tan)"))
   (check-equal? output '("#f" "#f"))
   (check-equal? (length (regexp-match* #rx"; = answers" errors)) 1))
+
+(test-case "matrices of other sizes are other matrices, whichever stands first"
+  (define-values (narrow wide) (values (matrix-by-rows '(a b) '(c d))
+                                       (matrix-by-rows '(a b e) '(c d f))))
+  (check-false (= narrow wide))
+  (check-false (= wide narrow)))

@@ -115,13 +115,14 @@
       (flvector-set! dy 1 (flvector-ref y 2))
       (flvector-set! dy 2 (- (flvector-ref y 1))))
     (define out (make-flvector 3))
-    (integrate (make 0.01) f! (flvector 0.0 1.0 0.0) 0.0 1.0 #:clock 0
-               #:visit (lambda (from to interpolant)
-                         ((interpolant) 0.3 out)
-                         (define t (+ from (* 0.3 (- to from))))
-                         (check-= (flvector-ref out 0) t 1e-12)
-                         (check-= (flvector-ref out 1) (cos t) 1e-4)
-                         #t))))
+    (define (close? from to interpolant)
+      ((interpolant) 0.3 out)
+      (define t (+ from (* 0.3 (- to from))))
+      (check-= (flvector-ref out 0) t 1e-12)
+      (check-= (flvector-ref out 1) (cos t) 1e-4)
+      #t)
+    (with-called ([visit close?])
+      (integrate (make 0.01) f! (flvector 0.0 1.0 0.0) 0.0 1.0 #:clock 0 #:visit visit))))
 
 (test-case "an implicit step that does not converge stops the integration"
   (define (steep! y dy) (flvector-set! dy 0 (exp (* 10.0 (flvector-ref y 0)))))
@@ -173,3 +174,11 @@
 (test-case "no time passes"
   (define-values (t y) (integrate dormand-prince-853 oscillator! (flvector 1.0 0.0) 1.0 1.0))
   (check-equal? y (flvector 1.0 0.0)))
+
+;; At 1e16 the next number is 2 away: the steps are that long at least, in both directions.
+(test-case "steps that would not change the time are made as long as it takes"
+  (define (decaying! y dy) (flvector-set! dy 0 (fl* -0.1 (flvector-ref y 0))))
+  (for ([end '(1.0000000000000020e16 0.9999999999999980e16)])
+    (define span (- end 1e16))
+    (define y (final dormand-prince-853 decaying! (flvector 1.0) 1e16 end 1e-6))
+    (check-= (flvector-ref y 0) (exp (* -0.1 span)) (* 1e-3 (exp (* -0.1 span))))))

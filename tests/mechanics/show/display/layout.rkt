@@ -86,3 +86,8 @@
 (test-case "structure shared and nested 200 deep is written within bounds"
   (define shared (for/fold ([d 'x]) ([i 200]) (list '+ d d)))
   (check-true (< (string-length (layout shared 79)) 20000)))
+
+(test-case "a head of 16 letters has its operands beside it, a longer one below"
+  (define (broken n) (layout (list (string->symbol (make-string n #\f)) '(a b c d) '(e f g h)) 28))
+  (check-equal? (broken 16) (lines "(ffffffffffffffff (a b c d)" "                  (e f g h))"))
+  (check-equal? (broken 17) (lines "(fffffffffffffffff" " (a b c d) (e f g h))")))
