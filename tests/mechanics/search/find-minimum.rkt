@@ -130,6 +130,14 @@
   (define pi (acos -1.0))
   (check-equal? (length (places (lambda (x) (g:cos (g:* 128 pi x))) 0.001 0.999)) 64))
 
+;; One so narrow that neither 64 nor 128 samples meet it: that these agree is not enough.
+(test-case "samples are doubled until twice in a row nothing new comes"
+  (define (f x) (g:- (g:square (g:- x 1/2)) (g:exp (g:negate (g:square (g:/ (g:- x c) 0.0012))))))
+  (define c 0.3466)
+  (define found (places f 0 1))
+  (check-equal? (length found) 2)
+  (check-= (car found) c 1e-3))
+
 (test-case "a plateau is one of them, once"
   (define (basin x) (if (< 1 x 2) 0.0 1.0))
   (check-equal? (length (places basin 0 3)) 1)

@@ -221,6 +221,10 @@
   ("def V(x): return 0.5*k*x**2" (define (V x) (* 0.5 k x x)))
   ("m += 1" (define m (+ m 1)))
   ("m *= a + b" (define m (* m (+ a b))))
+  ("m /= 2" (define m (/ m 2)))
+  ("m -= 1" (define m (- m 1)))
+  ("L = 1/2 m v^2 - m g cos(theta)"
+   (define ((L m g) (up t theta v)) (- (* 1/2 m v v) (* m g (cos theta)))))
   ("x == 1" (= x 1))
   ("1e-3*x" (* 0.001 x))
   ("-(-x)**2" (- (* x x)))

@@ -64,7 +64,11 @@
   (check-equal? (title '("An orbit (p. 22) drawn. So."))
                 (list "An orbit (p. 22) drawn" (list (prose '(("So."))))))
   (check-equal? (title '("How good is it?")) '("How good is it?" ()))
-  (define long (make-string 200 #\a))
+  (define (letters n) (make-string n #\a))
+  (check-equal? (title (list (letters 120))) (list (letters 120) '()))
+  (check-equal? (title (list (letters 121)))
+                (list "file.rkt" (list (prose (list (list (letters 121)))))))
+  (define long (letters 200))
   (check-equal? (title (list long)) (list "file.rkt" (list (prose (list (list long)))))))
 
 (test-case "a heading at the start is the title"
