@@ -51,6 +51,14 @@
   (check-equal? sum (for/fold ([sum 0.0]) ([s alone]) (+ (angle s) sum)))
   (check-equal? (reverse seen) (range count)))
 
+(test-case "workers keep to the tolerance that was asked for"
+  (define (loose jobs)
+    (evolve-ensemble pendulum starts 5 #:parameters parameters #:jobs jobs #:tolerance 1e-4))
+  (define by-two (loose 2))
+  (check-equal? by-two (loose 1))
+  (check-false (equal? by-two alone))
+  (for ([a by-two] [b alone]) (check-= (ref a 1) (ref b 1) 1e-2)))
+
 (test-case "a start that fails is a value that says so, and the others go on"
   (define f (Hamiltonian->state-derivative (lambda (s) (- (* 1/2 (square (ref s 2)))
                                                           (/ 1 (ref s 1))))))
