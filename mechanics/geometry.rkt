@@ -7,14 +7,16 @@
 (require "geometry/basis.rkt" "geometry/connection.rkt" "geometry/coordinates.rkt"
          "geometry/covariant-derivative.rkt" "geometry/curvature-tensor.rkt"
          "geometry/exterior-calculus.rkt" "geometry/extended-names.rkt" "geometry/tensor-field.rkt"
-         "geometry/electrodynamics.rkt" "geometry/flat-operators.rkt" "geometry/flow.rkt"
-         "geometry/four-tuple.rkt" "geometry/geodesic-motion.rkt" "geometry/Hodge-star.rkt"
-         "geometry/inertial-frame.rkt"
+         "geometry/relativity/electrodynamics.rkt" "geometry/flat-operators.rkt" "geometry/flow.rkt"
+         "geometry/relativity/four-tuple.rkt" "geometry/motion/geodesic-motion.rkt"
+         "geometry/Hodge-star.rkt"
+         "geometry/relativity/inertial-frame.rkt"
          "geometry/integral-of-form.rkt" "geometry/manifold-chart.rkt"
          "geometry/manifold-function.rkt" "geometry/maps-between-manifolds.rkt"
-         "geometry/Lagrangian-in-chart.rkt" "geometry/metric.rkt" "geometry/motion-on-manifold.rkt"
+         "geometry/motion/Lagrangian-in-chart.rkt" "geometry/metric.rkt"
+         "geometry/motion/motion-on-manifold.rkt"
          "geometry/manifold-point.rkt" "geometry/raising-and-lowering.rkt"
-         "geometry/standard-manifolds.rkt" "geometry/vector-transport.rkt")
+         "geometry/standard-manifolds.rkt" "geometry/motion/vector-transport.rkt")
 
 (provide
  ;; manifolds and charts

@@ -43,13 +43,8 @@
   (define endless? #f)
   (define (note-endless!) (set! endless? #t))
   (define in-force (assumptions-in-force))
-  (define found '())
-  (define (rely-on! relations) (set! found (append found relations)))
-  (define-values (judged missing)
-    (call-for-value
-     (lambda () (at-symbolic-arguments x '() '() variables note-endless! rely-on!))
-     (not motion-domain)))
-  (define rested-on (append relied-on (remove-duplicates found)))
+  (define-values (judged missing rested-on)
+    (value-judged x variables note-endless! relied-on (not motion-domain)))
   (define arguments (remove* names (hash-keys variables)))
   (define beside
     (domain-expressions (if motion-domain (domain-along motion-domain arguments) (domain))))
@@ -81,6 +76,16 @@
                   (zero-test-residual z))
                 x))
   (values residual (reverse tests)))
+
+;; -> the value of x at symbolic arguments, strings on why it has none, and assumptions
+(define (value-judged x variables note-endless! relied-on certain?)
+  (define found '())
+  (define (rely-on! relations) (set! found (append found relations)))
+  (define-values (value missing)
+    (call-for-value
+     (lambda () (at-symbolic-arguments x '() '() variables note-endless! rely-on!))
+     certain?))
+  (values value missing (append relied-on (remove-duplicates found))))
 
 ;; -> the value, and no strings.  Where a motion has a derivative nowhere, as √(x² + y²) at rest in
 ;; the origin, it is no number, and strings say so.

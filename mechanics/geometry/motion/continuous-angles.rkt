@@ -7,10 +7,10 @@
 ;; there by half a turn at once.
 
 (require (only-in racket/math sgn)
-         "chart-choice.rkt" "manifold-chart.rkt"
-         "../error/refusal.rkt"
-         "../numeric/constants.rkt"
-         "../value/shape.rkt")
+         "chart-choice.rkt" "../manifold-chart.rkt"
+         "../../error/refusal.rkt"
+         "../../numeric/constants.rkt"
+         "../../value/shape.rkt")
 
 (provide follow-angles (struct-out track) track-coordinates (struct-out node)
          next-to own-coordinates?)

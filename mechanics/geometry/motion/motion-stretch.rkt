@@ -1,15 +1,16 @@
 #lang racket/base
 ;; A stretch of a motion, followed in one chart and read in another, its home.
 
-(require "chart-choice.rkt" "continuous-angles.rkt" "Lagrangian-in-chart.rkt" "manifold-chart.rkt"
-         "../calculus/derivative.rkt"
-         "../compile/compile-function.rkt"
-         "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../lagrangian/coordinate-transformation.rkt" "../lagrangian/local-tuple.rkt"
-         "../motion/trajectory.rkt"
-         "../numeric/finite-number.rkt" "../numeric/flvector.rkt"
-         "../value/shape.rkt")
+(require "chart-choice.rkt" "continuous-angles.rkt" "Lagrangian-in-chart.rkt"
+         "../manifold-chart.rkt"
+         "../../calculus/derivative.rkt"
+         "../../compile/compile-function.rkt"
+         "../../error/complain.rkt"
+         "../../generic/describe.rkt" "../../generic/up-down.rkt"
+         "../../lagrangian/coordinate-transformation.rkt" "../../lagrangian/local-tuple.rkt"
+         "../../motion/trajectory.rkt"
+         "../../numeric/finite-number.rkt" "../../numeric/flvector.rkt"
+         "../../value/shape.rkt")
 
 (provide (struct-out stretch) make-stretch cut-at
          stretch-chart stretch-home stretch-start

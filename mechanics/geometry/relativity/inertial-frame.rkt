@@ -6,10 +6,11 @@
 ;; first ancestor, a base frame, is at rest.  All frames are charts of one spacetime, R4: a field
 ;; that is given in one has components in all.
 
-(require "four-tuple.rkt" "manifold-chart.rkt" "manifold-point.rkt" "standard-manifolds.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../generic/wrong-argument.rkt")
+(require "four-tuple.rkt" "../manifold-chart.rkt" "../manifold-point.rkt"
+         "../standard-manifolds.rkt"
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt")
 
 (provide base-frame-maker the-ether make-SR-frame SR-frame?
          make-SR-coordinates SR-name

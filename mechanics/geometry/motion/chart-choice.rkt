@@ -6,12 +6,13 @@
 ;; the least speed of a point whose coordinates change by 1 in a unit of time: 0 where the chart is
 ;; singular, sin²θ/(1 + sin²θ) for the angles on a sphere.
 
-(require "chart-calculus.rkt" "component-array.rkt" "manifold-chart.rkt" "manifold-point.rkt"
-         "metric.rkt" "tensor-field.rkt"
-         "../error/complain.rkt" "../error/refusal.rkt"
-         "../generic/arithmetic.rkt"
-         "../numeric/constants.rkt" "../numeric/finite-number.rkt"
-         "../value/shape.rkt")
+(require "../chart-calculus.rkt" "../component-array.rkt" "../manifold-chart.rkt"
+         "../manifold-point.rkt"
+         "../metric.rkt" "../tensor-field.rkt"
+         "../../error/complain.rkt" "../../error/refusal.rkt"
+         "../../generic/arithmetic.rkt"
+         "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
+         "../../value/shape.rkt")
 
 (provide chart-fitness coordinates-or-none fittest-chart coordinate-periods check-one-manifold)
 

@@ -4,16 +4,16 @@
 ;; In a chart a geodesic has the accelerations −Σ Γᵃ_bk vᵇ vᵏ.  Of a metric these are Lagrange's
 ;; equations of ½ g(v, v).
 
-(require "chart-calculus.rkt" "component-array.rkt" "connection.rkt" "basis.rkt"
-         "manifold-chart.rkt" "metric.rkt" "motion-on-manifold.rkt" "tensor-field.rkt"
-         "../error/complain.rkt" "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt"
-         "../generic/printed-function.rkt" "../generic/up-down.rkt"
-         "../generic/wrong-argument.rkt"
-         "../lagrangian/local-tuple.rkt"
-         "../motion/integration-failure.rkt" "../motion/integration-plan.rkt"
-         "../motion/trajectory.rkt"
-         "../value/shape.rkt")
+(require "../chart-calculus.rkt" "../component-array.rkt" "../connection.rkt" "../basis.rkt"
+         "../manifold-chart.rkt" "../metric.rkt" "motion-on-manifold.rkt" "../tensor-field.rkt"
+         "../../error/complain.rkt" "../../error/failure.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/define-plain.rkt"
+         "../../generic/printed-function.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../lagrangian/local-tuple.rkt"
+         "../../motion/integration-failure.rkt" "../../motion/integration-plan.rkt"
+         "../../motion/trajectory.rkt"
+         "../../value/shape.rkt")
 
 (provide metric->Lagrangian geodesic-state-derivative evolve-geodesic
          coefficients-of turning)

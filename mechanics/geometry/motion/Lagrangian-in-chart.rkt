@@ -6,13 +6,14 @@
 ;; first chart alone is gone.  Or it is written by hand for several charts; then its values must
 ;; agree where the motion goes over from one to another.
 
-(require "chart-choice.rkt" "manifold-chart.rkt" "manifold-point.rkt"
-         (only-in "metric.rkt" metric?)
-         "../calculus/derivative.rkt" "../calculus/expression-function.rkt"
-         "../error/complain.rkt" "../error/refusal.rkt"
-         "../generic/arithmetic.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
-         "../lagrangian/coordinate-transformation.rkt" "../lagrangian/local-tuple.rkt"
-         "../value/compose.rkt" "../value/shape.rkt" "../value/simplify.rkt")
+(require "chart-choice.rkt" "../manifold-chart.rkt" "../manifold-point.rkt"
+         (only-in "../metric.rkt" metric?)
+         "../../calculus/derivative.rkt" "../../calculus/expression-function.rkt"
+         "../../error/complain.rkt" "../../error/refusal.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../lagrangian/coordinate-transformation.rkt" "../../lagrangian/local-tuple.rkt"
+         "../../value/compose.rkt" "../../value/shape.rkt" "../../value/simplify.rkt")
 
 (provide Lagrangian-in-chart Lagrangian-by-charts check-agreement
          transition momentum-at-home)

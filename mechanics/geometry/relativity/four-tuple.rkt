@@ -9,10 +9,10 @@
 ;;
 ;; takes what an observer measures who moves with v to what one at rest does.
 
-(require "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/elementary.rkt"
-         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
-         (only-in "../value/structure.rkt" dot-product))
+(require "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/elementary.rkt"
+         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         (only-in "../../value/structure.rkt" dot-product))
 
 (provide make-4tuple 4tuple->ct 4tuple->space check-4tuple
          proper-time-interval proper-space-interval

@@ -10,11 +10,12 @@
 ;; satisfy Maxwell's equations, which are dF = 0 and d⋆F = 4π ⋆J.  No frame is preferred: another
 ;; observer's fields are the components of the same F in his frame.
 
-(require "basis.rkt" "exterior-calculus.rkt" "Hodge-star.rkt" "manifold-chart.rkt" "metric.rkt"
-         "raising-and-lowering.rkt" "standard-manifolds.rkt" "tensor-field.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
-         "../generic/wrong-argument.rkt")
+(require "../basis.rkt" "../exterior-calculus.rkt" "../Hodge-star.rkt" "../manifold-chart.rkt"
+         "../metric.rkt"
+         "../raising-and-lowering.rkt" "../standard-manifolds.rkt" "../tensor-field.rkt"
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/up-down.rkt"
+         "../../generic/wrong-argument.rkt")
 
 (provide SR SR-metric SR-basis SR-star
          Faraday Maxwell four-current electric-field magnetic-field Lorentz-force)

@@ -9,19 +9,21 @@
          racket/list
          racket/vector
          "chart-choice.rkt" "continuous-angles.rkt" "event-on-manifold.rkt"
-         "Lagrangian-in-chart.rkt" "manifold-chart.rkt"
-         "manifold-point.rkt" "motion-stretch.rkt"
-         "../error/complain.rkt"
-         "../generic/define-plain.rkt" "../generic/up-down.rkt" "../generic/value-struct.rkt"
-         "../generic/wrong-argument.rkt"
-         "../lagrangian/coordinate-transformation.rkt" "../lagrangian/local-tuple.rkt"
-         "../lagrangian/state-derivative.rkt"
-         "../motion/event/event.rkt" "../motion/event/region-watch.rkt"
-         "../motion/evolve-trajectory.rkt"
-         "../motion/integration-failure.rkt" "../motion/integration-plan.rkt"
-         "../motion/method-names.rkt" "../motion/observed-systems.rkt"
-         "../motion/partial-result.rkt" "../motion/system/check.rkt" "../motion/trajectory.rkt"
-         "../value/shape.rkt")
+         "Lagrangian-in-chart.rkt" "../manifold-chart.rkt"
+         "../manifold-point.rkt" "motion-stretch.rkt"
+         "../../error/complain.rkt"
+         "../../generic/define-plain.rkt" "../../generic/up-down.rkt"
+         "../../generic/value-struct.rkt"
+         "../../generic/wrong-argument.rkt"
+         "../../lagrangian/coordinate-transformation.rkt" "../../lagrangian/local-tuple.rkt"
+         "../../lagrangian/state-derivative.rkt"
+         "../../motion/event/event.rkt" "../../motion/event/region-watch.rkt"
+         "../../motion/evolve-trajectory.rkt"
+         "../../motion/integration-failure.rkt" "../../motion/integration-plan.rkt"
+         "../../motion/method-names.rkt" "../../motion/observed-systems.rkt"
+         "../../motion/partial-result.rkt" "../../motion/system/check.rkt"
+         "../../motion/trajectory.rkt"
+         "../../value/shape.rkt")
 
 (provide evolve-on
          trajectory-point trajectory-momentum trajectory-chart-changes

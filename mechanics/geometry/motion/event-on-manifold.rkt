@@ -9,13 +9,14 @@
 
 (require racket/flonum
          racket/list
-         "continuous-angles.rkt" "manifold-chart.rkt" "manifold-function.rkt" "manifold-point.rkt"
+         "continuous-angles.rkt" "../manifold-chart.rkt" "../manifold-function.rkt"
+         "../manifold-point.rkt"
          "motion-stretch.rkt"
-         "../error/complain.rkt"
-         "../lagrangian/local-tuple.rkt"
-         "../motion/event/event.rkt" "../motion/event/event-noise.rkt"
-         "../motion/event/sign-change.rkt" "../motion/trajectory.rkt"
-         "../value/shape.rkt")
+         "../../error/complain.rkt"
+         "../../lagrangian/local-tuple.rkt"
+         "../../motion/event/event.rkt" "../../motion/event/event-noise.rkt"
+         "../../motion/event/sign-change.rkt" "../../motion/trajectory.rkt"
+         "../../value/shape.rkt")
 
 (provide watched-in with-occurrences settled)
 

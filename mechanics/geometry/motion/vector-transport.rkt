@@ -6,16 +6,18 @@
 ;; which that was, and told in one.
 
 (require (only-in racket/list append-map)
-         "geodesic-motion.rkt" "Lagrangian-in-chart.rkt" "manifold-chart.rkt" "manifold-point.rkt"
+         "geodesic-motion.rkt" "Lagrangian-in-chart.rkt" "../manifold-chart.rkt"
+         "../manifold-point.rkt"
          "motion-on-manifold.rkt" "motion-stretch.rkt"
-         "../calculus/derivative.rkt"
-         "../error/complain.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
-         "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
-         "../lagrangian/local-tuple.rkt"
-         "../motion/evolve-trajectory.rkt" "../motion/integration-plan.rkt"
-         "../motion/system/check.rkt" "../motion/trajectory.rkt"
-         "../value/shape.rkt")
+         "../../calculus/derivative.rkt"
+         "../../error/complain.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/define-plain.rkt"
+         "../../generic/describe.rkt"
+         "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
+         "../../lagrangian/local-tuple.rkt"
+         "../../motion/evolve-trajectory.rkt" "../../motion/integration-plan.rkt"
+         "../../motion/system/check.rkt" "../../motion/trajectory.rkt"
+         "../../value/shape.rkt")
 
 (provide evolve-parallel-transport)
 
