@@ -18,7 +18,9 @@
 
 ;; A family of states.  noun : "equilibria", "periodic orbits"; orbit? : is its spectrum one of
 ;; multipliers?; state : unknowns -> value
-(struct family (equations noun orbit? state) #:authentic)
+;; onset : of equilibria, a point of Hopf's and limits -> the family of orbits that begin there and a
+;; point of it; else #f
+(struct family (equations noun orbit? state onset) #:authentic)
 
 ;; from, to : of the parameter; first, longest : lengths of steps; most : number of them
 (struct limits (from to first longest most) #:authentic)
@@ -169,23 +171,24 @@
   (followed who (struct-copy branch b [limits further] [ending #f])))
 
 ;; The branch that leaves a special point of b; a period doubling is left by orbits of twice the
-;; period.  direction : 1 or -1, the two sides
+;; period, a point of Hopf's by orbits about the equilibrium, which have one side.
+;; direction : 1 or -1, the two sides
 (define-plain (switch-branch b s #:direction [side 1] #:most-steps [most #f])
   (define who 'switch-branch)
   (check-argument who branch? b a-branch)
   (check-argument who special-point? s
                   "a special point of the branch, of (branch-special-points b)")
   (check-argument who (lambda (x) (memv x '(1 -1))) side "a direction, 1 or -1")
-  (define-values (f p other) (leaving who s))
   (define l (branch-limits b))
+  (define-values (f p other) (leaving who s l))
   (define all
     (if most
         (make-limits who (limits-from l) (limits-to l) (limits-first l) (limits-longest l) most)
         l))
-  (branch-from f all p (flvector-scaled (->fl side) other)))
+  (branch-from f all p (and other (flvector-scaled (->fl side) other))))
 
-;; -> family, point and tangent with which another branch begins
-(define (leaving who s)
+;; -> family, point and tangent, or #f for the point's own, with which another branch begins
+(define (leaving who s l)
   (define f (special-point-family s))
   (cond
     [(special-point-other s) (values f (special-point-at s) (special-point-other s))]
@@ -196,10 +199,13 @@
      (define p (struct-copy point (point-at e x ((equations-evaluate e) x x) t) [tangent t]))
      (define-values (_own other) (crossing-directions e p t))
      (values (struct-copy family f [equations e]) p other)]
+    [(eq? (special-point-kind s) 'Hopf)
+     (define-values (g p) ((family-onset f) (special-point-at s) l))
+     (values g p #f)]
     [else
      (complain who
                (string-append "no other branch of ~a leaves a point of this kind: ~a\n"
-                              "  pitchfork, transcritical and period-doubling points have one")
+                              "  pitchfork, transcritical, Hopf and period-doubling points have one")
                (family-noun f) (special-point-kind s))]))
 
 ;; e : an exception that ended a continuation, a break among them -> the branch until then, or #f

@@ -19,7 +19,7 @@
          (only-in "../../numeric/optimization/trust-region.rkt" shortest-solution trust-region))
 
 (provide (struct-out equations) (struct-out evaluated) (struct-out point)
-         start-on-curve solution-near point-at point-along step-along bordered scaled-rows)
+         start-on-curve point-across solution-near point-at point-along step-along bordered scaled-rows)
 
 ;; evaluate : unknowns, reference point -> evaluated; scales : flvector
 ;; Of orbits, else #f: period : unknowns -> number; doubled : unknowns -> the equations of the orbit
@@ -84,9 +84,12 @@
 ;; The point at the parameter of x, from where the parameter changes by that sign; #f if none
 (define (start-on-curve e x sign)
   (define n (flvector-length x))
-  (define border (flvector-scaled (->fl sign) (unit-flvector (- n 1) n)))
-  (define-values (there v _) (corrected e x border x))
-  (and there (point-at e there v border)))
+  (point-across e x (flvector-scaled (->fl sign) (unit-flvector (- n 1) n))))
+
+;; The point of the curve in the plane through x that is normal to t; #f if none
+(define (point-across e x t)
+  (define-values (there v _) (corrected e x t x))
+  (and there (point-at e there v t)))
 
 ;; The unknowns of the nearest solution with the parameter of x; a failure of the search otherwise
 (define (solution-near who e x)

@@ -3,7 +3,7 @@
 
 (require racket/flonum
          (only-in racket/list last range)
-         "branch.rkt" "curve-step.rkt"
+         "branch-start.rkt" "branch.rkt" "curve-step.rkt" "Hopf-orbit.rkt"
          "../map/map-on-tuples.rkt" "../map/period-check.rkt"
          "../../calculus/derivative.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
@@ -14,9 +14,7 @@
          "../../numeric/linear-algebra/row-matrix.rkt"
          "../../value/shape.rkt")
 
-(provide continue-equilibrium
-         ;; for other branches
-         check-family parameter-scale numbers-of with-unknowns first-point)
+(provide continue-equilibrium)
 
 ;; family : parameter -> state derivative; state : near an equilibrium where the parameter is `from`
 (define-plain (continue-equilibrium family state from to
@@ -34,46 +32,12 @@
     (numbers-of (apply up (append (if timed? (cdr given) given) (list (limits-from l))))))
   (define e (rest-equations rates x0 l))
   (define (not-found) (raise-no-equilibrium who state from (rates (up-of-numbers x0))))
-  (branch-from (family-of e state timed?) l (first-point who e l x0 not-found)))
+  (branch-from (family-of e family state timed?) l (first-point who e l x0 not-found)))
 
-(define (family-of e state timed?)
-  (family e "equilibria" #f
-          (lambda (x) (with-unknowns state timed? (up-of-numbers x)))))
-
-;; The point of the curve that is near x0, where the parameter begins; (fail) where there is none
-(define (first-point who e l x0 fail)
-  (define x (with-handlers ([exn:fail:mechanics? (lambda (_) (fail))]) (solution-near who e x0)))
-  (or (start-on-curve e x (if (< (limits-from l) (limits-to l)) 1 -1)) (fail)))
-
-;; Complains unless the family makes a state derivative of the parameter.
-(define (check-family who family state from)
-  (check-comes-first who (and (tuple? family) (procedure? state)) "family of systems" "state")
-  (unless (and (pointwise? family) (accepts? family 1))
-    (complain-of-argument who "a family, a function from a parameter to a state derivative" family))
-  (define f (family from))
-  (unless (pointwise? f)
-    (complain who
-              (string-append "the family makes no state derivative of the parameter\n  given: ~a\n"
-                             "  of ~a: ~a\n  (lambda (p) (Lagrangian->state-derivative (L p))) is one")
-              (describe-function family) (value->text from) (describe-with-value f)))
-  (check-derivative who f state))
-
-;; A tenth of the range counts as much as 1 + |x| of another unknown.
-(define (parameter-scale l) (fl* 0.1 (flabs (fl- (limits-to l) (limits-from l)))))
-
-;; The scalars of v in place of those of the state but the time; those beyond are left.
-(define (with-unknowns state timed? v)
-  (define all (scalars v))
-  (list->structure state (for/list ([x (in-list (if timed? (cons (car (scalars state)) all) all))]
-                                    [_ (in-range (shape-length state))])
-                           x)))
-
-;; The scalars of a value, which may be those of derivatives
-(define (numbers-of v)
-  (define (number x)
-    (define n (comparand x))
-    (if (real? n) n (complain-of-argument 'branch "rates and states of real numbers" n)))
-  (structure->flvector v number))
+(define (family-of e systems state timed?)
+  (define (at x) (with-unknowns state timed? (up-of-numbers x)))
+  (family e "equilibria" #f at
+          (lambda (p l) (onset-of-orbits e systems (at (point-x p)) p l))))
 
 (define (rest-equations rates x0 l)
   (define n (- (flvector-length x0) 1))

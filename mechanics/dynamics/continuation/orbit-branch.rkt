@@ -2,7 +2,7 @@
 ;; Periodic orbits, one or a branch of them as a parameter or the energy changes.
 
 (require racket/flonum
-         "branch.rkt" "curve-step.rkt" "equilibrium-branch.rkt" "orbit-equations.rkt"
+         "branch-start.rkt" "branch.rkt" "curve-step.rkt" "orbit-equations.rkt"
          "symmetric-orbit.rkt"
          "../map/period-check.rkt"
          "../../error/failure.rkt" "../../error/refusal.rkt"
@@ -13,7 +13,9 @@
          "../../numeric/flvector.rkt"
          "../../value/shape.rkt")
 
-(provide continue-periodic-orbit find-periodic-orbit periodic-orbit?)
+(provide continue-periodic-orbit find-periodic-orbit periodic-orbit?
+         ;; for those that begin elsewhere
+         orbits-from unknowns-at (rename-out [family-of orbit-family]))
 
 ;; multipliers : without those that are 1 for every orbit
 (value-struct periodic-orbit (state period multipliers)
@@ -70,7 +72,8 @@
 (define (family-of o e)
   (define n (length (start-of o)))
   (family e "periodic orbits" #t
-          (lambda (x) (state-of o (part x 0 n)))))
+          (lambda (x) (state-of o (part x 0 n)))
+          #f))
 
 ;; ---------------------------------------------------------------------------
 

@@ -12,7 +12,7 @@
 
 (require racket/flonum
          (only-in racket/list range)
-         "curve-step.rkt" "equilibrium-branch.rkt"
+         "branch-start.rkt" "curve-step.rkt"
          "../map/map-on-tuples.rkt"
          "../../calculus/derivative.rkt"
          "../../generic/up-down.rkt"

@@ -69,20 +69,26 @@
   (define-values (low low-r high high-r) (values a 0.0 b s))
   (let/ec return
     (define (at r)
-      (define guess (between e a low low-r high high-r r))
-      (define-values (p _) (point-along e a r (point-tangent a) guess))
-      (unless p
-        (define v ((equations-evaluate e) guess (point-x a)))
-        (return (point-at e guess v (point-tangent a))))
-      (if (< (* (test p) (test a)) 0.0)
-          (set!-values (high high-r) (values p r))
-          (set!-values (low low-r) (values p r)))
+      (define inside? (< low-r r high-r))
+      (define guess (and inside? (between e a low low-r high high-r r)))
+      (define-values (p _)
+        (if inside?
+            (point-along e a r (point-tangent a) guess)
+            (point-along e a r)))
+      (unless p (return (if inside? (point-there e a guess) low)))
+      (when inside?
+        (if (< (* (test p) (test a)) 0.0)
+            (set!-values (high high-r) (values p r))
+            (set!-values (low low-r) (values p r))))
       p)
     (define (value r)
       (cond [(= r 0.0) (test a)] [(= r s) (test b)] [else (test (at r))]))
     (define-values (r _error _count)
       (bracketed-root value 0.0 s #:tolerance 1e-11 #:jump void))
     (at r)))
+
+(define (point-there e a x)
+  (point-at e x ((equations-evaluate e) x (point-x a)) (point-tangent a)))
 
 ;; On the cubic from the point p to q, with their tangents, which are at p-r and q-r along that of a
 (define (between e a p p-r q q-r r)

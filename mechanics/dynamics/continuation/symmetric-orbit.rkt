@@ -5,7 +5,7 @@
 
 (require racket/flonum
          (only-in racket/list make-list range)
-         "curve-step.rkt" "equilibrium-branch.rkt" "orbit-equations.rkt"
+         "branch-start.rkt" "curve-step.rkt" "orbit-equations.rkt"
          "../map/map-on-tuples.rkt"
          "../../calculus/derivative.rkt"
          "../../generic/up-down.rkt"

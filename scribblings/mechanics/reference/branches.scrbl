@@ -183,12 +183,21 @@ A point where something changes: its kind, which is @racket['fold], @racket['pit
          branch?]{
 
 The branch that leaves another one at a pitchfork, a transcritical point, or a period doubling,
-where it is one of orbits of twice the period; @racket[direction] chooses its side.
+where it is one of orbits of twice the period; @racket[direction] chooses its side. At Hopf's point
+of an equilibrium it is that of the periodic orbits that begin there.
 
 @examples[#:eval session
 (switch-branch bottom fork)
 (acos (/ 9.8 25))
-(eval:error (switch-branch bottom 3))]}
+(eval:error (switch-branch bottom 3))]
+
+The oscillation of van der Pol begins where its damping becomes negative:
+
+@examples[#:eval session
+(define ((oscillator p) s)
+  (up (ref s 1) (- (* (- p (square (ref s 0))) (ref s 1)) (ref s 0))))
+(define still (continue-equilibrium oscillator (up 0 0) -1 1))
+(switch-branch still (car (branch-special-points still)))]}
 
 @defproc[(extend-branch [branch branch?] [#:to to (or/c real? #f) #f]
                         [#:most-steps most (or/c exact-positive-integer? #f) #f])

@@ -49,7 +49,39 @@
   ;; there the frequency is the root of 8/3 (10 + rho)
   (define growing (car (branch-special-points side)))
   (check-close (apply max (map imag-part (special-point-spectrum growing)))
-               (sqrt (* 8/3 (+ 10 470/19))) 1e-6))
+               (sqrt (* 8/3 (+ 10 470/19))) 1e-6)
+  ;; the orbits that begin there are on the side of the stable equilibrium, and unstable
+  (define orbits (switch-branch side growing #:most-steps 10))
+  (check-true (< 23 (final (branch-parameters orbits)) 470/19))
+  (check-false (final (branch-stabilities orbits))))
+
+;; r' = p r − r³, θ' = 1
+(define ((turning p) s)
+  (define-values (x y) (values (ref s 0) (ref s 1)))
+  (define r^2 (+ (square x) (square y)))
+  (up (- (* (- p r^2) x) y) (+ x (* (- p r^2) y))))
+
+(test-case "the orbits that begin at Hopf's point: circles of radius sqrt(p), of period 2 pi"
+  (define rest (continue-equilibrium turning (up 0 0) -1 1))
+  (check-equal? (kinds rest) '(Hopf))
+  (for ([side '(1 -1)])
+    (define circles (switch-branch rest (car (branch-special-points rest)) #:direction side))
+    (check-eq? (branch-end circles) 'range)
+    (check-true (< (car (branch-parameters circles)) 1e-3))
+    (for ([p (branch-parameters circles)] [s (branch-states circles)]
+          [T (branch-periods circles)] [stable? (branch-stabilities circles)])
+      (check-close (square s) p 1e-9)
+      (check-close T (* 2 :pi) 1e-9)
+      (check-true stable?))))
+
+(test-case "states with a time as well: van der Pol's orbit begins with amplitudes 2 sqrt(damping)"
+  (define ((van-der-Pol m) s)
+    (up 1 (ref s 2) (- (* (- m (square (ref s 1))) (ref s 2)) (ref s 1))))
+  (define rest (continue-equilibrium van-der-Pol (up 0 0 0) -1 1))
+  (define cycle (switch-branch rest (car (branch-special-points rest)) #:most-steps 3))
+  (define-values (p s) (values (final (branch-parameters cycle)) (final (branch-states cycle))))
+  (check-true (< 0 p 0.05))
+  (check-close (/ (+ (square (ref s 1)) (square (ref s 2))) (* 4 p)) 1 0.02))
 
 (define ((cusp p) s) (up (+ p (* 3 (ref s 0)) (* -1 (cube (ref s 0))))))
 (define hysteresis (continue-equilibrium cusp (up -2.1) -3 3))
@@ -134,7 +166,7 @@
   "  (lambda (p) (Lagrangian->state-derivative (L p))) is one"]
  [(switch-branch hysteresis (car (branch-special-points hysteresis)))
   "switch-branch: no other branch of equilibria leaves a point of this kind: fold\n"
-  "  pitchfork, transcritical and period-doubling points have one"]
+  "  pitchfork, transcritical, Hopf and period-doubling points have one"]
  [(extend-branch hysteresis #:to 2)
   "extend-branch: the branch has left that range of the parameter; #:to says how far it is to go\n"
   "  parameter at its end: 3.0\n  range: from -3.0 to 2.0"]

@@ -6,6 +6,7 @@
 
 (define (kinds b) (map special-point-kind (branch-special-points b)))
 (define (places b) (map special-point-parameter (branch-special-points b)))
+(define (final xs) (car (reverse xs)))
 
 ;; x'' + (a - 2 q cos 2t) x = 0 with q = 1.  Its characteristic values: M. Abramowitz and I. Stegun,
 ;; Handbook of Mathematical Functions, ch. 20, and DLMF 28.
@@ -102,6 +103,36 @@
   (check-true (periodic-orbit-stable? o))
   (define b (continue-periodic-orbit van-der-Pol (up 2.0 0.1) 6.5 1 2))
   (check-close (car (reverse (branch-periods b))) 7.62987448 1e-7))
+
+;; A circle of radius 1 and period 2π, across which u + iv is multiplied by exp 2π(p + i√2) in one
+;; turn: the growth p + x has the mean p.
+(define ((circle-and-spiral p) s)
+  (define-values (x y u v) (values (ref s 0) (ref s 1) (ref s 2) (ref s 3)))
+  (define to-circle (- 1 (square x) (square y)))
+  (define growth (+ p x (* -1 (square u)) (* -1 (square v))))
+  (up (- (* to-circle x) y) (+ x (* to-circle y))
+      (- (* growth u) (* (sqrt 2) v)) (+ (* (sqrt 2) u) (* growth v))))
+
+(test-case "a torus leaves an orbit where a pair of multipliers crosses the unit circle"
+  (define b (continue-periodic-orbit circle-and-spiral (up 1.0 0 0 0) (* 2 :pi) -0.2 0.2))
+  (check-equal? (kinds b) '(torus))
+  (check-close (places b) '(0) 1e-9)
+  (check-equal? (list (car (branch-stabilities b)) (final (branch-stabilities b))) '(#t #f))
+  (define turned (exp (* +i 2 :pi (sqrt 2))))
+  (check-true (for/or ([l (special-point-spectrum (car (branch-special-points b)))])
+                (< (magnitude (- l turned)) 1e-8))))
+
+(test-case "multipliers of a driven motion meet on the unit circle: Krein's collision"
+  ;; unit masses over a hill by gyroscopic forces, stable while G > 1, and shaken
+  (define drive 6)
+  (define ((shaken G) s)
+    (define-values (q v) (values (coordinate s) (velocity s)))
+    (up 1 v (up (+ (ref q 0) (* 2 G (ref v 1)) (* 1/10 (cos (* drive (time s)))))
+                (- (ref q 1) (* 2 G (ref v 0))))))
+  (define b
+    (continue-periodic-orbit shaken (up 0 (up 0 0) (up 0 0)) (/ (* 2 :pi) drive) 1.2 0.9))
+  (check-equal? (kinds b) '(Krein-collision))
+  (check-close (places b) '(1) 1e-6))
 
 (says
  [(find-periodic-orbit Henon-Heiles start 0)
