@@ -14,13 +14,16 @@
 
 (provide branch? special-point? extend-branch switch-branch branch-so-far
          ;; for those who begin one
-         (struct-out family) (struct-out limits) branch-from make-limits)
+         (struct-out family) (struct-out limits) branch-from make-limits
+         ;; for programs in other languages
+         branch-system)
 
 ;; A family of states.  noun : "equilibria", "periodic orbits"; orbit? : is its spectrum one of
 ;; multipliers?; state : unknowns -> value
 ;; onset : of equilibria, a point of Hopf's and limits -> the family of orbits that begin there and a
 ;; point of it; else #f
-(struct family (equations noun orbit? state onset) #:authentic)
+;; systems : parameter, or energy, -> state derivative
+(struct family (equations noun orbit? state onset systems) #:authentic)
 
 ;; from, to : of the parameter; first, longest : lengths of steps; most : number of them
 (struct limits (from to first longest most) #:authentic)
@@ -54,6 +57,8 @@
   (and period (map (lambda (p) (period (point-x p))) (in-order b))))
 (define (branch-spectra b) (map point-spectrum (in-order b)))
 (define (branch-stabilities b) (map (stable-in b) (in-order b)))
+;; The state derivative at a value of the parameter, or at a symbol for it
+(define (branch-system b p) ((family-systems (branch-family b)) p))
 (define (branch-special-points b) (reverse (branch-specials b)))
 
 (define ((family-state* b) p) ((family-state (branch-family b)) (point-x p)))

@@ -37,7 +37,8 @@
 (define (family-of e systems state timed?)
   (define (at x) (with-unknowns state timed? (up-of-numbers x)))
   (family e "equilibria" #f at
-          (lambda (p l) (onset-of-orbits e systems (at (point-x p)) p l))))
+          (lambda (p l) (onset-of-orbits e systems (at (point-x p)) p l))
+          systems))
 
 (define (rest-equations rates x0 l)
   (define n (- (flvector-length x0) 1))

@@ -73,7 +73,7 @@
   (define n (length (start-of o)))
   (family e "periodic orbits" #t
           (lambda (x) (state-of o (part x 0 n)))
-          #f))
+          #f (orbits-family o)))
 
 ;; ---------------------------------------------------------------------------
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Tables written to files: trajectories, sections, ensembles, row after row.
+;; Tables written to files: trajectories, branches, sections, ensembles, row after row.
 
 (require "CSV.rkt" "NPY.rkt" "NPZ.rkt" "table-format.rkt" "written-rows.rkt"
          "../../generic/define-plain.rkt" "../../generic/output-file.rkt")
@@ -8,7 +8,7 @@
 
 (define who 'write-table)
 
-;; data : a trajectory, a table, or a sequence of states and other rows, taken one by one
+;; data : a trajectory, a branch, a table, or a sequence of states and other rows, taken one by one
 (define-plain (write-table data file #:names [names #f] #:times [times #f])
   (define format (table-format who file))
   (check-file who file)

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; What can be written as a table, as rows of flonums with the names of their columns.
 ;;
-;; A trajectory has a row for each of its times.  Anything else is a sequence, taken item after
+;; A trajectory has a row for each of its times, a branch one for each of its points.  Anything else is a sequence, taken item after
 ;; item: states, points of a section, occurrences, numbers, lists of numbers; and failures of an
 ;; ensemble, whose rows are not-a-number throughout, so that row k stays that of start k.
 
@@ -9,6 +9,7 @@
          "number-table.rkt"
          "../ensemble/evolve-ensemble.rkt"
          "../export/state-variables.rkt"
+         "../../dynamics/continuation/branch.rkt"
          "../../error/complain.rkt" "../../error/message-words.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
          "../../generic/wrong-argument.rkt"
@@ -26,6 +27,7 @@
     (complain who "#:times are those at which a trajectory is written\n  given: ~a"
               (describe-with-value data)))
   (cond [(trajectory? data) (trajectory-rows data names times)]
+        [(branch? data) (item-rows (branch-rows data) (or names (branch-names data)))]
         [(number-table? data) (item-rows (table-rows data) (or names (table-names data)))]
         [else (item-rows data names)]))
 
@@ -53,6 +55,21 @@
 (define (tells-time? state t)
   (define first (car (scalars state)))
   (and (real? first) (= first t)))
+
+;; ---------------------------------------------------------------------------
+;; Branches: parameter, state, period of orbits, and 1 where it is stable
+
+(define (branch-rows b)
+  (define states (branch-states b))
+  (for/list ([p (in-list (branch-parameters b))] [state (in-list states)]
+             [T (in-list (or (branch-periods b) states))] [stable? (in-list (branch-stabilities b))])
+    (apply up p (append (scalars state) (if (branch-periods b) (list T) '())
+                        (list (if stable? 1 0))))))
+
+(define (branch-names b)
+  (append '(parameter)
+          (names-of (car (branch-states b)) (branch-system b (car (branch-parameters b))))
+          (if (branch-periods b) '(period) '()) '(stable)))
 
 ;; ---------------------------------------------------------------------------
 ;; Sequences
@@ -107,7 +124,7 @@
   (if (tells-time? state t) state (up t state)))
 
 ;; As programs in other languages name them: t, q and v for a state (up t q v).
-(define (names-of item)
+(define (names-of item [derivative #f])
   (define example (content item))
   (define local? (and (tuple? example) (local-state? (structure->list example))))
-  (suggested-names #f example (and local? (not (list? item)))))
+  (suggested-names derivative example (and local? (not (list? item)))))

@@ -10,8 +10,9 @@
 
 (require racket/file
          racket/path
-         "C.rkt" "JAX.rkt" "exported-system.rkt" "variable-names.rkt" "python.rkt"
+         "C.rkt" "JAX.rkt" "exported-branch.rkt" "exported-system.rkt" "variable-names.rkt" "python.rkt"
          "../../algebra/expression/symbols.rkt"
+         (only-in "../../dynamics/continuation/branch.rkt" branch?)
          "../../error/complain.rkt" "../../error/machine-limits.rkt"
          "../../generic/define-plain.rkt" "../../generic/describe.rkt"
          "../../generic/up-down.rkt")
@@ -29,7 +30,7 @@
 
 (define (call-receiving-exports receive use) (parameterize ([receiver receive]) (use)))
 
-;; derivative : state -> state; example : a state of numbers, or of symbols to name variables
+;; derivative : state -> state, or a branch; example : a state of numbers, or of symbols to name variables
 ;; -> the folder's name, complete
 (define-plain (export-system derivative example
                              #:language [target 'C]
@@ -44,14 +45,15 @@
   (when (and (tuple? derivative) (not (tuple? example)))
     (complain who "the state derivative comes first, then an example of a state\n  given first: ~a"
               (describe-with-value derivative)))
-  (define (ready) (make-exported who derivative example text parameters derivatives?))
+  (define make (if (branch? derivative) make-exported-branch make-exported))
+  (define (ready) (make who derivative example text parameters derivatives?))
   (cond [(receiver) => (lambda (receive) (receive (ready)) (format "~a" folder))]
         [else (path->string (write-exported who (ready) target folder replace? "#:replace? #t"))]))
 
 ;; s : exported; again : what is to be typed to write over an export -> the folder
 (define (write-exported who s target folder replace? again)
   (define to (checked-folder who folder replace? again))
-  (write-folder who to ((files-for target) who s))
+  (write-folder who to (append ((files-for target) who s) (exported-tables s)))
   to)
 
 (define targets (list (cons 'C C-files) (cons 'python python-files) (cons 'JAX JAX-files)))

@@ -25,7 +25,8 @@
 ;; slope      : program of variables and parameters, whose values are the rates
 ;; jacobian   : program of the same, the derivatives of each rate by each variable and
 ;;              parameter, row by row; or #f
-(struct exported (name definition variables parameters clock? slope jacobian) #:authentic)
+;; tables     : alist of further files and their texts
+(struct exported (name definition variables parameters clock? slope jacobian tables) #:authentic)
 
 (define (exported-size s) (length (exported-variables s)))
 (define (exported-parameter-count s) (length (exported-parameters s)))
@@ -55,7 +56,7 @@
   (define s
     (exported name definition
               (all-named given (suggested-names derivative example clock?) parameters)
-              parameters clock? p #f))
+              parameters clock? p #f '()))
   (if derivatives? (with-jacobian s) s))
 
 (define (with-jacobian s) (struct-copy exported s [jacobian (tangent-program (exported-slope s))]))

@@ -11,7 +11,7 @@ Numbers that go to other programs, and numbers that were measured.
 
 @section{Tables}
 
-@defproc[(write-table [data (or/c trajectory? number-table? (sequence/c row))] [file path-string?]
+@defproc[(write-table [data (or/c trajectory? branch? number-table? (sequence/c row))] [file path-string?]
                       [#:names names (or/c (listof (or/c symbol? string?)) #f) #f]
                       [#:times times (or/c (listof real?) #f) #f])
          void?]{
@@ -29,7 +29,8 @@ format:
  @tt{numpy.load(file)['q']} is a column, and it is the smallest of the three.}]
 
 A trajectory has a row for the end of each step, or for each of the @racket[times]; if its
-state does not tell the time, the time is the first column. Any other sequence has a row for each
+state does not tell the time, the time is the first column. A branch has a row for each point: the
+parameter, the state, the period of an orbit, and 1 where it is stable. Any other sequence has a row for each
 item: a state of any shape, a point of a section, an occurrence, a number, a list of numbers, or a
 failure of an ensemble, whose row is not-a-number throughout, so that row @italic{k} is that of
 start @italic{k}. Items are taken one by one, and a million of them take no more memory than a

@@ -110,7 +110,7 @@ or @racket[#f] if there is none.
 
 @section{Systems in other languages}
 
-@defproc[(export-system [derivative (-> state rates)] [example state-of-numbers-or-symbols]
+@defproc[(export-system [derivative (or/c (-> state rates) branch?)] [example state-of-numbers-or-symbols]
                         [#:language language (or/c 'C 'python 'JAX) 'C]
                         [#:name name (or/c string? symbol?) "motion"]
                         [#:folder folder path-string? (format "~a-~a" name language)]
@@ -169,6 +169,11 @@ export and @racket[replace?] is true: then files of the export are written over,
 error names operations that cannot be exported: a decision by the state, or an unknown function. A
 motion under constraints (@racket[constrained-state-derivative]) is exported by its rates; its
 steps are not brought back to the constraints there.
+
+A branch (@secref["branches"]) in place of the derivative is exported as the system of its family,
+whose parameter is the symbol in @racket[parameters], else @racket['parameter]. Beside it are written
+its points, @filepath{starts.txt}, which the program in C reads, a line for each with the value of
+the parameter, and of orbits their periods, @filepath{periods.txt}.
 
 A program says by @racket[export-system] what @exec{raco mechanics export} exports of it
 (@secref["guide-scales"]): run by that command, it writes nothing itself, and
