@@ -19,9 +19,10 @@
 ;;
 ;; All of these join the state, and are integrated with it as one motion, traced once.
 
-(require "map/period-check.rkt"
+(require "map-indicator.rkt" "map/period-check.rkt"
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/elementary.rkt"
+         "../generic/function-check.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../motion/evolution.rkt" "../motion/linearized-flow.rkt" "../motion/observed-systems.rkt"
          "../motion/system/check.rkt"
@@ -34,9 +35,15 @@
 (define who 'chaos-indicator)
 
 ;; f : state derivative -> the indicator of the motion from the state for the duration
+;; or a map of the plane -> that of the orbit from a point for so many steps
 (define-plain (chaos-indicator f state duration
                                #:indicator [kind 'FLI] #:tolerance [tolerance 1e-10])
   (check-kind who kind)
+  (if (takes-arguments? f 4)
+      (map-indicator who f state duration kind)
+      (motion-indicator f state duration kind tolerance)))
+
+(define (motion-indicator f state duration kind tolerance)
   (check-derivative who f state)
   (check-positive who "duration" duration)
   (check-tolerance who tolerance)

@@ -34,5 +34,5 @@
  ["Lyapunov.rkt" Lyapunov-exponents maximal-Lyapunov-exponent Lyapunov? Lyapunov-values
                  Lyapunov-history Lyapunov-change]
  ["chaos-indicator.rkt" chaos-indicator]
- ["fast-Lyapunov-indicator.rkt" fast-Lyapunov-indicator]
+ ["map-indicator.rkt" fast-Lyapunov-indicator]
  ["map/orbit-stream.rkt" circle-map orbit-stream position-stream compare-streams])

@@ -10,8 +10,9 @@
          "../../generic/printed-function.rkt" "../../generic/wrong-argument.rkt"
          "../../dynamics/map/map-of-the-plane.rkt")
 
-(require-on-demand ["../../dynamics/fast-Lyapunov-indicator.rkt" indicator-grid]
+(require-on-demand ["../../dynamics/map-indicator.rkt" indicator-grid]
                    ["motion-indicators.rkt" motion-indicators]
+                   ["../../dynamics/chaos-indicator.rkt" check-kind]
                    ["../../dynamics/map/plane-points.rkt" part-middle])
 
 (provide chaos-map)
@@ -28,20 +29,43 @@
   (unless state-at
     (check-no-motion who system)
     (check-map who system)
-    (unless (eq? kind 'FLI)
-      (complain who "of maps of the plane there is the indicator 'FLI alone")))
+    (check-kind who kind)
+    (when file
+      (complain who "a checkpoint is for motions, with #:state\n  file: ~a" file)))
   (define-values (across up) (numbers-of-samples who samples))
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
   ;; rows from above, as those of a raster
   (define-values (xs ys) (values (middles x-min x-max across) (middles y-max y-min up)))
-  (define indicators
-    (if state-at
-        (motion-indicators who system state-at xs ys n #:indicator kind
-                           #:tolerance tolerance #:jobs jobs #:checkpoint file)
-        (indicator-grid who system xs ys n)))
-  (add-layer! who f (make-style who 'image 0 0 'solid #f)
-              (raster across up (colored indicators (chaos-share kind n))))
+  (define show! (growing-image who f across up (chaos-share kind n (not state-at))))
+  (show!
+   (if state-at
+       (motion-indicators who system state-at xs ys n #:indicator kind #:grown show!
+                          #:tolerance tolerance #:jobs jobs #:checkpoint file)
+       (indicator-grid who system xs ys n kind #:grown show!)))
   f)
+
+;; At most so many pictures are made while an image grows.
+(define most-pictures 50)
+
+;; -> a procedure that shows the indicators so far, which it is called with after each row; all of
+;; them where it was called so often
+(define (growing-image who f across up share)
+  (define style (make-style who 'image 0 0 'solid #f))
+  (define rows (quotient (+ up most-pictures -1) most-pictures))
+  (define calls 0)
+  (define last #f)
+  (define (exchange! image)
+    (define layers (frame-layers f))
+    (replace-layers! who f
+                     (if last
+                         (for/list ([l (in-list layers)]) (if (eq? l last) image l))
+                         (cons image layers)))
+    (set! last image))
+  (lambda (indicators)
+    (define whole? (for/and ([x (in-flvector indicators)]) (not (eqv? x -inf.0))))
+    (set! calls (+ calls 1))
+    (when (or whole? (eqv? 0 (modulo calls rows)))
+      (exchange! (layer style (raster across up (colored indicators share)))))))
 
 (define (check-no-motion who system)
   (when (memq (made-by system) '(stroboscopic-map Poincare-map))
@@ -67,22 +91,26 @@
 ;; ---------------------------------------------------------------------------
 ;; Colours
 
-;; share : indicator -> 0 for regular, 1 for chaotic
+;; share : indicator -> 0 for regular, 1 for chaotic; -inf.0 is not known yet, and transparent
 (define (colored indicators share)
   (define bytes (make-bytes (* 4 (flvector-length indicators)) 255))
   (for ([value (in-flvector indicators)] [k (in-naturals)])
-    (for ([c (in-list (color-between (share value)))] [i (in-naturals 1)])
-      (bytes-set! bytes (+ (* 4 k) i) c)))
+    (if (eqv? value -inf.0)
+        (bytes-set! bytes (* 4 k) 0)
+        (for ([c (in-list (color-between (share value)))] [i (in-naturals 1)])
+          (bytes-set! bytes (+ (* 4 k) i) c))))
   bytes)
 
 ;; FLI is about log n for a regular orbit; three times that is chaos beyond doubt.  MEGNO is 2 for
-;; a regular motion, SALI falls to nothing for a chaotic one.
-(define (chaos-share kind n)
+;; a regular motion, SALI falls to nothing for a chaotic one; of a map of the plane it is about 1/n²
+;; for a regular orbit.
+(define (chaos-share kind n map?)
+  (define aligned (if map? (* -2.0 (log n 10)) 0.0))
   (define regular (log (max n 2) 10))
   (case kind
     [(FLI) (lambda (x) (/ (- x (* 0.5 regular)) (* 2.5 regular)))]
     [(MEGNO) (lambda (x) (/ (- x 1.0) 5.0))]
-    [(SALI) (lambda (x) (if (= x 0) 1.0 (/ (log x 10) -8.0)))]))
+    [(SALI) (lambda (x) (if (= x 0) 1.0 (/ (- (log x 10) aligned) -8.0)))]))
 
 ;; From dark blue, regular, by red to yellow, chaotic; grey where the orbit ends.
 (define stops '((20 20 90) (60 60 160) (200 60 70) (250 160 50) (255 240 150)))

@@ -390,7 +390,7 @@ more; @racket[chaos-map] draws it. (C. Froeschlé, E. Lega and R. Gonczi 1997.)
 (fast-Lyapunov-indicator (standard-map 1.0) (up :pi 1))
 (fast-Lyapunov-indicator (standard-map 1.0) (up 0.1 0.1))]}
 
-@defproc[(chaos-indicator [derivative (-> value value)] [state value] [duration real?]
+@defproc[(chaos-indicator [system (or/c (-> value value) map)] [state value] [duration real?]
                           [#:indicator indicator (or/c 'FLI 'MEGNO 'SALI) 'FLI]
                           [#:tolerance tolerance real? 1e-10])
          real?]{
@@ -409,9 +409,12 @@ are integrated beside it:
  opposite. It stays where the motion is regular, and falls to 0 within rounding where it is
  chaotic.}]
 
+Of a map of the plane the state is a point and the duration a number of steps; SALI falls as their
+inverse square then where the orbit is regular, and the indicator of an orbit that ends is
+@racket[+nan.0].
+
 The state may have any shape, and units are any consistent ones. It is an error if the motion cannot
-be followed to the end. @racket[chaos-map] draws the indicators of many motions; of maps there is
-@racket[fast-Lyapunov-indicator]. (P. M. Cincotta and C. Simó 2000; Ch. Skokos 2001.)
+be followed to the end. @racket[chaos-map] draws the indicators of many motions or orbits. (P. M. Cincotta and C. Simó 2000; Ch. Skokos 2001.)
 
 @examples[#:eval session
 (define regular (section->state 1/8 0.1 0))

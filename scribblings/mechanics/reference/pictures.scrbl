@@ -341,7 +341,8 @@ starts to a side. Blue is regular, yellow chaotic, red between the two, and grey
 ends. What is drawn afterwards is above it.
 
 Orbits of a map are followed for @racket[n] steps with a displacement of each, and tell by their
-@racket[fast-Lyapunov-indicator]. All cores work where the map can be compiled.
+@racket[chaos-indicator]. All cores work where the map can be compiled. In a window the picture
+grows while it is made; it stays as far as it came if it is broken off.
 
 @examples[#:eval session
 (define ((kicked-rotor K) theta I return fail)

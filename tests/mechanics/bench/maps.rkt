@@ -5,7 +5,7 @@
 (require racket/flonum
          (only-in mechanics golden-ratio invariant-circle iterated-map
                   maximal-Lyapunov-exponent up)
-         (only-in mechanics/dynamics/fast-Lyapunov-indicator indicator-grid)
+         (only-in mechanics/dynamics/map-indicator indicator-grid)
          (only-in mechanics/plot explore-map frame)
          (only-in mechanics/show/plot/frame frame->bytes)
          (only-in mechanics/book HHmap driven-pendulum-map [standard-map book-standard-map])

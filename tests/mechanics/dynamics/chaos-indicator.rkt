@@ -4,6 +4,8 @@
 (require mechanics
          mechanics/book mechanics/plot
          mechanics/show/plot/motion-indicators
+         (only-in mechanics/show/plot/frame frame-now)
+         (only-in mechanics/show/plot/picture-layer layer-data raster-bytes)
          racket/flonum
          "../support/checks.rkt" "../support/folder.rkt" "../support/messages.rkt")
 
@@ -44,6 +46,22 @@
   (check-true (< (of (HHsysder) 2000 'SALI sea) 1e-8))
   (check-true (> (of (HHsysder) 2000 'SALI island) 0.1)))
 
+;; Arnold's cat, of exponent log (3 + √5)/2, and a shear, of both of which all is known
+(define (cat x y return fail) (return (+ x y) (+ x y y)))
+(define (shear x y return fail) (return (+ x y) y))
+(define cat-rate (log (/ (+ 3 (sqrt 5)) 2)))
+
+(test-case "the same of maps of the plane, for so many steps"
+  (define (of map n kind) (chaos-indicator map (up 0 0) n #:indicator kind))
+  (check-close (/ (of cat 1000 'MEGNO) (* 500 cat-rate)) 1 0.01)
+  (check-close (of shear 100000 'MEGNO) 2 0.01)
+  (check-close (/ (log (/ (of cat 9 'SALI) (of cat 6 'SALI))) (* -6 cat-rate)) 1 1e-3)
+  (check-close (* (square 1000) (of shear 1000 'SALI)) (/ 1 (* 0.8 0.6)) 0.01)
+  (check-equal? (of cat 50 'FLI) (fast-Lyapunov-indicator cat (up 0 0) 50))
+  (check-equal? (of (lambda (x y return fail) (if (> x -1) (cat x y return fail) (fail)))
+                    20 'MEGNO)
+                (of cat 20 'MEGNO)))
+
 (test-case "a state without the time"
   (define (turning s) (up (ref s 1) (- (ref s 0))))
   (check-close (of turning 10 'MEGNO (up 1.0 0.0)) 0 1e-7))
@@ -81,13 +99,41 @@
                         (format "~a" (chaos-map (picture) driven 5 #:samples 2 #:state at-zero
                                                 #:indicator kind #:jobs 1)))))
 
+(test-case "a picture of a map by each of them: the island at the middle is regular"
+  (for ([kind '(FLI MEGNO SALI)])
+    (define f (frame 0 :2pi 0 :2pi #:width 60 #:height 60))
+    (chaos-map f (standard-map 1.0) 1000 #:samples '(3 6) #:indicator kind)
+    (define r (layer-data (car (frame-now f))))
+    (define (color row column)
+      (define k (* 4 (+ column (* 3 row))))
+      (bytes->list (subbytes (raster-bytes r) (+ k 1) (+ k 4))))
+    (check-true (> (caddr (color 5 1)) (car (color 5 1))))    ; at (π, 0.5), blue
+    (check-false (> (caddr (color 5 0)) (car (color 5 0))))))
+
+(test-case "a picture grows row by row, and stays as far as it came"
+  (define seen '())
+  (define (note! all)
+    (set! seen (cons (for/sum ([x (in-flvector all)]) (if (= x -inf.0) 0 1)) seen)))
+  (motion-indicators 'chaos-map driven (lambda (x y) (up 0 x y)) (flvector -1.0 0.5)
+                     (flvector 0.0 1.0 1.5) 5.0 #:indicator 'FLI #:tolerance 1e-10 #:jobs 1
+                     #:checkpoint #f #:grown note!)
+  (check-equal? (reverse seen) '(2 4 6))
+  (define (breaks-below x y return fail)
+    (if (< y 1) (error "broken off") (cat x y return fail)))
+  (define f (frame 0 2 0 2 #:width 60 #:height 60))
+  (check-exn #rx"broken off" (lambda () (chaos-map f breaks-below 1 #:samples 4)))
+  (define r (layer-data (car (frame-now f))))
+  (check-equal? (for/list ([row 4]) (bytes-ref (raster-bytes r) (* 16 row))) '(255 255 0 0)))
+
 (says
  [(of driven 5 'fli)
   "chaos-indicator: expected 'FLI, 'MEGNO or 'SALI\n  given: the symbol fli"]
  [(of driven -5 'FLI)
   "chaos-indicator: expected a positive duration\n  given: the number -5"]
- [(chaos-map (picture) (standard-map 1) 5 #:indicator 'MEGNO)
-  "chaos-map: of maps of the plane there is the indicator 'FLI alone"]
+ [(chaos-map (picture) (standard-map 1) 5 #:indicator 'megno)
+  "chaos-map: expected 'FLI, 'MEGNO or 'SALI\n  given: the symbol megno"]
+ [(chaos-map (picture) (standard-map 1) 5 #:checkpoint "a.ensemble")
+  "chaos-map: a checkpoint is for motions, with #:state\n  file: a.ensemble"]
  [(chaos-map (picture) (stroboscopic-map oscillator 1) 5)
   "chaos-map: motions are followed by their state derivative, with their variations\n"
   "  given: (stroboscopic-map oscillator 1)\n"

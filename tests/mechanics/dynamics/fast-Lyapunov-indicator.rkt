@@ -3,7 +3,7 @@
 
 (require mechanics
          mechanics/book
-         (only-in mechanics/dynamics/fast-Lyapunov-indicator indicator-grid)
+         (only-in mechanics/dynamics/map-indicator indicator-grid)
          racket/flonum
          "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt")
 
