@@ -91,7 +91,7 @@
 ;; Where orbits start
 
 (define (check-exploration who f map n)
-  (check-open who f)
+  (check-plain who f)
   (check-map who map)
   (check-argument who exact-nonnegative-integer? n
                   "how many points an orbit has, a natural number"))

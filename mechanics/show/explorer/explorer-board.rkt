@@ -136,7 +136,8 @@
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
   (define-values (width height) (values (pixels-width p) (pixels-height p)))
   (define a
-    (area (view (pixels-bounds p) #f #f #f width height #f)
+    (area (view (pixels-bounds p) #f #f #f width height #f '(linear linear))
+          #f
           (ticks-between x-min x-max) (ticks-between y-min y-max)
           (->fl left) (->fl (+ left width)) (->fl top) (->fl (+ top height))))
   (call-with-canvas dc 0 0 (lambda () (draw-axes dc a))))

@@ -3,8 +3,7 @@
 
 (require racket/flonum
          racket/future
-         (only-in racket/math exact-floor exact-round)
-         "frame.rkt" "picture-layer.rkt" "style.rkt"
+         "color-map.rkt" "frame.rkt" "picture-layer.rkt" "style.rkt"
          "../../error/complain.rkt"
          "../../generic/describe.rkt" "../../generic/on-demand.rkt"
          "../../generic/printed-function.rkt" "../../generic/wrong-argument.rkt"
@@ -23,20 +22,26 @@
 ;; -> the frame
 (define (chaos-map f system [n 1000] #:samples [samples 200]
                    #:state [state-at #f] #:indicator [kind 'FLI] #:tolerance [tolerance 1e-10]
-                   #:jobs [jobs (processor-count)] #:checkpoint [file #f])
+                   #:jobs [jobs (processor-count)] #:checkpoint [file #f]
+                   #:colors [colors 'dusk] #:bar? [bar? #f])
   (define who 'chaos-map)
-  (check-open who f)
+  (check-plain who f)
   (unless state-at
     (check-no-motion who system)
     (check-map who system)
     (check-kind who kind)
     (when file
       (complain who "a checkpoint is for motions, with #:state\n  file: ~a" file)))
+  (check-argument who (lambda (c) (memq c color-map-names)) colors
+                  (format "a colour map, one of ~a" color-map-names))
   (define-values (across up) (numbers-of-samples who samples))
   (define-values (x-min x-max y-min y-max) (apply values (frame-bounds f)))
   ;; rows from above, as those of a raster
   (define-values (xs ys) (values (middles x-min x-max across) (middles y-max y-min up)))
-  (define show! (growing-image who f across up (chaos-share kind n (not state-at))))
+  (define bar (indicator-bar kind n (not state-at) colors))
+  (define (image indicators)
+    (raster across up (colored indicators bar (shown-as kind)) (and bar? bar)))
+  (define show! (growing-image who f up image))
   (show!
    (if state-at
        (motion-indicators who system state-at xs ys n #:indicator kind #:grown show!
@@ -47,9 +52,10 @@
 ;; At most so many pictures are made while an image grows.
 (define most-pictures 50)
 
+;; image : indicators -> raster
 ;; -> a procedure that shows the indicators so far, which it is called with after each row; all of
 ;; them where it was called so often
-(define (growing-image who f across up share)
+(define (growing-image who f up image)
   (define style (make-style who 'image 0 0 'solid #f))
   (define rows (quotient (+ up most-pictures -1) most-pictures))
   (define calls 0)
@@ -65,7 +71,7 @@
     (define whole? (for/and ([x (in-flvector indicators)]) (not (eqv? x -inf.0))))
     (set! calls (+ calls 1))
     (when (or whole? (eqv? 0 (modulo calls rows)))
-      (exchange! (layer style (raster across up (colored indicators share)))))))
+      (exchange! (layer style (image indicators))))))
 
 (define (check-no-motion who system)
   (when (memq (made-by system) '(stroboscopic-map Poincare-map))
@@ -91,35 +97,28 @@
 ;; ---------------------------------------------------------------------------
 ;; Colours
 
-;; share : indicator -> 0 for regular, 1 for chaotic; -inf.0 is not known yet, and transparent
-(define (colored indicators share)
+;; shown : indicator -> number on the bar; -inf.0 is an indicator that is not known yet, and transparent
+(define (colored indicators bar shown)
   (define bytes (make-bytes (* 4 (flvector-length indicators)) 255))
+  (define-values (from to) (values (color-bar-from bar) (color-bar-to bar)))
+  (define (color x) (color-between (color-bar-colors bar) (/ (- (shown x) from) (- to from))))
   (for ([value (in-flvector indicators)] [k (in-naturals)])
     (if (eqv? value -inf.0)
         (bytes-set! bytes (* 4 k) 0)
-        (for ([c (in-list (color-between (share value)))] [i (in-naturals 1)])
+        (for ([c (in-list (color value))] [i (in-naturals 1)])
           (bytes-set! bytes (+ (* 4 k) i) c))))
   bytes)
 
-;; FLI is about log n for a regular orbit; three times that is chaos beyond doubt.  MEGNO is 2 for
-;; a regular motion, SALI falls to nothing for a chaotic one; of a map of the plane it is about 1/n²
-;; for a regular orbit.
-(define (chaos-share kind n map?)
-  (define aligned (if map? (* -2.0 (log n 10)) 0.0))
+;; What the colours go from, regular, to, chaotic.  FLI is about log n for a regular orbit; three
+;; times that is chaos beyond doubt.  MEGNO is 2 for a regular motion.  SALI, shown by its logarithm,
+;; falls to nothing for a chaotic one; of a map of the plane it is about 1/n² for a regular orbit.
+(define (indicator-bar kind n map? colors)
   (define regular (log (max n 2) 10))
   (case kind
-    [(FLI) (lambda (x) (/ (- x (* 0.5 regular)) (* 2.5 regular)))]
-    [(MEGNO) (lambda (x) (/ (- x 1.0) 5.0))]
-    [(SALI) (lambda (x) (if (= x 0) 1.0 (/ (- (log x 10) aligned) -8.0)))]))
+    [(FLI) (color-bar colors (* 0.5 regular) (* 3.0 regular) "FLI")]
+    [(MEGNO) (color-bar colors 1.0 6.0 "MEGNO")]
+    [(SALI) (let ([from (if map? (* -2.0 regular) 0.0)])
+              (color-bar colors from (- from 8.0) "log SALI"))]))
 
-;; From dark blue, regular, by red to yellow, chaotic; grey where the orbit ends.
-(define stops '((20 20 90) (60 60 160) (200 60 70) (250 160 50) (255 240 150)))
-(define nowhere '(190 190 190))
-
-(define (color-between share)
-  (cond [(not (= share share)) nowhere]
-        [else
-         (define at (* (max 0.0 (min 1.0 share)) (- (length stops) 1)))
-         (define k (min (- (length stops) 2) (exact-floor at)))
-         (for/list ([a (in-list (list-ref stops k))] [b (in-list (list-ref stops (+ k 1)))])
-           (exact-round (+ a (* (- at k) (- b a)))))]))
+(define (shown-as kind)
+  (if (eq? kind 'SALI) (lambda (x) (if (= x 0.0) -20.0 (log x 10))) values))

@@ -15,7 +15,7 @@
                              #:color [color 0] #:width [width 1] #:style [dash 'solid]
                              #:label [label #f])
   (define who 'plot-contours)
-  (check-open who f)
+  (check-plain who f)
   (check-function who function 2)
   (define all (if (list? levels) levels (list levels)))
   (for ([level (in-list all)]) (check-number who "a level" level))

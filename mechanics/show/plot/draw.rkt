@@ -2,9 +2,10 @@
 ;; Drawing in frames (SICM 1.4, p. 23; 1.7, p. 76; 4.3, p. 308).
 
 (require racket/flonum
-         "plotted-number.rkt" "frame.rkt" "points.rkt" "style.rkt"
+         "plotted-number.rkt" "frame.rkt" "points.rkt" "style.rkt" "view.rkt"
          "../../error/complain.rkt" (only-in "../../error/progress.rkt" call-counting)
-         "../../generic/define-plain.rkt" "../../generic/describe.rkt")
+         "../../generic/define-plain.rkt" "../../generic/describe.rkt"
+         "../../generic/wrong-argument.rkt")
 
 (provide plot-point plot-line plot-function plot-parametric plot-parametric-fill
          ;; for the curves of motions
@@ -34,13 +35,25 @@
 
 (define-line (plot-function f function from to [step #f]) who style 'curve
   (check-function who function 1)
-  (draw-curve who f style (range who from to step)
+  (draw-curve who f style (abscissas who f from to step)
               (lambda (x what) (values x (coordinate-of who what (function x))))))
 
 (define-line (plot-parametric f curve from to [step #f]) who style 'curve
   (check-function who curve 1)
   (draw-curve who f style (range who from to step)
               (lambda (t what) (plane-point who what (curve t)))))
+
+;; On a logarithmic axis all of them without a step have one ratio.
+(define (abscissas who f from to step)
+  (if (and (not step) (eq? 'log (car (view-scales (frame-view f)))))
+      (map exp (range who (log (positive who from)) (log (positive who to)) #f))
+      (range who from to step)))
+
+(define (positive who x)
+  (define number (check-number who "an end" x))
+  (unless (> number 0)
+    (complain-of-argument who "a positive end, for a logarithmic axis," x))
+  number)
 
 ;; Without a step there are 500 steps.
 (define (range who from to step)

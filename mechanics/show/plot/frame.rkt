@@ -24,7 +24,7 @@
  frame-points frame-curves
  graphics-clear graphics-close
  ;; for drawing
- check-frame check-open frame-bounds add-dot! add-line! add-layer!
+ check-frame check-open check-plain frame-bounds add-dot! add-line! add-layer!
  frame-layers replace-layers!
  ;; for showing
  frame-view frame-now frame->bytes show-frame seen
@@ -52,9 +52,10 @@
 (define-plain (frame x-min x-max y-min y-max
                      #:title [title #f] #:x-label [x-label #f] #:y-label [y-label #f]
                      #:width [width 400] #:height [height 400]
-                     #:aspect-ratio [aspect-ratio #f])
+                     #:aspect-ratio [aspect-ratio #f]
+                     #:x-scale [x-scale 'linear] #:y-scale [y-scale 'linear])
   (new-frame (make-view (list x-min x-max y-min y-max) title x-label y-label
-                        width height aspect-ratio)
+                        width height aspect-ratio (list x-scale y-scale))
              (make-semaphore 1) '() #f 0 #f))
 
 (define (check-frame who f)
@@ -64,6 +65,13 @@
 (define (check-open who f)
   (check-frame who f)
   (when (frame-closed? f) (raise-closed who f)))
+
+;; Complains of a frame with logarithmic axes, for what is drawn on plain ones alone.
+(define (check-plain who f)
+  (check-open who f)
+  (unless (plain-axes? (frame-view f))
+    (complain who "this is drawn on plain axes; the frame has logarithmic ones\n  frame: ~a"
+              (frame->text f))))
 
 (define (raise-closed who f)
   (complain-showing who "the frame is closed; make a new one to draw in" "frame" f))

@@ -28,7 +28,7 @@
 (define (plot-phase-portrait f energy #:orbits [orbits 12] #:samples [samples 201]
                              #:color [color 'gray] #:separatrix-color [separatrix-color 'red])
   (define who 'plot-phase-portrait)
-  (check-open who f)
+  (check-plain who f)
   (check-energy-function who energy)
   (unless (and (exact-nonnegative-integer? orbits) (<= orbits 500))
     (complain-of-argument who "how many orbits, from 0 to 500" orbits))

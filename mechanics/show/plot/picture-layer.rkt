@@ -23,8 +23,8 @@
 (struct field (rows count level) #:prefab)
 
 ;; Colours of equal parts of the view, `width` across and `height` down: bytes of alpha, red,
-;; green, blue.
-(struct raster (width height bytes) #:prefab)
+;; green, blue.  bar : what these mean, or #f
+(struct raster (width height bytes bar) #:prefab)
 
 (define (layer-kind l) (style-kind (layer-style l)))
 

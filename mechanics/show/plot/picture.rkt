@@ -4,7 +4,7 @@
 
 (require (only-in racket/class new send send*)
          (only-in racket/draw bitmap-dc% current-ps-setup make-bitmap pdf-dc% region% svg-dc%)
-         (only-in racket/flonum in-flvector)
+         (only-in racket/flonum for/flvector in-flvector)
          "clipped-lines.rkt" "level-lines.rkt" "picture-layer.rkt" "plot-axes.rkt"
          "plot-canvas.rkt" "plot-colors.rkt" "plot-images.rkt" "plot-legend.rkt" "points.rkt"
          "svg-digits.rkt" "view.rkt")
@@ -54,10 +54,11 @@
 ;; x, y : where the upper left corner is to be
 ;; Images are beneath the axes; above are the layers, then all that have very many points, as one
 ;; image, and the legend.
-(define (draw-picture dc v given-layers x y)
-  (define layers (sized v given-layers))
+(define (draw-picture dc given-view given-layers x y)
+  (define v (with-logarithms given-view))
+  (define layers (map (layer-with-logarithms v) (sized v given-layers)))
   (define (draw)
-    (define a (plot-area dc v))
+    (define a (plot-area dc v (bar-of layers)))
     (draw-box dc 0 0 (view-width v) (view-height v) "white" #f)
     (for ([l (in-list layers)] #:when (eq? (layer-kind l) 'image))
       (draw-raster dc a (layer-data l)))
@@ -71,6 +72,9 @@
     (draw-legend dc a layers))
   (call-with-canvas dc x y draw))
 
+(define (bar-of layers)
+  (for/or ([l (in-list layers)] #:when (eq? (layer-kind l) 'image)) (raster-bar (layer-data l))))
+
 ;; The lines of the axes are within.
 (define (clip-to! dc a outside)
   (define region (new region% [dc dc]))
@@ -80,15 +84,43 @@
   (send dc set-clipping-region region))
 
 ;; across, down : a place as shares of the picture's width and height -> x and y of the plane
-(define (picture-point v across down)
+(define (picture-point given-view across down)
   (define dc (new bitmap-dc% [bitmap (make-bitmap 1 1)]))
   (define a #f)
+  (define v (with-logarithms given-view))
   (call-with-canvas dc 0 0 (lambda () (set! a (plot-area dc v))))
   (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
   (define (between low high place from to)
     (+ low (* (- high low) (/ (- place from) (- to from)))))
-  (values (between x-min x-max (* across (view-width v)) (area-left a) (area-right a))
-          (between y-min y-max (* down (view-height v)) (area-bottom a) (area-top a))))
+  (define-values (x y)
+    (values (between x-min x-max (* across (view-width v)) (area-left a) (area-right a))
+            (between y-min y-max (* down (view-height v)) (area-bottom a) (area-top a))))
+  (define (plain x scale) (if (eq? scale 'log) (expt 10.0 x) x))
+  (values (plain x (car (view-scales v))) (plain y (cadr (view-scales v)))))
+
+;; A picture with logarithmic axes is one of logarithms: numbers without one are left out.
+(define (with-logarithms v)
+  (if (plain-axes? v)
+      v
+      (struct-copy view v [bounds (map decimal-logarithm (view-bounds v)
+                                       (list (car (view-scales v)) (car (view-scales v))
+                                             (cadr (view-scales v)) (cadr (view-scales v))))])))
+
+(define (decimal-logarithm x scale)
+  (cond [(eq? scale 'linear) x] [(> x 0.0) (log x 10.0)] [else +nan.0]))
+
+(define ((layer-with-logarithms v) l)
+  (define data (layer-data l))
+  (define (changed xs scale)
+    (for/flvector #:length (snapshot-count data)
+                  ([x (in-flvector xs 0 (snapshot-count data))])
+      (decimal-logarithm x scale)))
+  (if (and (snapshot? data) (not (plain-axes? v)))
+      (layer (layer-style l)
+             (snapshot (changed (snapshot-xs data) (car (view-scales v)))
+                       (changed (snapshot-ys data) (cadr (view-scales v)))
+                       (snapshot-count data)))
+      l))
 
 (define (draw-layer dc a l)
   (define-values (s data place) (values (layer-style l) (layer-data l) (area-place a)))

@@ -4,12 +4,12 @@
 
 (require (only-in racket/class send)
          (only-in racket/math exact-round)
-         "plot-canvas.rkt" "plot-ticks.rkt" "view.rkt")
+         "color-bar.rkt" "plot-canvas.rkt" "plot-ticks.rkt" "view.rkt")
 
 (provide plot-area (struct-out area) area-place draw-axes)
 
-;; x-ticks, y-ticks : of plot-ticks.rkt; left, right, top, bottom : the edges, flonums, in pixels
-(struct area (view x-ticks y-ticks left right top bottom))
+;; bar : a color-bar to the right, or #f; x-ticks, y-ticks : of plot-ticks.rkt; left, right, top, bottom : the edges, flonums, in pixels
+(struct area (view bar x-ticks y-ticks left right top bottom))
 
 (define tick-length 5)           ; to either side of the axis; half of it without a number
 (define gap 7)                   ; from an axis to its numbers
@@ -34,16 +34,21 @@
 ;; ---------------------------------------------------------------------------
 ;; Layout
 
+;; The bounds of a logarithmic axis are logarithms.
+(define (ticks low high scale)
+  ((if (eq? scale 'log) log-ticks-between ticks-between) low high))
+
 ;; Margins grow by what sticks out of the picture.  As that moves with the area, they do so again;
 ;; where nothing would remain there are none.
-(define (plot-area dc v)
+(define (plot-area dc v [bar #f])
   (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
-  (define-values (x-ticks y-ticks) (values (ticks-between x-min x-max) (ticks-between y-min y-max)))
+  (define-values (x-ticks y-ticks) (values (ticks x-min x-max (car (view-scales v)))
+                                           (ticks y-min y-max (cadr (view-scales v)))))
   (define-values (width height) (values (view-width v) (view-height v)))
   (define head (if (view-title v) (* 3/2 (send dc get-char-height)) 0))
   (let grow ([left 0] [right width] [top head] [bottom height] [rounds 3])
     (define (between left right top bottom)
-      (apply area v x-ticks y-ticks (map real->double-flonum (list left right top bottom))))
+      (apply area v bar x-ticks y-ticks (map real->double-flonum (list left right top bottom))))
     (define a (between left right top bottom))
     (define-values (x1 x2 y1 y2) (extent dc a))
     (cond [(or (>= left right) (>= top bottom)) (between 0 width head height)]
@@ -92,6 +97,7 @@
   (define (label string x y across down turned?)
     (if string (list (make-text dc string x y across down turned?)) '()))
   (append below beside
+          (if (area-bar a) (bar-texts dc (area-bar a) (area-right a) (area-top a) bottom) '())
           (label (view-x-label v) (/ (+ left (area-right a)) 2) under 1/2 0 #f)
           (label (view-y-label v) aside (/ (+ (area-top a) bottom) 2) 1 1/2 #t)))
 
@@ -114,6 +120,7 @@
         (define y (y-place a (tick-value t)))
         (list (cons (- x length) y) (cons (+ x length) y))))
      '(0 0 0) width))
+  (when (area-bar a) (draw-color-bar dc (area-bar a) right top bottom))
   (for ([t (in-list (texts dc a))]) (draw-text dc t))
   (when (view-title v)
     (draw-text dc (make-text dc (view-title v) (/ (view-width v) 2) 0 1/2 0))))

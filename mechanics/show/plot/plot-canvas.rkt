@@ -71,11 +71,13 @@
     (define-values (ex ey) (values (fl- rx (fl* share dx)) (fl- ry (fl* share dy))))
     (fl< (fl+ (fl* ex ex) (fl* ey ey)) 0.0025)))
 
-;; color : of the area, or #f; line : width of the border, black, or #f
+;; color : of the area, a name or three bytes, or #f; line : width of the border, black, or #f
 (define (draw-box dc left top width height color line)
   (send* dc
     (set-pen (if line (make-pen #:width line) (make-pen #:style 'transparent)))
-    (set-brush (if color (make-brush #:color color) (make-brush #:style 'transparent)))
+    (set-brush (if color
+                   (make-brush #:color (if (list? color) (apply make-color color) color))
+                   (make-brush #:style 'transparent)))
     (draw-rectangle left top width height)))
 
 ;; ---------------------------------------------------------------------------

@@ -9,7 +9,7 @@
                   order-of-magnitude)
          (only-in racket/string string-trim))
 
-(provide ticks-between (struct-out tick))
+(provide ticks-between log-ticks-between (struct-out tick))
 
 ;; value : exact number; label : string, or #f
 (struct tick (value label) #:transparent)
@@ -49,6 +49,27 @@
     (define step (* power unit part))
     (define d (distance step))
     (if (<= d least) (values step d) (values best least))))
+
+;; ---------------------------------------------------------------------------
+;; Logarithmic axes
+
+;; low < high : decimal logarithms -> list of ticks at logarithms, ascending.  There are numbers at
+;; powers of ten, from one to the next or passing over some, and ticks at their multiples up to 9;
+;; where there are fewer than two powers, numbers are those of a plain axis.
+(define (log-ticks-between low high)
+  (define powers (multiples 1 (inexact->exact low) (inexact->exact high)))
+  (define apart (max 1 (quotient (length powers) wanted-numbers)))
+  (cond [(null? (if (pair? powers) (cdr powers) '()))
+         (for/list ([t (in-list (ticks-between (expt 10.0 low) (expt 10.0 high)))])
+           (tick (log (tick-value t) 10) (tick-label t)))]
+        [else
+         (for*/list ([k (in-range (exact-floor low) (+ 1 (exact-ceiling high)))]
+                     [m (in-range 1 (if (= apart 1) 10 2))]
+                     [at (in-value (+ k (log m 10)))]
+                     #:when (<= low at high))
+           (tick at (and (= m 1) (eqv? 0 (modulo k apart)) (power->label k))))]))
+
+(define (power->label k) (if (<= -2 k 3) (number->label (expt 10 k) 3) (format "10~a" (superscript k))))
 
 ;; ---------------------------------------------------------------------------
 ;; Labels

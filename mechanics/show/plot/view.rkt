@@ -5,15 +5,21 @@
 (require "../../generic/wrong-argument.rkt"
          "../../error/complain.rkt")
 
-(provide (struct-out view) make-view check-bounds)
+(provide (struct-out view) make-view plain-axes? check-bounds)
 
 ;; bounds : (list x-min x-max y-min y-max), flonums; width, height : pixels
 ;; title, x-label, y-label : string or #f; aspect-ratio : positive real or #f
+;; scales : of both axes, a list of 'linear and 'log
 ;; Prefab, as a frame is written into files.
-(struct view (bounds title x-label y-label width height aspect-ratio) #:prefab)
+(struct view (bounds title x-label y-label width height aspect-ratio scales) #:prefab)
 
-(define (make-view bounds title x-label y-label width height aspect-ratio)
+(define (make-view bounds title x-label y-label width height aspect-ratio scales)
   (check-bounds 'frame bounds)
+  (for ([scale (in-list scales)] [axis (in-list '("x" "y"))]
+        [low (in-list (list (car bounds) (caddr bounds)))])
+    (check-argument 'frame (lambda (s) (memq s '(linear log))) scale "a scale, 'linear or 'log")
+    (when (and (eq? scale 'log) (<= low 0))
+      (complain 'frame "a logarithmic axis begins above 0\n  least ~a: ~a" axis low)))
   (for ([text (in-list (list title x-label y-label))])
     (unless (or (not text) (string? text))
       (complain-of-argument 'frame "a string as title or label, or #f" text)))
@@ -21,7 +27,9 @@
     (unless (and (exact-positive-integer? size) (<= 50 size 10000))
       (complain-of-argument 'frame "a size of 50 to 10000 pixels" size)))
   (view (map real->double-flonum bounds) title x-label y-label width height
-        (ratio aspect-ratio bounds)))
+        (ratio aspect-ratio bounds) scales))
+
+(define (plain-axes? v) (equal? (view-scales v) '(linear linear)))
 
 ;; who : the procedure that was given them
 (define (check-bounds who bounds)

@@ -44,12 +44,16 @@ One library of Racket's has a name in common with this one (see @secref["clashes
                 [#:y-label y-label (or/c string? #f) #f]
                 [#:width width exact-positive-integer? 400]
                 [#:height height exact-positive-integer? 400]
-                [#:aspect-ratio aspect-ratio (or/c positive-real? 'equal #f) #f])
+                [#:aspect-ratio aspect-ratio (or/c positive-real? 'equal #f) #f]
+                [#:x-scale x-scale (or/c 'linear 'log) 'linear]
+                [#:y-scale y-scale (or/c 'linear 'log) 'linear])
          frame?]{
 
 An empty frame that shows the plane between these bounds. The picture is @racket[width] by
 @racket[height] pixels; @racket[aspect-ratio] is that of the sides of what is within the
-axes, and @racket['equal] makes units equally long on both.
+axes, and @racket['equal] makes units equally long on both. A scale @racket['log] makes an axis
+logarithmic: points without a logarithm are left out, @racket[plot-function] without a step takes
+steps of one ratio, and contours, phase portraits and maps are refused.
 
 A frame prints as its bounds and what is in it. It is @racket[convertible?] to text and to
 pictures in PNG, SVG and PDF, so editors and documents show the picture as it is when the
@@ -59,7 +63,10 @@ once.
 @examples[#:eval session
 (define f (frame 0 1 -1 1 #:width 300 #:height 200 #:title "a frame"))
 (plot-line f 0 1 1 -1)
-f]
+f
+(define decades (frame 1 1000 1e-6 1 #:x-scale 'log #:y-scale 'log #:width 300 #:height 200))
+(plot-function decades (lambda (x) (expt x -2)) 1 1000)
+decades]
 
 @sicm{1.4, p. 23}}
 
@@ -333,12 +340,15 @@ Draws one orbit of a map of the plane: its start and @racket[n] images.
                     [#:indicator indicator (or/c 'FLI 'MEGNO 'SALI) 'FLI]
                     [#:tolerance tolerance real? 1e-10]
                     [#:jobs jobs exact-positive-integer? (processor-count)]
-                    [#:checkpoint file (or/c path-string? #f) #f])
+                    [#:checkpoint file (or/c path-string? #f) #f]
+                    [#:colors colors (or/c 'dusk 'viridis 'cividis 'plasma 'grey) 'dusk]
+                    [#:bar? bar? boolean? #f])
          frame?]{
 
 Colours a frame by where orbits of a map of the plane, or motions, are chaotic: @racket[samples]
-starts to a side. Blue is regular, yellow chaotic, red between the two, and grey where an orbit
-ends. What is drawn afterwards is above it.
+starts to a side. Dark is regular, light chaotic, and grey where an orbit ends. Of all
+@racket[colors] the luminance rises from end to end, so that they can be told apart by a reader who
+is colour-blind; a bar tells the numbers. What is drawn afterwards is above it.
 
 Orbits of a map are followed for @racket[n] steps with a displacement of each, and tell by their
 @racket[chaos-indicator]. All cores work where the map can be compiled. In a window the picture
@@ -349,7 +359,8 @@ grows while it is made; it stays as far as it came if it is broken off.
   (define next (+ I (* K (sin theta))))
   (return ((principal-value :2pi) (+ theta next))
           ((principal-value :2pi) next)))
-(chaos-map (frame 0 :2pi 0 :2pi #:width 300 #:height 300) (kicked-rotor 1.0) 200 #:samples 100)]
+(chaos-map (frame 0 :2pi 0 :2pi #:width 350 #:height 300) (kicked-rotor 1.0) 200 #:samples 100
+           #:indicator 'MEGNO #:colors 'viridis #:bar? #t)]
 
 With @racketvarfont{state}, @racket[system] is a state derivative, and motions are followed for the
 duration @racket[n] from the states that @racketvarfont{state} makes of two coordinates, all at

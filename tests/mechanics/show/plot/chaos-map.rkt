@@ -46,6 +46,21 @@
   (define again (deserialize (serialize win)))
   (check-equal? (color-at again 1 2) (color-at win 1 2)))
 
+(define decades (frame 1 10 0 1 #:x-scale 'log))
+(says
+ [(frame 0 1 0 1 #:y-scale 'log)
+  "frame: a logarithmic axis begins above 0\n  least y: 0"]
+ [(frame 0 1 0 1 #:x-scale 'ln)
+  "frame: expected a scale, 'linear or 'log\n  given: the symbol ln"]
+ [(plot-function decades sin -1 1)
+  "plot-function: expected a positive end, for a logarithmic axis,\n  given: the number -1"]
+ [(plot-contours decades (lambda (x y) x) 1)
+  "plot-contours: this is drawn on plain axes; the frame has logarithmic ones\n"
+  "  frame: (frame x from 1.0 to 10.0, y from 0.0 to 1.0: empty)"]
+ [(chaos-map (section) (standard-map 1.0) 5 #:colors 'jet)
+  "chaos-map: expected a colour map, one of (dusk viridis cividis plasma grey)\n"
+  "  given: the symbol jet"])
+
 (says
  [(chaos-map (section) (standard-map 1.0) 100 #:samples 0)
   "chaos-map: expected "

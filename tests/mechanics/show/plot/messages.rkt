@@ -16,7 +16,7 @@
 (define calls
   (list
    (list frame '(0 1 0 1) "4 arguments"
-         '(#:aspect-ratio #:height #:title #:width #:x-label #:y-label))
+         '(#:aspect-ratio #:height #:title #:width #:x-label #:x-scale #:y-label #:y-scale))
    (list plot-point (list f 0 0) "3 arguments" dot)
    (list plot-line (list f 0 0 1 1) "5 arguments" line)
    (list plot-function (list f sin 0 1) "4 or 5 arguments" line)

@@ -62,6 +62,28 @@
     (check-true (> many 2.0) (format "~a" many))
     (check-true (> (pixels-each 21000 5) (pixels-each 21000))))
 
+  (test-case "a power is a straight line on logarithmic axes, and what has no logarithm is left out"
+    (define (red f draw)
+      (draw f)
+      (red-pixels (convert f 'png-bytes)))
+    (define (power f) (plot-function f (lambda (x) (- (expt x -2) 1e-9)) 1 100 #:color 'red))
+    (define (diagonal f) (plot-line f 1 1 100 1e-4 #:color 'red))
+    (define (decades) (frame 1 100 1e-4 1 #:x-scale 'log #:y-scale 'log))
+    (check-true (< 0.9 (/ (red (decades) power) (red (decades) diagonal)) 1.1))
+    (check-equal? (red (decades) (lambda (f) (plot-line f -5 1 50 -1 #:color 'red))) 0))
+
+  (test-case "a bar tells what colours mean, and takes room from the picture"
+    (define (width bar?)
+      (define f (frame 0 1 0 1))
+      (chaos-map f (lambda (x y return fail) (fail)) 10 #:samples 1 #:bar? bar?)
+      (define read-bitmap (dynamic-require 'racket/draw 'read-bitmap))
+      (define picture (read-bitmap (open-input-bytes (convert f 'png-bytes))))
+      (define row (make-bytes (* 4 400)))
+      (dynamic-send picture 'get-argb-pixels 0 150 400 1 row)
+      (for/sum ([k (in-range 0 1600 4)])
+        (if (equal? (subbytes row (+ k 1) (+ k 4)) (bytes 190 190 190)) 1 0)))
+    (check-true (< 250 (width #t) (- (width #f) 30))))
+
   (test-case "the size of a point is its diameter in pixels"
     (define f (frame 0 1 0 1))
     (plot-point f 1/2 1/2 #:size 20 #:color 'red)

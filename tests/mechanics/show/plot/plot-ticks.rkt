@@ -26,6 +26,16 @@
     (check-equal? (labels from to) numbers)
     (check-equal? (length (ticks-between from to)) count (format "~a" numbers))))
 
+;; Ends, decimal logarithms, with the numbers beside a logarithmic axis
+(test-case "numbers of a logarithmic axis are powers of ten, some of them, or round"
+  (for ([row '((0 2 ("1" "10" "100")) (-3 3.5 ("10⁻³" ".01" ".1" "1" "10" "100" "1000"))
+               (-18 0 ("10⁻¹⁶" "10⁻¹²" "10⁻⁸" "10⁻⁴" "1")) (0.3 1.7 ("10" "20" "30" "40" "50")))])
+    (define-values (low high numbers) (apply values row))
+    (define ticks (log-ticks-between low high))
+    (check-equal? (filter values (map tick-label ticks)) numbers)
+    (check-true (andmap (lambda (t) (<= low (tick-value t) high)) ticks)))
+  (check-equal? (length (log-ticks-between 0 2)) 19))
+
 (test-case "ticks ascend at equal distances, within the ends, whatever these are"
   (for ([_ (in-range 300)])
     (define size (expt 10.0 (- (random 20) 10)))
