@@ -4,10 +4,11 @@
 (require "../display/drawing-library.rkt"
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["picture.rkt" loaded? color-name? draw-picture draw-to-bytes picture-point]
+(require-on-demand ["picture.rkt" loaded? color-name? draw-picture picture-point]
+         ["picture-page.rkt" draw-to-bytes draw-figure]
          ["frame-pict.rkt" make-picture converted-picture])
 
-(provide can-draw? why-not color-name? draw-picture make-picture picture-bytes picture-point)
+(provide can-draw? why-not color-name? draw-picture make-picture picture-bytes draw-figure picture-point)
 
 ;; -> string, which ends with what to install, or #f
 (define why-not (reason-not-to-load loaded?))

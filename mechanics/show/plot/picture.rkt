@@ -1,53 +1,17 @@
 #lang racket/base
-;; Layers drawn, in each of the formats of files.  This is the part that needs the libraries of
-;; racket/draw.
+;; Layers drawn.  This is the part that needs the libraries of racket/draw.
 
-(require (only-in racket/class new send send*)
-         (only-in racket/draw bitmap-dc% current-ps-setup make-bitmap pdf-dc% region% svg-dc%)
+(require (only-in racket/class new send)
+         (only-in racket/draw bitmap-dc% make-bitmap region%)
          (only-in racket/flonum for/flvector in-flvector)
          "clipped-lines.rkt" "level-lines.rkt" "picture-layer.rkt" "plot-axes.rkt"
          "plot-canvas.rkt" "plot-colors.rkt" "plot-images.rkt" "plot-legend.rkt" "points.rkt"
-         "svg-digits.rkt" "view.rkt")
+         "view.rkt")
 
-(provide loaded? color-name? draw-picture draw-to-bytes picture-point)
+(provide loaded? color-name? draw-picture picture-point)
 
 ;; A call of it loads this module: so a caller learns whether that is possible.
 (define (loaded?) #t)
-
-;; ---------------------------------------------------------------------------
-;; Formats
-
-;; format : as `convert` names it -> bytes, or #f if it is none of these
-(define (draw-to-bytes v layers format)
-  (define (draw dc) (draw-picture dc v layers 0 0))
-  (case format
-    [(png-bytes) (bitmap-bytes v draw 1)]
-    [(png@2x-bytes) (bitmap-bytes v draw 2)]
-    [(svg-bytes) (shortened-svg (page-bytes svg-dc% v draw 1 1))]
-    [(pdf-bytes) (pdf-bytes v draw)]
-    [else #f]))
-
-;; The canvas itself scales what is drawn on it, but not the page.
-(define (pdf-bytes v draw)
-  (define-values (x-scale y-scale) (values (box 1) (box 1)))
-  (send (current-ps-setup) get-scaling x-scale y-scale)
-  (page-bytes pdf-dc% v draw (unbox x-scale) (unbox y-scale) [interactive #f] [as-eps #t]))
-
-(define (bitmap-bytes v draw scale)
-  (define image (make-bitmap (view-width v) (view-height v) #:backing-scale scale))
-  (draw (new bitmap-dc% [bitmap image]))
-  (define port (open-output-bytes))
-  (send image save-file port 'png #:unscaled? #t)
-  (get-output-bytes port))
-
-(define-syntax-rule (page-bytes context% v draw x-scale y-scale field ...)
-  (let* ([port (open-output-bytes)]
-         [dc (new context% [width (* x-scale (view-width v))] [height (* y-scale (view-height v))]
-                  [output port] field ...)])
-    (send* dc (start-doc "picture") (start-page))
-    (draw dc)
-    (send* dc (end-page) (end-doc))
-    (get-output-bytes port)))
 
 ;; ---------------------------------------------------------------------------
 

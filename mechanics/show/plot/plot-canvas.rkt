@@ -4,12 +4,31 @@
 (require (only-in racket/class new send send*)
          (only-in racket/draw dc-path% make-brush make-color make-font make-pen)
          racket/flonum
-         (only-in racket/list partition split-at))
+         (only-in racket/list partition split-at)
+         "../../generic/on-demand.rkt")
+
+(require-on-demand ["formula-label.rkt" label-measures draw-label])
 
 (provide call-with-canvas draw-strokes draw-box
-         (struct-out text) make-text draw-text)
+         (struct-out text) make-text draw-text
+         call-with-font call-catching-text (struct-out caught))
 
-(define font (make-font #:size 11 #:family 'roman))
+(define picture-font (make-parameter (make-font #:size 11 #:family 'roman)))
+
+(define (call-with-font font use) (parameterize ([picture-font font]) (use)))
+
+;; A text that was not drawn: x, y : where its base line begins, on the page; length, size : in units
+(struct caught (string x y length size turned?) #:authentic)
+
+;; What is done with a text in place of drawing it, or #f; where the picture is on the page
+(define catch (make-parameter #f))
+(define origin (make-parameter '(0 . 0)))
+
+;; -> what (draw) returns, and the texts, which are not drawn
+(define (call-catching-text draw)
+  (define texts '())
+  (define drawn (parameterize ([catch (lambda (t) (set! texts (cons t texts)))]) (draw)))
+  (values drawn (reverse texts)))
 
 ;; Calls draw with x, y as the origin, and leaves the settings of the context as they were.
 (define (call-with-canvas dc x y draw)
@@ -18,9 +37,9 @@
             (send dc get-text-foreground) (send dc get-smoothing) (send dc get-text-mode)
             (send dc get-alpha) (send dc get-clipping-region) (send dc get-transformation)))
   (send* dc
-    (translate x y) (set-font font) (set-text-foreground "black") (set-smoothing 'smoothed)
+    (translate x y) (set-font (picture-font)) (set-text-foreground "black") (set-smoothing 'smoothed)
     (set-text-mode 'transparent) (set-alpha 1.0))
-  (draw)
+  (parameterize ([origin (cons x y)]) (draw))
   (send* dc
     (set-transformation place) (set-pen pen) (set-brush brush) (set-font old-font)
     (set-text-foreground color) (set-smoothing smoothing) (set-text-mode mode)
@@ -83,18 +102,42 @@
 ;; ---------------------------------------------------------------------------
 ;; Text
 
-;; A string and the rectangle that it fills; turned? : is it read from below upwards?
+;; A string, or the tree of a formula, and the rectangle that it fills; turned? : is it read from below upwards?
 (struct text (string left top width height turned?))
 
 ;; x, y : where is the point of the rectangle that is such shares of its width to the right and of
 ;; its height down
 (define (make-text dc string x y across down [turned? #f])
-  (define-values (length size descent space) (send dc get-text-extent string font #t 0))
+  (define-values (length size) (text-measures dc string))
   (define-values (width height) (if turned? (values size length) (values length size)))
   (text string (- x (* across width)) (- y (* down height)) width height turned?))
 
+(define (text-measures dc string)
+  (cond [(string? string)
+         (define-values (length size descent space)
+           (send dc get-text-extent string (picture-font) #t 0))
+         (values length size)]
+        [else (label-measures string (letter-size (picture-font)))]))
+
 (define (draw-text dc t)
   (define-values (x y) (values (text-left t) (text-top t)))
+  (cond [(not (string? (text-string t)))
+         (draw-label dc (text-string t) (letter-size (picture-font)) x y (text-turned? t))]
+        [(catch) => (lambda (catch!) (catch! (caught-text dc t)))]
+        [(text-turned? t)
+         (send dc draw-text (text-string t) x (+ y (text-height t)) #t 0 (/ (acos -1) 2))]
+        [else (send dc draw-text (text-string t) x y #t 0)]))
+
+(define (caught-text dc t)
+  (define-values (length height descent space)
+    (send dc get-text-extent (text-string t) (picture-font) #t 0))
+  (define-values (x y) (values (+ (text-left t) (car (origin))) (+ (text-top t) (cdr (origin)))))
+  (define base (- height descent))
+  (define size (letter-size (picture-font)))
   (if (text-turned? t)
-      (send dc draw-text (text-string t) x (+ y (text-height t)) #t 0 (/ (acos -1) 2))
-      (send dc draw-text (text-string t) x y #t 0)))
+      (caught (text-string t) (+ x base) (+ y (text-height t)) length size #t)
+      (caught (text-string t) x (+ y base) length size #f)))
+
+;; A point is 4/3 of a unit.
+(define (letter-size font)
+  (* (send font get-size) (if (send font get-size-in-pixels) 1 4/3)))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Styles of layers, checked.
 
-(require "picture-layer.rkt" "on-demand.rkt"
+(require "axis-label.rkt" "picture-layer.rkt" "on-demand.rkt"
          "../../generic/wrong-argument.rkt")
 
 (provide make-style check-dash)
@@ -13,9 +13,7 @@
   (unless (or (and (real? size) (<= 0 size 1000)) (and (not size) (eq? kind 'points)))
     (complain-of-argument who "a size in pixels, from 0 to 1000" size))
   (check-dash who dash)
-  (unless (or (not label) (string? label))
-    (complain-of-argument who "a string as label, or #f" label))
-  (style kind color size dash label))
+  (style kind color size dash (checked-label who "label" label)))
 
 (define (check-dash who dash)
   (define dashes '(solid dot long-dash short-dash dot-dash))

@@ -2,13 +2,14 @@
 ;; The window of the plane that a picture shows, its size on paper and what is written
 ;; beside it.
 
-(require "../../generic/wrong-argument.rkt"
+(require "axis-label.rkt"
+         "../../generic/wrong-argument.rkt"
          "../../error/complain.rkt")
 
 (provide (struct-out view) make-view plain-axes? check-bounds)
 
 ;; bounds : (list x-min x-max y-min y-max), flonums; width, height : pixels
-;; title, x-label, y-label : string or #f; aspect-ratio : positive real or #f
+;; title : string or #f; x-label, y-label : of axis-label.rkt; aspect-ratio : positive real or #f
 ;; scales : of both axes, a list of 'linear and 'log
 ;; Prefab, as a frame is written into files.
 (struct view (bounds title x-label y-label width height aspect-ratio scales) #:prefab)
@@ -20,13 +21,12 @@
     (check-argument 'frame (lambda (s) (memq s '(linear log))) scale "a scale, 'linear or 'log")
     (when (and (eq? scale 'log) (<= low 0))
       (complain 'frame "a logarithmic axis begins above 0\n  least ~a: ~a" axis low)))
-  (for ([text (in-list (list title x-label y-label))])
-    (unless (or (not text) (string? text))
-      (complain-of-argument 'frame "a string as title or label, or #f" text)))
+  (check-argument 'frame (lambda (t) (or (not t) (string? t))) title "a string as title, or #f")
   (for ([size (in-list (list width height))])
     (unless (and (exact-positive-integer? size) (<= 50 size 10000))
       (complain-of-argument 'frame "a size of 50 to 10000 pixels" size)))
-  (view (map real->double-flonum bounds) title x-label y-label width height
+  (view (map real->double-flonum bounds) title
+        (checked-label 'frame "label" x-label) (checked-label 'frame "label" y-label) width height
         (ratio aspect-ratio bounds) scales))
 
 (define (plain-axes? v) (equal? (view-scales v) '(linear linear)))

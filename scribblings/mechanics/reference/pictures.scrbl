@@ -30,7 +30,8 @@ of points in the picture: 5 where they are few, 2 where they are many.}
 @item{@racket[#:width] and @racket[#:style], of lines: the width in pixels, and
 @racket['solid], @racket['dot], @racket['long-dash], @racket['short-dash] or
 @racket['dot-dash].}
-@item{@racket[#:label]: what is written in the legend, or @racket[#f] for nothing.}]
+@item{@racket[#:label]: what is written in the legend, a string or a formula such as
+@racket['theta], which is typeset; or @racket[#f] for nothing.}]
 
 One library of Racket's has a name in common with this one (see @secref["clashes"]):
 
@@ -40,8 +41,8 @@ One library of Racket's has a name in common with this one (see @secref["clashes
 
 @defproc[(frame [x-min real?] [x-max real?] [y-min real?] [y-max real?]
                 [#:title title (or/c string? #f) #f]
-                [#:x-label x-label (or/c string? #f) #f]
-                [#:y-label y-label (or/c string? #f) #f]
+                [#:x-label x-label (or/c string? formula #f) #f]
+                [#:y-label y-label (or/c string? formula #f) #f]
                 [#:width width exact-positive-integer? 400]
                 [#:height height exact-positive-integer? 400]
                 [#:aspect-ratio aspect-ratio (or/c positive-real? 'equal #f) #f]
@@ -49,7 +50,8 @@ One library of Racket's has a name in common with this one (see @secref["clashes
                 [#:y-scale y-scale (or/c 'linear 'log) 'linear])
          frame?]{
 
-An empty frame that shows the plane between these bounds. The picture is @racket[width] by
+An empty frame that shows the plane between these bounds. Labels are strings, or formulas, which are
+typeset. The picture is @racket[width] by
 @racket[height] pixels; @racket[aspect-ratio] is that of the sides of what is within the
 axes, and @racket['equal] makes units equally long on both. A scale @racket['log] makes an axis
 logarithmic: points without a logarithm are left out, @racket[plot-function] without a step takes
@@ -64,7 +66,8 @@ once.
 (define f (frame 0 1 -1 1 #:width 300 #:height 200 #:title "a frame"))
 (plot-line f 0 1 1 -1)
 f
-(define decades (frame 1 1000 1e-6 1 #:x-scale 'log #:y-scale 'log #:width 300 #:height 200))
+(define decades
+  (frame 1 1000 1e-6 1 #:x-scale 'log #:y-scale 'log #:x-label 'lambda #:width 300 #:height 200))
 (plot-function decades (lambda (x) (expt x -2)) 1 1000)
 decades]
 
@@ -381,6 +384,22 @@ the state derivative.
 
 @sicm{3.9, p. 279}}
 
+@defproc[(plot-residuals [f frame?] [fit motion-fit?] [component exact-nonnegative-integer? 0]
+                         [#:color color any/c 0] [#:size size real? 4]
+                         [#:label label (or/c string? #f) #f])
+         frame?]{
+
+Draws what a fit (@racket[fit-motion]) leaves of one of the measured numbers, over the time, about a
+dotted line at 0. Residuals without a trend are noise; a wave tells of a force that the system
+lacks. Returns the frame.
+
+@examples[#:eval session
+(define (falling g) (lambda (s) (up 1 (ref s 2) (- g))))
+(define fit
+  (fit-motion falling (up 0 10 0) '((0.5 8.8) (1 5.1) (1.2 2.9) (1.3 1.75))
+              #:parameters '((g 9)) #:hold '(q v) #:measured coordinate))
+(plot-residuals (frame 0 1.4 -0.1 0.1 #:width 300 #:height 150) fit)]}
+
 @section{Contents of a frame}
 
 @deftogether[(@defproc[(frame-points [f frame?]) (listof vector?)]
@@ -397,10 +416,24 @@ list of points. Contours, which exist only in the picture, are not among them.
 (plot-function g (lambda (x) (sqrt (- x 1/2))) 0 1 0.25)
 (frame-curves g)]}
 
-@defproc[(graphics-save [f frame?] [file path-string?]) void?]{
+@defproc[(graphics-save [f (or/c frame? (listof frame?) (listof (listof frame?)))]
+                        [file path-string?]
+                        [#:centimeters centimeters (or/c real? #f) #f]
+                        [#:font-size font-size real? 9]
+                        [#:font font (or/c string? #f) #f])
+         void?]{
 
-Writes the picture to a file, as PNG, SVG or PDF by the end of its name. What was there is
-replaced when the new file is complete. For very many points PNG is the smallest.
+Writes the picture to a file, as PNG, SVG or PDF by the end of its name; several frames as panels
+side by side, or in rows. What was there is replaced when the new file is complete. Text in PDF and
+SVG is text, but for formulas in SVG. For very many points PNG is the smallest.
+
+For a paper the width of the whole is given in centimeters: panels keep the ratio of their sides, and
+are laid out so that letters have @racket[font-size] points on paper, in the typeface
+@racket[font], else in one with serifs. A PNG has 300 dots to an inch then.
+
+@codeblock|{
+(graphics-save (list left right) "figure.pdf" #:centimeters 17 #:font-size 8)
+}|
 
 @examples[#:eval session
 (eval:error (graphics-save f "picture.gif"))]}

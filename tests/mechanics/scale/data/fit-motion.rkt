@@ -4,7 +4,9 @@
 (require json
          mechanics
          (only-in mechanics/book L-pendulum)
-         "../../support/checks.rkt" "../../support/folder.rkt" "../../support/python.rkt"
+         (only-in mechanics/plot frame frame-curves frame-points plot-residuals)
+         "../../support/checks.rkt" "../../support/folder.rkt" "../../support/messages.rkt"
+         "../../support/python.rkt"
          "../../support/random.rkt" "../../support/skip.rkt")
 
 ;; ---------------------------------------------------------------------------
@@ -45,6 +47,19 @@
 (define (fitted data #:deviation [deviation #f])
   (fit-motion pendulum (up 0 0.9 0) data #:parameters '((g 9.8) (l 1.1)) #:hold '(g)
               #:measured angle #:deviation deviation))
+
+(test-case "a picture of the residuals: a point for each row, about a line at 0"
+  (define f (fitted (measurements 0.01)))
+  (define picture (frame 0 10 -0.05 0.05))
+  (plot-residuals picture f #:color 'red)
+  (check-equal? (frame-points picture)
+                (for/list ([row (motion-fit-residuals f)]) (vector (ref row 0) (ref row 1))))
+  (check-equal? (frame-curves picture) '((#(0.0 0.0) #(10.0 0.0))))
+  (check-message (string-append "plot-residuals: expected which of 1 measured numbers, from 0\n"
+                                "  given: the number 1")
+                 (plot-residuals picture f 1))
+  (check-message "plot-residuals: expected a fit, as fit-motion gives it\n  given: the number 3"
+                 (plot-residuals picture 3)))
 
 (test-case "data without noise give the truth back"
   (define f (fitted (measurements 0)))

@@ -222,7 +222,8 @@
  [(plot-point f 0 0 #:size -1) "plot-point" "a size in pixels, from 0 to 1000" "the number -1"]
  [(plot-line f 0 0 1 1 #:style 'wavy) "plot-line"
   "a line style, one of (solid dot long-dash short-dash dot-dash)" "the symbol wavy"]
- [(plot-point f 0 0 #:label 'x) "plot-point" "a string as label, or #f" "the symbol x"]
+ [(plot-point f 0 0 #:label 3) "plot-point"
+  "a string or a formula, such as 'theta, as label, or #f" "the number 3"]
  [(plot-point f 0 0 #:color '(1 2)) "plot-point"
   "a color: a name such as 'red, a small integer, or a list of three bytes" "(1 2), a list"])
 

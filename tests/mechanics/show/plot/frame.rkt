@@ -134,8 +134,11 @@
   "frame: expected a real number as greatest x\n  given: the symbol a"]
  [(frame 0 1 -inf.0 1)
   "frame: expected a real number as least y\n  given: the number -inf.0"]
- [(frame 0 1 0 1 #:x-label 'x)
-  "frame: expected a string as title or label, or #f\n  given: the symbol x"]
+ [(frame 0 1 0 1 #:title 'x)
+  "frame: expected a string as title, or #f\n  given: the symbol x"]
+ [(frame 0 1 0 1 #:x-label 3)
+  "frame: expected a string or a formula, such as 'theta, as label, or #f\n"
+  "  given: the number 3"]
  [(frame 0 1 0 1 #:width 1)
   "frame: expected a size of 50 to 10000 pixels\n  given: the number 1"]
  [(frame 0 1 0 1 #:aspect-ratio -1)

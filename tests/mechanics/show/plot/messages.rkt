@@ -26,7 +26,7 @@
    (list plot-contours (list f + '(1)) "3 arguments" '(#:color #:label #:samples #:style #:width))
    (list graphics-clear (list f) "1 argument" '())
    (list graphics-close (list f) "1 argument" '())
-   (list graphics-save (list f "f.png") "2 arguments" '())
+   (list graphics-save (list f "f.png") "2 arguments" '(#:centimeters #:font #:font-size))
    (list graphics-show (list f) "1 argument" '(#:wait?))
    (list frame-points (list f) "1 argument" '())
    (list frame-curves (list f) "1 argument" '())

@@ -8,6 +8,7 @@
          (only-in pict pict-width pict-height)
          (only-in racket/class dynamic-send)
          racket/file
+         racket/serialize
          racket/string
          "../../support/checks.rkt" "../../support/folder.rkt"
          "../../support/messages.rkt" "../../support/picture-programs.rkt" "../../support/skip.rkt"
@@ -75,7 +76,7 @@
   (test-case "a bar tells what colours mean, and takes room from the picture"
     (define (width bar?)
       (define f (frame 0 1 0 1))
-      (chaos-map f (lambda (x y return fail) (fail)) 10 #:samples 1 #:bar? bar?)
+      (chaos-map f (lambda (x y return fail) (fail)) 10 #:samples 40 #:bar? bar?)
       (define read-bitmap (dynamic-require 'racket/draw 'read-bitmap))
       (define picture (read-bitmap (open-input-bytes (convert f 'png-bytes))))
       (define row (make-bytes (* 4 400)))
@@ -262,6 +263,66 @@
       (check-exn #rx"graphics-save: there is a folder of that name\n  file: .*b.png$"
                  (lambda () (save "b.png")))
       (check-equal? (map path->string (directory-list folder)) '("b.png")))))
+
+(define (saved f name . options)
+  (with-folder (folder)
+    (define file (build-path folder name))
+    (keyword-apply graphics-save '(#:centimeters #:font #:font-size) options (list f file))
+    (file->bytes file)))
+
+(skip-unless drawable? no-drawing
+
+  (test-case "text in an SVG that is saved is text, fitted to its place"
+    (define f (frame 0 1 0 1 #:x-label "a < b & c" #:y-label "up" #:width 300 #:height 200))
+    (define svg (bytes->string/utf-8 (saved f "a.svg" #f #f 9)))
+    (check-true (string-contains? svg ">a &lt; b &amp; c</text>"))
+    (check-regexp-match #px"transform=\"rotate\\(-90 [0-9. ]+\\)\">up</text>" svg)
+    (check-false (regexp-match? #rx"<symbol|glyph" svg)))
+
+  (test-case "a figure for print has its width in centimetres and letters of a size in points"
+    (define f (drawn))
+    (check-equal? (car (png-size (saved f "a.png" 5.08 #f 9))) 600)
+    (define pdf (bytes->string/latin-1 (saved f "a.pdf" 8.6 #f 9)))
+    (define box (map string->number (cdr (regexp-match #px"/MediaBox \\[ ?0 0 (\\d+) (\\d+)" pdf))))
+    (check-true (<= (abs (- (car box) (* 8.6 (/ 72 2.54)))) 1) (format "~a" box))
+    (check-true (<= (abs (- (/ (car box) (cadr box)) 3/2)) 0.02))
+    (define (unit points)             ; in centimetres
+      (define svg (bytes->string/utf-8 (saved f "a.svg" 8.6 "Palatino" points)))
+      (check-true (string-contains? svg "font-family=\"Palatino\""))
+      (check-true (string-contains? svg "font-size=\"12.00\""))
+      (define m (regexp-match #px"width=\"([0-9.]+)cm\".*viewBox=\"0 0 ([0-9.]+) " svg))
+      (/ (string->number (cadr m)) (string->number (caddr m))))
+    (for ([points '(7 9 12)])
+      (check-true (<= 0.98 (/ (* 12 (unit points)) (* points (/ 2.54 72))) 1.02))))
+
+  (test-case "panels of a figure: a row of frames, or rows"
+    (define (a-frame w h) (frame 0 1 0 1 #:width w #:height h))
+    (check-equal? (png-size (saved (list (a-frame 100 80) (a-frame 150 60)) "a.png" #f #f 9))
+                  '(250 80))
+    (check-equal? (png-size (saved (list (list (a-frame 100 80) (a-frame 150 60))
+                                         (list (a-frame 60 70)))
+                                   "a.png" #f #f 9))
+                  '(250 150)))
+
+  (test-case "formulas as labels are typeset, and kept in files"
+    (define (ink label)
+      (define f (frame 0 1 0 1 #:x-label label #:width 300 #:height 200))
+      (convert (deserialize (serialize f)) 'png-bytes))
+    (check-false (equal? (ink 'theta) (ink "theta")))
+    (check-false (equal? (ink (g:* 2 'theta)) (ink 'theta)))
+    (check-equal? (ink (g:* 2 'theta)) (ink (g:* 2 'theta)))))
+
+(test-case "what is said of figures"
+  (check-message (string-append "graphics-save: expected a width in centimeters, from 1 to 200, or #f"
+                                "\n  given: the number 0")
+                 (graphics-save (drawn) "a.png" #:centimeters 0))
+  (check-message (string-append "graphics-save: expected a size of letters in points, from 1 to 100"
+                                "\n  given: the number 0.5")
+                 (graphics-save (drawn) "a.png" #:font-size 0.5))
+  (check-message (string-append "graphics-save: expected the name of a typeface, or #f"
+                                "\n  given: the symbol Times")
+                 (graphics-save (drawn) "a.png" #:font 'Times))
+  (check-exn #rx"expected a frame" (lambda () (graphics-save (list (drawn) 3) "a.png"))))
 
 (test-case "a name that says no format"
   (for ([name '("figure" "figure.gif" "png")])
