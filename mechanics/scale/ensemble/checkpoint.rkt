@@ -29,6 +29,7 @@
     (if (and (file-exists? file) (positive? (file-size file)))
         (call-with-input-file file (lambda (in) (read-checkpoint who file print in found)))
         0))
+  (note-going-on who file found)
   (writing who file ""
     (define port (open-output-file file #:exists 'can-update))
     (file-truncate port good)
@@ -37,6 +38,12 @@
       (write-bytes (beginning print) port)
       (flush-output port))
     (checkpoint who file found port)))
+
+(define (note-going-on who file found)
+  (define done (for/sum ([record (in-hash-values found)]) (length (finished-outcomes (cdr record)))))
+  (when (> done 0)
+    (note-once (format "~a: goes on from a checkpoint, where ~a ~a followed already\n  file: ~a"
+                       who done (if (= done 1) "start is" "starts are") file))))
 
 ;; The bytes with which a file of that task begins.
 (define (beginning print) (bytes-append title (record-bytes print)))

@@ -5,4 +5,5 @@
 
 (provide-on-demand
  ["evolve-ensemble.rkt" evolve-ensemble ensemble-failure? ensemble-failure-index
-                        ensemble-failure-message ensemble-failure-state])
+                        ensemble-failure-message ensemble-failure-state]
+ ["parameter-sweep.rkt" sweep])

@@ -77,7 +77,7 @@ small number of starts, and systems or events that cannot be compiled, such as t
 something by their state. Methods are given by name (@racket[ode-integration-method]).
 
 With a @racket[file] as checkpoint, finished batches are written there. The same call goes on from
-it, and so does a call with more starts behind those. A file that is no checkpoint, or is one of
+it, says in a note how many starts are done, and so does a call with more starts behind those. A file that is no checkpoint, or is one of
 other starts, of another system or of batches of another size, is refused and left as it is. If the
 disk is full the run ends with an error, and the checkpoint stays good.
 Batches have checksums: batches that the disk has damaged are reported on the error port and
@@ -107,6 +107,20 @@ or @racket[#f] if there is none.
 (ensemble-failure-index (car ends))
 (time (ensemble-failure-state (car ends)))
 (ensemble-failure-message (car ends))]}
+
+@defproc[(sweep [parameters (listof (list/c symbol? any/c))] [name symbol?] [values sequence?])
+         (listof list?)]{
+
+Rows of parameters, for @racket[evolve-ensemble], in which the one of that name takes one of the
+@racket[values] after another and the others keep theirs, in the order in which they are given. It is
+an error if there is no parameter of that name.
+
+@examples[#:eval session
+(sweep '((g 9.8) (m 1) (l 1)) 'l '(1 1.5 2))
+(define (pendulum-of g m l) (Lagrangian->state-derivative (L-pendulum g m l)))
+(evolve-ensemble pendulum-of (list (up 0 1 0) (up 0 1 0) (up 0 1 0)) 2
+                 #:parameters (sweep '((g 9.8) (m 1) (l 1)) 'l '(1 1.5 2)) #:jobs 1)
+(eval:error (sweep '((g 9.8) (m 1) (l 1)) 'length '(1 2)))]}
 
 @section{Systems in other languages}
 

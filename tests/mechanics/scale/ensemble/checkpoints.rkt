@@ -8,8 +8,15 @@
          (only-in racket/list take)
          mechanics/book
          mechanics
+         compiler/find-exe
+         (only-in mechanics/error/note start-session-of-notes!)
+         (only-in mechanics/scale/ensemble/prepare-task make-task)
+         (only-in mechanics/scale/ensemble/task batch send)
+         tests/mechanics/support/patience
          tests/mechanics/support/skip
          "../../support/checks.rkt")
+
+(define-runtime-path worker-file "../../../../mechanics/scale/ensemble/worker.rkt")
 
 (define (pendulum m l g) (Lagrangian->state-derivative (L-pendulum g m l)))
 (define count 100)
@@ -44,6 +51,32 @@
     (define whole (file-size file))
     (check-equal? (follow #:jobs 1 #:checkpoint file) alone)
     (check-equal? (file-size file) whole)))
+
+(test-case "a run that goes on says how much is done"
+  (with-file file
+    (follow #:jobs 1 #:checkpoint file #:starts (take starts 32))
+    (define said (open-output-string))
+    (define (in-session)
+      (start-session-of-notes!)
+      (follow #:jobs 1 #:checkpoint file))
+    (parameterize ([current-error-port said])
+      (thread-wait (thread in-session)))
+    (check-equal? (get-output-string said)
+                  (format (string-append "; evolve-ensemble: goes on from a checkpoint, where 32 "
+                                         "starts are followed already\n;   file: ~a\n")
+                          file))))
+
+(test-case "a worker whose parent has died ends in the middle of a batch, without a word"
+  (define-values (t _shape)
+    (make-task 'test (pendulum 1 1 9.8) (up 0 1 0) '() '() #f 1e12 1e-10 'auto))
+  (define-values (process out in errors) (subprocess #f #f #f (find-exe) worker-file))
+  (send t in)
+  (send (batch 0 '(#(0.0 1.0 0.0)) '(#())) in)
+  (check-false (sync/timeout 1 out))
+  (close-output-port in)
+  (check-eq? (sync/patience 60 process) process)
+  (check-equal? (subprocess-status process) 0)
+  (check-equal? (list (port->string errors) (port->bytes out)) '("" #"")))
 
 (test-case "a break in mid-run leaves a checkpoint that the same call goes on from"
   (with-file file

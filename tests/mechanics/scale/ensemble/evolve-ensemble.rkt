@@ -26,6 +26,10 @@
 
 (define alone (follow #:jobs 1))
 
+(test-case "rows of parameters by the name of one"
+  (check-equal? (sweep '((m 1) (l 2) (g 9.8)) 'l '(1 2.5)) '((1 1 9.8) (1 2.5 9.8)))
+  (check-equal? (sweep '((m 1)) 'm (in-range 3)) '((0) (1) (2))))
+
 (test-case "as one by one, in the order of the starts, by however many"
   (check-equal? (length alone) count)
   (for ([state alone] [start starts] [ps parameters] [k count] #:when (zero? (modulo k 9)))

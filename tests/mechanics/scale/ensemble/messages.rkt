@@ -20,6 +20,16 @@
 (define lost (car (evolve-ensemble pendulum (list (up 0 1 0)) 1 #:parameters '((1 0 9.8)))))
 
 (says
+ [(sweep '((g 9.8) (length 1)) 'lenght '(1 2))
+  "sweep: there is no parameter lenght; did you mean length?\n  there are: g, length"]
+ [(sweep '(g 9.8) 'g '(1))
+  "sweep: expected the parameters with their values, such as '((m 1) (l 2))\n"
+  "  given: (g 9.8), a list"]
+ [(sweep '((g 9.8)) 'g 3)
+  "sweep: expected the values that it takes, a list or another sequence\n"
+  "  given: the number 3"])
+
+(says
  [(evolve-ensemble free '() 1) "evolve-ensemble: there are no starts"]
  [(evolve-ensemble free (up 0 1 0) 1)
   "evolve-ensemble: expected the starts as a list or another sequence of states\n"
