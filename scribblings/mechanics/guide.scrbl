@@ -35,6 +35,7 @@ order.
 @include-section["guide/chapter-6.scrbl"]
 @include-section["guide/chapter-7.scrbl"]
 @include-section["guide/resonances.scrbl"]
+@include-section["guide/equilibrium-to-chaos.scrbl"]
 @include-section["guide/geometry.scrbl"]
 @include-section["guide/geometry-stories.scrbl"]
 @include-section["guide/geometry-motion.scrbl"]
