@@ -1,7 +1,7 @@
 #lang mechanics
-;; Lorenz's model of a fluid that is heated from below.  Rest gives way to a steady roll where rho is
-;; 1, and the roll is stable up to a point of Hopf's at 470/19.  The orbits that begin there go back
-;; to smaller rho and are unstable: so the motion jumps away, and is chaotic.
+;; Lorenz's model of a fluid that is heated from below.  Rest gives way to a steady roll where rho
+;; is 1, and the roll is stable up to a point of Hopf's at 470/19.  The orbits that begin there go
+;; back to smaller rho and are unstable: so the motion jumps away, and is chaotic.
 
 (define ((Lorenz rho) (up x y z))
   (up (* 10 (- y x)) (- (* x (- rho z)) y) (- (* x y) (* 8/3 z))))

@@ -9,7 +9,7 @@
                                '(current-directory (find-system-path 'temp-dir))))
 
 What a research paper asks of a Hamiltonian, asked of one: that of Hénon and Heiles, a star in the
-mean field of a galaxy (@sicm{3.6.2, p. 253}). The page goes from its equilibria by their normal form
+mean field of a galaxy (@sicm{3.6.3, p. 252}). The page goes from its equilibria by their normal form
 to periodic orbits, sections and chaos, compares each step with another one, and ends with
 measurements.
 
