@@ -20,8 +20,8 @@
 
 ;; A family of states.  noun : "equilibria", "periodic orbits"; orbit? : is its spectrum one of
 ;; multipliers?; state : unknowns -> value
-;; onset : of equilibria, a point of Hopf's and limits -> the family of orbits that begin there and a
-;; point of it; else #f
+;; onset : of equilibria, a point of Hopf's and limits -> the family of orbits that begin there and
+;; a point of it; else #f
 ;; systems : parameter, or energy, -> state derivative
 (struct family (equations noun orbit? state onset systems) #:authentic)
 

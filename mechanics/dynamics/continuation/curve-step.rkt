@@ -19,7 +19,8 @@
          (only-in "../../numeric/optimization/trust-region.rkt" shortest-solution trust-region))
 
 (provide (struct-out equations) (struct-out evaluated) (struct-out point)
-         start-on-curve point-across solution-near point-at point-along step-along bordered scaled-rows)
+         start-on-curve point-across solution-near point-at point-along step-along
+         bordered scaled-rows)
 
 ;; evaluate : unknowns, reference point -> evaluated; scales : flvector
 ;; Of orbits, else #f: period : unknowns -> number; doubled : unknowns -> the equations of the orbit

@@ -1,9 +1,10 @@
 #lang racket/base
 ;; What can be written as a table, as rows of flonums with the names of their columns.
 ;;
-;; A trajectory has a row for each of its times, a branch one for each of its points.  Anything else is a sequence, taken item after
-;; item: states, points of a section, occurrences, numbers, lists of numbers; and failures of an
-;; ensemble, whose rows are not-a-number throughout, so that row k stays that of start k.
+;; A trajectory has a row for each of its times, a branch one for each of its points.  Anything
+;; else is a sequence, taken item after item: states, points of a section, occurrences, numbers,
+;; lists of numbers; and failures of an ensemble, whose rows are not-a-number throughout, so that
+;; row k stays that of start k.
 
 (require racket/flonum
          "number-table.rkt"
@@ -62,7 +63,8 @@
 (define (branch-rows b)
   (define states (branch-states b))
   (for/list ([p (in-list (branch-parameters b))] [state (in-list states)]
-             [T (in-list (or (branch-periods b) states))] [stable? (in-list (branch-stabilities b))])
+             [T (in-list (or (branch-periods b) states))]
+             [stable? (in-list (branch-stabilities b))])
     (apply up p (append (scalars state) (if (branch-periods b) (list T) '())
                         (list (if stable? 1 0))))))
 

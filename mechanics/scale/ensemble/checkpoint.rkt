@@ -40,7 +40,8 @@
     (checkpoint who file found port)))
 
 (define (note-going-on who file found)
-  (define done (for/sum ([record (in-hash-values found)]) (length (finished-outcomes (cdr record)))))
+  (define done
+    (for/sum ([record (in-hash-values found)]) (length (finished-outcomes (cdr record)))))
   (when (> done 0)
     (note-once (format "~a: goes on from a checkpoint, where ~a ~a followed already\n  file: ~a"
                        who done (if (= done 1) "start is" "starts are") file))))

@@ -13,7 +13,8 @@
 ;; -> a list of rows for evolve-ensemble, each a list of values in that order
 (define (sweep parameters name values)
   (unless (and (list? parameters) (andmap pair-of-name? parameters))
-    (complain-of-argument who "the parameters with their values, such as '((m 1) (l 2))" parameters))
+    (complain-of-argument who "the parameters with their values, such as '((m 1) (l 2))"
+                          parameters))
   (check-argument who (lambda (x) (and (sequence? x) (not (number? x)))) values
                   "the values that it takes, a list or another sequence")
   (define names (map car parameters))

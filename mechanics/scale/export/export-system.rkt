@@ -10,7 +10,8 @@
 
 (require racket/file
          racket/path
-         "C.rkt" "JAX.rkt" "exported-branch.rkt" "exported-system.rkt" "variable-names.rkt" "python.rkt"
+         "C.rkt" "JAX.rkt" "exported-branch.rkt" "exported-system.rkt" "python.rkt"
+         "variable-names.rkt"
          "../../algebra/expression/symbols.rkt"
          (only-in "../../dynamics/continuation/branch.rkt" branch?)
          "../../error/complain.rkt" "../../error/machine-limits.rkt"
@@ -30,7 +31,8 @@
 
 (define (call-receiving-exports receive use) (parameterize ([receiver receive]) (use)))
 
-;; derivative : state -> state, or a branch; example : a state of numbers, or of symbols to name variables
+;; derivative : state -> state, or a branch; example : a state of numbers, or of symbols to name
+;; variables
 ;; -> the folder's name, complete
 (define-plain (export-system derivative example
                              #:language [target 'C]

@@ -97,7 +97,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Colours
 
-;; shown : indicator -> number on the bar; -inf.0 is an indicator that is not known yet, and transparent
+;; shown : indicator -> number on the bar.  What is not known yet, -inf.0, is transparent.
 (define (colored indicators bar shown)
   (define bytes (make-bytes (* 4 (flvector-length indicators)) 255))
   (define-values (from to) (values (color-bar-from bar) (color-bar-to bar)))
@@ -110,8 +110,9 @@
   bytes)
 
 ;; What the colours go from, regular, to, chaotic.  FLI is about log n for a regular orbit; three
-;; times that is chaos beyond doubt.  MEGNO is 2 for a regular motion.  SALI, shown by its logarithm,
-;; falls to nothing for a chaotic one; of a map of the plane it is about 1/n² for a regular orbit.
+;; times that is chaos beyond doubt.  MEGNO is 2 for a regular motion.  SALI, shown by its
+;; logarithm, falls to nothing for a chaotic one; of a map of the plane it is about 1/n² for a
+;; regular orbit.
 (define (indicator-bar kind n map? colors)
   (define regular (log (max n 2) 10))
   (case kind

@@ -17,7 +17,8 @@
 ;; xs, ys : flvectors -> an flvector, row by row, with not-a-number where there is no motion
 ;; (grown all) after each row, where motions to come are -inf.0
 (define (motion-indicators who f state-at xs ys duration
-                           #:indicator kind #:tolerance tolerance #:jobs jobs #:checkpoint file #:grown [grown void])
+                           #:indicator kind #:tolerance tolerance #:jobs jobs #:checkpoint file
+                           #:grown [grown void])
   (check-asked who f state-at duration kind)
   (define states
     (for*/list ([y (in-flvector ys)] [x (in-flvector xs)]) (state-at x y)))

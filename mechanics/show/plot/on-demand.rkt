@@ -8,7 +8,8 @@
          ["picture-page.rkt" draw-to-bytes draw-figure]
          ["frame-pict.rkt" make-picture converted-picture])
 
-(provide can-draw? why-not color-name? draw-picture make-picture picture-bytes draw-figure picture-point)
+(provide can-draw? why-not color-name?
+         draw-picture make-picture picture-bytes draw-figure picture-point)
 
 ;; -> string, which ends with what to install, or #f
 (define why-not (reason-not-to-load loaded?))

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Pictures as files: one alone, or several in rows as the panels of a figure.
 ;;
-;; A figure for print has a width in centimetres and letters of a size in points: its panels are laid
-;; out again, so wide that with letters of 12 units they come out in that size.
+;; A figure for print has a width in centimetres and letters of a size in points: its panels are
+;; laid out again, so wide that with letters of 12 units they come out in that size.
 
 (require (only-in racket/class new send send*)
          (only-in racket/draw bitmap-dc% current-ps-setup make-bitmap make-font pdf-dc% svg-dc%)

@@ -8,7 +8,8 @@
 
 (provide plot-area (struct-out area) area-place draw-axes)
 
-;; bar : a color-bar to the right, or #f; x-ticks, y-ticks : of plot-ticks.rkt; left, right, top, bottom : the edges, flonums, in pixels
+;; bar : a color-bar to the right, or #f; x-ticks, y-ticks : of plot-ticks.rkt; left, right, top,
+;; bottom : the edges, flonums, in pixels
 (struct area (view bar x-ticks y-ticks left right top bottom))
 
 (define tick-length 5)           ; to either side of the axis; half of it without a number

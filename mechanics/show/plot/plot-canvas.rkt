@@ -17,7 +17,8 @@
 
 (define (call-with-font font use) (parameterize ([picture-font font]) (use)))
 
-;; A text that was not drawn: x, y : where its base line begins, on the page; length, size : in units
+;; A text that was not drawn.  x, y : where its base line begins, on the page, in units, as are
+;; length and size
 (struct caught (string x y length size turned?) #:authentic)
 
 ;; What is done with a text in place of drawing it, or #f; where the picture is on the page
@@ -37,8 +38,8 @@
             (send dc get-text-foreground) (send dc get-smoothing) (send dc get-text-mode)
             (send dc get-alpha) (send dc get-clipping-region) (send dc get-transformation)))
   (send* dc
-    (translate x y) (set-font (picture-font)) (set-text-foreground "black") (set-smoothing 'smoothed)
-    (set-text-mode 'transparent) (set-alpha 1.0))
+    (translate x y) (set-font (picture-font)) (set-text-foreground "black")
+    (set-smoothing 'smoothed) (set-text-mode 'transparent) (set-alpha 1.0))
   (parameterize ([origin (cons x y)]) (draw))
   (send* dc
     (set-transformation place) (set-pen pen) (set-brush brush) (set-font old-font)
@@ -102,7 +103,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Text
 
-;; A string, or the tree of a formula, and the rectangle that it fills; turned? : is it read from below upwards?
+;; A string, or the tree of a formula, and the rectangle that it fills; turned? : is it read from
+;; below upwards?
 (struct text (string left top width height turned?))
 
 ;; x, y : where is the point of the rectangle that is such shares of its width to the right and of

@@ -69,7 +69,8 @@
                      #:when (<= low at high))
            (tick at (and (= m 1) (eqv? 0 (modulo k apart)) (power->label k))))]))
 
-(define (power->label k) (if (<= -2 k 3) (number->label (expt 10 k) 3) (format "10~a" (superscript k))))
+(define (power->label k)
+  (if (<= -2 k 3) (number->label (expt 10 k) 3) (format "10~a" (superscript k))))
 
 ;; ---------------------------------------------------------------------------
 ;; Labels

@@ -9,8 +9,8 @@
                                '(current-directory (find-system-path 'temp-dir))))
 
 What a research paper asks of a Hamiltonian, asked of one: that of Hénon and Heiles, a star in the
-mean field of a galaxy (@sicm{3.6.3, p. 252}). The page goes from its equilibria by their normal form
-to periodic orbits, sections and chaos, compares each step with another one, and ends with
+mean field of a galaxy (@sicm{3.6.3, p. 252}). The page goes from its equilibria by their normal
+form to periodic orbits, sections and chaos, compares each step with another one, and ends with
 measurements.
 
 @section{Where it rests}
@@ -39,8 +39,8 @@ momentum alone.
 (verify-equal (series:ref ((normal-form-Hamiltonian N) state) 2)
               (/ (- (* 7 (square L)) (* 5 (square I))) 12))]
 
-It predicts that a star on a straight line, where L is 0, has the frequency ∂H/∂I = 1 − 5I/6, and one
-on a circle, where L is ±I, the frequency 1 + I/3.
+It predicts that a star on a straight line, where L is 0, has the frequency ∂H/∂I = 1 − 5I/6, and
+one on a circle, where L is ±I, the frequency 1 + I/3.
 
 @section{Families of periodic orbits}
 
@@ -56,8 +56,8 @@ straight
 (list (car (branch-periods straight)) (/ :2pi (- 1 (* 5/6 0.005))))]
 
 At each special point the orbit gains or loses its stability, and others leave it. Those of the
-pitchforks are at 0.969309 and 0.986709 of the saddle's energy, as M. Brack computed them (Foundations
-of Physics 31, 2001). The ones that leave at the first are stable:
+pitchforks are at 0.969309 and 0.986709 of the saddle's energy, as M. Brack computed them
+(Foundations of Physics 31, 2001). The ones that leave at the first are stable:
 
 @examples[#:eval session #:label #f
 (define fork

@@ -11,7 +11,8 @@ Numbers that go to other programs, and numbers that were measured.
 
 @section{Tables}
 
-@defproc[(write-table [data (or/c trajectory? branch? number-table? (sequence/c row))] [file path-string?]
+@defproc[(write-table [data (or/c trajectory? branch? number-table? (sequence/c row))]
+                      [file path-string?]
                       [#:names names (or/c (listof (or/c symbol? string?)) #f) #f]
                       [#:times times (or/c (listof real?) #f) #f])
          void?]{
@@ -28,13 +29,13 @@ format:
  @item{@filepath{.npz}: an archive with an array for each column, in NumPy's format.
  @tt{numpy.load(file)['q']} is a column, and it is the smallest of the three.}]
 
-A trajectory has a row for the end of each step, or for each of the @racket[times]; if its
-state does not tell the time, the time is the first column. A branch has a row for each point: the
-parameter, the state, the period of an orbit, and 1 where it is stable. Any other sequence has a row for each
-item: a state of any shape, a point of a section, an occurrence, a number, a list of numbers, or a
-failure of an ensemble, whose row is not-a-number throughout, so that row @italic{k} is that of
-start @italic{k}. Items are taken one by one, and a million of them take no more memory than a
-hundred if they are made as they are taken.
+A trajectory has a row for the end of each step, or for each of the @racket[times]; if its state
+does not tell the time, the time is the first column. A branch has a row for each point: the
+parameter, the state, the period of an orbit, and 1 where it is stable. Any other sequence has a row
+for each item: a state of any shape, a point of a section, an occurrence, a number, a list of
+numbers, or a failure of an ensemble, whose row is not-a-number throughout, so that row @italic{k}
+is that of start @italic{k}. Items are taken one by one, and a million of them take no more memory
+than a hundred if they are made as they are taken.
 
 Without @racket[names] the columns of a state @racket[(up t q v)] are @tt{t}, @tt{q} and @tt{v}, or
 @tt{p} where it is @racket[down]; several coordinates are numbered, @tt{q0}, @tt{q1}. Columns of

@@ -77,11 +77,12 @@ small number of starts, and systems or events that cannot be compiled, such as t
 something by their state. Methods are given by name (@racket[ode-integration-method]).
 
 With a @racket[file] as checkpoint, finished batches are written there. The same call goes on from
-it, says in a note how many starts are done, and so does a call with more starts behind those. A file that is no checkpoint, or is one of
-other starts, of another system or of batches of another size, is refused and left as it is. If the
-disk is full the run ends with an error, and the checkpoint stays good.
-Batches have checksums: batches that the disk has damaged are reported on the error port and
-repeated. A damaged beginning of the file, which tells whose checkpoint it is, is an error.
+it, says in a note how many starts are done, and so does a call with more starts behind those. A
+file that is no checkpoint, or is one of other starts, of another system or of batches of another
+size, is refused and left as it is. If the disk is full the run ends with an error, and the
+checkpoint stays good. Batches have checksums: batches that the disk has damaged are reported on the
+error port and repeated. A damaged beginning of the file, which tells whose checkpoint it is, is an
+error.
 
 A start that cannot be followed to the end has an @racket[ensemble-failure?] as its value; the
 others go on. An error tells the index of a start or of parameters that have another shape or are
@@ -112,8 +113,8 @@ or @racket[#f] if there is none.
          (listof list?)]{
 
 Rows of parameters, for @racket[evolve-ensemble], in which the one of that name takes one of the
-@racket[values] after another and the others keep theirs, in the order in which they are given. It is
-an error if there is no parameter of that name.
+@racket[values] after another and the others keep theirs, in the order in which they are given. It
+is an error if there is no parameter of that name.
 
 @examples[#:eval session
 (sweep '((g 9.8) (m 1) (l 1)) 'l '(1 1.5 2))
@@ -124,7 +125,8 @@ an error if there is no parameter of that name.
 
 @section{Systems in other languages}
 
-@defproc[(export-system [derivative (or/c (-> state rates) branch?)] [example state-of-numbers-or-symbols]
+@defproc[(export-system [derivative (or/c (-> state rates) branch?)]
+                        [example state-of-numbers-or-symbols]
                         [#:language language (or/c 'C 'python 'JAX) 'C]
                         [#:name name (or/c string? symbol?) "motion"]
                         [#:folder folder path-string? (format "~a-~a" name language)]
@@ -185,9 +187,9 @@ motion under constraints (@racket[constrained-state-derivative]) is exported by 
 steps are not brought back to the constraints there.
 
 A branch (@secref["branches"]) in place of the derivative is exported as the system of its family,
-whose parameter is the symbol in @racket[parameters], else @racket['parameter]. Beside it are written
-its points, @filepath{starts.txt}, which the program in C reads, a line for each with the value of
-the parameter, and of orbits their periods, @filepath{periods.txt}.
+whose parameter is the symbol in @racket[parameters], else @racket['parameter]. Beside it are
+written its points, @filepath{starts.txt}, which the program in C reads, a line for each with the
+value of the parameter, and of orbits their periods, @filepath{periods.txt}.
 
 A program says by @racket[export-system] what @exec{raco mechanics export} exports of it
 (@secref["guide-scales"]): run by that command, it writes nothing itself, and

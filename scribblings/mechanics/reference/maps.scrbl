@@ -414,7 +414,8 @@ inverse square then where the orbit is regular, and the indicator of an orbit th
 @racket[+nan.0].
 
 The state may have any shape, and units are any consistent ones. It is an error if the motion cannot
-be followed to the end. @racket[chaos-map] draws the indicators of many motions or orbits. (P. M. Cincotta and C. Simó 2000; Ch. Skokos 2001.)
+be followed to the end. @racket[chaos-map] draws the indicators of many motions or orbits. (P. M.
+Cincotta and C. Simó 2000; Ch. Skokos 2001.)
 
 @examples[#:eval session
 (define regular (section->state 1/8 0.1 0))

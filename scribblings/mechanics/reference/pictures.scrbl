@@ -427,8 +427,8 @@ Writes the picture to a file, as PNG, SVG or PDF by the end of its name; several
 side by side, or in rows. What was there is replaced when the new file is complete. Text in PDF and
 SVG is text, but for formulas in SVG. For very many points PNG is the smallest.
 
-For a paper the width of the whole is given in centimeters: panels keep the ratio of their sides, and
-are laid out so that letters have @racket[font-size] points on paper, in the typeface
+For a paper the width of the whole is given in centimeters: panels keep the ratio of their sides,
+and are laid out so that letters have @racket[font-size] points on paper, in the typeface
 @racket[font], else in one with serifs. A PNG has 300 dots to an inch then.
 
 @codeblock|{

@@ -313,8 +313,8 @@
     (check-equal? (ink (g:* 2 'theta)) (ink (g:* 2 'theta)))))
 
 (test-case "what is said of figures"
-  (check-message (string-append "graphics-save: expected a width in centimeters, from 1 to 200, or #f"
-                                "\n  given: the number 0")
+  (check-message (string-append "graphics-save: expected a width in centimeters, from 1 to 200, "
+                                "or #f\n  given: the number 0")
                  (graphics-save (drawn) "a.png" #:centimeters 0))
   (check-message (string-append "graphics-save: expected a size of letters in points, from 1 to 100"
                                 "\n  given: the number 0.5")
