@@ -4,7 +4,6 @@
 
 (require racket/flonum
          "branch.rkt" "curve-step.rkt"
-         "../map/map-on-tuples.rkt" "../map/period-check.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/compare.rkt" "../../generic/describe.rkt"
          "../../generic/function.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"

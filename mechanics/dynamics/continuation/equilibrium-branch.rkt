@@ -6,10 +6,8 @@
          "branch-start.rkt" "branch.rkt" "curve-step.rkt" "Hopf-orbit.rkt"
          "../map/map-on-tuples.rkt" "../map/period-check.rkt"
          "../../calculus/derivative.rkt"
-         "../../error/complain.rkt" "../../error/failure.rkt"
-         "../../generic/compare.rkt" "../../generic/define-plain.rkt" "../../generic/describe.rkt"
-         "../../generic/function.rkt" "../../generic/up-down.rkt" "../../generic/wrong-argument.rkt"
-         "../../motion/system/check.rkt"
+         "../../error/failure.rkt"
+         "../../generic/define-plain.rkt" "../../generic/up-down.rkt"
          "../../numeric/linear-algebra/general-eigenvalues.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
          "../../value/shape.rkt")
