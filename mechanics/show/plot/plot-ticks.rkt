@@ -56,7 +56,9 @@
 ;; low < high : decimal logarithms -> list of ticks at logarithms, ascending.  There are numbers at
 ;; powers of ten, from one to the next or passing over some, and ticks at their multiples up to 9;
 ;; where there are fewer than two powers, numbers are those of a plain axis.
-(define (log-ticks-between low high)
+(define (log-ticks-between from to)
+  (define rounding (* 1e-9 (- to from)))
+  (define-values (low high) (values (- from rounding) (+ to rounding)))
   (define powers (multiples 1 (inexact->exact low) (inexact->exact high)))
   (define apart (max 1 (quotient (length powers) wanted-numbers)))
   (cond [(null? (if (pair? powers) (cdr powers) '()))

@@ -163,6 +163,25 @@ the @program-link["interactive/standard-map.rkt"], sections of the stars of Hén
 @program-link["interactive/Henon-Heiles.rkt"], and a verdict that changes,
 @program-link["interactive/proposed-path.rkt"].
 
+@section{Figures for a paper}
+
+Axes may be logarithmic, and labels formulas, which are typeset:
+
+@examples[#:eval session #:label #f
+(define resonance
+  (frame 0.1 10 0.01 20 #:x-scale 'log #:y-scale 'log #:width 400 #:height 250
+         #:x-label (/ 'omega 'omega_0) #:y-label 'amplitude))
+(for ([damping '(0.1 0.5 2)] [color '(black blue red)])
+  (plot-function resonance
+                 (lambda (w) (/ 1 (sqrt (+ (square (- 1 (square w))) (square (* damping w))))))
+                 0.1 10 #:color color))
+resonance]
+
+A paper's column is so many centimetres wide, and its letters have so many points. Several frames
+are panels of one figure:
+
+@racketblock[(graphics-save (list resonance win) "figure.pdf" #:centimeters 17 #:font-size 8)]
+
 @section{The figures as programs}
 
 In @filepath{examples/mechanics/figures} each figure is a program (@secref["programs"]) that

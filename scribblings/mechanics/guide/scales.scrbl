@@ -43,10 +43,11 @@ comes through the bottom from the right.
 @section{All cores}
 
 Without @racket[#:jobs] there are as many workers as cores. Each is a process of its own, which
-takes about half a second to begin: what takes less than a few seconds is done sooner by one. A
-run of hours wants a checkpoint, @racket[#:checkpoint "swings.ensemble"]: stopped by whatever it
-may be, Ctrl-C, a full disk or a power cut, the same call goes on where it was, and so does a call
-with more starts behind those.
+takes about half a second to begin: what takes less than a few seconds is done sooner by one.
+@racket[sweep] makes the rows in which one parameter, told by its name, changes. A run of hours
+wants a checkpoint, @racket[#:checkpoint "swings.ensemble"]: stopped by whatever it may be, Ctrl-C,
+a full disk or a power cut, the same call goes on where it was, and so does a call with more starts
+behind those.
 
 @section{Tables for other programs}
 
@@ -79,7 +80,8 @@ make
 ./pendulum 100 1e-9 < starts > finals
 }|
 
-A line of @tt{starts} has the variables and then the parameters.
+A line of @tt{starts} has the variables and then the parameters. Where a branch of periodic orbits
+(@secref["branches"]) is exported, @filepath{starts.txt} and @filepath{periods.txt} hold its orbits.
 
 From the command line the same is done with a program as it stands:
 

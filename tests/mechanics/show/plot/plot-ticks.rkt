@@ -34,6 +34,8 @@
     (define ticks (log-ticks-between low high))
     (check-equal? (filter values (map tick-label ticks)) numbers)
     (check-true (andmap (lambda (t) (<= low (tick-value t) high)) ticks)))
+  (check-equal? (map tick-label (log-ticks-between -0.9999999999999999 -1e-16))
+                '(".1" #f #f #f #f #f #f #f #f "1"))
   (check-equal? (length (log-ticks-between 0 2)) 19))
 
 (test-case "ticks ascend at equal distances, within the ends, whatever these are"
