@@ -8,7 +8,7 @@
 
 (require racket/flonum
          "cache.rkt" "code-check.rkt" "closures.rkt" "program.rkt" "derivative-sweep.rkt"
-         "trace.rkt"
+         "shorter-program.rkt" "trace.rkt"
          "../calculus/gradient.rkt"
          "../error/complain.rkt" "../error/failure.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt"
@@ -58,7 +58,7 @@
   (check-one-number who f (flvector->structure example (example->flvector who example)))
   (define-values (p shape) (trace who f example))
   (define q (and (program? p) (program-with-gradient p)))
-  (define code (and q (gradient-code q f)))
+  (define code (and q (gradient-code (shorter-program q) f)))
   (cond [(and code (all-right? who code (with-gradient f) example)) code]
         [(program? p) (compile-function (with-gradient f) example #:name who)]
         [else (evaluate-generically who (with-gradient f) example p)]))
@@ -97,7 +97,7 @@
                         #:unknown [check-unknown raise-no-value])
   (define point (example->flvector who example))
   (define-values (p shape) (trace who f example #:unknown check-unknown))
-  (define code (and (program? p) (program->compiled-function p shape f)))
+  (define code (and (program? p) (program->compiled-function (shorter-program p) shape f)))
   (cond [(not code) (values #f p)]
         [(right? code value-at point varying value) (values code #f)]
         [else (values #f different)]))

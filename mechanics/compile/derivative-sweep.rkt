@@ -13,7 +13,7 @@
 ;; the adjoint of x, and −λ xᵀ is that of A; its tangent is that of A x' = b' − A' x.
 
 (require racket/list
-         "program-builder.rkt" "program.rkt"
+         "program-builder.rkt" "program.rkt" "shorter-program.rkt"
          "../generic/elementary.rkt" "../generic/kind.rkt")
 
 (provide reload sweep-back! derivative-along last-dependent differentiable?
@@ -61,7 +61,7 @@
 (define (tangent-program p)
   (define n (program-inputs p))
   (define-values (b columns) (differentiate p n +inf.0))
-  (builder->program b n (append* (apply map list columns))))
+  (shorter-program (builder->program b n (append* (apply map list columns)))))
 
 ;; -> program whose values are the derivatives of all values by the first of the first n inputs,
 ;; then those by the second one ..., which is how implicit methods take them; or #f where not all
@@ -70,7 +70,7 @@
   (define-values (b columns) (if (differentiable? p) (differentiate p n most) (values #f #f)))
   (and b
        (<= (written-count b) most)
-       (builder->program b (program-inputs p) (append* columns))))
+       (shorter-program (builder->program b (program-inputs p) (append* columns)))))
 
 ;; -> a builder that holds them, and for each of the first n inputs the derivatives of the outputs
 ;; by it, a list of operands; no more are written than `most` operations and those by one input

@@ -7,7 +7,8 @@
 (require racket/list
          "state-variables.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
-         "../../compile/derivative-sweep.rkt" "../../compile/trace.rkt"
+         "../../compile/derivative-sweep.rkt" "../../compile/shorter-program.rkt"
+         "../../compile/trace.rkt"
          "../../error/complain.rkt" "../../error/hint.rkt"
          "../../generic/describe.rkt" "../../generic/function-check.rkt"
          "../../generic/up-down.rkt"
@@ -56,7 +57,7 @@
   (define s
     (exported name definition
               (all-named given (suggested-names derivative example clock?) parameters)
-              parameters clock? p #f '()))
+              parameters clock? (shorter-program p) #f '()))
   (if derivatives? (with-jacobian s) s))
 
 (define (with-jacobian s) (struct-copy exported s [jacobian (tangent-program (exported-slope s))]))

@@ -6,7 +6,7 @@
 
 (provide
  driven-pendulum driven-parameters
- rigid-body rigid-body-start
+ rigid-body rigid-body-start three-bodies three-bodies-start
  Henon-Heiles Henon-Heiles-start
  released-chain released-chain-start
  standard-map standard-map-by-hand
