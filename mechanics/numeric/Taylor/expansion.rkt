@@ -13,7 +13,7 @@
 
 (provide (struct-out expander) (struct-out work) work-of-order
          (struct-out expansion) (struct-out ending) expand! follow! coefficient-row
-         for-each-sum value-at! coefficients-finite?)
+         for-each-sum for-each-rate value-at! coefficients-finite?)
 
 ;; What makes expansions.  make : order -> expansion; work : what one of them takes;
 ;; branches? : may they go on where f takes another branch, as that of √x² = x does where x < 0?
@@ -88,14 +88,23 @@
     (when (unsafe-fx<= k (ending-last (car kernels))) ((ending-kernel (car kernels)) k))
     (run-ending! (cdr kernels) k)))
 
-;; Of each state, the row c and s = Σ c_j u^(j − first), j from `first` on, for what is done with
-;; these at its index i.  Two at a time, for the processor works on both at once.
+;; Of each state, its row c and s = Σ c_j u^(j − first), j from `first` on, for what is done with
+;; these at its index i.
 (define-syntax-rule (for-each-sum e u first (i c s) do)
-  (let* ([states (expansion-states e)]
-         [lasts (expansion-lasts e)]
-         [end (unsafe-fx- (vector-length states) 1)])
-    (define-syntax-rule (row k) (unsafe-vector-ref states k))
-    (define-syntax-rule (last k) (unsafe-fxvector-ref lasts k))
+  (for-each-row-sum (expansion-states e) (expansion-lasts e) 0 u first (i c s) do))
+
+;; The same of the rates of the states, all terms that are known.
+(define-syntax-rule (for-each-rate e u (i c s) do)
+  (for-each-row-sum (expansion-slopes e) (expansion-lasts e) 1 u 0 (i c s) do))
+
+;; Rows that end so much before the given indices.  Two at a time, for the processor works on both
+;; at once.
+(define-syntax-rule (for-each-row-sum all lasts before u first (i c s) do)
+  (let* ([rows all]
+         [ends lasts]
+         [end (unsafe-fx- (vector-length rows) 1)])
+    (define-syntax-rule (row k) (unsafe-vector-ref rows k))
+    (define-syntax-rule (last k) (unsafe-fx- (unsafe-fxvector-ref ends k) before))
     (let loop ([i 0])
       (cond [(unsafe-fx> i end) (void)]
             [(and (unsafe-fx< i end) (unsafe-fx= (last i) (last (unsafe-fx+ i 1))))

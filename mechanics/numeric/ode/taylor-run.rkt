@@ -20,25 +20,25 @@
 ;; branches? : may f take another branch within a step (numeric/Taylor/expansion.rkt)?
 ;; y, lost   : the present state, and what rounding has lost of it
 ;; z, rest   : those that the step tried last leads to; from : where the last one began;
-;; slope, within : room
+;; slope, rate, within : room
 ;; unit      : of the time of the coefficients, a power of 2; limit : of the next step, or #f
 ;;             if the coefficients are not those of y
 ;; last      : length of the step accepted last, 0 before the first; tried : of that tried last
 ;; piece     : the step whose coefficients are in e, or #f
 ;; reader    : an expansion for reading pieces later, made then; read : the piece in it; lock :
 ;;             for one reader at a time
-(struct run (f! n e tolerance order share branches? y lost z rest from slope within
+(struct run (f! n e tolerance order share branches? y lost z rest from slope rate within
              [unit #:mutable] [limit #:mutable] [last #:mutable] [tried #:mutable]
              [piece #:mutable] [reader #:mutable] [read #:mutable] lock)
   #:authentic)
 
 (define (make-run f! n tolerance)
-  (define-vectors n y lost z rest from slope within)
+  (define-vectors n y lost z rest from slope rate within)
   (define expand (expandable-expand f!))
   (define order (order-for tolerance (expander-work expand)))
   (define e (expand order))
   (run f! n e tolerance order (log-share order tolerance) (expander-branches? expand)
-       y lost z rest from slope within
+       y lost z rest from slope rate within
        #f #f 0.0 0.0 #f #f #f (make-semaphore 1)))
 
 ;; Begins at y0, unless outlook-from has just done so.

@@ -115,24 +115,17 @@
 ;; By how much y' and f(y) differ at the time u, in units, when the state is y, times the length of
 ;; the step.
 (define (defect-at r h u y)
-  (define-fields run r f! n e slope order unit)
+  (define-fields run r f! n e slope rate)
   (f! y slope)
-  (define steps (fl/ h unit))
+  (for-each-rate e u (i c sum) (put! rate i sum))
   (let loop ([i 0] [greatest 0.0])
     (if (unsafe-fx= i n)
         (unboxed greatest)
-        (let* ([change (unsafe-fl* steps (derivative (coefficient-row e i) order u))]
+        (let* ([change (unsafe-fl* h (at rate i))]
                [by-f (unsafe-fl* h (at slope i))]
                [scale (unsafe-fl+ 1.0 (unsafe-flmax (unsafe-flabs (at y i)) (unsafe-flabs change)))]
                [d (unsafe-fl/ (unsafe-flabs (unsafe-fl- change by-f)) scale)])
           (loop (unsafe-fx+ i 1) (worse greatest d))))))
-
-(define (derivative row order u)
-  (let loop ([k order] [factor (->fl order)] [sum 0.0])
-    (if (unsafe-fx= k 0)
-        (unboxed sum)
-        (loop (unsafe-fx- k 1) (unsafe-fl- factor 1.0)
-              (unsafe-fl+ (unsafe-fl* factor (at row k)) (unsafe-fl* u sum))))))
 
 (define (accept! r)
   (define-fields run r y lost z rest from tried)
