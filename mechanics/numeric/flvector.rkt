@@ -13,7 +13,10 @@
          short?)
 
 (define (flvector-finite? v)
-  (for/and ([x (in-flvector v)]) (fl< (flabs x) +inf.0)))
+  (let loop ([i (flvector-length v)])
+    (or (unsafe-fx= i 0)
+        (let ([k (unsafe-fx- i 1)])
+          (and (unsafe-fl< (unsafe-flabs (unsafe-flvector-ref v k)) +inf.0) (loop k))))))
 
 (define (flvector->list v) (for/list ([x (in-flvector v)]) x))
 

@@ -21,7 +21,7 @@
 ;; extremum counts as zero -> zeros, in their order.  A zero at 0 itself is none.
 (define (polynomial-zeros p touch)
   (define q (without-zero-at-0 p))
-  (cond [(< (flvector-length q) 2) '()]
+  (cond [(or (< (flvector-length q) 2) (keeps-sign? q)) '()]
         [else
          (define inside (search q 0.0 1.0 touch most-halvings))
          (if (fl= (polynomial-value q 1.0) 0.0)
@@ -34,6 +34,25 @@
     (cond [(= k n) (flvector)]
           [(not (fl= (flvector-ref p k) 0.0)) (if (= k 0) p (flvector-copy p k n))]
           [else (loop (+ k 1))])))
+
+;; Do the terms up to order 10 keep p from 0 in (0, 1], whatever the others are?  With x = 1/(1 + t)
+;; these are at most r = Σ |c_k| in size, and r (1 + t)¹⁰ has binomial coefficients.
+(define (keeps-sign? p)
+  (define n (flvector-length binomials))
+  (and (> (flvector-length p) n)
+       (let ([rest (sizes-from p n)] [q (transformed p n)])
+         (define-syntax-rule (all-beyond? sign)
+           (for/and ([c (in-flvector q)] [b (in-flvector binomials)])
+             (unsafe-fl> (unsafe-fl* sign c) (unsafe-fl* rest b))))
+         (or (all-beyond? 1.0) (all-beyond? -1.0)))))
+
+(define binomials (flvector 1.0 10.0 45.0 120.0 210.0 252.0 210.0 120.0 45.0 10.0 1.0))
+
+(define (sizes-from p n)
+  (let loop ([k n] [sum 0.0])
+    (if (unsafe-fx= k (flvector-length p))
+        (unboxed sum)
+        (loop (unsafe-fx+ k 1) (unsafe-fl+ sum (unsafe-flabs (at p k)))))))
 
 (define most-halvings 40)
 
@@ -125,12 +144,16 @@
             (loop (unsafe-fx- k 1) sum))))
       (outer (unsafe-fx+ i 1)))))
 
-;; Of (1 + x)ⁿ p(1/(1 + x)).
+;; (1 + x)ⁿ p(1/(1 + x)), of the first n + 1 coefficients of p, so many
+(define (transformed p count)
+  (define q (make-flvector count))
+  (each (k 0 count) (put! q k (at p (unsafe-fx- (unsafe-fx- count 1) k))))
+  (shift! q)
+  q)
+
 (define (sign-changes p)
   (define n (flvector-length p))
-  (define q (make-flvector n))
-  (each (k 0 n) (put! q k (at p (unsafe-fx- (unsafe-fx- n 1) k))))
-  (shift! q)
+  (define q (transformed p n))
   (let loop ([k 0] [count 0] [sign 0.0])
     (if (unsafe-fx= k n)
         count

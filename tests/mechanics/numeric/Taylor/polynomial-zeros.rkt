@@ -62,3 +62,24 @@
       (define found (zeros-of (apply with-zeros (append inside outside))))
       (check-equal? (length found) (length inside))
       (for ([z found] [x inside]) (check-= (zero-at z) x 1e-6)))))
+
+(test-case "terms beyond order 10 are not passed over"
+  (define (long . cs) (append cs (for/list ([_ (in-range (- 11 (length cs)))]) 0.0)))
+  (define (zero-of cs) (map zero-kind (polynomial-zeros (apply flvector cs) 0.0)))
+  (check-equal? (zero-of (append (long 1.0) '(0.0 -0.999))) '())
+  (check-equal? (zero-of (append (long 1.0) '(0.0 -1.001))) '(falling))
+  (check-equal? (zero-of (append (long 1.0) '(0.0 -1.0))) '(falling))
+  (check-equal? (zero-of (append (long -1.0 1.0) '(0.0 1e-9))) '(rising))
+  (check-equal? (zero-of (append (long 1.0 -1.0) '(0.0 1e-9))) '()))
+
+(test-case "the terms up to order 10 decide only where they say it"
+  (random-seed 12)
+  (for ([_ (in-range 2000)])
+    (define p
+      (for/flvector #:length 16 ([k (in-range 16)]) (* (- (random) 0.5) (expt 0.6 k))))
+    (flvector-set! p 0 (* 0.3 (flvector-ref p 0)))
+    (define changes
+      (for/sum ([j (in-range 1000)])
+        (define (p-at j) (polynomial-value p (/ (->fl j) 1000.0)))
+        (if (< (* (p-at j) (p-at (+ j 1))) 0.0) 1 0)))
+    (check <= changes (length (polynomial-zeros p 0.0)))))
