@@ -6,7 +6,7 @@
 ;; multiplication must be saved.  Values change by rounding.
 
 (require racket/list
-         "sums-of-products.rkt")
+         "sum-terms.rkt" "sums-of-products.rkt")
 
 (provide factor-sums)
 

@@ -6,7 +6,7 @@
 ;; order of factors changes, and with it rounding.
 
 (require racket/list
-         "sums-of-products.rkt")
+         "sum-terms.rkt")
 
 (provide share-products)
 

@@ -11,7 +11,7 @@
 
 (require (only-in racket/list append-map)
          "factored-sums.rkt" "program-builder.rkt" "program.rkt" "shared-products.rkt"
-         "sums-of-products.rkt" "written-sums.rkt")
+         "sum-terms.rkt" "sums-of-products.rkt" "written-sums.rkt")
 
 (provide shorter-program)
 

@@ -6,11 +6,11 @@
 ;; y − x.
 
 (require racket/list
-         "program-builder.rkt" "program.rkt" "sums-of-products.rkt")
+         "program-builder.rkt" "program.rkt" "sum-terms.rkt")
 
 (provide make-writer write-sum!)
 
-;; items : id -> factor (sums-of-products.rkt), or (product id id), (monomial id ...);
+;; items : id -> factor (sum-terms.rkt), or (product id id), (monomial id ...);
 ;; short : monomial -> one that is written in its place; written : id -> operand
 (struct writer (b items short written) #:authentic)
 
