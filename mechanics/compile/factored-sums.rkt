@@ -47,7 +47,7 @@
 (define (most-common-factor s)
   (define savings (make-hasheqv))
   (for* ([t (in-list s)]
-         #:when (and (pair? (monomial t)) (or (pair? (cdr (monomial t))) (not (unit? t))))
+         #:when (and (pair? (monomial t)) (pair? (cdr (monomial t))))
          [id (in-list (remove-duplicates (monomial t) eqv?))])
     (hash-update! savings id add1 0))
   (for*/fold ([best #f] [most 1] #:result best) ([t (in-list s)] [id (in-list (monomial t))])
