@@ -7,15 +7,17 @@
          (prefix-in m: "redefinition/module.rkt")
          "../error/complain.rkt"
          "../generic/describe.rkt"
-         "../teaching/worksheet/exercise.rkt" "../teaching/worksheet/make-exercise.rkt"
-         "../teaching/worksheet/make-worksheet.rkt")
+         "../teaching/worksheet/deadlines.rkt" "../teaching/worksheet/exercise.rkt"
+         "../teaching/worksheet/make-exercise.rkt" "../teaching/worksheet/make-worksheet.rkt"
+         "../teaching/worksheet/student-numbers.rkt")
 
 (provide (rename-out [worksheet-begin #%module-begin]
                      [title-form title] [text-form text] [given-form given]
+                     [deadline-form deadline] [credit-form credit] [parameters-form parameters]
                      [formula-form formula] [exercise-form exercise]))
 
-;; title, due : or #f; parts : latest first
-(struct draft ([title #:mutable] [due #:mutable] [parts #:mutable]))
+;; title, due : or #f; credit : clauses of the exercises that follow; parts : latest first
+(struct draft ([title #:mutable] [due #:mutable] [credit #:mutable] [parts #:mutable]))
 
 (define (add-part! d part) (set-draft-parts! d (cons part (draft-parts d))))
 
@@ -30,9 +32,15 @@
   (unless (string? x)
     (complain who "expected a text, in quotation marks\n  given: ~a" (value->text x))))
 
-(define (joined-texts texts)
+;; Numbers may stand among them.
+(define (joined-texts parts)
+  (define texts (for/list ([p (in-list parts)]) (if (number? p) (value->text p) p)))
   (for ([t (in-list texts)]) (check-text 'text t))
   (apply string-append texts))
+
+;; An exercise's own clause counts for more.
+(define (with-credit d clauses)
+  (if (assq 'credit clauses) clauses (append clauses (draft-credit d))))
 
 (define (finished d name)
   (make-worksheet (draft-title d) (draft-due d) name (reverse (draft-parts d))))
@@ -51,7 +59,7 @@
                    [worksheet (datum->syntax stx 'worksheet)])
        (syntax/loc stx
          (m:#%module-begin
-          (define-values (d) (draft #f #f '()))
+          (define-values (d) (draft #f #f '() '()))
           form ...
           (define-values (worksheet) (finished d 'name))
           (#%provide worksheet)
@@ -87,6 +95,52 @@
     [(_ value) #`(add-part! #,(draft-id stx) (formula "" value))]
     [(_ label value) #`(add-part! #,(draft-id stx) (formula label value))]))
 
+(define-syntax (deadline-form stx)
+  (define (options? parts)
+    (or (null? parts)
+        (and (memq (syntax-e (car parts)) '(#:grace #:per-day #:days))
+             (pair? (cdr parts))
+             (options? (cddr parts)))))
+  (syntax-case stx ()
+    [(_ time option ...)
+     (options? (syntax->list #'(option ...)))
+     #`(add-part! #,(draft-id stx) (make-deadline time option ...))]
+    [_ (raise-syntax-error
+        #f (string-append "a deadline is a time, with what lateness costs perhaps: "
+                          "(deadline \"2026-11-20 18:00\" #:grace 15 #:per-day 1/10 #:days 3)")
+        stx)]))
+
+;; The credit of the exercises that follow.
+(define-syntax (credit-form stx)
+  (with-syntax ([clause (clause-expression 'credit stx stx)])
+    #`(set-draft-credit! #,(draft-id stx) (list clause))))
+
+;; Numbers that are each student's own.
+(define-syntax (parameters-form stx)
+  (define (choices entry)
+    (syntax-case entry ()
+      [(name #:from from #:to to #:step step) #'(stepped 'name from to step)]
+      [(_ value ...) #'(list value ...)]))
+  (define (entry? e)
+    (syntax-case e () [(name value ...) (identifier? #'name)] [_ #f]))
+  (define (expanded seed entries)
+    (with-syntax ([seed seed]
+                  [((name _ ...) ...) entries]
+                  [(values ...) (map choices entries)])
+      #`(begin (define name (student-number 'name seed values)) ...
+               (add-part! #,(draft-id stx) (make-numbers '(name ...) (list name ...))))))
+  (syntax-case stx ()
+    [(_ #:seed seed entry ...)
+     (andmap entry? (syntax->list #'(entry ...)))
+     (expanded #'seed (syntax->list #'(entry ...)))]
+    [(_ entry ...)
+     (andmap entry? (syntax->list #'(entry ...)))
+     (expanded #'0 (syntax->list #'(entry ...)))]
+    [_ (raise-syntax-error
+        #f (string-append "parameters are names with their values: "
+                          "(parameters #:seed 2026 [l 1 3/2 2] [m #:from 1 #:to 3 #:step 1/2])")
+        stx)]))
+
 ;; Definitions for both, the teacher and the student.
 (define-syntax (given-form stx)
   (syntax-case stx ()
@@ -103,7 +157,9 @@
        (check-question who #'question stx)
        (with-syntax ([(made ...) (for/list ([c (in-list (syntax->list #'(clause ...)))])
                                    (clause-expression who c stx))])
-         #`(add-part! #,(draft-id stx) (make-exercise 'name 'kind question (list made ...)))))]
+         #`(add-part! #,(draft-id stx)
+                     (make-exercise 'name 'kind question
+                                    (with-credit #,(draft-id stx) (list made ...))))))]
     [_ (raise-syntax-error
         #f "an exercise has a name, a kind and a question: (exercise name kind \"...\" clause ...)"
         stx)]))
@@ -148,6 +204,7 @@
 
   (define (clause-fits? head parts)
     (and (values-fit? head (length (without-keywords parts)))
+         (or (not (eq? head 'credit)) (pair? parts))
          (or (not (names-clause? head)) (andmap identifier? parts))))
 
   ;; #:absolute stands alone, other keywords before their values.

@@ -8,6 +8,7 @@
 (require-on-demand ["show-program.rkt" show-command TeX-command]
                    ["worksheet-files.rkt" worksheet-command handout-command new-command]
                    ["check-answers-of.rkt" check-command]
+                   ["autograder.rkt" autograder-command]
                    ["export-program.rkt" export-command]
                    ["jupyter-kernel.rkt" jupyter-command]
                    ["notebook-files.rkt" notebook-command program-command]
@@ -29,15 +30,18 @@
    (command "tex" "FILE [-o file.tex]"
             "the same for LaTeX, with amsmath; pictures are files beside it" TeX-command)
    (command "new" "FILE" "a worksheet to begin with: a template for teachers" new-command)
-   (command "worksheet" "FILE [-o student.rkt]"
+   (command "worksheet" "FILE [-o student.rkt] [--class FILE] [--student NAME]"
             "a worksheet's file and notebook for students, and the page, in HTML and TeX"
             worksheet-command)
    (command "handout" "FILE [--to html|tex] [--answers] [-o file]"
             "the page of a worksheet alone, for teachers with its answers; or of a program"
             handout-command)
-   (command "check" (string-append "FILE|FOLDER [--worksheet FILE] [--report FILE] ... "
-                                   "[--gradescope FOLDER] [--seconds N] [--json]")
+   (command "check" (string-append "FILE|FOLDER|ZIP [--worksheet FILE] [--class FILE] "
+                                   "[--points FILE] [--report FILE] ... [--moodle FILE] "
+                                   "[--gradescope FOLDER] [--student NAME] [--seconds N] [--json]")
             "the answers of a student, or of a class" check-command)
+   (command "autograder" "FILE [-o autograder.zip]"
+            "a worksheet as an autograder for Gradescope, ready to be uploaded" autograder-command)
    (command "export" (string-append "FILE [--to c|python|jax] [-o FOLDER] [--system NAME] ... "
                                     "[--all] [--list] [--derivatives] [--replace]")
             "the systems of a program, as programs in C, in Python or for JAX"

@@ -1,11 +1,13 @@
 #lang racket/base
 ;; A teacher's worksheet, loaded from its file.
 
-(require "../program-file.rkt"
+(require (only-in syntax/modcode get-module-code)
+         "../program-file.rkt"
          "../../error/complain.rkt" "../../error/spelling.rkt"
-         "../../teaching/worksheet/exercise.rkt")
+         "../../teaching/worksheet/exercise.rkt" "../../teaching/worksheet/make-worksheet.rkt"
+         "../../teaching/worksheet/student-numbers.rkt")
 
-(provide load-worksheet worksheet-file? check-there)
+(provide load-worksheet worksheets-of-students worksheet-file? check-there)
 
 ;; Loaded worksheets share the library with this program.
 (define-namespace-anchor here)
@@ -20,6 +22,27 @@
       (dynamic-require (path->complete-path file) 'worksheet (lambda () #f))))
   (unless (worksheet? w) (raise-no-worksheet who file))
   w)
+
+;; The worksheet of each student: its module is compiled once, and run with the student's numbers.
+;; try? : are the keys judged as answers?
+;; -> procedure: name of a student -> worksheet
+(define (worksheets-of-students who file #:try? [try? #f])
+  (define general (load-worksheet who file))
+  (define path (path->complete-path file))
+  (define library (namespace-anchor->empty-namespace here))
+  (parameterize ([current-namespace library]) (dynamic-require 'mechanics/worksheet #f))
+  (define (fresh-namespace)
+    (define ns (make-base-empty-namespace))
+    (namespace-attach-module library 'mechanics/worksheet ns)
+    ns)
+  (define code (parameterize ([current-namespace (fresh-namespace)]) (get-module-code path)))
+  (define (of-student name)
+    (parameterize ([current-namespace (fresh-namespace)] [current-print void]
+                   [current-student name] [trying-keys? try?]
+                   [current-module-declare-name (make-resolved-module-path path)])
+      (eval code)
+      (dynamic-require path 'worksheet)))
+  (if (numbers-of general) of-student (lambda (name) general)))
 
 (define (raise-no-worksheet who file)
   (complain who (string-append "it is no worksheet: its first line should be "

@@ -6,8 +6,9 @@
          racket/path
          racket/runtime-path
          "load-worksheet.rkt" "show-program.rkt" "written-files.rkt"
-         "../../error/complain.rkt"
+         "../../error/complain.rkt" (only-in "../../error/message-words.rkt" counted)
          "../../generic/output-file.rkt"
+         "../../teaching/class/class-list.rkt"
          "../../teaching/worksheet/handout.rkt" "../../teaching/worksheet/student-file.rkt"
          "../../teaching/worksheet/student-notebook.rkt")
 
@@ -31,21 +32,47 @@
 ;; ---------------------------------------------------------------------------
 
 (define (worksheet-command arguments)
-  (define who 'worksheet)
-  (define-values (file option) (read-arguments who arguments))
-  (define w (load-worksheet who file))
-  (define student
-    (simple-form-path (or (option "-o") (format "~a-student.rkt" (base-name file)))))
-  (check-new-file who student (simple-form-path file) #".rkt")
-  (define (beside extension) (path-replace-extension student extension))
-  (define notebook (beside #".ipynb"))
-  (define pages (map beside '(#".html" #".tex")))
-  (write-text who student (worksheet->student-file w))
-  (write-file who notebook (worksheet->student-notebook w))
-  (define d (worksheet->document w))
-  (for ([page (in-list pages)]) (write-document who page d))
-  (print-paths (list* student notebook pages))
+  (define-values (file option)
+    (read-arguments 'worksheet arguments #:valued '("-o" "--class" "--student")))
+  (define-values (class student) (values (option "--class") (option "--student")))
+  (when (and class student)
+    (complain 'worksheet "it is either for a --class or for a --student"))
+  (cond [class (write-for-class file class (option "-o"))]
+        [else
+         (define w (if student
+                       ((worksheets-of-students 'worksheet file #:try? #t) student)
+                       (load-worksheet 'worksheet file)))
+         (write-for-all file w (option "-o"))])
   0)
+
+(define (write-for-all file w out)
+  (define student (simple-form-path (or out (format "~a-student.rkt" (base-name file)))))
+  (check-new-file 'worksheet student (simple-form-path file) #".rkt")
+  (define (beside extension) (path-replace-extension student extension))
+  (define pages (map beside '(#".html" #".tex")))
+  (define d (worksheet->document w))
+  (write-student-files w student (beside #".ipynb"))
+  (for ([page (in-list pages)]) (write-document 'worksheet page d))
+  (print-paths (list* student (beside #".ipynb") pages)))
+
+(define (write-student-files w program notebook)
+  (write-text 'worksheet program (worksheet->student-file w))
+  (write-file 'worksheet notebook (worksheet->student-notebook w)))
+
+;; A file and a notebook for each, named as the list of the class knows them
+(define (write-for-class file class out)
+  (check-there 'worksheet file)
+  (check-there 'worksheet class)
+  (define worksheet-of (worksheets-of-students 'worksheet file #:try? #t))
+  (define all (read-class-list 'worksheet class))
+  (define folder (simple-form-path (or out (format "~a-students" (base-name file)))))
+  (make-directory* folder)
+  (for ([p (in-list all)])
+    (define (named extension)
+      (build-path folder (string-append (plain-file-name (participant-key p)) extension)))
+    (write-student-files (worksheet-of (participant-key p)) (named ".rkt") (named ".ipynb")))
+  (printf "~a: a program and a notebook for each of ~a\n" (short-path folder)
+          (counted (length all) "student")))
 
 (define (base-name file)
   (path-replace-extension (file-name-from-path (simple-form-path file)) #""))

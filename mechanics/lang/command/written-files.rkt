@@ -5,7 +5,7 @@
          racket/path
          "../../error/complain.rkt" "../../generic/output-file.rkt")
 
-(provide read-arguments write-text short-path print-paths check-new-file)
+(provide read-arguments write-text short-path plain-file-name print-paths check-new-file)
 
 ;; ---------------------------------------------------------------------------
 ;; Arguments
@@ -52,6 +52,11 @@
 (define (short-path p)
   (define relative (find-relative-path (current-directory) p))
   (if (regexp-match? #rx"^[.][.]" (path->string relative)) p relative))
+
+;; A name for a file; students may choose any.
+(define (plain-file-name text)
+  (define plain (regexp-replace* #px"[^\\w .@-]" text "_"))
+  (if (regexp-match? #rx"^[.]*$" plain) (string-append "_" plain) plain))
 
 (define (print-paths files) (for ([f (in-list files)]) (printf "~a\n" (short-path f))))
 

@@ -6,11 +6,12 @@
 ;; read may end its lines in any of the three ways.
 
 (require racket/flonum
+         (only-in racket/list argmax)
          racket/string
          "number-table.rkt"
          "../../error/complain.rkt" "../../error/message-words.rkt")
 
-(provide write-CSV call-reading-CSV)
+(provide write-CSV call-reading-CSV read-text-table)
 
 ;; ---------------------------------------------------------------------------
 ;; Writing
@@ -99,11 +100,12 @@
 
 ;; -> a procedure that returns the fields of the next record, or #f, and the number of its first
 ;; line.  Empty lines are passed over.
-(define (record-reader who file in)
+(define (record-reader who file in [separator ","])
   (define line 0)
   (define (next-line)
     (set! line (+ line 1))
     (read-line in 'any))
+  (define split (field-splitter who file separator))
   (define (next)
     (define text (next-line))
     (define at line)
@@ -111,25 +113,23 @@
           [(equal? text "") (next)]
           [else
            (define plain (if (= at 1) (string-trim text "\uFEFF" #:right? #f) text))
-           (values (record-fields who file plain next-line at) at)]))
+           (values (record-fields who file plain next-line at split) at)]))
   next)
 
 ;; A field that is quoted may go on in the next line.
-(define (record-fields who file text next-line at)
-  (cond [(not (for/or ([c (in-string text)]) (eqv? c #\"))) (string-split text "," #:trim? #f)]
-        [(even? (for/sum ([c (in-string text)]) (if (eqv? c #\") 1 0)))
-         (quoted-fields who file text at)]
+(define (record-fields who file text next-line at split)
+  (cond [(even? (for/sum ([c (in-string text)]) (if (eqv? c #\") 1 0))) (split text at)]
         [else
          (define more (next-line))
          (when (eof-object? more)
            (complain who "a quotation mark is not closed\n  file: ~a\n  line: ~a" file at))
-         (record-fields who file (string-append text "\n" more) next-line at)]))
+         (record-fields who file (string-append text "\n" more) next-line at split)]))
 
-(define quoted-field #px"^\"((?:[^\"]|\"\")*)\"(,|$)")
-(define plain-field #px"^([^\",]*)(,|$)")
-
-(define (quoted-fields who file text at)
-  (let loop ([text text])
+;; -> procedure: text, number of its line -> fields
+(define (field-splitter who file separator)
+  (define quoted-field (pregexp (format "^\"((?:[^\"]|\"\")*)\"(~a|$)" separator)))
+  (define plain-field (pregexp (format "^([^\"~a]*)(~a|$)" separator separator)))
+  (define (fields text at)
     (define m (or (regexp-match quoted-field text) (regexp-match plain-field text)))
     (unless m
       (complain who
@@ -139,4 +139,43 @@
     (define field (string-replace (cadr m) "\"\"" "\""))
     (if (equal? (caddr m) "")
         (list field)
-        (cons field (loop (substring text (string-length (car m))))))))
+        (cons field (fields (substring text (string-length (car m))) at))))
+  (lambda (text at)
+    (if (for/or ([c (in-string text)]) (eqv? c #\"))
+        (fields text at)
+        (string-split text separator #:trim? #f))))
+
+;; ---------------------------------------------------------------------------
+;; Tables of texts, as spreadsheets save them, with commas, semicolons or tabs between the fields
+
+;; -> names of the columns, and rows: pairs of the number of a line and its fields, as many as
+;; there are names
+(define (read-text-table who file)
+  (define separator (call-with-input-file* file separator-of))
+  (call-with-input-file* file
+    (lambda (in)
+      (define next (record-reader who file in separator))
+      (define-values (names _line) (next))
+      (unless names (complain who "the file is empty\n  file: ~a" file))
+      (let loop ([rows '()])
+        (define-values (fields line) (next))
+        (cond [(not fields) (values (map string-trim names) (reverse rows))]
+              [else
+               (check-encoding who file line fields)
+               (loop (cons (cons line (filled fields (length names))) rows))])))))
+
+(define (check-encoding who file line fields)
+  (when (for/or ([field (in-list fields)]) (regexp-match? #rx"\uFFFD" field))
+    (complain who "the file is no text in UTF-8; save it as CSV UTF-8\n  file: ~a\n  line: ~a"
+              file line)))
+
+;; The commonest of those in the first line
+(define (separator-of in)
+  (define line (read-line in 'any))
+  (define (times separator)
+    (if (eof-object? line) 0 (length (regexp-match* (regexp separator) line))))
+  (argmax times '("," ";" "\t")))
+
+;; Spreadsheets leave out empty fields at the end.
+(define (filled fields n)
+  (for/list ([k (in-range n)] [field (in-sequences fields (in-cycle '("")))]) field))

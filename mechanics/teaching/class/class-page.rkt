@@ -26,12 +26,19 @@
   (page (worksheet-title w)
         (append (warning-part (class-report-warning r))
                 (list (summary w all) (overview w all))
+                (remarks-part (class-report-remarks r))
                 (what-went-wrong w all)
                 (append* (for/list ([g (in-list all)] [i (in-naturals 1)]) (section w g i))))
         #:style (file->string style-sheet)))
 
 (define (warning-part text)
   (if text `((p ([class "warning"] [role "alert"]) ,(visible text))) '()))
+
+(define (remarks-part remarks)
+  (if (null? remarks)
+      '()
+      `((h2 "For you alone")
+        (ul ,@(for/list ([text (in-list remarks)]) `(li ,(visible text)))))))
 
 (define (summary w all)
   (define points (map graded-points all))
@@ -55,7 +62,7 @@
                (tbody ,@(for/list ([g (in-list all)] [i (in-naturals 1)]) (row g i))))))
 
 (define (row g i)
-  `(tr (td (a ([href ,(format "#s~a" i)]) ,(visible (person g))))
+  `(tr (td (a ([href ,(format "#s~a" i)]) ,(visible (graded-person g))))
        ,@(for/list ([j (in-list (graded-answers g))])
            (define status (judged-status j))
            `(td ([class ,(symbol->string status)] [title ,(status->words status)])
@@ -68,10 +75,11 @@
     [(kept) "to read"]
     [(unanswered) "–"]
     [(failed) "error"]
+    [(marked) (format "✎ ~a" (number->text points))]
     [else (format "~a ~a" (case status [(right) "✓"] [(partly) "±"] [else "✗"])
                   (number->text points))]))
 
-(define (person g) (submission-person (graded-submission g)))
+(define (graded-person g) (submission-person (graded-submission g)))
 
 ;; ---------------------------------------------------------------------------
 ;; Common mistakes
@@ -100,8 +108,8 @@
 
 (define (section w g i)
   (define id (submission-id (graded-submission g)))
-  `((h2 ([id ,(format "s~a" i)]) ,(visible (person g))
-        ,@(if (equal? (person g) id)
+  `((h2 ([id ,(format "s~a" i)]) ,(visible (graded-person g))
+        ,@(if (equal? (graded-person g) id)
               '()
               `((span ([class "label"]) ,(visible (format " (~a)" id)))))
         ,(visible (format ": ~a of ~a" (number->text (graded-points g))

@@ -8,24 +8,33 @@
 
 (require racket/future
          (only-in racket/list count)
-         "collect-answers.rkt" "isolation.rkt" "submission.rkt" "within-limits.rkt"
+         (only-in racket/string string-trim)
+         "class-list.rkt" "collect-answers.rkt" "isolation.rkt" "lateness.rkt" "likeness.rkt"
+         "submission.rkt" "within-limits.rkt"
          "../worksheet/defined-names.rkt" "../worksheet/exercise.rkt" "../worksheet/judge.rkt"
-         "../worksheet/judgment.rkt")
+         "../worksheet/judgment.rkt" "../worksheet/student-file.rkt"
+         (only-in "../../error/message-words.rkt" joined))
 
 (provide grade-class
-         (struct-out graded) graded-judgments graded-points graded-open graded-remarks
+         (struct-out graded) graded-judgments graded-points graded-open graded-remarks graded-person
          (struct-out class-report))
 
 ;; answers : judged answers, one for each exercise of the worksheet
 ;; problem : why there are not more answers, or #f; notes : further strings
-(struct graded (submission answers problem notes) #:transparent)
+;; participant : whose it is, of the class list, or #f; share : of the points, that lateness leaves
+(struct graded (submission answers problem notes participant share) #:transparent)
 
-;; warning : text for the top, or #f
-(struct class-report (worksheet warning graded) #:transparent)
+;; warning : text for the top, or #f; class : participants; remarks : strings for the teacher alone
+(struct class-report (worksheet warning graded class remarks) #:transparent)
 
 (define (graded-judgments g) (map judged-judgment (graded-answers g)))
 
-(define (graded-points g) (sum-of-points (graded-answers g)))
+(define (graded-points g) (* (graded-share g) (sum-of-points (graded-answers g))))
+
+;; The name of the class list, or of the submission.
+(define (graded-person g)
+  (define p (graded-participant g))
+  (if p (participant-name p) (submission-person (graded-submission g))))
 
 ;; The number of answers that are left to a person.
 (define (graded-open g) (count (lambda (j) (not (judgment-share j))) (graded-judgments g)))
@@ -35,25 +44,59 @@
   (define problem (graded-problem g))
   (if problem (cons problem (graded-notes g)) (graded-notes g)))
 
+;; class : participants; worksheet-of : the key of one -> the worksheet with that student's numbers
 ;; strictest : the level of isolation that is tried first
 ;; tell : called after each submission with the number graded so far
 (define (grade-class w submissions
+                     #:class [class '()] #:worksheet-of [worksheet-of (lambda (key) w)]
                      #:seconds [seconds 10] #:megabytes [megabytes 512]
                      #:strictest [strictest 'namespaces] #:tell [tell void])
-  (define known (make-hash))
+  (define c (course w class worksheet-of (make-hash)))
   (call-with-isolation
    megabytes seconds #:strictest strictest
    (lambda (i)
-     (class-report w (level-warning (isolation-level i))
-                   (grade-all i (exercises-of w) submissions known tell)))))
+     (define all (grade-all i c submissions tell))
+     (class-report w (level-warning (isolation-level i)) all class
+                   (append (remarks-on-class class all)
+                           (likenesses (for/list ([g (in-list all)]) (as-handed-in c g))))))))
 
 ;; known : table of the judgments made so far
-(define (grade-all i exercises submissions known tell)
-  (for/list ([next (in-list (start-all i exercises submissions))]
+(struct course (worksheet class worksheet-of known))
+
+(define (grade-all i c submissions tell)
+  (for/list ([next (in-list (start-all i (exercises-of (course-worksheet c)) submissions))]
              [s (in-list submissions)]
              [n (in-naturals 1)])
-    (begin0 (grade-one exercises s (next) known (isolation-seconds i))
+    (begin0 (grade-one c s (next) (isolation-seconds i))
             (tell n))))
+
+;; ---------------------------------------------------------------------------
+;; For the teacher
+
+(define (remarks-on-class class all)
+  (define (of p) (filter (lambda (g) (eq? p (graded-participant g))) all))
+  (define (ids gs) (joined (map (lambda (g) (submission-id (graded-submission g))) gs)))
+  (define strangers (filter (lambda (g) (not (graded-participant g))) all))
+  (define absent (filter (lambda (p) (null? (of p))) class))
+  (append
+   (if (and (pair? class) (pair? strangers))
+       (list (format "of nobody on the list of the class: ~a" (ids strangers)))
+       '())
+   (for*/list ([p (in-list class)] [several (in-value (of p))]
+               #:when (and (pair? several) (pair? (cdr several))))
+     (format "~a has several submissions: ~a" (participant-name p) (ids several)))
+   (if (pair? absent)
+       (list (format "nothing was handed in by ~a" (joined (map participant-name absent))))
+       '())))
+
+(define (as-handed-in c g)
+  (handed-in (graded-person g)
+             (or (submission-text (graded-submission g)) "")
+             (worksheet->student-file (worksheet-for c (graded-participant g)))
+             (graded-answers g)))
+
+(define (worksheet-for c owner)
+  (if owner ((course-worksheet-of c) (participant-key owner)) (course-worksheet c)))
 
 ;; ---------------------------------------------------------------------------
 ;; Evaluation
@@ -82,31 +125,61 @@
 ;; ---------------------------------------------------------------------------
 ;; Judgment
 
-(define (grade-one exercises handed-in found known seconds)
+(define (grade-one c handed-in found seconds)
   (define outline (and (submission-notebook? handed-in) (or (collected-outline found) "")))
   (define s (if outline (with-outline handed-in outline) handed-in))
-  (define problem (collected-problem found))
-  (define nothing (if problem '(failed) '(unanswered)))
+  (define owners (participants-of (course-class c) s))
+  (define owner (and (pair? owners) (null? (cdr owners)) (car owners)))
+  (define w (worksheet-for c owner))
+  (define known-numbers? (or owner (not (numbers-of w))))
+  (define problem (if known-numbers? (collected-problem found) numbers-unknown))
   (define answers
-    (for/fold ([done '()] [left (- seconds (collected-spent found))] #:result (reverse done))
-              ([e (in-list exercises)])
-      (define d (hash-ref (collected-answers found) (exercise-name e) nothing))
-      (define-values (j took) (judge-once known e d left))
-      (values (cons (judged e d j) done) (- left took))))
-  (graded s answers problem (notes-on exercises s found)))
+    (judge-all (exercises-of w) (if known-numbers? (collected-answers found) (hasheq))
+               (if problem '(failed) '(unanswered))
+               (course-known c) (- seconds (collected-spent found))))
+  (define-values (share late) (lateness-of w s owner))
+  (graded s answers problem
+          (append (if late (list late) '()) (notes-on w s found))
+          owner share))
 
-(define (notes-on exercises s found)
+(define numbers-unknown
+  "whose it is the list of the class does not tell, so its numbers are not known")
+
+;; otherwise : the answer where there is none
+(define (judge-all exercises answers otherwise known seconds)
+  (for/fold ([done '()] [left seconds] #:result (reverse done))
+            ([e (in-list exercises)])
+    (define d (hash-ref answers (exercise-name e) otherwise))
+    (define-values (j took) (judge-once known e d left))
+    (values (cons (judged e d j) done) (- left took))))
+
+;; Times of a platform count before that of the file.
+(define (lateness-of w s owner)
+  (lateness (deadline-of w)
+            (or (and owner (participant-handed-in owner)) (submission-time s))
+            (if owner (participant-extension owner) 0)))
+
+(define (notes-on w s found)
   (define text (or (submission-text s) ""))
   (define part?
     (and (collected-problem found)
          (for/or ([d (in-hash-values (collected-answers found))]) (memq (car d) '(answer text)))))
   (append (if part? '("what could be run of it was judged") '())
-          (definition-notes exercises text)))
+          (strange-numbers w text)
+          (definition-notes (exercises-of w) text)))
+
+;; The file of a student says whose its numbers are.
+(define (strange-numbers w text)
+  (define own (and (numbers-of w) (numbers-student (numbers-of w))))
+  (define m (regexp-match #px"(?m:^;; The numbers of ([^\r\n]*))" text))
+  (if (and own m (not (equal? own (string-trim (cadr m)))))
+      (list (format "the numbers in it are those of ~a" (string-trim (cadr m))))
+      '()))
 
 ;; -> a judgment, and the seconds that it took.  An answer that was not judged is not remembered:
 ;; the next submission may have more time for it.
 (define (judge-once known e d seconds)
-  (define key (cons (exercise-name e) d))
+  (define key (cons e d))
   (define found (hash-ref known key #f))
   (cond [found (values found 0)]
         [(not (eq? 'answer (car d))) (values (judge e d) 0)]

@@ -24,16 +24,18 @@
 ;; As a program may have.
 (define most-characters 1000000)
 
-;; The lines that tell the author, as a program's comment would, and what is defined
+;; The lines that tell the author, as a program's comment would, and what is defined; then comments
 (define (notebook-outline text)
-  (define (lines-of c)
-    (define lines (regexp-split #px"\r?\n" (cell-source c)))
-    (case (cell-kind c)
-      [(markdown) (filter values (map name-line lines))]
-      [(code) (filter (lambda (line) (regexp-match? #px"^[(]define\\s|^;+ *Name:" line)) lines)]
-      [else '()]))
-  (string-join (apply append (map lines-of (cells-of text))) "\n"))
+  (define cells (cells-of text))
+  (define (lines-of kind pattern)
+    (for*/list ([c (in-list cells)] #:when (eq? kind (cell-kind c))
+                [line (in-list (regexp-split #px"\r?\n" (cell-source c)))]
+                #:when (regexp-match? pattern line))
+      line))
+  (string-join (append (map as-comment (lines-of 'markdown name-line))
+                       (lines-of 'code #px"^[(]define\\s")
+                       (lines-of 'code #px"^\\s*;"))
+               "\n"))
 
-(define (name-line line)
-  (define m (regexp-match #px"^[*_ ]*Name:[*_ ]*(.*)$" line))
-  (and m (string-append ";; Name: " (cadr m))))
+(define name-line #px"^[*_ ]*Name:[*_ ]*(.*)$")
+(define (as-comment line) (regexp-replace name-line line ";; Name: \\1"))

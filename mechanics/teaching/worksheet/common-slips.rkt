@@ -12,7 +12,19 @@
          "../../value/read-expression.rkt" "../../value/rewrite.rkt" "../../value/shape.rkt"
          "../../value/simplify.rkt" "../../value/structure.rkt")
 
-(provide slip-of-values slip-of-equations slip-of-number unknown-names)
+(provide slip-of-values slip-of-equations slip-of-number slip-sort unknown-names)
+
+;; What is said of a slip -> sign or factor, for which worksheets may give credit; or #f
+(define (slip-sort text)
+  (cond [(member text (list opposite-sign opposite-term)) 'sign]
+        [(or (member text (list factor-2 other-factor)) (regexp-match? #rx"^it is right but for" text))
+         'factor]
+        [else #f]))
+
+(define opposite-sign "the sign is the opposite")
+(define opposite-term "one term has the opposite sign")
+(define factor-2 "it is off by a factor 2")
+(define other-factor "one term has another factor than it should")
 
 ;; -> a string or #f
 (define (slip-of-values key answer)
@@ -31,7 +43,7 @@
 (define (slip-of-parts ks as)
   (define ds (for/list ([k (in-list ks)] [a (in-list as)]) (simplify (g:- a k))))
   (define (all? claim?) (andmap claim? ks as))
-  (cond [(all? (lambda (k a) (same? a (g:negate k)))) "the sign is the opposite"]
+  (cond [(all? (lambda (k a) (same? a (g:negate k)))) opposite-sign]
         [(constant-factor ks as)
          => (lambda (c) (format "it is right but for a factor: it is ~a times what it should be"
                                 (value->text c)))]
@@ -59,9 +71,9 @@
   (define (ratio-to t) (and (not (zero-value? t)) (simplify (g:/ d t))))
   (define ratios (filter number? (map ratio-to terms)))
   (cond [(or (null? terms) (null? (cdr terms))) #f]
-        [(memv -2 ratios) "one term has the opposite sign"]
+        [(memv -2 ratios) opposite-term]
         [(memv -1 ratios) "a term is missing"]
-        [(pair? ratios) "one term has another factor than it should"]
+        [(pair? ratios) other-factor]
         [else #f]))
 
 (define (terms-of e)
@@ -98,11 +110,11 @@
   (define (is? x) (within? x a))
   (define (off-by? factor) (or (is? (* k factor)) (is? (/ k factor))))
   (cond [(or (zero? k) (zero? a)) #f]
-        [(is? (- k)) "the sign is the opposite"]
+        [(is? (- k)) opposite-sign]
         [(for/or ([n (in-range 1 10)]) (off-by? (expt 10. n)))
          "it is off by a power of ten: is it in the unit asked for?"]
         [(off-by? (/ 180 pi)) "degrees and radians are mixed up"]
-        [(off-by? 2) "it is off by a factor 2"]
+        [(off-by? 2) factor-2]
         [(off-by? (* 2 pi))
          "it is off by a factor 2π: angular frequency, frequency and period differ"]
         [(is? (/ k)) "it is the reciprocal"]

@@ -8,7 +8,7 @@
 (define with-any '(besides assuming))
 (define with-one '(key of of-Hamiltonian force becomes starts within unit points hint expects))
 
-(define clause-names (append with-names with-one with-any '(slip no-practice)))
+(define clause-names (append with-names with-one with-any '(slip no-practice credit)))
 
 ;; Are its parts names, which are not evaluated?
 (define (names-clause? name) (memq name with-names))
@@ -17,7 +17,7 @@
 (define (values-fit? name n)
   (cond [(memq name with-one) (= n 1)]
         [(eq? name 'slip) (= n 2)]
-        [(eq? name 'no-practice) (= n 0)]
+        [(memq name '(no-practice credit)) (= n 0)]
         [else (>= n 1)]))
 
 ;; In words.
@@ -26,12 +26,14 @@
         [(memq name with-one) "one value"]
         [(eq? name 'slip) "a wrong answer, and a text in quotation marks"]
         [(eq? name 'no-practice) "nothing"]
+        [(eq? name 'credit) "shares of the points, as in (credit #:sign 1/2 #:factor 1/2)"]
         [(names-clause? name) "names, without quotes"]
         [else "a value, or several"]))
 
 (define (keywords-of name)
   (case name
     [(slip) '(#:credit)]
+    [(credit) '(#:sign #:factor)]
     [(hint) '(#:after)]
     [(within) '(#:absolute)]
     [else '()]))

@@ -80,15 +80,17 @@
   (with-handlers ([exn:fail? (lambda (x) j)])
     (cond [(not (memq status '(wrong partly trivial))) j]
           [(foreseen-slip e answer)
-           => (lambda (s)
-                (define share (max (judgment-share j) (slip-credit s)))
-                (with-message (struct-copy judgment j
-                                           [status (if (> share 0) 'partly status)]
-                                           [share share])
-                              (slip-message s)))]
+           => (lambda (s) (with-message (with-share j (slip-credit s)) (slip-message s)))]
           [(and (not (eq? status 'trivial)) (common-slip e answer))
-           => (lambda (text) (with-message j text))]
+           => (lambda (text)
+                (define credit (hash-ref (setting e 'credit (hasheq)) (slip-sort text) 0))
+                (with-message (with-share j credit) text))]
           [else j])))
+
+;; The share of the points is `least` or more.
+(define (with-share j least)
+  (define share (max (judgment-share j) least))
+  (struct-copy judgment j [status (if (> share 0) 'partly (judgment-status j))] [share share]))
 
 ;; The message stands before the other words.
 (define (with-message j text)

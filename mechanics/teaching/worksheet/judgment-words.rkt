@@ -21,6 +21,7 @@
     [(undecided) "undecided"]
     [(unanswered) "not answered"]
     [(failed) "no answer could be had"]
+    [(marked) "marked by the teacher"]
     [else "kept for the teacher"]))
 
 ;; whole? : with the whole verdict, or without the lines that would show the key

@@ -7,7 +7,7 @@
 (provide (struct-out judgment) right wrong partly undecided-judgment trivial judged-by
          (struct-out judged) judged-name judged-status wanting? judged-points sum-of-points)
 
-;; status  : right, partly, wrong, trivial, undecided, unanswered, failed, kept
+;; status  : right, partly, wrong, trivial, undecided, unanswered, failed, kept; or marked, by hand
 ;; share   : of the points, from 0 to 1; #f where a person has to say
 ;; verdict : or #f
 ;; words   : strings, the most important first

@@ -68,6 +68,7 @@
             'within (argument 'within)
             'absolute (memq '#:absolute (rest-of 'within clauses))
             'unit (argument 'unit)
+            'credit (make-credit name (rest-of 'credit clauses))
             'check (argument 'expects)))
   (for/hasheq ([(key x) (in-hash all)] #:unless (memv x '(#f ()))) (values key x)))
 
@@ -78,13 +79,24 @@
               (if (pair? (cdr d)) (cadr d) "it has no value")))
   (cadr d))
 
+;; -> hasheq: the share of the points for an answer with the slip sign or factor
+(define (make-credit name parts)
+  (and (pair? parts)
+       (for/hasheq ([keyword (in-list '(#:sign #:factor))] [sort (in-list '(sign factor))])
+         (define share (keyword-value parts keyword 0))
+         (check-share name share)
+         (values sort share))))
+
+(define (check-share name share)
+  (unless (and (real? share) (<= 0 share 1))
+    (complain name "the credit of a slip is a share of the points, from 0 to 1\n  given: ~a"
+              (value->text share))))
+
 (define (make-slip name parts rounds)
   (unless (and (>= (length parts) 2) (string? (cadr parts)))
     (complain name "a slip is a wrong answer and what to say of it, (slip answer \"...\")"))
   (define credit (keyword-value parts '#:credit 0))
-  (unless (and (real? credit) (<= 0 credit 1))
-    (complain name "the credit of a slip is a share of the points, from 0 to 1\n  given: ~a"
-              (value->text credit)))
+  (check-share name credit)
   (slip (clause-datum name 'slip (car parts) rounds) (cadr parts) credit))
 
 (define (make-hint name parts)

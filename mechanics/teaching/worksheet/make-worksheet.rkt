@@ -11,7 +11,10 @@
          "../../lagrangian/Lagrange-equations.rkt"
          "../../value/read-expression.rkt")
 
-(provide make-worksheet outline)
+(provide make-worksheet trying-keys? outline)
+
+;; #f where a worksheet that was tried is made again for a student.
+(define trying-keys? (make-parameter #t))
 
 (define (make-worksheet title due name parts)
   (define w (worksheet title due name parts))
@@ -21,7 +24,7 @@
   (when (null? all) (complain 'worksheet "it has no exercise"))
   (when twice (complain 'worksheet "two exercises are called ~a" twice))
   (check-names all (filter given? parts))
-  (for-each try-exercise all)
+  (when (trying-keys?) (for-each try-exercise all))
   w)
 
 ;; Given definitions and answers must have different names: the student's file holds both.

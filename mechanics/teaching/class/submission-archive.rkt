@@ -1,0 +1,94 @@
+#lang racket/base
+;; The submissions in a ZIP archive, as learning platforms deliver a class.
+;;
+;; Nothing is unpacked into the file system, so a path in the archive can lead nowhere: an entry is
+;; read into memory, as far as a submission may be long, and its name is a name and no more.
+
+(require file/unzip
+         racket/list
+         racket/string
+         "submission.rkt"
+         "../../error/complain.rkt"
+         "../../show/typesetting/visible.rkt")
+
+(provide archive->submissions)
+
+(define most-entries 5000)
+
+(define (archive->submissions who file)
+  (define (refuse . _)
+    (complain who "it is no ZIP archive, or a damaged one\n  file: ~a" file))
+  (define directory (with-handlers ([exn:fail? refuse]) (read-zip-directory file)))
+  (define all (remove-duplicates (zip-directory-entries directory)))
+  (when (> (length all) most-entries)
+    (complain who "the archive has ~a entries; at most ~a are read\n  file: ~a"
+              (length all) most-entries file))
+  (define entries (without-common-folder (filter wanted? (map named all))))
+  (when (null? entries)
+    (complain who (string-append "there is no submission, no file that ends with .rkt or .ipynb"
+                                 "\n  archive: ~a")
+              file))
+  (define groups (group-by submission-of entries))
+  (sort (for/list ([g (in-list groups)]) (group->submission file directory g))
+        string<? #:key submission-order #:cache-keys? #t))
+
+;; bytes : its name in the archive; parts : of its path, strings
+(struct entry (bytes parts))
+
+(define (named bytes)
+  (entry bytes (string-split (visible (bytes->string/utf-8 bytes #\?)) #rx"[/\\\\]" #:trim? #f)))
+
+;; Files that systems put beside others, and what is hidden, are none.
+(define (wanted? e)
+  (and (submission-name? (entry-bytes e))
+       (not (for/or ([p (in-list (entry-parts e))])
+              (or (equal? p "__MACOSX") (equal? p "compiled") (regexp-match? #px"^[.][^./]" p))))))
+
+(define (leads-out? e)
+  (define parts (entry-parts e))
+  (or (member ".." parts) (member "" parts) (member "." parts)
+      (regexp-match? #rx"^[A-Za-z]:" (first parts))))
+
+;; A folder that holds the whole class says nothing of anybody.
+(define (without-common-folder entries)
+  (define tops (remove-duplicates (map (lambda (e) (first (entry-parts e))) entries)))
+  (define inner
+    (for/list ([e (in-list entries)] #:unless (null? (cdr (entry-parts e))))
+      (entry (entry-bytes e) (cdr (entry-parts e)))))
+  (if (and (pair? entries) (null? (cdr tops)) (= (length inner) (length entries))
+           (pair? (cdr (remove-duplicates (map submission-of inner))))
+           (not (ormap leads-out? entries)))
+      inner
+      entries))
+
+;; What entries of one submission have in common
+(define (submission-of e)
+  (define parts (entry-parts e))
+  (cond [(leads-out? e) (string-join parts "/")]
+        [(null? (cdr parts)) (regexp-replace #rx"[.](rkt|ipynb)$" (first parts) "")]
+        [else (first parts)]))
+
+(define (group->submission file directory g)
+  (define id (submission-of (first g)))
+  (cond [(ormap leads-out? g)
+         (without-program id "its name leads out of the archive, and it was not read")]
+        [(pair? (cdr g))
+         (without-program id "the archive has several files of it that end with .rkt or .ipynb")]
+        [else (read-entry file directory id (entry-bytes (first g)))]))
+
+(define (read-entry file directory id bytes)
+  (define notebook? (regexp-match? #rx#"[.]ipynb$" bytes))
+  (define most (most-bytes notebook?))
+  (define found #f)
+  ;; an error stops the unpacking of what is too large
+  (define (keep name folder? in [time #f])
+    (define content (read-bytes (+ most 1) in))
+    (define size (if (eof-object? content) 0 (bytes-length content)))
+    (set! found (cond [(eof-object? content) (bytes->submission id #"" notebook? time)]
+                      [(> size most) (too-large id #f notebook?)]
+                      [else (bytes->submission id content notebook? time)]))
+    (when (> size most) (error 'read-entry "it is too large")))
+  (with-handlers ([exn:fail?
+                   (lambda (x) (or found (without-program id "it could not be unpacked")))])
+    (unzip-entry file directory bytes keep #:preserve-timestamps? #t)
+    found))
