@@ -6,7 +6,8 @@ root=${AUTOGRADER:-/autograder}
 export DEBIAN_FRONTEND=noninteractive
 
 recent() {
-    racket -n -e '(require version/utils) (exit (if (version<? (version) "8.7") 1 0))' 2>/dev/null
+    racket -l racket/base -l version/utils \
+        -e '(exit (if (version<? (version) "8.7") 1 0))' 2>/dev/null
 }
 
 recent || { apt-get update && apt-get install -y --no-install-recommends racket; } || true
@@ -21,7 +22,10 @@ recent || {
 chmod -R a+rX "$root/source/mechanics"
 chmod 600 "$root/source/worksheet.rkt"
 
-commands=$root/source/mechanics/lang/command
-PLTCOLLECTS="$root/source:" racket -l- raco make "$commands/autograder.rkt" \
-    "$commands/evaluate-submission.rkt" "$root/source/mechanics/worksheet.rkt" \
-    "$root/source/mechanics/answers.rkt"
+# What needs a screen cannot be compiled there, nor is it needed.
+PLTCOLLECTS="$root/source:" racket -l racket/base -l compiler/cm -e "
+  (define compile (make-caching-managed-compile-zo))
+  (for ([file (in-directory \"$root/source/mechanics\")]
+        #:when (regexp-match? #rx\"[.]rkt\$\" (path->string file)))
+    (with-handlers ([exn:fail? void])
+      (parameterize ([current-namespace (make-base-empty-namespace)]) (compile file))))"

@@ -74,8 +74,10 @@
                       (format "the same wrong ~a" name)))]
         [else '()]))
 
-;; A slip that many make explains it.
-(define (explained? j) (pair? (judgment-words (judged-judgment j))))
+;; A slip that many make explains it, but not a name that the question does not have.
+(define (explained? j)
+  (define words (judgment-words (judged-judgment j)))
+  (and (pair? words) (not (regexp-match? #rx"^it has .* in it, of which" (car words)))))
 
 (define (nodes d) (if (pair? d) (+ (nodes (car d)) (nodes (cdr d))) 1))
 

@@ -80,15 +80,13 @@
   (define notebook? (regexp-match? #rx#"[.]ipynb$" bytes))
   (define most (most-bytes notebook?))
   (define found #f)
-  ;; an error stops the unpacking of what is too large
-  (define (keep name folder? in [time #f])
-    (define content (read-bytes (+ most 1) in))
-    (define size (if (eof-object? content) 0 (bytes-length content)))
-    (set! found (cond [(eof-object? content) (bytes->submission id #"" notebook? time)]
-                      [(> size most) (too-large id #f notebook?)]
-                      [else (bytes->submission id content notebook? time)]))
-    (when (> size most) (error 'read-entry "it is too large")))
-  (with-handlers ([exn:fail?
-                   (lambda (x) (or found (without-program id "it could not be unpacked")))])
-    (unzip-entry file directory bytes keep #:preserve-timestamps? #t)
-    found))
+  (let/ec return
+    ;; what is too large is not unpacked further
+    (define (keep name folder? in [time #f])
+      (define content (read-bytes (+ most 1) in))
+      (define bytes (if (eof-object? content) #"" content))
+      (when (> (bytes-length bytes) most) (return (too-large id #f notebook?)))
+      (set! found (bytes->submission id bytes notebook? time)))
+    (with-handlers ([exn:fail? (lambda (x) (without-program id "it could not be unpacked"))])
+      (unzip-entry file directory bytes keep #:preserve-timestamps? #t)
+      found)))

@@ -14,7 +14,7 @@
   (make-worksheet "Broken" #f "broken"
                   (list (make-exercise 'frequency 'expression "?" '((key k))))))
 
-(define (submission-of id) (submission id id "#lang mechanics\n(define frequency 1)\n" #f #f))
+(define (submission-of id) (submission id id "#lang mechanics\n(define frequency 1)\n" #f #f #f))
 
 (define no-process
   (make-security-guard (current-security-guard)

@@ -18,7 +18,7 @@
 
 (define w (make-worksheet "Levels" #f "levels"
                           (list (make-exercise 'frequency 'expression "?" '((key k))))))
-(define honest (submission "ann" "ann" "#lang mechanics\n(define frequency 'k)\n" #f #f))
+(define honest (submission "ann" "ann" "#lang mechanics\n(define frequency 'k)\n" #f #f #f))
 
 (define (level-reached strictest)
   (call-with-isolation 512 10 #:strictest strictest isolation-level))
@@ -60,7 +60,7 @@
 
 (test-case "it stands on top of the report, as a page and as text"
   (for ([level (in-list '(nobody own))])
-    (define r (class-report w (level-warning level) '()))
+    (define r (class-report w (level-warning level) '() '() '()))
     (check-true (string-contains? (class->page r)
                                   (format "role=\"alert\">~a</p>" (level-warning level))))
     (check-equal? (class->text r) (string-append (level-warning level) "\n\n"))))

@@ -29,8 +29,9 @@
    (class-report w #f
                  (for/list ([a (in-list answers)] [i (in-naturals)])
                    (define d (list 'answer a))
-                   (graded (submission (format "~a" i) (format "~a" i) "" #f #f)
-                           (list (judged e d (judge e d))) #f '())))))
+                   (graded (submission (format "~a" i) (format "~a" i) "" #f #f #f)
+                           (list (judged e d (judge e d))) #f '() #f 1))
+                 '() '())))
 
 (test-case "what went wrong is counted, and what has no name as well"
   (define page (page-of '(* -1 k) '(* -1 k) '(* 2 k) '(expt k k) 'k))
@@ -41,8 +42,9 @@
 
 (test-case "an answer that fails is told with its reason, and not where the program is at fault"
   (define (page-with d problem)
-    (class->page (class-report w #f (list (graded (submission "a" "a" "" #f #f)
-                                                  (list (judged e d (judge e d))) problem '())))))
+    (class->page (class-report w #f (list (graded (submission "a" "a" "" #f #f #f)
+                                                  (list (judged e d (judge e d))) problem '() #f 1))
+                              '() '())))
   (check-regexp-match #rx"class=\"judged failed\".*it has no value"
                       (page-with '(failed "it has no value") "it does not run: no"))
   (check-false (regexp-match? #rx"class=\"judged" (page-with '(failed) "it does not run: no"))))

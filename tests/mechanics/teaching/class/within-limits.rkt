@@ -50,7 +50,7 @@
 (define (submission-of id answer)
   (submission id id
               (format "#lang mechanics\n(define first '~a)\n(define second '~a)\n" answer id)
-              #f #f))
+              #f #f #f))
 
 (test-case "what is long to judge is left to a person, with what follows it in that submission"
   (define r (grade-class w (list (submission-of "k" "quick") (submission-of "l" "slow")
