@@ -131,7 +131,8 @@
   (define owners (participants-of (course-class c) s))
   (define owner (and (pair? owners) (null? (cdr owners)) (car owners)))
   (define w (worksheet-for c owner))
-  (define known-numbers? (or owner (not (numbers-of w))))
+  (define known-numbers?
+    (or (not (numbers-of w)) (numbers-student (numbers-of w))))
   (define problem (if known-numbers? (collected-problem found) numbers-unknown))
   (define answers
     (judge-all (exercises-of w) (if known-numbers? (collected-answers found) (hasheq))

@@ -74,10 +74,11 @@
                       (format "the same wrong ~a" name)))]
         [else '()]))
 
-;; A slip that many make explains it, but not a name that the question does not have.
+;; A slip that many make explains it; a name that the question does not have does not, nor how a
+;; text was read.
 (define (explained? j)
-  (define words (judgment-words (judged-judgment j)))
-  (and (pair? words) (not (regexp-match? #rx"^it has .* in it, of which" (car words)))))
+  (for/or ([w (in-list (judgment-words (judged-judgment j)))])
+    (not (regexp-match? #rx"^it has .* in it, of which|^read as" w))))
 
 (define (nodes d) (if (pair? d) (+ (nodes (car d)) (nodes (cdr d))) 1))
 

@@ -1,0 +1,223 @@
+#lang racket/base
+;; A class from its list to its grades: worksheets with each student's numbers, the list and the
+;; points in `raco mechanics check`, an archive in place of a folder, and the autograder.
+
+(require compiler/find-exe
+         file/unzip file/zip
+         json
+         mechanics/lang/command/raco
+         racket/file
+         racket/list
+         racket/path
+         racket/string
+         racket/system
+         "../../support/checks.rkt")
+
+(define folder (make-temporary-file "mechanics-class~a" 'directory))
+(define (in-folder name) (build-path folder name))
+(define (text name) (file->string (in-folder name)))
+(define (write-text name . lines)
+  (display-to-file #:exists 'truncate (string-join lines "\n") (in-folder name)))
+
+;; -> status, and what was printed, without the lines on isolation
+(define (command . arguments)
+  (define out (open-output-string))
+  (define status
+    (parameterize ([current-output-port out] [current-error-port out] [current-directory folder])
+      (run-command-line arguments)))
+  (list status (regexp-replace #rx"^Submissions were run[^\n]*\n\n" (get-output-string out) "")))
+
+(write-text "w.rkt" "#lang mechanics/worksheet" "(title \"Numbers\")"
+            "(deadline \"2026-11-20 12:00 Z\" #:per-day 1/4)" "(credit #:sign 1/2)"
+            "(parameters #:seed 7 [l 1 3/2 2 5/2] [m #:from 0.1 #:to 0.5 #:step 0.1])"
+            "(text \"A rod of \" l \" m.\")"
+            "(exercise double number (format \"Twice ~a?\" l) (key (* 2 l)) (points 2))"
+            "(exercise root expression \"?\" (key (sqrt (/ 'g l))) (points 2))"
+            "(exercise why reason \"Why?\" (points 4))")
+(write-text "list.csv" "Full name,Email address,Handed in,Extension"
+            "\"Arbor, Ann\",ann@uni.edu,2026-11-20 11:59 Z,"
+            "Bob Bell,bob@uni.edu,2026-11-21 11:00 Z,"
+            "Cem,cem@uni.edu,2026-11-22 11:00 Z,2" "Dan,dan@uni.edu,,")
+
+(define (number-in name)
+  (string->number (cadr (regexp-match #px"\\(define l ([\\d/]+)\\)" (text name)))))
+
+;; ---------------------------------------------------------------------------
+
+(test-case "each student of the list gets a program and a notebook, with numbers of their own"
+  (check-equal? (command "worksheet" "w.rkt" "--class" "list.csv")
+                '(0 "w-students: a program and a notebook for each of 4 students\n"))
+  (check-equal? (length (directory-list (in-folder "w-students"))) 8)
+  (define l (number-in "w-students/ann@uni.edu.rkt"))
+  (check-regexp-match (format ";; The numbers of ann@uni.edu\n\\(define l ~a\\)\n\\(define m 0.[1-5]\\)" l)
+                      (text "w-students/ann@uni.edu.rkt"))
+  (check-true (string-contains? (text "w-students/ann@uni.edu.rkt") (format "A rod of ~a m." l)))
+  (check-true (string-contains? (text "w-students/ann@uni.edu.rkt") (format "Twice ~a?" l)))
+  (check-true (string-contains? (text "w-students/ann@uni.edu.ipynb") (format "(define l ~a)" l)))
+  (check-true (> (length (remove-duplicates
+                          (for/list ([s '("ann" "bob" "cem" "dan")])
+                            (number-in (format "w-students/~a@uni.edu.rkt" s)))))
+                 1)))
+
+(test-case "one student's by name is the same as that of the list"
+  (check-equal? (first (command "worksheet" "w.rkt" "--student" "ann@uni.edu" "-o" "one.rkt")) 0)
+  (check-equal? (text "one.rkt") (text "w-students/ann@uni.edu.rkt"))
+  (check-regexp-match #rx"A rod of" (text "one.html"))
+  (check-equal? (first (command "worksheet" "w.rkt")) 0)
+  (check-false (string-contains? (text "w-student.rkt") "The numbers of")))
+
+;; ---------------------------------------------------------------------------
+
+(define (answered student . answers)
+  (for/fold ([text (text (format "w-students/~a@uni.edu.rkt" student))])
+            ([a (in-list answers)] [name '("double" "root" "why")])
+    (string-replace text (format "(define ~a unanswered)" name) (format "(define ~a ~a)" name a))))
+
+(make-directory (in-folder "class"))
+(write-text "class/ann@uni.edu.rkt"
+            (answered "ann" "(* 2 l)" "(sqrt (/ 'g l))" "\"Since it must.\""))
+(write-text "class/Bob Bell_12_assignsubmission_file_.rkt"
+            (answered "ann" "(* 2 l)" "(- (sqrt (/ 'g l)))"))
+(write-text "class/cem.rkt" (answered "cem" "(* 2 l)" "(- (sqrt (/ 'g l)))"))
+(write-text "class/eve.rkt" (answered "dan" "(* 2 l)"))
+
+(define (check-class . more)
+  (apply command "check" "class" "--worksheet" "w.rkt" "--class" "list.csv" "--seconds" "600" more))
+
+(define listed
+  (list "Arbor, Ann  4 of 8, 1 left to you" #rx"Bob Bell  [0-9.]+ of 8" "Cem  3 of 8"
+        #rx"^eve  0 of 8: whose it is the list of the class does not tell, so its numbers are not"
+        "" "of nobody on the list of the class: eve" "nothing was handed in by Dan"))
+
+(define (check-lines said expected)
+  (define lines (regexp-split #rx"\n" said))
+  (for ([e (in-list expected)])
+    (check-true (for/or ([l (in-list lines)]) (if (regexp? e) (regexp-match? e l) (equal? e l)))
+                (format "~s in ~s" e lines))))
+
+(test-case "a class is judged by its list: numbers, lateness, extensions, nobody's submissions"
+  (define result (check-class "--points" "points.csv" "--moodle" "m.csv" "--report" "r.json"
+                              "--report" "r.html"))
+  (check-equal? (first result) 0)
+  (check-lines (second result) (cons "m.csv: 1 answer left to you, with no points in it yet" listed))
+  (define all (hash-ref (string->jsexpr (text "r.json")) 'submissions))
+  (define (notes k) (hash-ref (list-ref all k) 'notes))
+  (define bob (index-where all (lambda (s) (equal? "Bob Bell" (hash-ref s 'name)))))
+  (check-equal? (notes bob) '("handed in 23 hours after the deadline: 25 % taken off"
+                              "the numbers in it are those of ann@uni.edu"))
+  (check-regexp-match #rx"For you alone.*of nobody on the list" (text "r.html")))
+
+(test-case "points are entered once, and kept by another run"
+  (define table (text "points.csv"))
+  (check-regexp-match #rx"\"ann@uni.edu\",\"Arbor, Ann\",\"why\",\"Since it must.\",\"4\",\"\",\"\""
+                      table)
+  (write-text "points.csv" (string-replace table "\"4\",\"\",\"\"" "\"4\",\"3.5\",\"and why?\""))
+  (for ([_ 2])
+    (check-lines (second (check-class "--points" "points.csv" "--moodle" "m.csv"))
+                 '("Arbor, Ann  7.5 of 8"))
+    (check-regexp-match #rx"\"3.5\",\"and why[?]\"" (text "points.csv")))
+  (check-regexp-match #rx"\r\n\"ann@uni.edu\",\"7.5\",\".*marked by the teacher \\(3.5 of 4 points\\); and"
+                      (text "m.csv")))
+
+(test-case "an archive is judged as its folder is"
+  (parameterize ([current-directory folder]) (zip "class.zip" "class"))
+  (check-lines (second (command "check" "class.zip" "--worksheet" "w.rkt" "--class" "list.csv"
+                                "--seconds" "600"))
+               listed))
+
+(test-case "one file is judged with the numbers of its student"
+  (define one (in-folder "class/cem.rkt"))
+  (check-regexp-match #rx"\n1. double: right"
+                      (second (command "check" (path->string one) "--worksheet" "w.rkt"
+                                       "--student" "cem@uni.edu"))))
+
+;; ---------------------------------------------------------------------------
+
+(define (check-refused pattern . arguments)
+  (define result (apply command arguments))
+  (check-equal? (first result) 2 (format "~s" arguments))
+  (check-regexp-match pattern (second result)))
+
+(write-text "bad.zip" "no archive")
+(test-case "what is missing or makes no sense is told"
+  (check-refused #rx"^check: each student has numbers of their own: the list of the class is needed"
+                 "check" "class" "--worksheet" "w.rkt")
+  (check-refused #rx"^check: each student has numbers of their own: name the one whose file it is"
+                 "check" "class/cem.rkt" "--worksheet" "w.rkt")
+  (check-refused #rx"^check: Moodle knows people by e-mail or ID number: --moodle needs the list"
+                 "check" "class" "--worksheet" "w.rkt" "--moodle" "m.csv")
+  (check-refused #rx"^check: --student is for the file of one student; for a class there is --class"
+                 "check" "class" "--worksheet" "w.rkt" "--student" "ann")
+  (check-refused #rx"^check: there is no such file" "check" "class" "--worksheet" "w.rkt" "--class"
+                 "none.csv")
+  (check-refused #rx"^check: it writes a file that ends with .csv\n  given: p.xlsx" "check" "class"
+                 "--worksheet" "w.rkt" "--points" "p.xlsx")
+  (check-refused #rx"^worksheet: it is either for a --class or for a --student" "worksheet" "w.rkt"
+                 "--class" "list.csv" "--student" "ann")
+  (check-refused #rx"^worksheet: there is no such file" "worksheet" "w.rkt" "--class" "none.csv")
+  (check-refused #rx"^check: it is no ZIP archive" "check" "bad.zip" "--worksheet" "w.rkt"
+                 "--class" "list.csv"))
+
+(define title "(title \"Bad\")")
+(define (check-worksheet pattern . lines)
+  (define name (format "~a.rkt" (gensym 'bad)))
+  (apply write-text name "#lang mechanics/worksheet" lines)
+  (check-refused pattern "worksheet" name))
+
+(test-case "a worksheet's mistakes with deadlines, parameters and credit are told"
+  (check-worksheet #rx"deadline: a deadline is a time, with what lateness costs perhaps" title
+                   "(deadline \"2026-11-20 12:00\" #:per-hour 1)")
+  (check-worksheet #rx"^deadline: expected a time, as in" title "(deadline \"Friday\")")
+  (check-worksheet #rx"parameters: parameters are names with their values" title
+                   "(parameters l 1 2)")
+  (check-worksheet #rx"^parameters: l has no value" title "(parameters [l])")
+  (check-worksheet #rx"credit: the clause `credit` takes shares of the points" title "(credit)")
+  (check-worksheet #rx"credit: the clause `credit` takes no keyword #:signs" title
+                   "(credit #:signs 1)")
+  (check-worksheet #rx"^a: the credit of a slip is a share" title "(credit #:sign 2)"
+                   "(exercise a number \"?\" (key 1))"))
+
+;; ---------------------------------------------------------------------------
+;; The autograder, in a folder with Gradescope's places; the library is that of here, compiled
+
+(define root (in-folder "autograder"))
+(define (in-root . parts) (apply build-path root parts))
+
+(define (run-autograder)
+  (parameterize ([current-environment-variables
+                  (environment-variables-copy (current-environment-variables))])
+    (putenv "AUTOGRADER" (path->string root))
+    (putenv "PATH" (string-append (path->string (path-only (find-exe))) ":" (getenv "PATH")))
+    (system* "/bin/sh" (in-root "source" "run_autograder"))))
+
+(define (results) (call-with-input-file (in-root "results" "results.json") read-json))
+
+(test-case "the autograder's archive is unpacked, and grades what it finds"
+  (check-equal? (command "autograder" "w.rkt") '(0 "autograder.zip\n"))
+  (make-directory* (in-root "submission"))
+  (make-directory (in-root "source"))
+  (parameterize ([current-directory (in-root "source")]) (unzip (in-folder "autograder.zip")))
+  (check-equal? (map path->string (directory-list (in-root "source")))
+                '("mechanics" "run_autograder" "setup.sh" "worksheet.rkt"))
+  (delete-directory/files (in-root "source" "mechanics"))
+  (make-file-or-directory-link (collection-path "mechanics") (in-root "source" "mechanics"))
+  (display-to-file
+   (jsexpr->string (hasheq 'created_at "2026-11-20T13:00:00.000000+01:00"
+                           'users (list (hasheq 'email "Cem@uni.edu" 'name "Cem" 'id 1))))
+   (in-root "submission_metadata.json"))
+  (copy-file (in-folder "class/cem.rkt") (in-root "submission" "mine.rkt"))
+  (check-true (run-autograder))
+  (check-equal? (hash-ref (results) 'score) 3.0)
+  (check-equal? (map (lambda (t) (hash-ref t 'score)) (hash-ref (results) 'tests)) '(2.0 1.0 0.0)))
+
+(test-case "nothing handed in, and a failure of the autograder itself, are results, too"
+  (delete-file (in-root "submission" "mine.rkt"))
+  (check-true (run-autograder))
+  (check-equal? (hash-ref (results) 'score) 0.0)
+  (check-regexp-match #rx"no file that ends with .rkt or .ipynb" (hash-ref (results) 'output))
+  (delete-file (in-root "submission_metadata.json"))
+  (check-false (run-autograder))
+  (check-regexp-match #rx"^It could not be graded; tell your teacher: "
+                      (hash-ref (results) 'output)))
+
+(delete-directory/files folder)
