@@ -21,7 +21,8 @@ endif
 # Here sources change: what is compiled is compared with them, whatever is usual with you.
 unexport PLT_COMPILED_FILE_CHECK
 
-.PHONY: new worksheet handout check new-file worksheet-file handout-file check-file
+.PHONY: new worksheet handout check autograder
+.PHONY: new-file worksheet-file handout-file check-file autograder-file
 .PHONY: help demo repl lab lab-installed notebooks run show tex export attack mutants lint \
         lint-texts install uninstall test tests test-quick test-manual test-figures test-export test-lab \
         elsewhere bench peers export-python docs pictures clean \
@@ -42,7 +43,7 @@ help:
 	@echo 'make new     a worksheet to begin with       (FILE=my-worksheet.rkt)'
 	@echo 'make worksheet   its file for students, and the page to hand out (FILE=my-worksheet.rkt)'
 	@echo 'make handout the page alone        (FILE=my-worksheet.rkt, TO=html|tex, ANSWERS=1, OUT=...)'
-	@echo 'make check   a student, or a class (FILE=answers, WORKSHEET=..., REPORT=report.html)'
+	@echo 'make check   a student, or a class (FILE=answers, WORKSHEET=..., CLASS=list.csv, REPORT=report.html)'
 	@echo 'make test    run the tests         (TESTS="file-or-folder ..." for some, SUITES=all for all)'
 	@echo 'make test-quick    those that a change concerns: compiles it, and tests for up to a minute'
 	@echo 'make test-manual   every example of the manual; make test-figures, the pictures of the book'
@@ -126,24 +127,30 @@ export: compile
 	    $(foreach s,$(SYSTEM),--system "$(s)") $(if $(ALL),--all) $(if $(LIST),--list) \
 	    $(if $(DERIVATIVES),--derivatives) $(if $(REPLACE),--replace) "$(FILE)"
 
-new worksheet handout check: compile
+new worksheet handout check autograder: compile
 	@if [ -z "$(FILE)" ]; then echo 'make $@ FILE=... ; make help says more' >&2; exit 2; fi
 	@$(call try-to-compile,$(COMMAND)/raco.rkt $(COMMAND)/worksheet-files.rkt \
-	    $(COMMAND)/check-answers-of.rkt mechanics/worksheet.rkt mechanics/answers.rkt \
+	    $(COMMAND)/check-answers-of.rkt $(COMMAND)/autograder.rkt mechanics/worksheet.rkt \
+	    mechanics/answers.rkt \
 	    $(COMMAND)/evaluate-submission.rkt)
 	@$(MAKE) --no-print-directory -s $@-file
 
 new-file:
 	@$(RUN_COMMAND) new "$(FILE)"
 worksheet-file:
-	@$(RUN_COMMAND) worksheet $(if $(OUT),-o "$(OUT)") "$(FILE)"
+	@$(RUN_COMMAND) worksheet $(if $(OUT),-o "$(OUT)") $(if $(CLASS),--class "$(CLASS)") \
+	    $(if $(STUDENT),--student "$(STUDENT)") "$(FILE)"
 handout-file:
 	@$(RUN_COMMAND) handout $(if $(TO),--to "$(TO)") $(if $(ANSWERS),--answers) \
 	    $(if $(OUT),-o "$(OUT)") "$(FILE)"
 check-file:
 	@$(RUN_COMMAND) check $(if $(WORKSHEET),--worksheet "$(WORKSHEET)") \
 	    $(foreach r,$(REPORT),--report "$(r)") $(if $(GRADESCOPE),--gradescope "$(GRADESCOPE)") \
+	    $(if $(CLASS),--class "$(CLASS)") $(if $(STUDENT),--student "$(STUDENT)") \
+	    $(if $(POINTS),--points "$(POINTS)") $(if $(MOODLE),--moodle "$(MOODLE)") \
 	    $(if $(JSON),--json) "$(FILE)"
+autograder-file:
+	@$(RUN_COMMAND) autograder $(if $(OUT),-o "$(OUT)") "$(FILE)"
 
 # What takes long says so at once.  SUITES: everyday, manual, figures, export, or all of them.
 RUN_TESTS = $(RACKET) tests/mechanics/runner/main.rkt --progress --jobs $(WAITING_JOBS)

@@ -17,7 +17,7 @@
 
 (test-case "a class is written, a file for each student, with no hole left"
   (define folder (make-temporary-file "mechanics-bench~a" 'directory))
-  (write-class folder)
+  (write-class folder 30)
   (define texts (map file->string (directory-list folder #:build? #t)))
   (delete-directory/files folder)
   (check-equal? (length texts) 30)

@@ -94,7 +94,8 @@
   (for ([c (in-list commands)]) (printf "  ~a\n      ~a\n" (usage c) (command-sentence c)))
   (printf "\nIn a checkout, where raco knows no such command: make show FILE=... [OUT=...],\n")
   (printf "make tex FILE=... [OUT=...], make export FILE=... [TO=...], make repl; make new,\n")
-  (printf "worksheet, handout FILE=...; and make check FILE=... [WORKSHEET=... REPORT=...].\n"))
+  (printf "worksheet, handout, autograder FILE=...; and make check FILE=... [WORKSHEET=...\n")
+  (printf "CLASS=... POINTS=... MOODLE=... REPORT=...].\n"))
 
 (define (print-command c)
   (printf "raco mechanics ~a\n    ~a\n" (usage c) (command-sentence c)))

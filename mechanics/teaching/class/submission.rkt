@@ -73,7 +73,7 @@
 (define (hidden? id) (or (regexp-match? #rx"^[.]" id) (equal? id "compiled")))
 
 ;; A name may be any bytes.
-(define (path->text path) (bytes->string/utf-8 (path->bytes path) #\?))
+(define (path->text path) (visible (bytes->string/utf-8 (path->bytes path) #\?)))
 
 (define (file->submission path [id (path->text (file-name-from-path path))])
   (define (problem text) (without-program id text))

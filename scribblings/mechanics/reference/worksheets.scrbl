@@ -47,8 +47,8 @@ Gives the worksheet its title, and says when it is due.
 
 @defform[(text part ...)]{
 
-Adds a passage of text, made of the strings @racket[part]. What stands in it between backquotes
-is a formula, typeset on the page.
+Adds a passage of text, made of the strings and numbers @racket[part]. What stands in it between
+backquotes is a formula, typeset on the page.
 
 @examples[#:eval session
 (module area mechanics/worksheet
@@ -65,6 +65,64 @@ Adds definitions that the students' file holds as well, as they are written.
   (title "Energies")
   (given (define (T v) (* 1/2 'm (square v))))
   (exercise twice expression "`(T v)` at twice the speed." (key (T (* 2 'v)))))]}
+
+@defform[(deadline time option ...)
+         #:grammar ([option (code:line #:grace minutes)
+                            (code:line #:per-day share)
+                            (code:line #:days number)])]{
+
+Says when answers are due, and what lateness costs: up to @racket[minutes] count as in time, each day
+that has begun takes off @racket[share] of the points, and what comes more than @racket[number] days
+late does not count. Without @racket[#:per-day] lateness is told and costs nothing. Students read it
+where it stands, @exec{raco mechanics check} goes by it. A time is a text such as
+@racket["2026-11-20 18:00"], in the zone of the machine that checks, or
+@racket["2026-11-20 18:00 +01:00"]. A text that is no time is refused, and so are shares above 1.
+
+@examples[#:eval session
+(module due mechanics/worksheet
+  (title "Numbers")
+  (deadline "2026-11-20 18:00 +01:00" #:grace 15 #:per-day 1/10 #:days 3)
+  (exercise sum number "What is one and one?" (key 2)))
+(eval:error
+ (module due-sometime mechanics/worksheet
+   (title "Numbers")
+   (deadline "Friday")
+   (exercise sum number "What is one and one?" (key 2))))
+(eval:error (require 'due-sometime))]}
+
+@defform[(parameters maybe-seed [name value ...] ...)
+         #:grammar ([maybe-seed (code:line) (code:line #:seed seed)]
+                    [value number
+                           (code:line #:from number #:to number #:step number)])]{
+
+Defines numbers that are each student's own, chosen among the values or the steps. The worksheet
+uses them as any other names, the student's file defines them, and questions tell them by
+@racket[format] or as parts of @racket[text]. The choice is made by SHA-256 of the seed, the
+student's e-mail (or number, or name) and the name of the number, so it is the same on all
+machines; another seed, a number or a text, chooses anew. Without a student it is the first value.
+
+@examples[#:eval session
+(module lengths mechanics/worksheet
+  (title "Lengths")
+  (parameters #:seed 2026 [l 1 3/2 2] [m #:from 0.1 #:to 0.5 #:step 0.1])
+  (text "A rod of " l " m.")
+  (exercise twice number (format "What is twice ~a?" l) (key (* 2 l))))
+(require (submod 'lengths main))]}
+
+@defform[(credit option ...)
+         #:grammar ([option (code:line #:sign share) (code:line #:factor share)])]{
+
+Gives answers of the exercises that follow a share of their points, if they are wrong by a sign, of
+the whole or of one term, or by a number as a factor. The clause of that name in an exercise counts
+for more, and so does a @racketidfont{slip} that the exercise foresees.
+
+@examples[#:eval session
+(module squares mechanics/worksheet
+  (title "Squares")
+  (credit #:sign 1/2 #:factor 1/4)
+  (exercise side expression "The square of `(- a b)`." (key (square (- 'a 'b))))
+  (exercise area expression "Its derivative by `a`." (key (* 2 (- 'a 'b))) (credit #:sign 0)))
+(require (submod 'squares main))]}
 
 @defform*[((formula value) (formula text value))]{
 
@@ -98,6 +156,7 @@ what @racket[derive-Noether-integral] gives.
                   (hint text #:after number)
                   (code:line (slip value text) (code:comment "and of these"))
                   (slip value text #:credit share)
+                  (code:line (credit #:sign share #:factor share) (code:comment "as the form"))
                   (expects procedure)
                   (no-practice)])]{
 
@@ -229,20 +288,48 @@ not run, are told.
 (list
  (list @exec{raco mechanics new FILE} "writes a worksheet to begin with")
  (list @exec{raco mechanics worksheet FILE}
-       "writes the students' file and notebook, and the page to hand out in HTML and in TeX")
+       @elem{writes the students' file and notebook, and the page to hand out in HTML and in TeX;
+       with @exec{--class LIST} a file and a notebook for each student, with their own numbers, with
+       @exec{--student NAME} those of one})
  (list @exec{raco mechanics handout FILE} @elem{writes the page alone: @exec{--to html} or
        @exec{tex}, with @exec{--answers} for yourself; of another program the page that
        @exec{show} makes})
  (list @exec{raco mechanics check FILE} "judges one student's answers")
- (list @exec{raco mechanics check FOLDER} "judges a class"))]
+ (list @exec{raco mechanics check FOLDER} "judges a class, in a folder or in a ZIP archive")
+ (list @exec{raco mechanics autograder FILE}
+       "writes an autograder for Gradescope, a ZIP archive that is ready to be uploaded"))]
 
-@exec{check} takes @exec{--worksheet FILE}, the teacher's file, which a class needs and a student
-does not; @exec{--report FILE}, as often as you like, for a report in a file that ends with
-@exec{.html}, @exec{.csv} or @exec{.json}; @exec{--gradescope FOLDER} for a
-@filepath{results.json} of each submission; @exec{--seconds N}, what a submission may cost, 10 if
-nothing is said; and @exec{--json}, which prints what else is text as JSON. The status is 0 if all
-answers of a file are right, or a class was judged; 1 if one is not; 2 if what was typed makes no
-sense.
+@exec{check} takes
+
+@itemlist[
+@item{@exec{--worksheet FILE}, the teacher's file, which a class needs and a student does not;}
+@item{@exec{--class FILE}, the list of the class (below);}
+@item{@exec{--points FILE}, the table of points that are entered by hand, which is written, read and
+kept;}
+@item{@exec{--report FILE}, as often as you like, for a report in a file that ends with @exec{.html},
+@exec{.csv} or @exec{.json};}
+@item{@exec{--moodle FILE}, a table of grades as Moodle imports it, which needs the list of the class;}
+@item{@exec{--gradescope FOLDER} for a @filepath{results.json} of each submission;}
+@item{@exec{--student NAME}, for one file, whose numbers it has;}
+@item{@exec{--seconds N}, what a submission may cost, 10 if nothing is said;}
+@item{@exec{--json}, which prints what else is text as JSON.}]
+
+The status is 0 if all answers of a file are right, or a class was judged; 1 if one is not; 2 if what
+was typed makes no sense.
+
+The list of a class is a table (CSV, with commas, semicolons or tabs; UTF-8) whose first line names
+its columns: @tt{Email address}, @tt{ID number}, @tt{Username}, @tt{Full name}, or @tt{First name} and
+@tt{Last name}, or other names that platforms give them, one at least; perhaps @tt{Identifier}, as
+Moodle has it; @tt{Handed in} (or Moodle's @tt{Last modified (submission)}), a time, which counts
+before that of the file; and @tt{Extension}, days by which somebody's deadline is later. A submission
+is of the one after whose e-mail (also without what follows the @tt{@"@"}), number or name its file or
+folder is called, with what Moodle adds to it; otherwise of the one named in its line @tt{Name:}.
+
+The table of points has the columns @tt{submission}, @tt{exercise} and @tt{points}, and perhaps
+@tt{comment}, which the student reads. @exec{check} writes it with a row for each answer that is left to
+you. What stands in it is kept by every further run, even if the submission is gone; a row of nobody,
+of no exercise, or for an answer that has changed since is told; points that are no number, or more
+than the exercise has, are refused.
 
 @exec{-o FILE} says what to write to: @exec{worksheet} a program, which ends with @exec{.rkt},
 @exec{handout} and @exec{show} a page that ends with @exec{.html}, @exec{tex} and @exec{handout}
@@ -266,10 +353,10 @@ for judging what it answers. Time in which a program waits for a processor is no
 Linux tells it (@filepath{/proc}), so a busy machine makes no answer wrong; time in which it sleeps
 is, and so is what it has others do. What there was no time to judge is left to the teacher.
 
-In a checkout these are @exec{make new FILE=...}, @exec{make worksheet FILE=...},
-@exec{make handout FILE=... TO=tex ANSWERS=1} and
-@exec{make check FILE=... WORKSHEET=... REPORT=report.html}, with @exec{OUT=...} for
-@exec{-o}: a file elsewhere is given with its folder, @exec{FILE=../course/first.rkt}.
+In a checkout these are @exec{make new FILE=...}, @exec{make worksheet FILE=... CLASS=...},
+@exec{make handout FILE=... TO=tex ANSWERS=1},
+@exec{make check FILE=... WORKSHEET=... CLASS=... POINTS=... MOODLE=... REPORT=report.html} and
+@exec{make autograder FILE=...}, with @exec{OUT=...} for @exec{-o}: a file elsewhere is given with its folder, @exec{FILE=../course/first.rkt}.
 
 @(close-session session)
 @(close-session answers)

@@ -165,12 +165,14 @@
     (table maps-heading (maps-rows))
     (table sections-heading (sections-rows)))
   (when (wanted? 'class30)
-    (table class-heading (class-rows)))
+    (table class-heading (class-rows 30 60 3000)))
+  (when (wanted? 'class120)
+    (table class-heading (class-rows 120 180 1000)))
   (when (wanted? 'load)
     (table load-heading (load-rows runs))))
 
 (define further-tables
-  '(growth orders gradients chains native ensembles Taylor long big stiff maps class30 load))
+  '(growth orders gradients chains native ensembles Taylor long big stiff maps class30 class120 load))
 
 (define (check-names names)
   (for ([name (in-list names)])

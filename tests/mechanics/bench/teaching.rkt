@@ -1,6 +1,6 @@
 #lang racket/base
-;; A class: thirty submissions of a worksheet with five exercises, judged by the command that a
-;; teacher types.  The clock, and the memory of all processes together, are looked at from
+;; A class: submissions of a worksheet with five exercises, judged by the command that a teacher
+;; types.  The clock, and the memory of all processes together, are looked at from
 ;; outside, once.
 
 (require compiler/find-exe
@@ -16,16 +16,15 @@
 
 (define-runtime-path pendulum "../../../examples/mechanics/worksheets/pendulum.rkt")
 
-(define students 30)
-
 (define class-heading
   '("a class" "submissions" "points" "CPU s" "seconds" "to reach" "MB at most" "to reach"))
 
-(define (class-rows)
+;; to-reach : seconds on two idle processors, megabytes
+(define (class-rows students . to-reach)
   (define folder (make-temporary-file "mechanics-bench~a" 'directory))
   (define submissions (build-path folder "class"))
   (make-directory submissions)
-  (write-class submissions)
+  (write-class submissions students)
   (define before (processes-milliseconds))
   (define-values (text seconds megabytes)
     (run-watched "-l-" "mechanics/lang/command/raco" "check" submissions
@@ -35,7 +34,8 @@
               (number->string (length (regexp-match* #rx"\n" text)))
               (points-in text)
               (figure (/ (- (processes-milliseconds) before) 1e3))
-              (figure seconds) "60" (figure megabytes) "3000")))
+              (figure seconds) (figure (car to-reach)) (figure megabytes)
+              (figure (cadr to-reach)))))
 
 (define (figure x) (number->string (inexact->exact (round x))))
 
@@ -48,16 +48,16 @@
 ;; ---------------------------------------------------------------------------
 ;; The class
 
-(define (write-class folder)
+(define (write-class folder students)
   (define text (worksheet->student-file (dynamic-require pendulum 'worksheet)))
   (for ([n (in-range 1 (+ 1 students))])
-    (display-to-file (for/fold ([text text]) ([(name answer) (in-hash (answers n))])
+    (display-to-file (for/fold ([text text]) ([(name answer) (in-hash (answers n students))])
                        (string-replace text (format "(define ~a unanswered)" name)
                                        (format "(define ~a ~a)" name answer)))
                      (build-path folder (format "student-~a.rkt" n)))))
 
 ;; What each answers, different in each, so that each has to be judged; wrong in the second half.
-(define (answers n)
+(define (answers n students)
   (define sign (if (<= n (/ students 2)) '+ '-))
   (define (local sum) (format "(lambda ((up t a b)) ~a)" sum))
   (hash "L-bob" (local (format "(~a (* ~a 'm (square (* 'l b))) (* ~a 'm 'g 'l (cos a)))"

@@ -68,40 +68,81 @@ class Written(unittest.TestCase):
         self.assertTrue("not answered" in HTMLExporter().from_notebook_node(made)[0])
 
 
+NUMBERS = """#lang mechanics/worksheet
+(title "Numbers of one's own")
+(deadline "2126-11-20 12:00" #:per-day 1/10)
+(credit #:sign 1/2)
+(parameters #:seed 7 [l #:from 1 #:to 9 #:step 1/2])
+(text "A rod of " l " m.")
+(exercise double number (format "Twice ~a?" l) (key (* 2 l)) (points 2))
+(exercise root expression "The frequency?" (key (sqrt (/ 'g l))) (points 2))
+"""
+
+
 @unittest.skipUnless(browser.CHROMIUM, "there is no Chromium")
 class Answered(unittest.TestCase):
     """A worksheet answered in a browser, saved, and graded from its file."""
 
-    def test_worksheet(self):
+    def opened(self, worksheet, *options):
         lab = browser.Lab()
         self.addCleanup(lab.close)
-        command("worksheet", "-o", lab.folder / "student.rkt", examples / "worksheets" / "pendulum.rkt")
+        (lab.folder / "mine.rkt").write_text(worksheet)
+        command("worksheet", *options, "-o", lab.folder / "student.rkt", lab.folder / "mine.rkt")
         lab.page.goto(lab.address("lab/tree/student.ipynb"))
         lab.page.wait_for_selector(".jp-Notebook-ExecutionIndicator[data-status=idle]",
                                    timeout=120_000, state="attached")
         lab.page.wait_for_timeout(3000)
+        return lab
+
+    def answer(self, lab, number, answer):
+        """In the hole of that number; the name of its exercise."""
         made = nbformat.read(lab.folder / "student.ipynb", as_version=4)
         codes = [cell.source for cell in made.cells if cell.cell_type == "code"]
-        number = next(k for k, code in enumerate(codes) if " unanswered)" in code)
-        name = codes[number].split()[1]
-        cell = lab.cell(number)
-        cell.locator(".cm-content").click()
+        place = [k for k, code in enumerate(codes) if " unanswered)" in code][number]
+        name = codes[place].split()[1]
+        lab.cell(place).locator(".cm-content").click()
         lab.page.keyboard.press("Control+a")
-        lab.page.keyboard.insert_text(f"(define {name} 'nonsense)\n(check {name})")
+        lab.page.keyboard.insert_text(f"(define {name} {answer})\n(check {name})")
+        return name
+
+    def judged(self, lab, text):
+        found = lab.page.get_by_text(text).first
+        found.wait_for(timeout=120_000)
+        return found.inner_text()
+
+    def graded(self, lab, answer, *options):
+        lab.page.keyboard.press("Control+s")
+        for _ in range(100):
+            if answer in (lab.folder / "student.ipynb").read_text():
+                break
+            lab.page.wait_for_timeout(200)
+        return output("check", lab.folder / "student.ipynb", *options).splitlines()
+
+    def test_worksheet(self):
+        lab = self.opened((examples / "worksheets" / "pendulum.rkt").read_text())
+        name = self.answer(lab, 0, "'nonsense")
         lab.run_all()
-        judged = lab.page.get_by_text(f"1. {name}: ").first
-        judged.wait_for(timeout=120_000)
-        said = judged.inner_text()
+        said = self.judged(lab, f"1. {name}: ")
         self.assertRegex(said, "refuted|trivial|no answer could be had")
         if os.environ.get("MECHANICS_LAB_PICTURE"):
             lab.page.screenshot(path=os.environ["MECHANICS_LAB_PICTURE"])
-        lab.page.keyboard.press("Control+s")
-        for _ in range(100):
-            if "nonsense" in (lab.folder / "student.ipynb").read_text():
-                break
-            lab.page.wait_for_timeout(200)
-        graded = output("check", lab.folder / "student.ipynb")
-        self.assertEqual(graded.splitlines()[0], said.splitlines()[0])
+        self.assertEqual(self.graded(lab, "nonsense")[0], said.splitlines()[0])
+
+    def test_numbers_of_ones_own(self):
+        lab = self.opened(NUMBERS, "--student", "ann@uni.edu")
+        self.judged(lab, "A rod of ")
+        self.judged(lab, "costs 10 % of the points")
+        self.answer(lab, 0, "(* 2 l)")
+        self.answer(lab, 1, "(* -1 (sqrt (/ 'g l)))")
+        lab.run_all()
+        said = [self.judged(lab, "1. double: "), self.judged(lab, "2. root: ")]
+        self.assertIn("1. double: right (2 of 2 points)", said[0])
+        self.assertIn("2. root: partly right (1 of 2 points)\n   the sign is the opposite", said[1])
+        graded = self.graded(lab, "sqrt (/ 'g l)", "--worksheet", lab.folder / "mine.rkt",
+                             "--student", "ann@uni.edu")
+        self.assertEqual(graded[:2], ["1. double: right (2 of 2 points)",
+                                      "2. root: partly right (1 of 2 points)"])
+        self.assertEqual(graded[-1], "3 of 4 points.")
 
 
 if __name__ == "__main__":

@@ -4,12 +4,16 @@
 
 (require json
          (prefix-in m: mechanics)
+         (only-in mechanics/show/typesetting/visible visible)
+         mechanics/teaching/class/class-page
+         mechanics/teaching/class/class-tables
          mechanics/teaching/class/grade
          mechanics/teaching/class/submission
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
          mechanics/teaching/worksheet/make-worksheet
          racket/file
+         racket/string
          "../../support/checks.rkt" "../../support/patience.rkt")
 
 (define folder (make-temporary-file "mechanics-notebooks~a" 'directory))
@@ -116,6 +120,15 @@
    (list "other-languages" (notebook-of opening (code-of "#lang racket\n(define second 2)")
                                         (code-of "#reader \"x.rkt\" y") (code-of "(") right)
          '(right failed))
+   (list "many-comments"
+         (notebook-of (code-of (apply string-append (for/list ([k 20000]) (format "; remark ~a\n" k))))
+                      (text-of "Name: Zoë\n") opening right right-second)
+         '(right right))
+   (list "=cmd, \"x\" \u202Egnp"
+         (notebook-of (text-of "Name: =HYPERLINK(\"http://x\",\"y\")\u001b]0;z\u0007\n") opening right)
+         '(right unanswered))
+   (list "two-names" (notebook-of (text-of "Name: =1+1") (text-of "Name: Ann A.") opening right)
+         '(right unanswered))
    (list "takes-all-time" (notebook-of opening right (code-of "(let loop () (loop))") right-second)
          #rx"took too long")
    (list "writes-lines-of-answers"
@@ -132,9 +145,9 @@
 (display-to-file #"x" (build-path class-folder ".ipynb_checkpoints" "a-checkpoint.ipynb"))
 (display-to-file "#lang mechanics\n(define second 2)\n" (build-path class-folder "zzz.rkt"))
 
-(define graded-class
-  (class-report-graded
-   (grade-class w (folder->submissions 'check class-folder) #:seconds (processor-seconds 6))))
+(define report
+  (grade-class w (folder->submissions 'check class-folder) #:seconds (processor-seconds 6)))
+(define graded-class (class-report-graded report))
 
 (define (graded-one id)
   (findf (lambda (g) (equal? id (submission-id (graded-submission g)))) graded-class))
@@ -148,7 +161,7 @@
 
 (for ([n (in-list notebooks)])
   (test-case (car n)
-    (define g (graded-one (car n)))
+    (define g (graded-one (visible (car n))))
     (define expected (caddr n))
     (with-check-info (['problem (graded-problem g)] ['statuses (statuses g)])
       (cond [(regexp? expected)
@@ -162,5 +175,14 @@
     (check-equal? (statuses g) '(right right))
     (check-equal? (submission-person (graded-submission g)) "Ann A."))
   (check-equal? (statuses (graded-one "zzz.rkt")) '(unanswered right)))
+
+(test-case "names from notebooks are no formula in a table, no markup on the page, no command"
+  (check-equal? (submission-person (graded-submission (graded-one "many-comments"))) "Zoë")
+  (define table (class->csv report))
+  (check-false (regexp-match? #px"(?m:(^|,)\"\\s*[=+@|%-])" table))
+  (check-true (string-contains? table "\"'=cmd, \"\"x\"\""))
+  (check-false (regexp-match? #px"\\p{Cc}|\\p{Cf}" (regexp-replace* #rx"\r?\n" table "")))
+  (check-false (regexp-match? #px"\u001b|\u202E" (class->page report)))
+  (check-false (regexp-match? #px"\u001b|\u202E" (class->text report))))
 
 (delete-directory/files folder)
