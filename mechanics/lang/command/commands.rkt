@@ -22,6 +22,11 @@
 ;;            mistakes, 2 the arguments make no sense
 (struct command (name arguments sentence run))
 
+(define check-arguments
+  (string-append "FILE|FOLDER|ZIP [--worksheet FILE] [--class FILE] [--points FILE] "
+                 "[--report FILE] ... [--moodle FILE] [--gradescope FOLDER] [--student NAME] "
+                 "[--seconds N] [--json]"))
+
 (define commands
   (list
    (command "show" "FILE [-o page.html]"
@@ -36,12 +41,9 @@
    (command "handout" "FILE [--to html|tex] [--answers] [-o file]"
             "the page of a worksheet alone, for teachers with its answers; or of a program"
             handout-command)
-   (command "check" (string-append "FILE|FOLDER|ZIP [--worksheet FILE] [--class FILE] "
-                                   "[--points FILE] [--report FILE] ... [--moodle FILE] "
-                                   "[--gradescope FOLDER] [--student NAME] [--seconds N] [--json]")
-            "the answers of a student, or of a class" check-command)
+   (command "check" check-arguments "the answers of a student, or of a class" check-command)
    (command "autograder" "FILE [-o autograder.zip]"
-            "a worksheet as an autograder for Gradescope, ready to be uploaded" autograder-command)
+            "a worksheet as an autograder for Gradescope, to be uploaded" autograder-command)
    (command "export" (string-append "FILE [--to c|python|jax] [-o FOLDER] [--system NAME] ... "
                                     "[--all] [--list] [--derivatives] [--replace]")
             "the systems of a program, as programs in C, in Python or for JAX"
