@@ -62,7 +62,7 @@
 (define run_autograder #<<sh
 #!/bin/sh
 root=${AUTOGRADER:-/autograder}
-export PLTCOLLECTS="$root/source:"
+export PLTCOLLECTS="$root/source:" PLT_COMPILED_FILE_CHECK=exists
 exec racket -l racket/base -l mechanics/lang/command/autograder \
     -e "(exit (grade-in-autograder \"$root\"))"
 
