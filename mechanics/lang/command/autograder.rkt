@@ -13,6 +13,7 @@
          racket/path
          racket/runtime-path
          "load-worksheet.rkt" "written-files.rkt"
+         "../../error/complain.rkt" (only-in "../../error/message-words.rkt" joined)
          "../../generic/output-file.rkt"
          "../../teaching/class/class-list.rkt" "../../teaching/class/class-tables.rkt"
          "../../teaching/class/grade.rkt" "../../teaching/class/submission.rkt"
@@ -27,6 +28,10 @@
 (define (autograder-command arguments)
   (define-values (file option) (read-arguments who arguments))
   (void (load-worksheet who file))
+  (define others (files-required file))
+  (when (pair? others)
+    (complain who "the worksheet requires other files; put what they define into it\n  files: ~a"
+              (joined others)))
   (define out (simple-form-path (or (option "-o") "autograder.zip")))
   (check-new-file who out (simple-form-path file) #".zip")
   (define folder (make-temporary-file "mechanics-autograder~a" 'directory))

@@ -7,7 +7,7 @@
          "../../teaching/worksheet/exercise.rkt" "../../teaching/worksheet/make-worksheet.rkt"
          "../../teaching/worksheet/student-numbers.rkt")
 
-(provide load-worksheet worksheets-of-students worksheet-file? check-there)
+(provide load-worksheet worksheets-of-students files-required worksheet-file? check-there)
 
 ;; Loaded worksheets share the library with this program.
 (define-namespace-anchor here)
@@ -29,13 +29,7 @@
 (define (worksheets-of-students who file #:try? [try? #f])
   (define general (load-worksheet who file))
   (define path (path->complete-path file))
-  (define library (namespace-anchor->empty-namespace here))
-  (parameterize ([current-namespace library]) (dynamic-require 'mechanics/worksheet #f))
-  (define (fresh-namespace)
-    (define ns (make-base-empty-namespace))
-    (namespace-attach-module library 'mechanics/worksheet ns)
-    ns)
-  (define code (parameterize ([current-namespace (fresh-namespace)]) (get-module-code path)))
+  (define code (code-of path))
   (define (of-student name)
     (parameterize ([current-namespace (fresh-namespace)] [current-print void]
                    [current-student name] [trying-keys? try?]
@@ -43,6 +37,23 @@
       (eval code)
       (dynamic-require path 'worksheet)))
   (if (numbers-of general) of-student (lambda (name) general)))
+
+(define (code-of path) (parameterize ([current-namespace (fresh-namespace)]) (get-module-code path)))
+
+(define (fresh-namespace)
+  (define library (namespace-anchor->empty-namespace here))
+  (parameterize ([current-namespace library]) (dynamic-require 'mechanics/worksheet #f))
+  (define ns (make-base-empty-namespace))
+  (namespace-attach-module library 'mechanics/worksheet ns)
+  ns)
+
+;; The teacher's own files that the worksheet requires, as it names them
+(define (files-required file)
+  (for*/list ([phase (in-list (module-compiled-imports (code-of (path->complete-path file))))]
+              [index (in-list (cdr phase))]
+              [name (in-value (call-with-values (lambda () (module-path-index-split index)) list))]
+              #:when (string? (car name)))
+    (car name)))
 
 (define (raise-no-worksheet who file)
   (complain who (string-append "it is no worksheet: its first line should be "

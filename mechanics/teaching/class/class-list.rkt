@@ -77,7 +77,7 @@
         (nonempty (string-join (filter values (list (field 'first) (field 'last)))))))
   (define keys (filter values (append (map field identities) (list full))))
   (define (time text)
-    (or (text->seconds text) (complain-of-field who file row "a time" text)))
+    (or (text->seconds text) (complain-of-field who file row "a time, as in 2026-11-20 18:00," text)))
   (define (days text)
     (define n (string->number text))
     (if (and n (real? n)) n (complain-of-field who file row "a number of days" text)))

@@ -43,7 +43,7 @@
   (pregexp (string-append "^\\s*(\\d{4})-(\\d\\d?)-(\\d\\d?)[ T]+(\\d\\d?):(\\d\\d)(?::(\\d\\d)(?:[.]\\d*)?)?"
                           "\\s*(?:(Z)|([+-])(\\d\\d):?(\\d\\d))?\\s*$")))
 (define words-first
-  #px"^\\D*(\\d\\d?) (\\p{L}+) (\\d{4}), (\\d\\d?):(\\d\\d)(?: ?([AP])M)?\\s*$")
+  #px"^\\D*(\\d\\d?)[.]? (\\p{L}+) (\\d{4}), (\\d\\d?):(\\d\\d)(?: ?([AP])M)?\\s*$")
 
 ;; -> seconds since 1970, or #f
 (define (text->seconds text)

@@ -158,6 +158,16 @@
   (check-refused #rx"^check: it is no ZIP archive" "check" "bad.zip" "--worksheet" "w.rkt"
                  "--class" "list.csv"))
 
+(test-case "an autograder of a worksheet that is none, or not whole, is refused"
+  (check-refused #rx"^autograder: it is no worksheet" "autograder" "class/cem.rkt")
+  (check-refused #rx"^autograder: it writes a file that ends with .zip" "autograder" "w.rkt" "-o"
+                 "a.tar")
+  (write-text "mine.rkt" "#lang mechanics" "(provide two)" "(define two 2)")
+  (write-text "parts.rkt" "#lang mechanics/worksheet" "(require \"mine.rkt\")" "(title \"Parts\")"
+              "(exercise a number \"?\" (key two))")
+  (check-refused #rx"^autograder: the worksheet requires other files; put .*\n  files: mine.rkt\n"
+                 "autograder" "parts.rkt"))
+
 (define title "(title \"Bad\")")
 (define (check-worksheet pattern . lines)
   (define name (format "~a.rkt" (gensym 'bad)))

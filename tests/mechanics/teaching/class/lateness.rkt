@@ -19,7 +19,7 @@
   (for ([same '("2026-11-20T13:00:00+01:00" "2026-11-20 07:00 -0500" "2026-11-20T12:00:00.3659Z")])
     (check-equal? (text->seconds same) 1795176000 same))
   (for ([same '("20 November 2026, 6:45 PM" "Friday, 20 November 2026, 6:45 PM"
-                "Friday, 20 November 2026, 18:45")])
+                "Friday, 20 November 2026, 18:45" "Freitag, 20. November 2026, 18:45")])
     (check-equal? (text->seconds same) (text->seconds "2026-11-20 18:45") same))
   (for ([none '("week 4" "2026-13-20 12:00" "20 Brumaire 2026, 6:45 PM" "" "2026-11-20")])
     (check-false (text->seconds none) none)))

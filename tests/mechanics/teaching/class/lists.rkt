@@ -70,7 +70,8 @@
  [(read-lines "Email" "a@b.c" "d@e.f" "a@b.c")
   "check: the list of the class has a@b.c twice\n  file: list.csv"]
  [(read-lines "Email,Handed in" "a@b.c,yesterday")
-  "check: the list of the class should have a time there\n  file: list.csv\n  line: 2\n"
+  "check: the list of the class should have a time, as in 2026-11-20 18:00, there\n"
+  "  file: list.csv\n  line: 2\n"
   "  given: yesterday"]
  [(read-lines "Email,Extension" "a@b.c,1" "b@b.c,one")
   "check: the list of the class should have a number of days there\n  file: list.csv\n  line: 3\n"
