@@ -52,7 +52,7 @@
     (complain who (string-append "Moodle knows people by e-mail or ID number: --moodle needs the "
                                  "list of the class, as in --class list.csv")))
   (when (and class? (settings-student w))
-    (complain who "--student is for the file of one student; for a class there is --class list.csv"))
+    (complain who "--student is for one file; a class has its list, as in --class list.csv"))
   (when (settings-class w) (check-there who (settings-class w)))
   (for ([file (in-list (filter values (list (settings-points w) (settings-moodle w))))])
     (check-new-file who (simple-form-path file) #f #".csv")))
@@ -154,8 +154,9 @@
   (define student (settings-student w))
   (cond [(not (numbers-of general)) general]
         [student ((worksheets-of-students who file) student)]
-        [else (complain who (string-append "each student has numbers of their own: name the one whose "
-                                           "file it is, as in --student ann@uni.edu"))]))
+        [else
+         (complain who (string-append "each student has numbers of their own: name the one whose "
+                                      "file it is, as in --student ann@uni.edu"))]))
 
 ;; A worksheet of the exercises in the student's file.
 (define (worksheet-within s file)

@@ -38,7 +38,8 @@
       (dynamic-require path 'worksheet)))
   (if (numbers-of general) of-student (lambda (name) general)))
 
-(define (code-of path) (parameterize ([current-namespace (fresh-namespace)]) (get-module-code path)))
+(define (code-of path)
+  (parameterize ([current-namespace (fresh-namespace)]) (get-module-code path)))
 
 (define (fresh-namespace)
   (define library (namespace-anchor->empty-namespace here))

@@ -35,6 +35,9 @@
           'handed-in '("handed in" "last modified (submission)" "submission time")
           'extension '("extension")))
 
+(define known-columns
+  "\n  known are: Email address, ID number, Username, Full name, First name, Last name")
+
 (define identities '(e-mail number user))
 
 ;; Somebody whom another program names
@@ -46,10 +49,8 @@
   (define places (column-places names))
   (define (has? . sorts) (ormap (lambda (s) (hash-has-key? places s)) sorts))
   (unless (has? 'e-mail 'number 'user 'name 'last)
-    (complain who (string-append "the list of the class has no column of e-mails, ID numbers or names"
-                                 "\n  file: ~a\n  columns: ~a\n  known are: ~a")
-              file (joined names)
-              (joined '("Email address" "ID number" "Username" "Full name" "First name" "Last name"))))
+    (complain who "the list of the class has no column of ~a\n  file: ~a\n  columns: ~a~a"
+              "e-mails, ID numbers or names" file (joined names) known-columns))
   (define all
     (for*/list ([row (in-list rows)]
                 [p (in-value (row->participant who file names places row))]
@@ -63,7 +64,8 @@
 ;; -> hasheq, from the sorts of columns to their places
 (define (column-places names)
   (for*/hasheq ([(sort known) (in-hash columns)]
-                [place (in-value (index-where names (lambda (n) (member (string-downcase n) known))))]
+                [known? (in-value (lambda (n) (member (string-downcase n) known)))]
+                [place (in-value (index-where names known?))]
                 #:when place)
     (values sort place)))
 
@@ -77,7 +79,8 @@
         (nonempty (string-join (filter values (list (field 'first) (field 'last)))))))
   (define keys (filter values (append (map field identities) (list full))))
   (define (time text)
-    (or (text->seconds text) (complain-of-field who file row "a time, as in 2026-11-20 18:00," text)))
+    (or (text->seconds text)
+        (complain-of-field who file row "a time, as in 2026-11-20 18:00," text)))
   (define (days text)
     (define n (string->number text))
     (if (and n (real? n)) n (complain-of-field who file row "a number of days" text)))

@@ -79,8 +79,6 @@
     [else (format "~a ~a" (case status [(right) "✓"] [(partly) "±"] [else "✗"])
                   (number->text points))]))
 
-(define (graded-person g) (submission-person (graded-submission g)))
-
 ;; ---------------------------------------------------------------------------
 ;; Common mistakes
 
@@ -90,9 +88,10 @@
   (define wrong (filter wanting? (append-map graded-answers all)))
   (define rows
     (for*/list ([e (in-list (exercises-of w))]
-                [same (in-value (filter (lambda (j) (eq? e (judged-exercise j))) wrong))]
+                [name (in-value (exercise-name e))]
+                [same (in-value (filter (lambda (j) (eq? name (judged-name j))) wrong))]
                 [group (in-list (sort (group-by values (map mistake same)) > #:key length))])
-      `(tr (td ,(visible (symbol->string (exercise-name e))))
+      `(tr (td ,(visible (symbol->string name)))
            (td ,(visible (car group)))
            (td ,(visible (times (length group)))))))
   (if (null? rows)

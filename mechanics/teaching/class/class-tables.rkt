@@ -36,8 +36,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Moodle
 
-;; For Moodle's import of grades: who it is as the list of the class says, points and feedback, which
-;; Moodle wants together.  Only participants are in it.
+;; For Moodle's import of grades: who it is, as the list of the class says, points and feedback,
+;; which Moodle wants together.  Only participants are in it.
 (define (class->Moodle r)
   (define title (worksheet-title (class-report-worksheet r)))
   (define columns (identity-columns (class-report-class r)))

@@ -1,5 +1,6 @@
 #lang racket/base
-;; Points that the teacher enters by hand, in a table: a row for each answer that is left to a person.
+;; Points that the teacher enters by hand, in a table: a row for each answer that is left to a
+;; person.
 ;;
 ;; The table is written with the answers in it, and the points empty.  What is entered in it is kept
 ;; when the class is judged again, whatever the judgments are then; rows can be added for other

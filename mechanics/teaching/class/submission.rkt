@@ -11,7 +11,8 @@
          "../../error/complain.rkt"
          "../../show/typesetting/visible.rkt")
 
-(provide (struct-out submission) folder->submissions folder->submission file->submission bytes->submission
+(provide (struct-out submission)
+         folder->submissions folder->submission file->submission bytes->submission
          without-program too-large most-bytes submission-name? with-outline
          submission-order)
 

@@ -17,7 +17,8 @@
 ;; What is said of a slip -> sign or factor, for which worksheets may give credit; or #f
 (define (slip-sort text)
   (cond [(member text (list opposite-sign opposite-term)) 'sign]
-        [(or (member text (list factor-2 other-factor)) (regexp-match? #rx"^it is right but for" text))
+        [(or (member text (list factor-2 other-factor))
+             (regexp-match? #rx"^it is right but for" text))
          'factor]
         [else #f]))
 

@@ -40,7 +40,8 @@
 ;; Times
 
 (define digits-first
-  (pregexp (string-append "^\\s*(\\d{4})-(\\d\\d?)-(\\d\\d?)[ T]+(\\d\\d?):(\\d\\d)(?::(\\d\\d)(?:[.]\\d*)?)?"
+  (pregexp (string-append "^\\s*(\\d{4})-(\\d\\d?)-(\\d\\d?)[ T]+(\\d\\d?):(\\d\\d)"
+                          "(?::(\\d\\d)(?:[.]\\d*)?)?"
                           "\\s*(?:(Z)|([+-])(\\d\\d):?(\\d\\d))?\\s*$")))
 (define words-first
   #px"^\\D*(\\d\\d?)[.]? (\\p{L}+) (\\d{4}), (\\d\\d?):(\\d\\d)(?: ?([AP])M)?\\s*$")

@@ -5,7 +5,8 @@
 ;; exercise is judged in the teacher's program, in the student's, and in a class.
 
 (provide (struct-out worksheet) (struct-out passage) (struct-out deadline)
-         (struct-out given) (struct-out numbers) (struct-out formula) (struct-out exercise) (struct-out slip) (struct-out hint)
+         (struct-out given) (struct-out numbers) (struct-out formula)
+         (struct-out exercise) (struct-out slip) (struct-out hint)
          exercises-of deadline-of numbers-of numbered-exercises setting total-points)
 
 ;; parts : passages, givens, formulas and exercises, in their order

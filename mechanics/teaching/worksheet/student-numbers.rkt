@@ -1,6 +1,6 @@
 #lang racket/base
-;; Numbers that differ from student to student: each is chosen by a hash of the worksheet's seed, the
-;; student's name and the number's name, so that it is the same on all machines.
+;; Numbers that differ from student to student: each is chosen by a hash of the worksheet's seed,
+;; the student's name and the number's name, so that it is the same on all machines.
 
 (require (only-in racket/string string-join)
          "exercise.rkt"

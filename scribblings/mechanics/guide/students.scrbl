@@ -7,6 +7,10 @@
 Your teacher gave you a notebook, such as @filepath{pendulum-student.ipynb}, or a program,
 @filepath{pendulum-student.rkt}. They ask the same.
 
+If it has a deadline, it says so at its top, and what lateness costs. If a line of it says whose
+numbers it has, these are yours: others have others, and answers with theirs are wrong. Do not
+rename the file; if you do, keep your e-mail or number in its name.
+
 @section{In a browser}
 
 @itemlist[#:style 'ordered

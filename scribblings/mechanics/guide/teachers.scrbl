@@ -134,8 +134,8 @@ and listed; they never count as wrong.}
 list it is the line @tt{Name:} of the notebook or @tt{;; Name:} of the program, or the file. Under
 the table of the page it is told, to you alone, what is of nobody on the list, who handed in nothing
 or twice, and whose file has the numbers of another.}
-@item{The time is that of the list's column @tt{Handed in}, if it has one, or of the file: an archive
-keeps it, a copy may not. An extension is a number of days in the column @tt{Extension}.}
+@item{The time is that of the list's column @tt{Handed in}, if it has one, or of the file: an
+archive keeps it, a copy may not. An extension is a number of days in the column @tt{Extension}.}
 @item{Two submissions are remarked on, to you alone, if they have in common what few others have and
 no question asks for: a wrong answer in the same unusual form, comments, names of helpers and their
 spelling, the words of a reason. That has many reasons, work in a group among them, and is a hint to
@@ -161,16 +161,17 @@ exercise, the points. A name that is nobody's, and an answer that has changed si
 @itemlist[
 @item{@bold{Moodle}: add @exec{--moodle grades.csv}. In the gradebook choose
 @onscreen{Import}, @onscreen{CSV file}, and encoding UTF-8; map from @onscreen{Email address} to
-@onscreen{Email address}, or from the ID number, the column with the worksheet's title to a new grade
-item or to the assignment, and the one with @tt{(feedback)} to its feedback. E-mails are written as
-your list has them.}
+@onscreen{Email address}, or from the ID number, the column with the worksheet's title to a new
+grade item or to the assignment, and the one with @tt{(feedback)} to its feedback. E-mails are
+written as your list has them.}
 @item{@bold{Gradescope}: @exec{raco mechanics autograder pendulum.rkt} writes
 @filepath{autograder.zip}, which you upload in the settings of a programming assignment. It holds
-the worksheet and the library, installs Racket, and judges each submission when it is handed in, with
-Gradescope's time and the numbers of the student's e-mail. Its machines count in UTC: write the
+the worksheet and the library, installs Racket, and judges each submission when it is handed in,
+with Gradescope's time and the numbers of the student's e-mail. Its machines count in UTC: write the
 deadline with its zone. Reasons wait for you there. A submission that you download from Gradescope
 is judged as any other, and @exec{--gradescope results} writes a @filepath{results.json} for each.}
-@item{@bold{A spreadsheet}: @exec{--report grades.csv}. What a student wrote is never a formula in it.}]
+@item{@bold{A spreadsheet}: @exec{--report grades.csv}. What a student wrote is never a formula in
+it.}]
 
 @section[#:tag "what-students-can-do"]{The isolation of a submission}
 

@@ -71,10 +71,10 @@ Adds definitions that the students' file holds as well, as they are written.
                             (code:line #:per-day share)
                             (code:line #:days number)])]{
 
-Says when answers are due, and what lateness costs: up to @racket[minutes] count as in time, each day
-that has begun takes off @racket[share] of the points, and what comes more than @racket[number] days
-late does not count. Without @racket[#:per-day] lateness is told and costs nothing. Students read it
-where it stands, @exec{raco mechanics check} goes by it. A time is a text such as
+Says when answers are due, and what lateness costs: up to @racket[minutes] count as in time, each
+day that has begun takes off @racket[share] of the points, and what comes more than @racket[number]
+days late does not count. Without @racket[#:per-day] lateness is told and costs nothing. Students
+read it where it stands, @exec{raco mechanics check} goes by it. A time is a text such as
 @racket["2026-11-20 18:00"], in the zone of the machine that checks, or
 @racket["2026-11-20 18:00 +01:00"]. A text that is no time is refused, and so are shares above 1.
 
@@ -305,28 +305,31 @@ not run, are told.
 @item{@exec{--class FILE}, the list of the class (below);}
 @item{@exec{--points FILE}, the table of points that are entered by hand, which is written, read and
 kept;}
-@item{@exec{--report FILE}, as often as you like, for a report in a file that ends with @exec{.html},
-@exec{.csv} or @exec{.json};}
-@item{@exec{--moodle FILE}, a table of grades as Moodle imports it, which needs the list of the class;}
+@item{@exec{--report FILE}, as often as you like, for a report in a file that ends with
+@exec{.html}, @exec{.csv} or @exec{.json};}
+@item{@exec{--moodle FILE}, a table of grades as Moodle imports it, which needs the list of the
+class;}
 @item{@exec{--gradescope FOLDER} for a @filepath{results.json} of each submission;}
 @item{@exec{--student NAME}, for one file, whose numbers it has;}
 @item{@exec{--seconds N}, what a submission may cost, 10 if nothing is said;}
 @item{@exec{--json}, which prints what else is text as JSON.}]
 
-The status is 0 if all answers of a file are right, or a class was judged; 1 if one is not; 2 if what
-was typed makes no sense.
+The status is 0 if all answers of a file are right, or a class was judged; 1 if one is not; 2 if
+what was typed makes no sense.
 
 The list of a class is a table (CSV, with commas, semicolons or tabs; UTF-8) whose first line names
-its columns: @tt{Email address}, @tt{ID number}, @tt{Username}, @tt{Full name}, or @tt{First name} and
-@tt{Last name}, or other names that platforms give them, one at least; perhaps @tt{Identifier}, as
-Moodle has it; @tt{Handed in} (or Moodle's @tt{Last modified (submission)}), a time, which counts
-before that of the file; and @tt{Extension}, days by which somebody's deadline is later. A submission
-is of the one after whose e-mail (also without what follows the @tt{@"@"}), number or name its file or
+its columns: @tt{Email address}, @tt{ID number}, @tt{Username}, @tt{Full name}, or @tt{First name}
+and @tt{Last name}, or other names that platforms give them, one at least; perhaps @tt{Identifier},
+as Moodle has it; @tt{Handed in} (or Moodle's @tt{Last modified (submission)}), a time, which counts
+before that of the file; and @tt{Extension}, days by which somebody's deadline is later. A
+submission is of the one after whose e-mail (also without what follows the @tt{@"@"}), number or
+name its file or
 folder is called, with what Moodle adds to it; otherwise of the one named in its line @tt{Name:}.
 
 The table of points has the columns @tt{submission}, @tt{exercise} and @tt{points}, and perhaps
-@tt{comment}, which the student reads. @exec{check} writes it with a row for each answer that is left to
-you. What stands in it is kept by every further run, even if the submission is gone; a row of nobody,
+@tt{comment}, which the student reads. @exec{check} writes it with a row for each answer that is
+left to you. What stands in it is kept by every further run, even if the submission is gone; a row
+of nobody,
 of no exercise, or for an answer that has changed since is told; points that are no number, or more
 than the exercise has, are refused.
 
@@ -355,7 +358,8 @@ is, and so is what it has others do. What there was no time to judge is left to 
 In a checkout these are @exec{make new FILE=...}, @exec{make worksheet FILE=... CLASS=...},
 @exec{make handout FILE=... TO=tex ANSWERS=1},
 @exec{make check FILE=... WORKSHEET=... CLASS=... POINTS=... MOODLE=... REPORT=report.html} and
-@exec{make autograder FILE=...}, with @exec{OUT=...} for @exec{-o}: a file elsewhere is given with its folder, @exec{FILE=../course/first.rkt}.
+@exec{make autograder FILE=...}, with @exec{OUT=...} for @exec{-o}: a file elsewhere is given with
+its folder, @exec{FILE=../course/first.rkt}.
 
 @(close-session session)
 @(close-session answers)

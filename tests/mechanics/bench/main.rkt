@@ -172,7 +172,8 @@
     (table load-heading (load-rows runs))))
 
 (define further-tables
-  '(growth orders gradients chains native ensembles Taylor long big stiff maps class30 class120 load))
+  '(growth orders gradients chains native ensembles Taylor long big stiff maps
+    class30 class120 load))
 
 (define (check-names names)
   (for ([name (in-list names)])

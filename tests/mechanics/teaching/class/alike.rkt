@@ -6,7 +6,6 @@
          mechanics/teaching/worksheet/judge
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
-         racket/string
          "../../support/checks.rkt")
 
 (define motion (make-exercise 'motion 'expression "?" (list (list 'key (m:+ 'a 'b 'c)))))
@@ -35,8 +34,8 @@
 (test-case "the same strange answer with the same name for a helper is"
   (check-equal? (said (student "Ann" "(define omegga 1)\n" strange)
                       (student "Bob" "(define omegga 1)\n" strange))
-                (list (string-append "Ann and Bob have in common, as few others do: the name omegga, "
-                                     "the same wrong motion; that may have many reasons"))))
+                (list (string-append "Ann and Bob have in common, as few others do: the name "
+                                     "omegga, the same wrong motion; that may have many reasons"))))
 
 (test-case "two comments, or the words of a reason"
   (define comments ";; here I integrate by parts\n; and hten the rest\n")
@@ -57,8 +56,8 @@
 
 (test-case "what many share is likely"
   (define (many n)
-    (for/list ([k n]) (student (format "m~a" k) ";; what the lecture said\n;; of energies and such\n"
-                               strange)))
+    (for/list ([k n])
+      (student (format "m~a" k) ";; what the lecture said\n;; of energies and such\n" strange)))
   (check-equal? (apply said (many 4)) '())
   (check-equal? (length (apply said (many 2))) 1))
 

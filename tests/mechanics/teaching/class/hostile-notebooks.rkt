@@ -121,11 +121,13 @@
                                         (code-of "#reader \"x.rkt\" y") (code-of "(") right)
          '(right failed))
    (list "many-comments"
-         (notebook-of (code-of (apply string-append (for/list ([k 20000]) (format "; remark ~a\n" k))))
+         (notebook-of (code-of (apply string-append
+                                      (for/list ([k 20000]) (format "; remark ~a\n" k))))
                       (text-of "Name: Zoë\n") opening right right-second)
          '(right right))
    (list "=cmd, \"x\" \u202Egnp"
-         (notebook-of (text-of "Name: =HYPERLINK(\"http://x\",\"y\")\u001b]0;z\u0007\n") opening right)
+         (notebook-of (text-of "Name: =HYPERLINK(\"http://x\",\"y\")\u001b]0;z\u0007\n")
+                      opening right)
          '(right unanswered))
    (list "two-names" (notebook-of (text-of "Name: =1+1") (text-of "Name: Ann A.") opening right)
          '(right unanswered))

@@ -1,5 +1,6 @@
 #lang racket/base
-;; Points that a teacher enters in a table: they are kept, merged, and told where they are of nobody.
+;; Points that a teacher enters in a table: they are kept, merged, and told where they are
+;; nobody's.
 
 (require mechanics/teaching/class/class-list
          mechanics/teaching/class/class-page
@@ -33,7 +34,8 @@
       (read-entered-points 'check "points.csv"))))
 
 (define empty (entered-points->CSV (report) '()))
-(define (merged text [r (report)]) (with-entered-points 'check "points.csv" r (read-table-text text)))
+(define (merged text [r (report)])
+  (with-entered-points 'check "points.csv" r (read-table-text text)))
 (define (points-in r) (map graded-points (class-report-graded r)))
 
 (test-case "the table has a row for each answer that is left to a person, with the answer"
@@ -92,8 +94,8 @@
   (check-equal? (told (row "c" "tow" "1")) '("points, line 2: tow is no exercise"))
   (check-equal? (told (row "zed" "tow" "")) '())
   (check-equal? (told (typed "1" "") (report "something else"))
-                (list (string-append "points, line 2: the answer of Ann, of \"A\" to why is another "
-                                     "than when the points were entered")))
+                (list (string-append "points, line 2: the answer of Ann, of \"A\" to why is "
+                                     "another than when the points were entered")))
   (check-regexp-match #rx"\"because\",\"3\",\"1\""
                       (entered-points->CSV (report "something else")
                                            (read-table-text (typed "1" "")))))
