@@ -48,6 +48,9 @@
             (option "--gradescope") seconds (option "--json")))
 
 (define (check-lists w class?)
+  (unless (or class? (not (or (settings-class w) (settings-points w) (settings-moodle w))))
+    (complain who (string-append "--class, --points and --moodle are for a class, in a folder or "
+                                 "an archive; whose one file is says --student")))
   (when (and (settings-moodle w) (not (settings-class w)))
     (complain who (string-append "Moodle knows people by e-mail or ID number: --moodle needs the "
                                  "list of the class, as in --class list.csv")))

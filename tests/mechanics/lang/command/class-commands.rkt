@@ -152,6 +152,9 @@
                  "check" "class" "--worksheet" "w.rkt" "--moodle" "m.csv")
   (check-refused #rx"^check: --student is for one file; a class has its list, as in --class"
                  "check" "class" "--worksheet" "w.rkt" "--student" "ann")
+  (for ([option '("--class" "--points" "--moodle")])
+    (check-refused #rx"^check: --class, --points and --moodle are for a class" "check"
+                   "class/cem.rkt" "--worksheet" "w.rkt" option "list.csv"))
   (check-refused #rx"^check: there is no such file" "check" "class" "--worksheet" "w.rkt" "--class"
                  "none.csv")
   (check-refused #rx"^check: it writes a file that ends with .csv\n  given: p.xlsx" "check" "class"
