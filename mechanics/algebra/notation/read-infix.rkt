@@ -10,7 +10,7 @@
 ;; The signs * and ^ (or **) are not written by infix.rkt where it can do without, but by people.
 ;; Other spellings are made tokens of this grammar by read-paper.rkt.
 
-(require "formula-tokens.rkt" "one-line-name.rkt" "read-terms.rkt"
+(require "formula-tokens.rkt" "one-line-name.rkt" "read-terms.rkt" "token-reader.rkt"
          "../../error/complain.rkt")
 
 (provide infix->datum tokens->datum)
@@ -21,37 +21,22 @@
 
 ;; all : the tokens of a text; fail : position what -> does not return
 (define (tokens->datum all fail)
-  (define in (reader all fail))
+  (define in (infix-reader all (refusing fail) fail))
   (define d (read-relation in))
   (unless (eq? (kind-ahead in) 'end) (unexpected in))
   d)
 
-;; left : the tokens not yet read
-(struct reader ([left #:mutable] fail) #:authentic)
+;; fail : position what -> does not return
+(struct infix-reader reader (fail) #:authentic)
 
-(define (ahead in) (car (reader-left in)))
 (define (kind-ahead in) (token-kind (ahead in)))
-(define (ahead? in kind) (eq? (kind-ahead in) kind))
-(define (glued? in kind) (and (ahead? in kind) (not (token-spaced? (ahead in)))))
 
-(define (take! in)
-  (define t (ahead in))
-  (set-reader-left! in (cdr (reader-left in)))
-  t)
-
-;; The token ahead, taken if it is of the kind; else #f, or a complaint
-(define (accept! in kind) (and (ahead? in kind) (take! in)))
-(define (expect! in kind) (or (accept! in kind) (unexpected in)))
-
-(define (unexpected in)
-  (define t (ahead in))
-  (fail in t
+(define ((refusing fail) t)
+  (fail (token-at t)
         (case (token-kind t)
           [(end) "it ends here"]
           [(dots) "⋯, which stands for terms that are not written"]
           [else (token-text t)])))
-
-(define (fail in t what) ((reader-fail in) (token-at t) what))
 
 (define ((failing-in text) at what)
   (complain 'read-infix "not a formula on one line\n  at: ~a, position ~a\n  in: ~a"
@@ -72,7 +57,7 @@
   (define name (hash-ref relation-names (token-text sign) #f))
   (cond [(not name)
          (or (series->datum left right)
-             (fail in sign "no power series"))]
+             ((infix-reader-fail in) (token-at sign) "no power series"))]
         [(and (pair? left) (eq? (car left) name) (> (length left) 2))
          (append left (list right))]
         [else (list name left right)]))
@@ -99,9 +84,6 @@
   (append (if (product? a) a (list '* a)) (if (product? b) (cdr b) (list b))))
 
 (define (product? d) (and (pair? d) (eq? (car d) '*)))
-
-(define (quotient-of a b)
-  (if (and (exact-integer? a) (exact-integer? b) (not (eqv? b 0))) (/ a b) (list '/ a b)))
 
 (define (read-product in)
   (let loop ([factors (list (read-factor in))])

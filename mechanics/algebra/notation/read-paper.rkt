@@ -9,7 +9,7 @@
          "unclear-tokens.rkt"
          (only-in "../../operation/operation-column.rkt" operation-names))
 
-(provide read-paper as-typed function-named)
+(provide read-paper as-typed function-named own-operations)
 
 ;; known?   : symbol -> is it a name of the reader's, or of the library?
 ;; foreign? : symbol -> is it another program's name of something that is called otherwise here?
@@ -19,7 +19,7 @@
     (define (fail at what) (return #f))
     (define all
       (clear-tokens (tokens (plain-spelling text) fail (paper-rules known?)) known? foreign?))
-    (and all (meaning (tokens->datum all fail) known?))))
+    (and all (own-operations (tokens->datum all fail) known?))))
 
 ;; ---------------------------------------------------------------------------
 ;; Tokens
@@ -71,9 +71,9 @@
 ;; Meaning
 
 ;; Functions of other programs, and powers of e, in ours.
-(define (meaning d known?)
+(define (own-operations d known?)
   (if (pair? d)
-      (let ([d (for/list ([part (in-list d)]) (meaning part known?))])
+      (let ([d (for/list ([part (in-list d)]) (own-operations part known?))])
         (case (car d)
           [(expt) (if (power-of-e? d known?) (list 'exp (caddr d)) d)]
           [(pow Power) (cons 'expt (cdr d))]

@@ -4,7 +4,7 @@
 
 (require (only-in racket/list append-map))
 
-(provide terms->datum unit-datum series->datum negative)
+(provide terms->datum unit-datum series->datum negative quotient-of)
 
 ;; terms : data, as they were read
 (define (terms->datum terms)
@@ -24,6 +24,9 @@
         [(and (pair? d) (eq? (car d) '*) (real? (cadr d))) (list* '* (- (cadr d)) (cddr d))]
         [(and (pair? d) (eq? (car d) '*)) (list* '* -1 (cdr d))]
         [else (list '* -1 d)]))
+
+(define (quotient-of a b)
+  (if (and (exact-integer? a) (exact-integer? b) (not (eqv? b 0))) (/ a b) (list '/ a b)))
 
 ;; ---------------------------------------------------------------------------
 ;; Quaternions
