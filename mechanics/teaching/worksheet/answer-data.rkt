@@ -6,6 +6,8 @@
 ;; is a list:
 ;;
 ;;   (answer datum)   (text "...")   (unanswered)   (failed "why")
+;;
+;; A text is a sentence, or a formula as on paper, which the judge reads (written-answer.rkt).
 
 (require (only-in racket/list append*)
          (only-in racket/string string-trim)
@@ -36,7 +38,9 @@
   (define value (apply-rounds x rounds))
   (define d (and (value? value) (value->datum value)))
   (define why (if d (why-not-an-answer d) (not-a-value value)))
-  (if why (list 'failed why) (list 'answer d)))
+  (cond [(string? value) (text-answer->datum value)]
+        [why (list 'failed why)]
+        [else (list 'answer d)]))
 
 (define (text-answer->datum x)
   (cond [(unanswered? x) '(unanswered)]
@@ -75,5 +79,4 @@
 (define (not-a-value x)
   (cond [(and (procedure? x) (not (tuple? x)))
          "it is a function where an expression is expected: it takes one argument more"]
-        [else (format "it is ~a~a" (describe x)
-                      (if (string? x) "; a number has no quotation marks and no unit" ""))]))
+        [else (format "it is ~a" (describe x))]))

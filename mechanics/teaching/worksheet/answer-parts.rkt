@@ -7,12 +7,12 @@
          "../../algebra/zero/vanishing.rkt"
          "../../calculus/derivative.rkt" "../../calculus/expression-function.rkt"
          "../../generic/describe.rkt" "../../generic/up-down.rkt"
-         "../../value/assumptions.rkt"
+         "../../value/assumptions.rkt" "../../value/read-expression.rkt" "../../value/rewrite.rkt"
          "../../value/matrix/matrix.rkt"
          "../../value/shape.rkt" "../../value/structure.rkt"
          "../../verdict/prove-zero.rkt" "../../verdict/verdict.rkt")
 
-(provide alike? same? zero-value? share-proved value-function rate along-path->symbols replace)
+(provide alike? same? zero-value? share-proved terms-of value-function rate along-path->symbols replace)
 
 (define (alike? a b)
   (cond [(and (tuple? a) (tuple? b))
@@ -27,6 +27,11 @@
 
 ;; Are a and b proved to be equal?
 (define (same? a b) (and (alike? a b) (proved? (verify-equal a b))))
+
+;; The terms of an expression, expanded
+(define (terms-of e)
+  (define d (value->datum (expand e)))
+  (if (and (pair? d) (eq? (car d) '+)) (map read-expression (cdr d)) (list e)))
 
 (define (zero-value? x)
   (for/and ([e (in-list (scalars x))]) (and (expression? e) (vanishes? e (assumptions-in-force)))))

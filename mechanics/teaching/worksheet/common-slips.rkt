@@ -9,7 +9,7 @@
          "answer-parts.rkt" "judge-equations.rkt" "prescribed-symbols.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
-         "../../value/read-expression.rkt" "../../value/rewrite.rkt" "../../value/shape.rkt"
+         "../../value/shape.rkt"
          "../../value/simplify.rkt" "../../value/structure.rkt")
 
 (provide slip-of-values slip-of-equations slip-of-number slip-sort unknown-names)
@@ -44,7 +44,8 @@
 (define (slip-of-parts ks as)
   (define ds (for/list ([k (in-list ks)] [a (in-list as)]) (simplify (g:- a k))))
   (define (all? claim?) (andmap claim? ks as))
-  (cond [(all? (lambda (k a) (same? a (g:negate k)))) opposite-sign]
+  (cond [(andmap zero-value? ds) #f]
+        [(all? (lambda (k a) (same? a (g:negate k)))) opposite-sign]
         [(constant-factor ks as)
          => (lambda (c) (format "it is right but for a factor: it is ~a times what it should be"
                                 (value->text c)))]
@@ -76,10 +77,6 @@
         [(memv -1 ratios) "a term is missing"]
         [(pair? ratios) other-factor]
         [else #f]))
-
-(define (terms-of e)
-  (define d (value->datum (expand e)))
-  (if (and (pair? d) (eq? (car d) '+)) (map read-expression (cdr d)) (list e)))
 
 ;; ---------------------------------------------------------------------------
 ;; Equations of motion
@@ -127,7 +124,7 @@
 ;; ---------------------------------------------------------------------------
 
 ;; The symbols in the answer that the question does not have.
-(define (unknown-names key answer others)
-  (define (names x) (append-map (lambda (e) (if (expression? e) (symbols-in e) '())) (scalars x)))
-  (define known (append others (names key)))
-  (remove-duplicates (filter (lambda (s) (not (memq s known))) (names answer))))
+(define (unknown-names answer known)
+  (define names
+    (append-map (lambda (e) (if (expression? e) (symbols-in e) '())) (scalars answer)))
+  (remove-duplicates (filter (lambda (s) (not (memq s known))) names)))

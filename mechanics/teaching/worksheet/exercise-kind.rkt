@@ -6,7 +6,8 @@
 
 (require "answer-data.rkt" "exercise.rkt" "prescribed-symbols.rkt")
 
-(provide (struct-out kind) kinds find-kind kind-of-exercise rounds-of answer-form answer-of-kind)
+(provide (struct-out kind) kinds find-kind kind-of-exercise arguments-of rounds-of answer-form
+         answer-of-kind)
 
 ;; arguments : of an answer, one of none, time, path, local, state, named
 ;; says      : an answer of the kind, in words
@@ -26,6 +27,7 @@
    (kind 'function 'local "A function" #f #t)
    (kind 'constraint-force 'local "A force" #f #t)
    (kind 'Hamiltonian 'state "A Hamiltonian" #f #t)
+   (kind 'phase-function 'state "A function of the state" #f #t)
    (kind 'canonical 'state "A map of states" #t #t)
    (kind 'reason 'none "A sentence or two, in quotation marks" #t #f)
    (kind 'expects 'named "A value" #t #f)))

@@ -7,14 +7,14 @@
 ;; equations are, and they fix the accelerations as well.  Equations that are true of every motion
 ;; and fix nothing, as 0 = 0, are trivial.
 ;;
-;; Equations that are not linear in the accelerations may hold for other motions too, as
-;; (x'' + x)(x'' - x) = 0 does: they are left to a person.
+;; Where an extra factor vanishes, as in (x - 1)(x'' + x) = 0, equations may hold for other motions,
+;; too (extra-motions.rkt).  Several that are not linear in the accelerations are left to a person.
 ;;
 ;; Where the key's equations do not give the accelerations, the answer's are compared with
 ;; them one by one.
 
 (require (only-in racket/list count)
-         "answer-parts.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
+         "answer-parts.rkt" "exercise.rkt" "extra-motions.rkt" "judgment.rkt" "prescribed-symbols.rkt"
          "../../error/message-words.rkt"
          "../../generic/arithmetic.rkt"
          "../../lagrangian/total-derivative.rkt"
@@ -38,23 +38,35 @@
         [else
          (define a (accelerations-by key names))
          (if a
-             (judge-along-motions names a n answer)
+             (judge-along-motions names a n key answer)
              (judge-one-by-one key answer names))]))
 
-(define (judge-along-motions names a n answer)
+(define (judge-along-motions names a n key answer)
   (define M (mass-matrix-of answer names))
   (define v
     (prove-zero (as-one (scalars (along-motion answer a names)))
                 #:variables (scalars (long-tuple-of names))))
   (cond [(refuted? v) (judge-those-that-hold names M n v)]
         [(not (proved? v)) (undecided-judgment v)]
-        [(not (free-of-accelerations? M names))
-         (undecided-judgment #f "every motion obeys it, but it is not linear in the accelerations"
-                             "so other motions may obey it as well")]
         [(all-zero? M)
          (trivial v "it is true of every motion, and says nothing about the accelerations")]
-        [(= n (rank M)) (right v)]
+        [(not (free-of-accelerations? M names))
+         (if (= n 1)
+             (judge-extra v 1 (extra-motion names M (g:/ answer key) a) not-linear)
+             (undecided-judgment #f not-linear "so other motions may obey it as well"))]
+        [(= n (rank M))
+         (define ratio (g:/ (determinant M) (determinant (mass-matrix-of key names))))
+         (judge-extra v n (extra-motion names M ratio a) #f)]
         [else (partly (/ (rank M) n) v "some of the equations say the same as others")]))
+
+(define not-linear "every motion obeys it, but it is not linear in the accelerations")
+
+;; found : of extra-motion; unclear : words where that is undecided, or #f where the doubt is none
+(define (judge-extra v n found unclear)
+  (cond [(string? found)
+         (partly (- 1 (/ 1 2 n)) v (format "it is true of every motion, but it also holds ~a" found))]
+        [(and found unclear) (undecided-judgment #f unclear)]
+        [else (right v)]))
 
 ;; Some equations do not hold.  The others count, as far as they are independent.
 (define (judge-those-that-hold names M n v)

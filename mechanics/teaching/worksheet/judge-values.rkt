@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Answers that are compared with the key: expressions, functions, numbers, Hamiltonians.
 
-(require "answer-parts.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
+(require (only-in racket/list count)
+         "answer-parts.rkt" "decimal-answers.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
          "../../algebra/expression/expression.rkt"
          "../../calculus/derivative.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/rounding.rkt"
@@ -11,13 +12,27 @@
 
 (provide judge-value judge-number judge-Hamiltonian
          ;; for slips
-         real-value within?)
+         within?)
 
-;; Equal to the key; of a tuple each component counts by itself.
+;; Equal to the key; of a tuple each component counts by itself.  Decimals are right as far as they
+;; tell.
 (define (judge-value e key answer)
-  (if (alike? key answer)
-      (judged-by (verify-equal answer key) share-proved)
-      (wrong #f (format "the answer is ~a where ~a is expected" (describe answer) (describe key)))))
+  (cond [(not (alike? key answer))
+         (wrong #f (format "the answer is ~a where ~a is expected" (describe answer) (describe key)))]
+        [else
+         (define v (verify-equal answer key))
+         (if (or (proved? v) (not (ormap has-decimals? (append (scalars key) (scalars answer)))))
+             (judged-by v share-proved)
+             (judge-decimals e v (scalars key) (scalars answer)))]))
+
+(define (judge-decimals e v ks as)
+  (define tolerance (setting e 'within usual-tolerance))
+  (define near (count (lambda (k a) (decimals-agree? k a tolerance)) ks as))
+  (if (= near (length ks))
+      (right #f (format "as far as decimals tell, within ~a %" (value->text (* 100. tolerance))))
+      (partly (/ near (length ks)) (and (refuted? v) v))))
+
+(define usual-tolerance 1/100)
 
 ;; Within a relative tolerance of the key; absolute, where the key is 0 or the question says so.
 (define (judge-number e key answer)
@@ -27,14 +42,9 @@
         [else (wrong #f)]))
 
 (define (within? e k a)
-  (define tolerance (setting e 'within 1/100))
+  (define tolerance (setting e 'within usual-tolerance))
   (define least (if (or (setting e 'absolute) (zero? k)) 1 (abs k)))
   (<= (abs (- a k)) (* tolerance least)))
-
-;; -> a flonum, or #f
-(define (real-value x)
-  (define n (and (expression? x) (g:exact->inexact (simplify x))))
-  (and (number? n) (real? n) (rational? n) (real->double-flonum n)))
 
 ;; Equal but for a function of the time, which no equation sees.
 (define (judge-Hamiltonian e key answer)

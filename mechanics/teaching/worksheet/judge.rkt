@@ -4,11 +4,10 @@
 ;; A wrong answer is compared with the slips that the teacher foresaw, by the same judgment with
 ;; the slip in place of the key; then with common ones (common-slips.rkt).
 
-(require racket/list
-         "answer-data.rkt" "answer-parts.rkt" "common-slips.rkt" "exercise.rkt"
+(require "answer-data.rkt" "answer-parts.rkt" "common-slips.rkt" "decimal-answers.rkt"
+         "exercise.rkt"
          "judge-equations.rkt" "judge-questions.rkt" "judge-values.rkt" "judgment.rkt"
-         "prescribed-symbols.rkt"
-         "../../algebra/expression/symbols.rkt"
+         "question-names.rkt" "written-answer.rkt"
          "../../error/failure.rkt" "../../error/message-words.rkt"
          "../../value/assumptions.rkt" "../../value/read-expression.rkt"
          "../../value/shape.rkt"
@@ -23,8 +22,19 @@
     [(failed) (judgment 'failed 0 #f (cdr d))]
     [(text) (if (eq? (exercise-kind e) 'reason)
                 (judgment 'kept #f #f '())
-                (judgment 'failed 0 #f '("it is a text where an expression is expected")))]
+                (judge-written e (read-written-answer e (cadr d))))]
     [else (if (keyless? e) (judgment 'kept #f #f '()) (judge-datum e (cadr d)))]))
+
+;; A formula as on paper is judged as what was read, which is told.
+(define (judge-written e d)
+  (define j (judge e d))
+  (if (eq? 'answer (car d))
+      (struct-copy judgment j
+                   [words (append (judgment-words j) (list (reading-told e (cadr d))))])
+      j))
+
+(define (reading-told e d)
+  (string-append "read as " (formula-read (exercise-coordinates e) d)))
 
 ;; The student's copy may lack the key.
 (define (keyless? e)
@@ -81,7 +91,10 @@
     (cond [(not (memq status '(wrong partly trivial))) j]
           [(foreseen-slip e answer)
            => (lambda (s) (with-message (with-share j (slip-credit s)) (slip-message s)))]
-          [(and (not (eq? status 'trivial)) (common-slip e answer))
+          [(eq? status 'trivial)
+           (define text (names-not-asked-for e answer))
+           (if text (with-message (wrong #f) text) j)]
+          [(common-slip e answer)
            => (lambda (text)
                 (define credit (hash-ref (setting e 'credit (hasheq)) (slip-sort text) 0))
                 (with-message (with-share j credit) text))]
@@ -119,27 +132,19 @@
      (or (slip-of-equations names (along-path->symbols key names)
                             (along-path->symbols answer names)
                             (lambda (x) (right-by-key? e (exercise-key e) x)))
-         (strange-names e key answer))]
-    [else (or (slip-of-values key answer) (strange-names e key answer))]))
+         (names-not-asked-for e answer))]
+    [else (or (slip-of-values key answer) (names-not-asked-for e answer))]))
 
 (define (numeric-slip e key answer)
   (define-values (k a) (values (real-value key) (real-value answer)))
   (and k a (slip-of-number k a (lambda (x y) (within? e x y)))))
 
 ;; A misspelt name is the commonest mistake.
-(define (strange-names e key answer)
-  (define names (exercise-coordinates e))
+(define (names-not-asked-for e answer)
   (define usual
-    (append (setting e 'constants '())
-            (setting e 'arguments '())
-            (if (null? names)
-                '()
-                (append (scalars (long-tuple-of names)) (scalars (state-of names))))
-            (append-map names-in (filter values (list (setting e 'system) (setting e 'force))))))
-  (define found (unknown-names key answer usual))
+    (append (setting e 'constants '()) (setting e 'arguments '()) (setting e 'names '())
+            (prescribed-names (exercise-coordinates e))))
+  (define found (unknown-names answer usual))
   (and (pair? found)
        (format "it has ~a in it, of which the question does not speak"
                (joined (map symbol->string found)))))
-
-(define (names-in d)
-  (append-map symbols-in (scalars (read-expression d))))

@@ -7,7 +7,7 @@
 (require racket/list
          "answer-data.rkt" (only-in "answer-parts.rkt" same?)
          "exercise-kind.rkt" "exercise.rkt"
-         "prescribed-symbols.rkt"
+         "prescribed-symbols.rkt" "question-names.rkt"
          "../../error/complain.rkt" "../../error/spelling.rkt"
          "../../generic/describe.rkt"
          "../../lagrangian/Lagrange-equations.rkt"
@@ -36,7 +36,19 @@
   (when (eq? kind 'canonical) (check-moves-something name key names))
   (struct-copy exercise draft
                [key key]
+               [settings (with-names draft key)]
                [slips (of-each 'slip (lambda (parts) (make-slip name parts rounds)))]))
+
+;; The settings, with the names of which the question speaks.
+(define (with-names e key)
+  (define all (exercise-settings e))
+  (define (given name) (let ([d (setting e name)]) (if d (list d) '())))
+  (define-values (constants functions)
+    (names-in-question (append (if key (list key) '()) (setting e 'besides '())
+                               (append-map given '(system force becomes starts)))
+                       (exercise-coordinates e) (setting e 'arguments '())))
+  (define (also all name found) (if (null? found) all (hash-set all name found)))
+  (also (also all 'names constants) 'functions functions))
 
 ;; A Lagrangian determines its equations of motion.
 (define (usual-key e argument)
@@ -76,7 +88,10 @@
   (define d (answer->datum x rounds))
   (unless (eq? (car d) 'answer)
     (complain name "the clause `~a` is of no use: ~a" clause
-              (if (pair? (cdr d)) (cadr d) "it has no value")))
+              (case (car d)
+                [(text) "it is a text; only students may answer with formulas as on paper"]
+                [(failed) (cadr d)]
+                [else "it has no value"])))
   (cadr d))
 
 ;; -> hasheq: the share of the points for an answer with the slip sign or factor
@@ -139,10 +154,17 @@
     (need 'of "it needs the system, as in (of L) for a Lagrangian L"))
   (when (and (has? 'becomes) (not (has? 'of-Hamiltonian)))
     (complain name "with (becomes K) it needs the Hamiltonian, as in (of-Hamiltonian H)"))
+  (when (and (has? 'within) (not (memq (kind-name k) measured)))
+    (complain name (string-append "the clause `within` is for numbers, and for expressions and "
+                                  "functions with decimals; an answer of the kind ~a is proved")
+              (kind-name k)))
   (when (eq? (kind-name k) 'expects)
     (need 'expects "it needs the procedure that judges, as in (expects (lambda (answer) ...))"))
   (when (and (kind-key? k) (not (and (eq? (kind-name k) 'equations) (has? 'of))))
     (need 'key "it has no key, as in (key (sqrt (/ 'g 'l)))")))
+
+;; The kinds in which decimals are compared
+(define measured '(number expression function constraint-force phase-function))
 
 ;; The identity would be called trivial, had a student answered with it.
 (define (check-moves-something name key names)

@@ -56,7 +56,7 @@
  [car failed 0 "car: contract violation"]
  [unanswered unanswered 0])
 
-;; Motions that obey the key obey these too, and so do others.
+;; Motions that obey the key obey these, too.
 (define ((pendulum-times factor) theta)
   (lambda (t)
     (define a ((D2 theta) t))
@@ -64,8 +64,14 @@
     (* (factor a b) (+ a b))))
 
 (judges pendulum
- [(pendulum-times (lambda (a b) (- a b))) undecided #f "every motion obeys it, but"]
- [(pendulum-times (lambda (a b) (+ 1 a))) undecided #f "every motion obeys it, but"]
+ [(pendulum-times (lambda (a b) (- a b))) partly 1/2
+  "it is true of every motion, but it also holds for θ̈ = g sin(θ)/l"]
+ [(pendulum-times (lambda (a b) (+ 1 a))) partly 1/2
+  "it is true of every motion, but it also holds for θ̈ = −1"]
+ [(pendulum-times (lambda (a b) (+ a b))) right 1]
+ [(pendulum-times (lambda (a b) (sin b))) right 1]
+ [(pendulum-times (lambda (a b) ((literal-function 'f) a))) undecided #f
+  "every motion obeys it, but it is not linear in the accelerations"]
  [(pendulum-times (lambda (a b) (+ 1 (square b)))) right 1])
 
 (define (L-two (up t (up x y) (up vx vy)))
@@ -82,6 +88,7 @@
  [(two-with (lambda (a b) a) (lambda (a b) b)) right 1]
  [(two-with (lambda (a b) (+ a b)) (lambda (a b) (- a (* 2 b)))) right 1]
  [(two-with (lambda (a b) b) (lambda (a b) a)) right 1]
+ [(two-with (lambda (a b) (* b b)) (lambda (a b) a)) undecided #f "every motion obeys it, but"]
  [(two-with (lambda (a b) a) (lambda (a b) a)) partly 1/2 "some of the equations say the same"]
  [(two-with (lambda (a b) a) (lambda (a b) (- b (* 'k 'y)))) partly 1/2]
  [(two-with (lambda (a b) (* a (+ a 1))) (lambda (a b) (- b (* 'k 'y)))) undecided #f
@@ -188,7 +195,7 @@
  [(+ (* 'm 'v 'v) (* 'm 'g 'x)) wrong 0 "one term has another factor"]
  [(* -1 'm (+ (* 1/2 'v 'v) (* 'g 'x))) wrong 0 "the sign is the opposite"]
  [(up 'a 'b) wrong 0]
- ["text" failed 0 "it is a string; a number has no quotation marks and no unit"])
+ ["text" wrong 0 "it has text in it, of which the question does not speak"])
 
 (define pair (an-exercise expression ('key (up 'a (* 2 'b)))))
 (judges pair
@@ -242,8 +249,8 @@
     (check-equal? (status-of-datum sum d) 'failed (format "~s" d))))
 
 (test-case "what cannot be decided is left to a person"
-  (define decimals (an-exercise expression ('key (* 0.1 'x))))
-  (define j (judge decimals '(answer (* (+ (sin 0.1) 0.0001665833531718) x))))
+  (define decimals (an-exercise Hamiltonian ('coordinates 'q) ('key (lambda (s) (* 0.1 'q)))))
+  (define j (judge decimals '(answer (* (+ (sin 0.1) 0.0001665833531718) q))))
   (check-equal? (list (judgment-status j) (judgment-share j)) '(undecided #f)))
 
 ;; ---------------------------------------------------------------------------

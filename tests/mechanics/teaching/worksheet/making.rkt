@@ -42,6 +42,18 @@
                  (make-worksheet "W" #f "w" (list (given "(define x 1)\n(define ((item m) x) x)")
                                                   (made 'number '(key 1))))))
 
+(test-case "a tolerance is given where something is measured"
+  (for ([kind '(number expression)]) (check-true (exercise? (made kind '(key 1) '(within 1/10)))))
+  (check-message (string-append
+                  "item: the clause `within` is for numbers, and for expressions and functions "
+                  "with decimals; an answer of the kind Hamiltonian is proved")
+                 (made 'Hamiltonian '(coordinates q) '(key 1) '(within 1/10))))
+
+(test-case "a key is no text"
+  (check-message (string-append "item: the clause `key` is of no use: it is a text; only students "
+                                "may answer with formulas as on paper")
+                 (made 'expression '(key "m g x"))))
+
 (define (canonical key) (made 'canonical '(coordinates q) (list 'key key)))
 
 (test-case "the identity is no key of a canonical map"
