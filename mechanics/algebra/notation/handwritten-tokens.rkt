@@ -31,8 +31,8 @@
 (define spellings
   (list (cons #rx"[$]|\\\\(?:displaystyle|left|right|[bB]igg?[lr]?)(?![a-zA-Z])" "")
         (cons #px"\\\\(?:[,;:! ]|q?quad(?![a-zA-Z]))|~" " ")
-        (cons #px"\\\\begin\\{array\\}\\{[a-z]*\\}|\\\\(?:begin|end)\\{(?:array|aligned|gathered)\\}"
-              "")
+        (cons #px"\\\\begin\\{array\\}\\{c*\\}" "")
+        (cons #px"\\\\(?:begin|end)\\{(?:array|aligned|gathered)\\}" "")
         (cons #px"\\\\begin\\{[pb]matrix\\}" "(") (cons #px"\\\\end\\{[pb]matrix\\}" ")")
         (cons #px",?\\s*(?:\\\\\\\\(?:\\[[0-9]ex\\])?|&)" ", ")
         (cons #px"\\\\[lr]vert(?![a-zA-Z])" "|") (cons #px"\\\\([{}])" "\\1")

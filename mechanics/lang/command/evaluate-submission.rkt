@@ -3,6 +3,18 @@
 ;; port and answers on the other.
 
 (require "../../notebook/cell-session.rkt"
-         "../../teaching/class/evaluate.rkt")
+         "../../teaching/class/evaluate.rkt" "../../teaching/class/open-program.rkt"
+         "../unknown-name/unknown-names.rkt" "../wrong-call/marked-line.rkt")
 
-(evaluate-request (current-input-port) (current-output-port) cell-failure)
+;; Failures in our words, with the line of the form that was evaluated; what could not be read has
+;; its line.
+(define (words-with-line e)
+  (define text
+    (if (exn:fail:read? e) (exn-message e) (explained (exn-message e) e #f)))
+  (define line (marked-line (exn-continuation-marks e)))
+  (if (and line (not (regexp-match? #rx"^program:" text)))
+      (format "line ~a: ~a" (cdr line) text)
+      text))
+
+(parameterize ([failure-words words-with-line])
+  (evaluate-request (current-input-port) (current-output-port) cell-failure))

@@ -44,9 +44,14 @@
          (form->text (list* 'define (cons (cadr d) names) (cdddr d)))))
   (cond [(and function (not (equal? names arguments)))
          (format "a definition is written ~a" function)]
+        [(and (number? arguments) (decimal-part? (cadddr d)))
+         (format "~a has one value, and a decimal has a point, as in 1.5" (cadr d))]
         [else
          (format "~a has one value, and here are several expressions~a" (cadr d)
                  (if function (format "; a function is written ~a" function) ""))]))
+
+;; What stands behind the comma of 1,5
+(define (decimal-part? d) (and (pair? d) (eq? 'unquote (car d)) (number? (cadr d))))
 
 ;; stx : a form that begins with `lambda`
 (define (check-complete-procedure stx)

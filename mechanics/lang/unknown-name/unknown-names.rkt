@@ -20,7 +20,7 @@
                    ["../wrong-call/error-location.rkt" whereabouts])
 
 (provide (rename-out [top #%top])
-         install-hints! note-entry!)
+         install-hints! note-entry! explained)
 
 ;; ---------------------------------------------------------------------------
 ;; In a module

@@ -9,6 +9,7 @@
          racket/runtime-path
          "grade.rkt" "submission.rkt"
          "../worksheet/exercise.rkt" "../worksheet/judgment-words.rkt" "../worksheet/judgment.rkt"
+         "../worksheet/written-answer.rkt"
          "../../algebra/notation/formula.rkt"
          "../../algebra/expression/write.rkt"
          "../../show/document/page-value.rkt" "../../show/document/web-page.rkt"
@@ -128,6 +129,7 @@
                  ,(visible (format "~a: ~a~a" (judged-name j) (status->words status)
                                    (points->text j)))))
         ,@(answer->xexprs (judged-answer j))
+        ,@(answer->xexprs (reading-of (judged-exercise j) (judged-answer j)))
         ,@(for/list ([text (in-list (judgment-words (judged-judgment j)))])
             `(p ([class "said"]) ,(visible text)))
         ,@(evidence (judgment-verdict (judged-judgment j)))))

@@ -10,7 +10,10 @@
          "../worksheet/defined-names.rkt"
          (only-in "../../error/refusal.rkt" raised?))
 
-(provide open-program open-cells answer-in program-ended? (struct-out program) reason)
+(provide open-program open-cells answer-in program-ended? (struct-out program) reason failure-words)
+
+;; Exception -> what is said of it; the language knows better words, and the line.
+(define failure-words (make-parameter exn-message))
 
 ;; evaluator : or #f, if no form could be run
 ;; problem   : why it does not run as a whole, or #f
@@ -124,7 +127,7 @@
 ;; printed.
 (define (reason x)
   (cond [(out-of-bounds? x) "it took too long, or too much memory, or ended itself"]
-        [(and (exn? x) (string? (exn-message x))) (in-readers-words (exn-message x))]
+        [(and (exn? x) (string? (exn-message x))) (in-readers-words ((failure-words) x))]
         [else "it raised what is no error"]))
 
 (define (out-of-bounds? x) (or (exn:fail:resource? x) (exn:fail:sandbox-terminated? x)))

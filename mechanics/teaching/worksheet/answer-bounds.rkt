@@ -37,6 +37,8 @@
 
 (define (check-symbol s reject)
   (define text (symbol->string s))
+  (when (regexp-match? #rx"[*][*]" text)
+    (reject (format "~a in it is one name; powers are (expt x 2), or in a text \"x^2\"" text)))
   (unless (and (<= 1 (string-length text) longest-symbol)
                (for/and ([c (in-string text)]) (and (char-graphic? c) (not (memv c odd)))))
     (reject "a name in it is no name of a quantity")))

@@ -79,4 +79,5 @@
 (define (not-a-value x)
   (cond [(and (procedure? x) (not (tuple? x)))
          "it is a function where an expression is expected: it takes one argument more"]
+        [(list? x) "it is a list; what has components is a tuple, (up 1 2)"]
         [else (format "it is ~a" (describe x))]))

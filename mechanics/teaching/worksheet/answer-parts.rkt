@@ -12,7 +12,8 @@
          "../../value/shape.rkt" "../../value/structure.rkt"
          "../../verdict/prove-zero.rkt" "../../verdict/verdict.rkt")
 
-(provide alike? same? zero-value? share-proved terms-of value-function rate along-path->symbols replace)
+(provide alike? same? zero-value? share-proved terms-of value-function rate along-path->symbols
+         replace)
 
 (define (alike? a b)
   (cond [(and (tuple? a) (tuple? b))

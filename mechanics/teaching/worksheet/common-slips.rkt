@@ -44,8 +44,7 @@
 (define (slip-of-parts ks as)
   (define ds (for/list ([k (in-list ks)] [a (in-list as)]) (simplify (g:- a k))))
   (define (all? claim?) (andmap claim? ks as))
-  (cond [(andmap zero-value? ds) #f]
-        [(all? (lambda (k a) (same? a (g:negate k)))) opposite-sign]
+  (cond [(all? (lambda (k a) (same? a (g:negate k)))) opposite-sign]
         [(constant-factor ks as)
          => (lambda (c) (format "it is right but for a factor: it is ~a times what it should be"
                                 (value->text c)))]
@@ -99,7 +98,7 @@
 ;; Compares the accelerations that follow from either.
 (define (slip-of-accelerations key answer names)
   (define-values (k a) (values (accelerations-by key names) (accelerations-by answer names)))
-  (and k a (slip-of-parts k a)))
+  (and k a (not (andmap same? k a)) (slip-of-parts k a)))
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers

@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Decimals in answers: 1.41 a x is √2 a x, as far as it tells.
 ;;
-;; Two expressions agree if at all points tried their difference is small beside the sum of the sizes
-;; of the key's terms.  The symbols' values are of very different sizes, so that no term hides behind
-;; another at all points.
+;; Two expressions agree if at all points tried their difference is small beside the sum of the
+;; sizes of the key's terms.  The symbols' values are of very different sizes, so that no term hides
+;; behind another at all points.
 
 (require "answer-parts.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
@@ -40,7 +40,8 @@
 
 ;; From 1/50 to 50
 (define (point-of names i)
-  (for/list ([s (in-list names)] [j (in-naturals)]) (cons s (expt 50. (- (* 2 (scattered i j)) 1)))))
+  (for/list ([s (in-list names)] [j (in-naturals)])
+    (cons s (expt 50. (- (* 2 (scattered i j)) 1)))))
 
 ;; Between 0 and 1, the same every time
 (define (scattered i j)

@@ -4,10 +4,11 @@
 ;;
 ;; judge.rkt tells how each is judged.
 
-(require "answer-data.rkt" "exercise.rkt" "prescribed-symbols.rkt")
+(require "answer-data.rkt" "exercise.rkt" "prescribed-symbols.rkt"
+         (only-in "../../error/message-words.rkt" joined))
 
 (provide (struct-out kind) kinds find-kind kind-of-exercise arguments-of rounds-of answer-form
-         answer-of-kind)
+         answer-names answer-of-kind)
 
 ;; arguments : of an answer, one of none, time, path, local, state, named
 ;; says      : an answer of the kind, in words
@@ -77,6 +78,15 @@
     [(state) (format "(define (~a ~s) ...)" name
                      `(up t ,(listed names) ,(listed (momenta-of names) 'down)))]
     [(named) (format "(define ~s ...)" (cons name (setting e 'arguments)))]))
+
+;; What may be in an answer besides, and that it may be a text; or #f
+(define (answer-names e)
+  (define names (append (setting e 'names '()) (setting e 'functions '())))
+  (and (not (eq? 'reason (exercise-kind e)))
+       (string-append "or as on paper, in quotation marks"
+                      (if (null? names)
+                          ""
+                          (format "; with ~a" (joined (map symbol->string names) ", "))))))
 
 (define (dotted names)
   (for/list ([n (in-list names)]) (string->symbol (format "~adot" n))))

@@ -7,10 +7,10 @@
 ;; where f = 0 and is no motion.
 ;;
 ;; Where f = 0 the accelerations are a + s k, with those of motions, a, any number s, and k in the
-;; kernel of the mass matrix.  Let D be the rate along motions.  A path with these accelerations keeps
-;; f(t, q, v) = 0 if Df + s ∂f/∂v·k = 0, and is no motion unless Df = 0; or if both are 0 wherever
-;; f = 0, with any s.  If f depends on no velocity, Df = 0 is one more condition on the state, and
-;; D²f + s ∂f/∂q·k = 0 decides in its place.
+;; kernel of the mass matrix.  Let D be the rate along motions.  A path with these accelerations
+;; keeps f(t, q, v) = 0 if Df + s ∂f/∂v·k = 0, and is no motion unless Df = 0; or if both are 0
+;; wherever f = 0, with any s.  If f depends on no velocity, Df = 0 is one more condition on the
+;; state, and D²f + s ∂f/∂q·k = 0 decides in its place.
 ;;
 ;; States with f = 0 are looked for at several values of all other symbols.  A factor in which
 ;; functions are unknown stays unclear.
@@ -96,7 +96,8 @@
 (define ((leaves-motions? slopes D m) state)
   (define found (value-at D state))
   (define k (kernel-at (motion-equations-M m) state))
-  (define along (and k (for/sum ([s (in-list slopes)] [x (in-list k)]) (* x (or (value-at s state) 0)))))
+  (define along
+    (and k (for/sum ([s (in-list slopes)] [x (in-list k)]) (* x (or (value-at s state) 0)))))
   (and found along
        (cond [(differs? along 0) (and (differs? found 0) 'other)]
              [else (and (not (differs? found 0)) 'free)])))

@@ -14,7 +14,8 @@
 ;; them one by one.
 
 (require (only-in racket/list count)
-         "answer-parts.rkt" "exercise.rkt" "extra-motions.rkt" "judgment.rkt" "prescribed-symbols.rkt"
+         "answer-parts.rkt" "exercise.rkt" "extra-motions.rkt" "judgment.rkt"
+         "prescribed-symbols.rkt"
          "../../error/message-words.rkt"
          "../../generic/arithmetic.rkt"
          "../../lagrangian/total-derivative.rkt"
@@ -64,7 +65,8 @@
 ;; found : of extra-motion; unclear : words where that is undecided, or #f where the doubt is none
 (define (judge-extra v n found unclear)
   (cond [(string? found)
-         (partly (- 1 (/ 1 2 n)) v (format "it is true of every motion, but it also holds ~a" found))]
+         (partly (- 1 (/ 1 2 n)) v
+                 (string-append "it is true of every motion, but it also holds " found))]
         [(and found unclear) (undecided-judgment #f unclear)]
         [else (right v)]))
 

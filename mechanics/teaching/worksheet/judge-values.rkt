@@ -2,7 +2,8 @@
 ;; Answers that are compared with the key: expressions, functions, numbers, Hamiltonians.
 
 (require (only-in racket/list count)
-         "answer-parts.rkt" "decimal-answers.rkt" "exercise.rkt" "judgment.rkt" "prescribed-symbols.rkt"
+         "answer-parts.rkt" "decimal-answers.rkt" "exercise.rkt" "judgment.rkt"
+         "prescribed-symbols.rkt"
          "../../algebra/expression/expression.rkt"
          "../../calculus/derivative.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/rounding.rkt"
@@ -18,7 +19,8 @@
 ;; tell.
 (define (judge-value e key answer)
   (cond [(not (alike? key answer))
-         (wrong #f (format "the answer is ~a where ~a is expected" (describe answer) (describe key)))]
+         (wrong #f (format "the answer is ~a where ~a is expected" (describe answer)
+                           (describe key)))]
         [else
          (define v (verify-equal answer key))
          (if (or (proved? v) (not (ormap has-decimals? (append (scalars key) (scalars answer)))))

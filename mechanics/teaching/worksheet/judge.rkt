@@ -72,7 +72,11 @@
       [(expects) judge-as-expected]
       [else judge-value]))
   (with-handlers ([exn:fail:mechanics? (lambda (x) (undecided-judgment #f (exn-message x)))])
-    (judge-it e (and key (read-expression key)) answer)))
+    (as-asked e answer (judge-it e (and key (read-expression key)) answer))))
+
+;; What holds of names that the question does not have is not true but trivial; it is wrong.
+(define (as-asked e answer j)
+  (if (and (eq? 'trivial (judgment-status j)) (names-not-asked-for e answer)) (wrong #f) j))
 
 ;; By the teacher's own procedure, which gives a verdict or a truth value.
 (define (judge-as-expected e key answer)
@@ -91,10 +95,7 @@
     (cond [(not (memq status '(wrong partly trivial))) j]
           [(foreseen-slip e answer)
            => (lambda (s) (with-message (with-share j (slip-credit s)) (slip-message s)))]
-          [(eq? status 'trivial)
-           (define text (names-not-asked-for e answer))
-           (if text (with-message (wrong #f) text) j)]
-          [(common-slip e answer)
+          [(and (not (eq? status 'trivial)) (common-slip e answer))
            => (lambda (text)
                 (define credit (hash-ref (setting e 'credit (hasheq)) (slip-sort text) 0))
                 (with-message (with-share j credit) text))]

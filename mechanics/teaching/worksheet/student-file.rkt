@@ -22,7 +22,8 @@
 (define instructions
   (string-append
    "Put your answers in place of `unanswered`, and press Run: each is proved, refuted with a "
-   "point where it fails, or left to your teacher. Symbols such as 'm stand for any number."))
+   "point where it fails, or left to your teacher. Symbols such as 'm stand for any number. "
+   "A formula may also be a text as on paper, such as \"m x'' + k x = 0\"."))
 
 (define (part-texts w)
   (define numbers (numbered-exercises w))
@@ -38,6 +39,7 @@
    (comment (format "~a~a, as" (kind-says (kind-of-exercise e))
                     (if unit (format " in ~a" unit) "")))
    (format ";;    ~a\n" (answer-form e))
+   (if (answer-names e) (comment (answer-names e)) "")
    (format "(define ~a unanswered)\n" (exercise-name e))))
 
 (define (closing exercises)

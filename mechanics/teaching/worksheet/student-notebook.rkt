@@ -39,7 +39,8 @@
   (string-append
    "Run all cells (menu *Run*). Then put your answers in place of `unanswered`, and run the cell: "
    "the answer is proved, refuted with a point where it fails, or left to your teacher. Symbols "
-   "such as `'m` stand for any number. At the end save the notebook, and hand in its file."))
+   "such as `'m` stand for any number; a formula may also be a text as on paper, such as "
+   "`\"m x'' + k x = 0\"`. At the end save the notebook, and hand in its file."))
 
 (define (opening-cell exercises)
   (code-cell (format "(require mechanics/answers)\n(exercises\n ~a)" (sealed-pieces exercises))))
@@ -58,11 +59,12 @@
 
 (define (exercise-text e number)
   (define unit (setting e 'unit))
-  (format "### ~a. ~a (~a)\n\n~a\n\n~a~a, as\n\n    ~a" number
+  (format "### ~a. ~a (~a)\n\n~a\n\n~a~a, as\n\n    ~a\n\n~a" number
           (Markdown-escaped (symbol->string (exercise-name e))) (points-of e)
           (question-text (exercise-question e))
           (kind-says (kind-of-exercise e)) (if unit (format " in ~a" (Markdown-escaped unit)) "")
-          (answer-form e)))
+          (answer-form e)
+          (Markdown-escaped (or (answer-names e) ""))))
 
 ;; What backquotes enclose, typeset
 (define (question-text text)

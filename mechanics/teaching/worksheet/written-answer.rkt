@@ -13,7 +13,7 @@
          "../../operation/operation-column.rkt"
          "../../value/shape.rkt" "../../value/structure.rkt")
 
-(provide read-written-answer formula-read)
+(provide read-written-answer formula-read reading-of)
 
 ;; -> an answer as data (answer-data.rkt): (answer datum) or (failed "why")
 (define (read-written-answer e text)
@@ -33,6 +33,16 @@
   (define with-unit (format "^(.*[0-9)}])[ ]*~a$" (regexp-quote (or unit ""))))
   (define m (and unit (regexp-match (regexp with-unit) plain)))
   (if m (cadr m) plain))
+
+;; d : an answer as data -> the formula on paper that was read, as data to be shown; or (unread)
+(define (reading-of e d)
+  (define found
+    (if (and (eq? 'text (car d)) (not (eq? 'reason (exercise-kind e))))
+        (read-written-answer e (cadr d))
+        '(unread)))
+  (if (eq? 'answer (car found))
+      (list 'answer (with-dots (cadr found) (exercise-coordinates e)))
+      '(unread)))
 
 ;; names : coordinates -> "m ẍ + k x", what was read, on one line
 (define (formula-read names datum)

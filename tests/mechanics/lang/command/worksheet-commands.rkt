@@ -121,8 +121,35 @@
 
 (test-case "a definition that fails voids no other"
   (define said (checked "fails.rkt" '("period" "(/ 1 0)") (first answers)))
-  (check-regexp-match #rx"^it does not run: /: division by zero\n.*1. L-pendulum: proved" said)
+  (check-regexp-match
+   #rx"^it does not run: line [0-9]+: /: division by zero\n.*1. L-pendulum: proved" said)
   (check-regexp-match #rx"4. period: no answer could be had [^\n]*\n   /: division by zero" said))
+
+(test-case "habits of other programs are told, with the line"
+  (define (told answer) (checked "habit.rkt" (list "period" answer)))
+  (check-regexp-match #px"line \\d+: define: period has one value, and a decimal has a point"
+                      (told "1,5"))
+  (check-regexp-match #px"line \\d+: unquote: [^\n]*\n[^\n]*\n  no comma separates arguments, and"
+                      (told "(* 2 1,5)"))
+  (check-regexp-match #px"line \\d+: application: brackets are parentheses here" (told "[1 2]"))
+  (check-regexp-match #px"line \\d+: [*][*]: unbound identifier; powers are [(]expt x 2[)]"
+                      (told "(** 'x 2)")))
+
+(test-case "an answer may be a text, and what was read is told"
+  (define said
+    (checked "text.rkt" '("motion" "\"l theta'' + g sin theta = 0\"") '("period" "\"2.0 s\"")))
+  (check-regexp-match #rx"2. motion: proved [^\n]*\n   read as l θ̈ [+] g sin θ\n" said)
+  (check-regexp-match #rx"4. period: right [^\n]*\n   read as 2.0\n" said))
+
+(test-case "the student's file tells the names of constants, and text stands before its exercise"
+  (define student (text "first-student.rkt"))
+  (check-regexp-match #rx"in quotation marks; with m, l, g\n" student)
+  (write-text "passage.rkt" "#lang mechanics/worksheet" "(title \"P\")" "(text \"Before one.\")"
+              "(exercise one number \"?\" (key 1))" "(text \"Before two.\")"
+              "(exercise two number \"?\" (key 2))")
+  (command "worksheet" "passage.rkt")
+  (for ([file '("passage-student.rkt" "passage-student.html" "passage-student.ipynb")])
+    (check-regexp-match #rx"Before one.*one.*Before two.*two" (text file) file)))
 
 (test-case "what stands before a form that cannot be read is judged"
   (define said (checked "open.rkt" (first answers) '("period" "(sqrt 2")))

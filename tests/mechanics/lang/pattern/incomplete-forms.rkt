@@ -14,6 +14,7 @@
                "(define x)" "define: x has no value; a definition is written (define x 3)"
                "(define 3 x)" "define: 3 is no name; a definition is written (define x 3)"
                "(define x 3 4)" "define: x has one value, and here are several expressions"
+               "(define x 1,5)" "define: x has one value, and a decimal has a point, as in 1.5"
                "(define f (x) (* 2 x))"
                (string-append "define: f has one value, and here are several expressions; "
                               "a function is written (define (f x) (* 2 x))")

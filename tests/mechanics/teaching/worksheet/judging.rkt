@@ -260,6 +260,12 @@
  ['x undecided #f "it could not be judged: car: contract violation"]
  [(string->symbol "y") undecided #f "it could not be judged: car"])
 
+(test-case "habits of other programs are told"
+  (define (words answer) (judgment-words (judgment-of (an-exercise expression ('key 'a)) answer)))
+  (check-equal? (words (list 1 2)) '("it is a list; what has components is a tuple, (up 1 2)"))
+  (check-equal? (words (string->symbol "x**2"))
+                '("x**2 in it is one name; powers are (expt x 2), or in a text \"x^2\"")))
+
 (test-case "what is no expression is the student's"
   (check-judgment (judge (an-exercise expression ('key 'a)) '(answer "a")) 'failed 0))
 

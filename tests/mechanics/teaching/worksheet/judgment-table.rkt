@@ -68,7 +68,8 @@
 
 (table (an-exercise expression ('key (+ (* 9.81 't 't) (* 2.5 't))))
  [right "9.81 t^2 + 2.5 t" "t (9.81 t + 2.5)" "9.81 t² + 5/2 t" "2.5 t + 9.81 t^2"]
- [wrong "9.81 t^2 - 2.5 t" "9.81 t^2" "4.9 t^2 + 2.5 t" "2.5 t" "-9.81 t^2 - 2.5 t" "10.5 t^2 + 2.5 t"])
+ [wrong "9.81 t^2 - 2.5 t" "9.81 t^2" "4.9 t^2 + 2.5 t" "2.5 t" "-9.81 t^2 - 2.5 t"
+        "10.5 t^2 + 2.5 t"])
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers
@@ -128,7 +129,8 @@
  [failed "m x'' +" "m x''' + k x = 0" "k/m x + x''" "x = A cos omega t"])
 
 (table (an-exercise equations ('coordinates 'theta) ('of (L-pendulum 'g 'm 'l)))
- [right "θ'' + (g/l) sin θ = 0" "m l^2 theta'' + m g l sin(theta)" "l \\ddot\\theta = -g \\sin\\theta"
+ [right "θ'' + (g/l) sin θ = 0" "m l^2 theta'' + m g l sin(theta)"
+        "l \\ddot\\theta = -g \\sin\\theta"
         "theta'' = -(g/l) sin theta" "\\ddot{\\theta} + \\frac{g}{l}\\sin\\theta = 0"
         "sin(theta) (l theta'' + g sin(theta))" "l thetaddot + g sin theta"]
  [partly "theta' (l theta'' + g sin theta)" "cos(theta) (l theta'' + g sin theta) = 0"
@@ -153,7 +155,7 @@
                     ('of (L-central-polar 'm (lambda (r) (* 1/2 'k (square r))))))
  [right "[m r'' - m r phi'^2 + k r, m r^2 phi'' + 2 m r r' phi']"
         "r'' - r φ'^2 + (k/m) r = 0, r φ'' + 2 r' φ' = 0"
-        "\\ddot{r} = r\\dot\\varphi^2 - \\frac{k}{m} r, r \\ddot\\varphi = -2 \\dot r \\dot\\varphi"]
+        "\\ddot{r} = r\\dot\\varphi^2 - \\frac{k}{m} r, r \\ddot\\varphi = -2\\dot r\\dot\\varphi"]
  [partly "[m r'' + k r, r phi'' + 2 r' phi']" "[m r'' - m r phi'^2 + k r, r phi'' + r' phi']"
          "[r'' - r phi'^2 + k r, r phi'' + 2 r' phi']"]
  [wrong "[m r'' + m r phi'^2 + k r, r phi'' - 2 r' phi']" "[r'' + k r, phi'']"])
@@ -178,7 +180,8 @@
 (table (an-exercise solution ('coordinates 'x) ('of oscillator) ('constants 'A 'phi)
                     ('key (lambda (t) (* 'A (cos (+ (* (sqrt (/ 'k 'm)) t) 'phi))))))
  [right "A cos(sqrt(k/m) t + phi)" "x(t) = A cos(sqrt(k/m) t + phi)" "A sin(sqrt(k/m) t - phi)"
-        "A cos(sqrt(k/m) t) + phi sin(sqrt(k/m) t)" "x = A \\cos(\\sqrt{\\frac{k}{m}} t + \\varphi)"]
+        "A cos(sqrt(k/m) t) + phi sin(sqrt(k/m) t)"
+        "x = A \\cos(\\sqrt{\\frac{k}{m}} t + \\varphi)"]
  [partly "A cos(sqrt(k/m) t)" "3 cos(sqrt(k/m) t + phi)" "A cos(sqrt(k/m) t) + A sin(sqrt(k/m) t)"]
  [wrong "A cos(sqrt(m/k) t + phi)" "A cos(sqrt(k) t + phi)" "A cos(t + phi)" "A t + phi"
         "A exp(sqrt(k/m) t) + phi" "A cos(sqrt(k/m) t + phi) + 1"]
@@ -196,7 +199,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Quantities
 
-(table (an-exercise conserved ('coordinates 'x) ('of oscillator) ('key (Lagrangian->energy oscillator)))
+(table (an-exercise conserved ('coordinates 'x) ('of oscillator)
+                    ('key (Lagrangian->energy oscillator)))
  [right "1/2 m x'^2 + 1/2 k x^2" "m ẋ² + k x²" "(m x'^2 + k x^2)^2" "E = m xdot^2/2 + k x^2/2"
         "x'^2 + (k/m) x^2" "\\frac{m \\dot{x}^2}{2} + \\frac{k x^2}{2}"]
  [wrong "1/2 m x'^2 - 1/2 k x^2" "m x'^2 + 1/2 k x^2" "x'" "m x'" "x" "1/2 m x'^2"
@@ -240,8 +244,10 @@
 (table (an-exercise constraint-force ('coordinates 'theta)
                     ('key (lambda ((up t theta thetadot))
                             (* 'm (+ (* 'g (cos theta)) (* 'l (square thetadot)))))))
- [right "m (g cos(theta) + l theta'^2)" "m g cos θ + m l θ'²" "\\lambda = m g\\cos\\theta + m l\\dot\\theta^2"]
- [wrong "m (g cos(theta) - l theta'^2)" "m g cos theta" "-m (g cos(theta) + l theta'^2)" "m l theta'^2"
+ [right "m (g cos(theta) + l theta'^2)" "m g cos θ + m l θ'²"
+        "\\lambda = m g\\cos\\theta + m l\\dot\\theta^2"]
+ [wrong "m (g cos(theta) - l theta'^2)" "m g cos theta" "-m (g cos(theta) + l theta'^2)"
+        "m l theta'^2"
         "m (g sin(theta) + l theta'^2)" "m g" "2 m (g cos θ + l θ'^2)" "m g cos θ + m l^2 θ'^2"])
 
 ;; ---------------------------------------------------------------------------
@@ -284,7 +290,8 @@
 ;; ---------------------------------------------------------------------------
 ;; By the teacher's own procedure
 
-(table (an-exercise expects ('arguments 'x) ('expects (lambda (answer) (verify-equal answer (square 'x)))))
+(table (an-exercise expects ('arguments 'x)
+                    ('expects (lambda (answer) (verify-equal answer (square 'x)))))
  [right "x^2" "x²" "x x" "x**2"]
  [wrong "2 x" "x" "-x^2" "x^2 + 1" "x^3" "y^2"]
  [failed "x^"])

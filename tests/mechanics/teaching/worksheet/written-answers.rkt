@@ -79,8 +79,8 @@
  ["f(r + 1)" (two-readings "f (r + 1)" "f(r + 1)")]
  ["r'' = 1 = 2" "there are several = in one equation"]
  ["r''' = 0" "r has more than two primes"]
- ["1,5 r''" (string-append "1,5 has two readings: the number 1.5, which is written with a point, and "
-                           "the list 1, 5, which has a space behind the comma")])
+ ["1,5 r''" (string-append "1,5 has two readings: the number 1.5, which is written with a point, "
+                           "and the list 1, 5, which has a space behind the comma")])
 
 (test-case "a million characters, or numbers as large, are refused at once"
   (check-equal? (judgment-words (judgment-of bowl (make-string 1000000 #\x)))
