@@ -9,20 +9,13 @@
 ;; two, the names decide.  Where two habits of reading give different formulas, as for p^2/2m,
 ;; sin x/2 or e^-t/tau, there is no reading: both are told.
 
-(require "formula-tokens.rkt" "handwritten-tokens.rkt"
+(require "formula-tokens.rkt" "handwritten-tokens.rkt" "handwritten-words.rkt"
          (only-in "one-line-name.rkt" line-name->symbol)
          (only-in "read-paper.rkt" function-named own-operations)
          "read-terms.rkt" "token-reader.rkt"
-         (only-in racket/list append-map range))
+         (only-in racket/list append-map))
 
 (provide read-handwritten (struct-out vocabulary))
-
-;; What is known of names.
-;; quantity  : symbol -> datum that it stands for, or #f
-;; function? : symbol -> is it the name of a function?
-;; rate      : symbol, count of dots -> the datum of the rate, or #f
-;; moving?   : datum -> is it that of a coordinate, or of a rate, which may have (t) behind it?
-(struct vocabulary (quantity function? rate moving?))
 
 ;; refuse  : text -> does not return; why the text has no reading
 ;; unclear : datum, datum -> does not return; the two readings
@@ -374,19 +367,3 @@
          (set-reader-left! in (append words (reader-left in)))
          #t]
         [else (either in (product-of (car found)) (product-of (cadr found)))]))
-
-;; known? : text -> boolean-like -> the ways to cut the text into known pieces, two at most
-(define (cuts-of text known?)
-  (define n (string-length text))
-  (define memo (make-hasheqv (list (cons n '(())))))
-  (define (cuts from)
-    (hash-ref! memo from (lambda () (few (append-map (cut-at from) (ends from))))))
-  (define (ends from) (range (+ 1 from) (min (+ 1 n) (+ from longest-piece))))
-  (define ((cut-at from) to)
-    (define piece (substring text from to))
-    (if (known? piece) (map (lambda (rest) (cons piece rest)) (cuts to)) '()))
-  (filter (lambda (pieces) (pair? (cdr pieces))) (cuts 0)))
-
-(define longest-piece 20)
-
-(define (few cuts) (if (and (pair? cuts) (pair? (cdr cuts))) (list (car cuts) (cadr cuts)) cuts))

@@ -5,7 +5,8 @@
 ;; The exercises, and the wrong answers, after which hints come, are kept as long as the session.
 
 (require (for-syntax racket/base)
-         "answer-data.rkt" "check-answers.rkt" "exercise.rkt" "sealed-exercises.rkt"
+         "answer-data.rkt" "check-answers.rkt" "exercise.rkt" "judgment.rkt" "sealed-exercises.rkt"
+         "written-answer.rkt"
          "../../error/complain.rkt" "../../error/spelling.rkt")
 
 (provide exercises check)
@@ -36,7 +37,13 @@
     (define all
       (for/list ([a (in-list answers)]) (judged-answer-to (exercise-named (car a)) (cdr a))))
     (set-box! tries (tell-judgments all (unbox tries) (unbox opened)))
+    (for-each show-reading all)
     (unless (null? (cdr all)) (tell-total all))))
+
+;; What was read of an answer as on paper, typeset
+(define (show-reading j)
+  (define d (reading-of (judged-exercise j) (judged-answer j)))
+  (when (eq? 'answer (car d)) ((current-print) (formula-as-read (cadr d)))))
 
 (define (exercise-named name)
   (define all (unbox opened))

@@ -31,7 +31,7 @@
   (define tolerance (setting e 'within usual-tolerance))
   (define near (count (lambda (k a) (decimals-agree? k a tolerance)) ks as))
   (if (= near (length ks))
-      (right #f (format "as far as decimals tell, within ~a %" (value->text (* 100. tolerance))))
+      (right #f (format "as far as decimals tell, within ~a %" (value->text (* 100 tolerance))))
       (partly (/ near (length ks)) (and (refuted? v) v))))
 
 (define usual-tolerance 1/100)

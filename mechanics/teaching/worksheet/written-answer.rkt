@@ -10,10 +10,10 @@
          "exercise.rkt" "exercise-kind.rkt" "prescribed-symbols.rkt"
          "../../algebra/notation/formula.rkt" "../../algebra/notation/handwritten-formula.rkt"
          "../../algebra/notation/infix.rkt"
-         "../../operation/operation-column.rkt"
+         "../../generic/notation.rkt"
          "../../value/shape.rkt" "../../value/structure.rkt")
 
-(provide read-written-answer formula-read reading-of)
+(provide read-written-answer formula-read reading-of (struct-out formula-as-read))
 
 ;; -> an answer as data (answer-data.rkt): (answer datum) or (failed "why")
 (define (read-written-answer e text)
@@ -43,6 +43,12 @@
   (if (eq? 'answer (car found))
       (list 'answer (with-dots (cadr found) (exercise-coordinates e)))
       '(unread)))
+
+;; A formula as it was read, to be shown: typeset where that can be done
+(struct formula-as-read (datum)
+  #:property prop:notation (lambda (x see) (tree:datum (formula-as-read-datum x)))
+  #:property prop:custom-write
+  (lambda (x port mode) (write-string (formula-read '() (formula-as-read-datum x)) port)))
 
 ;; names : coordinates -> "m ẍ + k x", what was read, on one line
 (define (formula-read names datum)

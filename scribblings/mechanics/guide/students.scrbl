@@ -58,13 +58,24 @@ a common factor, other forms of a sine, and terms in another order make no diffe
 Lagrangian may even differ by a total time derivative. You may define what helps you, and compute
 an answer: @racket[(define motion (Lagrange-equations L))] is one, with your @racket[L].
 
+A formula may also be a text, as on paper; @secref["written-answers"] lists what is read:
+
+@codeblock|{
+(define motion "l theta'' + g sin theta = 0")
+}|
+
+What was read is told with the judgment: look whether it is what you meant. A text that can be read
+in two ways is refused, with both, and parentheses mend it. The text before the hole says which names
+may be in an answer.
+
 An answer in words is a text in quotation marks: @racket[(define why "Because ...")].
 
 @section{The report}
 
 @itemlist[
 @item{@bold{proved}, or @bold{right}: it is.}
-@item{@bold{partly right}: some components are, or it is a special case.}
+@item{@bold{partly right}: some components are, it is a special case, or it holds for more than it
+should: after a multiplication by @italic{x} − 1 an equation holds for @italic{x} = 1, too.}
 @item{@bold{refuted}: it is not; at the numbers that are shown it fails. Put them in, and see why.
 Often it is said what is wrong, as a sign or a missing term, and under which condition it would be
 right.}
@@ -90,6 +101,8 @@ give.}
 @item{@tt{it has L in it, of which the question does not speak}: look how the question spells it.}
 @item{@tt{the function takes 3 arguments; here it is applied to theta}: begin the definition as the
 comment says.}
+@item{@tt{it has two readings, (g/l) sin θ and g/(l sin θ)}: put parentheses into your text.}
+@item{@tt{a decimal has a point}: 1.5, in programs and in texts.}
 @item{Leave the last lines of the program, @racket[(check-answers ...)], and the first cell of the
 notebook as they are; if they were changed, take a new copy and put your answers into it.}]
 

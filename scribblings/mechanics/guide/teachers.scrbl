@@ -127,6 +127,8 @@ that ends with @exec{.json} for programs. Without a list and without points by h
 twenty less than three.
 
 @itemlist[
+@item{Answers that are texts as on paper (@secref["written-answers"]) stand there as they were typed
+and, typeset, as they were read.}
 @item{Points are given by components: of two equations one may be right.}
 @item{What could not be decided, and answers of the kind @racketidfont{reason}, are left to you,
 and listed; they never count as wrong.}

@@ -177,7 +177,9 @@ names the constants of a general solution.
 begins. @racket[assuming] holds while the exercise is judged, as with @racket[assuming].
 
 @racket[within] is how far a number may be off, as a share of the key, a hundredth if nothing is
-said; with @racket[#:absolute], or if the key is 0, in the unit itself.
+said; with @racket[#:absolute], or if the key is 0, in the unit itself. Expressions and functions
+with decimals, of the key or of an answer, are compared within it at many points, beside the sizes
+of the key's terms, and are right as far as decimals tell. For other kinds the clause is refused.
 
 A @racket[hint] is told with a wrong answer, or with @racket[#:after] from that wrong answer on;
 a file beside the student's counts them. A @racket[slip] is a wrong answer that you expect,
@@ -212,7 +214,7 @@ themselves, for their file has no key to it.
        "its equations of motion are equivalent to the key's: a factor, a total time derivative")
  (list @racketidfont{equations} "a function of a path, whose value is a function of time"
        "it is zero along the motions of the key and along no others: factors and combinations do
-       not matter; equations count one by one")
+       not matter; equations count one by one; what also holds for x = 1 has part of the points")
  (list @racketidfont{solution} "a path"
        "it is a motion of the system, begins as it should, and has all constants")
  (list @racketidfont{conserved} "a function of the local tuple, or of the state of a Hamiltonian"
@@ -221,6 +223,8 @@ themselves, for their file has no key to it.
  (list @racketidfont{constraint-force} "a function of the local tuple" "it is equal to the key")
  (list @racketidfont{Hamiltonian} "a function of the state"
        "it is the key but for a function of the time")
+ (list @racketidfont{phase-function} "a function of the state, such as a bracket"
+       "it is equal to the key")
  (list @racketidfont{canonical} "a map of states"
        "it is canonical, and makes of the Hamiltonian what it should")
  (list @racketidfont{reason} "a text" "it is kept for the teacher")
@@ -236,6 +240,36 @@ To a wrong answer is said, where it can be proved, in what way it differs from t
 sign; one term with the other sign, missing, or with another factor; a factor throughout; up and
 down, components or coordinates exchanged; a derivative forgotten; a name that the question does
 not have; of numbers powers of ten, 2, 2π, degrees, the reciprocal, squares, and near misses.
+
+@section[#:tag "written-answers"]{Answers as on paper}
+
+An answer may be a text, @racket["m x'' + k x = 0"], as it stands on paper, in TeX or in another
+program. What was read is told beside the judgment, and typeset in the report on a class. So is what
+cannot be read, and why.
+
+@tabular[#:sep @hspace[2] #:row-properties '(bottom-border top)
+(list
+ (list @bold{written} @bold{read as})
+ (list @litchar{m x'' + k x = 0}
+       "an equation; x' and x'' are rates, and so are ẋ, ẍ, x_dot, dx/dt, D²x and x''(t)")
+ (list @litchar{[m x'' + k x, m y'' + k y]}
+       "components, with or without brackets, up and down as in the key; a semicolon does, too")
+ (list @litchar{mgx}
+       "m g x if m, g and x are the names in the question, and mgx is not")
+ (list @litchar{V(r + 1), m(r + 1)}
+       "the value of a function V of the question; the product with its constant m")
+ (list @litchar{sin 2θ, sin^2 theta, e^(-t)} "sin (2θ), the square of sin θ, the exponential")
+ (list @litchar{1/2 m v^2, ½mv²} "½ m v²; a space tells what belongs together, else parentheses do")
+ (list @litchar{\frac{p_r^2}{2m}, \dot\theta, \sqrt{g/l}} "TeX, with its Greek letters")
+ (list @litchar{m*x**2/2} "other programs")
+ (list @litchar{p} "with one coordinate q the momentum p_q")
+ (list @litchar{2.006 s} "a number; the unit must be that of the question")
+ (list @litchar{T = m v^2/2} "what stands on the right; in an equation of motion both sides"))]
+
+A text in which two readers could see two formulas is refused, with both: @litchar{1/2x},
+@litchar{g/l x}, @litchar{p^2/2m}, @litchar{sin x/2}, @litchar{cos omega t}, @litchar{e^-t/T},
+@litchar{x^2y}, @litchar{f(x+1)} with an unknown @litchar{f}, @litchar{1,5}. Parentheses or a
+sign @litchar{*} tell which is meant. A text has 4000 characters at most.
 
 @section[#:tag "students-file"]{The student's file}
 
@@ -279,7 +313,13 @@ not run, are told.
 @examples[#:eval answers
 (exercises "01Au1kitSC1KzixOVSgpz1fIK81NSi1SULJXUtDQVFDOSCzOSC0EsowUDEECILESTU0A")
 (define two 3)
-(check two)]}
+(check two)
+(exercises "NYzBCYAwEARbWeLnTkHRWmxAZDE+EjUnIXYvQXzODLvSmLAwrbsRjEzbA5Yz0Ww/Itzsf907iKLxi3l"
+           "eInEJNPSQgIwNRVUhHaTFOEyoMmul8EWMdV0PbtUX")
+(define energy "½mv² + mgx")
+(check energy)
+(define energy "m v^2/2m + mgx")
+(check energy)]}
 
 @section[#:tag "commands-for-teaching"]{Commands}
 

@@ -91,6 +91,16 @@ END
   (check-regexp-match #rx"\n1 of 3 points.\n$" (third texts))
   (check-regexp-match #rx"units.\n   hint: It is a root.\n$" (fourth texts)))
 
+(test-case "an answer as on paper is shown typeset as it was read"
+  (define cells (answered given '(rate . "\"√(k/m)\"")))
+  (define-values (outputs failed) (run-cells cells))
+  (define shown (append* outputs))
+  (check-equal? (hash-ref (first shown) 'text)
+                "1. rate: proved (2 of 2 points)\n   read as √(k/m)\n")
+  (check-equal? (hash-ref (hash-ref (second shown) 'data) 'text/latex)
+                "$\\displaystyle \\sqrt{\\frac{k}{m}}$")
+  (check-equal? (hash-ref (hash-ref (second shown) 'data) 'text/plain) "√(k/m)"))
+
 (test-case "check grades the notebook's cells, with its own exercises or the teacher's"
   (define (write-notebook name cells)
     (call-with-output-file (in-folder name) #:exists 'truncate

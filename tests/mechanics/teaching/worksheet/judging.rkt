@@ -197,6 +197,12 @@
  [(up 'a 'b) wrong 0]
  ["text" wrong 0 "it has text in it, of which the question does not speak"])
 
+(define measured (an-exercise expression ('key (* (sqrt 2) 'x)) ('within 1/100)))
+(judges measured
+ [(* 1.41 'x) right 1 "as far as decimals tell, within 1 %"]
+ [(* 1.5 'x) wrong 0]
+ [(* 7/5 'x) wrong 0])
+
 (define pair (an-exercise expression ('key (up 'a (* 2 'b)))))
 (judges pair
  [(up 'a 'b) partly 1/2]
