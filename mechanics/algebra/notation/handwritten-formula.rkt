@@ -21,12 +21,17 @@
 ;; unclear : datum, datum -> does not return; the two readings
 ;; -> ((datum ...) ...), the sides of each relation in a list; of an expression it is one
 (define (read-handwritten text words refuse unclear)
+  (when (regexp-match? derivative-of-formula text)
+    (refuse "d/dt of a formula is not read: carry the derivative out"))
   (define (fail at what) (refuse (format "~a is no sign of a formula" (shortened what))))
   (define in (source (handwritten-tokens text fail) (refusing refuse) words refuse unclear 0 #f))
   (define found (read-entries in))
   (unless (ahead? in 'end) (unexpected in))
   (for/list ([sides (in-list found)])
     (for/list ([d (in-list sides)]) (own-operations d (lambda (name) #t)))))
+
+(define derivative-of-formula
+  #px"(?<!\\p{L})d\\s*/\\s*dt(?!\\p{L})|frac\\s*\\{\\s*d\\s*\\}\\s*\\{\\s*dt")
 
 (define (shortened text) (substring text 0 (min 12 (string-length text))))
 

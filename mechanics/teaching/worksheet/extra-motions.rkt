@@ -72,14 +72,17 @@
     (cond [(ormap uses? a) (other-acceleration? m)]
           [(ormap uses? v) (leaves-motions? (partial-derivatives f v) (rate-along f m) m)]
           [else (leaves-surface? f m)]))
-  (define results
-    (for*/list ([i (in-range 8)]
+  (define-values (last-one free?)
+    (for*/fold ([result #f] [free? #t])
+               ([i (in-range 8)]
                 [y (in-list (filter uses? (append a v q)))]
+                #:unless (eq? result 'other)
                 [state (in-list (zeros f y (trial-state f m i)))]
+                #:unless (eq? result 'other)
                 #:when (regular? state m))
-      (test state)))
-  (or (and (memq 'other results) #t)
-      (and (pair? results) (andmap (lambda (r) (eq? r 'free)) results))))
+      (define r (test state))
+      (values r (and free? (eq? r 'free)))))
+  (or (eq? last-one 'other) (and last-one free?)))
 
 ;; Are the accelerations of motions finite?  Where r = 0 in polar coordinates they are not.
 (define (regular? state m)

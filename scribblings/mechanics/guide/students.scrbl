@@ -65,8 +65,8 @@ A formula may also be a text, as on paper; @secref["written-answers"] lists what
 }|
 
 What was read is told with the judgment: look whether it is what you meant. A text that can be read
-in two ways is refused, with both, and parentheses mend it. The text before the hole says which names
-may be in an answer.
+in two ways is refused, with both, and parentheses mend it. The text before the hole says which
+names may be in an answer.
 
 An answer in words is a text in quotation marks: @racket[(define why "Because ...")].
 

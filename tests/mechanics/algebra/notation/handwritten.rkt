@@ -90,6 +90,8 @@
  ["x 2" "2 behind a factor: a sign is missing between them"]
  ["x'''" "x has more than two primes"]
  ["sintheta" "in sintheta a space is missing behind sin"]
+ ["d/dt(m x')" "d/dt of a formula is not read: carry the derivative out"]
+ ["\\frac{d}{dt} (m x')" "d/dt of a formula is not read: carry the derivative out"]
  ["sin" "sin has no argument"]
  ["x +" "it ends where something has to follow"] ["" "it ends where something has to follow"]
  ["(x" "a parenthesis is not closed"]
