@@ -39,6 +39,8 @@
   (define d (and (value? value) (value->datum value)))
   (define why (if d (why-not-an-answer d) (not-a-value value)))
   (cond [(string? value) (text-answer->datum value)]
+        [(and (pair? value) (list? value) (andmap string? value))
+         (text-answer->datum (joined value))]
         [why (list 'failed why)]
         [else (list 'answer d)]))
 

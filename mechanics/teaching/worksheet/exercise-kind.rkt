@@ -86,7 +86,7 @@
        (string-append "or as on paper, in quotation marks"
                       (if (null? names)
                           ""
-                          (format "; with ~a" (joined (map symbol->string names) ", "))))))
+                          (format ". Names in it: ~a" (joined (map symbol->string names) ", "))))))
 
 (define (dotted names)
   (for/list ([n (in-list names)]) (string->symbol (format "~adot" n))))

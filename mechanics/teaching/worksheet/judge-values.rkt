@@ -4,11 +4,9 @@
 (require (only-in racket/list count)
          "answer-parts.rkt" "decimal-answers.rkt" "exercise.rkt" "judgment.rkt"
          "prescribed-symbols.rkt"
-         "../../algebra/expression/expression.rkt"
          "../../calculus/derivative.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/rounding.rkt"
-         "../../value/shape.rkt" "../../value/simplify.rkt"
-         "../../value/structure.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
+         "../../value/shape.rkt" "../../value/structure.rkt"
          "../../verdict/prove-zero.rkt" "../../verdict/verdict.rkt")
 
 (provide judge-value judge-number judge-Hamiltonian

@@ -10,7 +10,6 @@
          "question-names.rkt" "written-answer.rkt"
          "../../error/failure.rkt" "../../error/message-words.rkt"
          "../../value/assumptions.rkt" "../../value/read-expression.rkt"
-         "../../value/shape.rkt"
          "../../verdict/verdict.rkt")
 
 (provide judge)

@@ -69,7 +69,7 @@ END
                 (list "A rate $\\sqrt{\\frac{k}{m}}$ of 5 \\$."
                       "(define (twice x) (* 2 x))"
                       (string-append "### 1. rate (2 points)\n\nWhat is it, for $m\\text{?}$\n\n"
-                                     "An expression, as\n\n    (define rate ...)\n\nor as on paper, in quotation marks; with k, m")
+                                     "An expression, as\n\n    (define rate ...)\n\nor as on paper, in quotation marks. Names in it: k, m")
                       "(define rate unanswered)\n\n(check rate)"))
   (check-true (string-prefix? (cell-source (first given)) "# Small \\*steps\\*\nDue: Friday\n"))
   (check-true (string-contains? (file->string (in-folder "small-student.ipynb"))

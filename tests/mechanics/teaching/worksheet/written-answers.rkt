@@ -2,6 +2,7 @@
 ;; Answers that are texts: what names mean is known from the exercise; what was read is told.
 
 (require mechanics/book
+         mechanics/teaching/class/answer-lines
          mechanics/teaching/worksheet/answer-data
          mechanics/teaching/worksheet/exercise
          mechanics/teaching/worksheet/exercise-kind
@@ -30,6 +31,16 @@
 
 (test-case "a function may have a text as its value"
   (check-equal? (judgment-status (judgment-of bowl (lambda (r) (lambda (t) answer)))) 'right))
+
+(test-case "a list of texts is one, with commas between"
+  (define e (an-exercise expression ('key (up 'a 'b))))
+  (check-equal? (judgment-status (judgment-of e (list "a" "b"))) 'right))
+
+(test-case "a text comes out of a student's process as it was"
+  (define out (open-output-string))
+  (define d '(text "½ m θ̇² − \\frac{m}{2} \"V\"(r)\n"))
+  (write-line-of 'motion d out)
+  (check-equal? (hash-ref (read-answer-lines (get-output-string out)) 'motion) d))
 
 (define (datum-of e text) (cadr (read-written-answer e text)))
 
