@@ -22,6 +22,7 @@
          "../../generic/arithmetic.rkt"
          "../../value/assumptions.rkt"
          "../../value/matrix/linear-algebra.rkt" "../../value/matrix/matrix.rkt"
+         "../../value/read-expression.rkt"
          "../../value/shape.rkt" "../../value/simplify.rkt" "../../value/structure.rkt")
 
 (provide extra-motion)
@@ -79,7 +80,7 @@
                 #:unless (eq? result 'other)
                 [state (in-list (zeros f y (trial-state f m i)))]
                 #:unless (eq? result 'other)
-                #:when (regular? state m))
+                #:when (and (regular? state m) (allowed? state)))
       (define r (test state))
       (values r (and free? (eq? r 'free)))))
   (or (eq? last-one 'other) (and last-one free?)))
@@ -89,6 +90,13 @@
   (for/and ([a (in-list (motion-equations-motion m))])
     (define x (value-at a state))
     (and x (< (abs x) 1e6))))
+
+(define (allowed? state)
+  (for/and ([r (in-list (assumptions 'declared))])
+    (define sides (for/list ([d (in-list (cdr r))]) (value-at (read-expression d) state)))
+    (or (not (andmap values sides)) (apply (hash-ref relations (car r) (lambda () void)) sides))))
+
+(define relations (hasheq '> > '< < '>= >= '<= <=))
 
 (define ((other-acceleration? m) state)
   (define motion (value-at (car (motion-equations-motion m)) state))

@@ -74,6 +74,24 @@
   "every motion obeys it, but it is not linear in the accelerations"]
  [(pendulum-times (lambda (a b) (+ 1 (square b)))) right 1])
 
+;; What the question assumes leaves no room for x = -1.
+(define ((oscillator-times factor) x)
+  (lambda (t) (* (factor (x t)) (+ (* 'm ((D2 x) t)) (* 'k (x t))))))
+(judges (an-exercise equations ('coordinates 'x) ('of (L-harmonic 'm 'k)) ('assuming '(> x 0)))
+ [(oscillator-times (lambda (x) (+ x 1))) right 1]
+ [(oscillator-times (lambda (x) (- x 1))) partly 1/2 "it is true of every motion, but it also holds"])
+
+;; Where r = 0 polar coordinates are singular, which is no motion more; a velocity that may be
+;; anything is one.
+(define planar-oscillator
+  (an-exercise equations ('coordinates 'r 'phi)
+               ('of (L-central-polar 'm (lambda (r) (* 1/2 'k (square r)))))))
+(judges planar-oscillator
+ ["[m r'' - m r phi'^2 + k r, r^3 phi'' + 2 r^2 r' phi']" right 1]
+ ["[m r'' - m r phi'^2 + k r, phi' (r phi'' + 2 r' phi')]" right 1]
+ ["[phi' (m r'' - m r phi'^2 + k r), r phi'' + 2 r' phi']" partly 3/4
+  "it is true of every motion, but it also holds for φ̇ = 0"])
+
 (define (L-two (up t (up x y) (up vx vy)))
   (- (* 1/2 'm (+ (square vx) (square vy))) (* 1/2 'k (+ (square x) (* 4 (square y))))))
 (define two (an-exercise equations ('coordinates 'x 'y) ('of L-two)))
