@@ -1,25 +1,36 @@
 #lang racket/base
 ;; Decimals in answers: 1.41 a x is √2 a x, as far as it tells.
 ;;
-;; Two expressions agree if at all points tried their difference is small beside the sum of the
-;; sizes of the key's terms.  The symbols' values are of very different sizes, so that no term hides
-;; behind another at all points.
+;; Two expressions agree if at all points tried their difference is small beside the sizes of the
+;; key's terms, and beside what changes in the key if its decimals, and π, are a little off.  The
+;; symbols' values are of very different sizes, so that no term hides behind another at all points.
+;;
+;; Where something is to be proved, decimals are read as the exact numbers that they stand for.
 
-(require "answer-parts.rkt"
-         "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
+(require (only-in racket/math pi)
+         "answer-parts.rkt"
+         "../../algebra/expression/expression.rkt" "../../algebra/expression/flat-graph.rkt"
+         "../../algebra/expression/substitute.rkt" "../../algebra/expression/symbols.rkt"
+         "../../algebra/zero/decimal-readings.rkt"
          "../../calculus/expression-function.rkt"
          "../../generic/rounding.rkt"
          "../../value/simplify.rkt")
 
-(provide real-value value-at has-decimals? decimals-agree? scattered)
+(provide real-value value-at scattered has-decimals? decimals-agree? with-exact-decimals)
+
+;; d : a datum
+(define (with-exact-decimals d)
+  (cond [(pair? d) (cons (with-exact-decimals (car d)) (with-exact-decimals (cdr d)))]
+        [(and (flonum? d) (read-decimal d)) => expression->datum]
+        [else d]))
 
 ;; -> a flonum, or #f
 (define (real-value x) (flonum-or-false (and (expression? x) (g:exact->inexact (simplify x)))))
 
 ;; point : ((symbol . number) ...) -> a flonum, or #f where there is no real value
 (define (value-at e point)
-  (flonum-or-false
-   (with-handlers ([exn:fail? (lambda (x) #f)]) (evaluate-generically e point))))
+  (define all (cons (cons ':pi pi) point))
+  (flonum-or-false (with-handlers ([exn:fail? (lambda (x) #f)]) (evaluate-generically e all))))
 
 (define (flonum-or-false n) (and (real? n) (rational? n) (real->double-flonum n)))
 
@@ -27,6 +38,7 @@
 
 (define (decimals-agree? key answer tolerance)
   (define terms (terms-of key))
+  (define decimal-key (substitute-expression key (list (cons ':pi pi))))
   (define names (append (symbols-in key) (symbols-in answer)))
   (define found
     (for*/list ([i (in-range 40)]
@@ -34,9 +46,20 @@
                 [k (in-value (value-at key point))]
                 #:when k)
       (define a (value-at answer point))
-      (define size (for/sum ([t (in-list terms)]) (abs (or (value-at t point) 0))))
+      (define size
+        (max (for/sum ([t (in-list terms)]) (abs (or (value-at t point) 0)))
+             (doubt decimal-key k point)))
       (and a (<= (abs (- a k)) (* tolerance size)))))
   (and (pair? found) (andmap values found)))
+
+;; The change of e, whose value is x, as each decimal in it changes: the sum of |c ∂e/∂c|
+(define (doubt e x point)
+  (for/sum ([c (in-list (decimals-in (expression->plain-tape e)))])
+    (define changed
+      (value-at (substitute-expression e (list (cons c (* c (+ 1 step))))) point))
+    (if changed (/ (abs (- changed x)) step) 0)))
+
+(define step 1e-6)
 
 ;; From 1/50 to 50
 (define (point-of names i)

@@ -9,6 +9,7 @@
          "judge-equations.rkt" "judge-questions.rkt" "judge-values.rkt" "judgment.rkt"
          "question-names.rkt" "written-answer.rkt"
          "../../error/failure.rkt" "../../error/message-words.rkt"
+         (only-in "../../generic/describe.rkt" value->datum)
          "../../value/assumptions.rkt" "../../value/read-expression.rkt"
          "../../verdict/verdict.rkt")
 
@@ -57,8 +58,23 @@
 (define (not-judged x)
   (undecided-judgment #f (string-append "it could not be judged: " (exn-message x))))
 
-;; key : a datum.  A failure of the mathematics leaves the answer undecided.
+;; key : a datum.  What decimals leave undecided is judged with the exact numbers they stand for.
 (define (judge-by-key e key answer)
+  (define j (judge-once e key answer))
+  (define (exact d) (with-exact-decimals d))
+  (define again
+    (and (eq? 'undecided (judgment-status j))
+         (judge-once (with-exact-settings e) (exact key)
+                     (read-expression (exact (value->datum answer))))))
+  (if (and again (eqv? 1 (judgment-share again))) again j))
+
+(define (with-exact-settings e)
+  (struct-copy exercise e
+               [settings (for/hasheq ([(name d) (in-hash (exercise-settings e))])
+                           (values name (with-exact-decimals d)))]))
+
+;; A failure of the mathematics leaves the answer undecided.
+(define (judge-once e key answer)
   (define judge-it
     (case (exercise-kind e)
       [(number) judge-number]

@@ -79,7 +79,7 @@
   (lambda (t) (* (factor (x t)) (+ (* 'm ((D2 x) t)) (* 'k (x t))))))
 (judges (an-exercise equations ('coordinates 'x) ('of (L-harmonic 'm 'k)) ('assuming '(> x 0)))
  [(oscillator-times (lambda (x) (+ x 1))) right 1]
- [(oscillator-times (lambda (x) (- x 1))) partly 1/2 "it is true of every motion, but it also holds"])
+ [(oscillator-times (lambda (x) (- x 1))) partly 1/2 "it is true of every motion, but it also"])
 
 ;; Where r = 0 polar coordinates are singular, which is no motion more; a velocity that may be
 ;; anything is one.

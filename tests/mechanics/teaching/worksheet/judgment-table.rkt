@@ -71,6 +71,31 @@
  [wrong "9.81 t^2 - 2.5 t" "9.81 t^2" "4.9 t^2 + 2.5 t" "2.5 t" "-9.81 t^2 - 2.5 t"
         "10.5 t^2 + 2.5 t"])
 
+(table (an-exercise expression ('key (* 2 'A (cos (* 3.14159 'f 't)))))
+ [right "2 A cos(π f t)" "2 A cos(3.14 f t)" "2A cos(3.1416 f t)"]
+ [wrong "2 A sin(3.14 f t)" "2 A cos(f t)" "A cos(3.14 f t)" "2 A cos(3.14 t)" "2 A cos(3.3 f t)"
+        "2 A cos(3.14 f t) + cos(1000000.5 f)" "2000.5 A - 1998.5 A"])
+(table (an-exercise expression ('key (* 2 'A (cos (* ':pi 'f 't)))))
+ [right "2 A cos(π f t)" "2 A cos(3.14 f t)"]
+ [wrong "2 A cos(3 f t)" "2.0 A cos(3 f t)" "2.5 A cos(π f t)"])
+
+;; Where an answer is proved, decimals are the exact numbers that they stand for.
+(table (an-exercise Lagrangian ('coordinates 'theta) ('key (L-pendulum 9.81 0.2 0.5)))
+ [right "0.025 θ'^2 + 0.981 cos θ" "θ'^2/40 + 0.981 cos θ"]
+ [wrong "0.025 θ'^2 - 0.981 cos θ" "0.025 θ'^2 + 0.98 cos θ"])
+
+(table (an-exercise equations ('coordinates 'theta) ('of (L-pendulum 9.81 0.2 0.5)))
+ [right "θ'' + 19.62 sin θ = 0" "0.5 θ'' = -9.81 sin θ"]
+ [partly "θ' (θ'' + 19.62 sin θ) = 0"]
+ [wrong "θ'' - 19.62 sin θ = 0" "θ'' + 19.62 θ = 0" "θ'' + 18 sin θ"])
+
+(define (L-falling (up t x v)) (- (* 0.5 v v) (* 9.81 x)))
+(table (an-exercise solution ('coordinates 'x) ('of L-falling) ('starts (up 0 2.5 0))
+                    ('key (lambda (t) (- 2.5 (* 4.905 t t)))))
+ [right "2.5 - 4.905 t^2" "5/2 - 9.81 t²/2"]
+ [partly "2.5 + t - 4.905 t^2"]
+ [wrong "2.5 - 9.81 t^2" "2.5 + 4.905 t^2"])
+
 ;; ---------------------------------------------------------------------------
 ;; Numbers
 
