@@ -7,10 +7,13 @@
          "../unknown-name/unknown-names.rkt" "../wrong-call/marked-line.rkt")
 
 ;; Failures in our words, with the line of the form that was evaluated; what could not be read has
-;; its line.
+;; its line.  An exception may be made by somebody who wishes us ill: its message is at hand.
 (define (words-with-line e)
+  (define message (exn-message e))
   (define text
-    (if (exn:fail:read? e) (exn-message e) (explained (exn-message e) e #f)))
+    (if (exn:fail:read? e)
+        message
+        (with-handlers ([void (lambda (_) message)]) (explained message e #f))))
   (define line (marked-line (exn-continuation-marks e)))
   (if (and line (not (regexp-match? #rx"^program:" text)))
       (format "line ~a: ~a" (cdr line) text)
