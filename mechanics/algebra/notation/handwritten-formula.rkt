@@ -160,7 +160,8 @@
 (define (power base exponent)
   (if (eq? base ':e) (list 'exp exponent) (list 'expt base exponent)))
 
-;; What follows an exponent without parentheses may belong to it: x^1/2, x^2y, e^-t/tau, x^y^z.
+;; What follows an exponent without parentheses may belong to it: x^1/2, a^3/2, x^2y, e^-t/tau,
+;; e^-2 t, x^y^z.
 (define (read-power in base)
   (define whole? (ahead? in 'open 'brace))
   (define exponent
@@ -177,11 +178,16 @@
     (either in (combine (power base exponent) next) (power base (combine exponent next))))
   (define number? (exact-integer? exponent))
   (cond [(ahead? in 'caret) (unclear power #t)]
-        [(and (ahead? in 'slash) (or (eqv? exponent 1) (not number?))) (unclear quotient-of #t)]
+        [(and (ahead? in 'slash) (or (not number?) (memv exponent '(1 -1)) (halves? in exponent)))
+         (unclear quotient-of #t)]
         [(and (ahead? in 'times) (eq? base ':e)) (unclear product #t)]
-        [(and (starts-factor? in) (or (not number?) (glued? in 'word 'function 'root))
+        [(and (starts-factor? in)
+              (or (not number?) (eq? base ':e) (glued? in 'word 'function 'root))
               (not (regexp-match? #rx"^\\\\" (token-text (ahead in)))))
          (unclear product #f)]))
+
+;; a^3/2
+(define (halves? in exponent) (and (odd? exponent) (eqv? 2 (token-value (behind in)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Primaries
@@ -306,7 +312,7 @@
 ;; (t), behind a coordinate
 (define (skip-time in)
   (define left (reader-left in))
-  (when (and (glued? in 'open) (time-in-parentheses? (cdr left)))
+  (when (and (ahead? in 'open) (time-in-parentheses? (cdr left)))
     (set-reader-left! in (cdddr left))))
 
 (define (time-in-parentheses? tokens)
