@@ -34,10 +34,11 @@
 ;; motion-domain : of a motion, a function of the time: symbol of the time -> expressions; or #f
 ;; relied-on : datums of assumptions under which x is what is asked about
 ;; again : #f, or what asks the question again, given what to change in it (verdict.rkt)
+;; subject : #f, or what was asked, for a certificate of it: the question's name and its matter
 (define (prove-zero x #:variables [names '()] #:surveys [surveys '()]
                     #:remarks [remarks (lambda () '())] #:meaning [meaning #f]
                     #:domain [domain (lambda () '())] #:motion-domain [motion-domain #f]
-                    #:resting-on [relied-on '()] #:again [again #f])
+                    #:resting-on [relied-on '()] #:again [again #f] #:about [subject #f])
   (check-variables names)
   (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
   (define endless? #f)
@@ -62,7 +63,8 @@
                     (lambda (change)
                       (prove-zero (change x) #:variables names #:surveys surveys
                                   #:remarks remarks #:meaning meaning #:domain domain
-                                  #:motion-domain motion-domain #:resting-on relied-on)))))
+                                  #:motion-domain motion-domain #:resting-on relied-on)))
+                (claim judged beside subject)))
 
 ;; -> the residual, and ((scalar . test) ...) for the scalars of x
 (define (judge-all x A variables kinks)

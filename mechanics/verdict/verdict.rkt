@@ -12,7 +12,9 @@
 
 (provide make-verdict verdict? kinks->text
          ;; for those who ask again
-         verdict-question verdict-given with-remark with-readings)
+         verdict-question verdict-given with-remark with-readings
+         ;; for certificates
+         verdict-claim verdict-tests (struct-out claim))
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
@@ -25,8 +27,9 @@
 ;;               all of it zero; known when it is first asked, as nobody may ask
 ;; question    : (change : value -> value) -> the verdict on the question with all that it is
 ;;               about changed
+;; claim       : what was claimed, for certificates of it
 (value-struct verdict
-              (status residual tests given endless? kinks-found grounds remarks told question)
+              (status residual tests given endless? kinks-found grounds remarks told question claim)
   #:text (lambda (v) (report->text (verdict-lines v)))
   #:notation (lambda (v see) (report-notation (verdict-lines v)))
   #:property prop:no-truth-value "a verdict is neither true nor false; ask (proved? v)")
@@ -35,7 +38,7 @@
 ;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
 ;; find-kinks : -> kinks and grounds, asked for unless the verdict is a refutation
 ;; find-remarks : status -> strings
-(define (make-verdict residual tests given endless? find-kinks find-remarks told question)
+(define (make-verdict residual tests given endless? find-kinks find-remarks told question claim)
   (define statuses (map zero-test-status tests))
   (define refuted? (memq 'refuted statuses))
   (define-values (kinks grounds) (if refuted? (values '() '()) (find-kinks)))
@@ -43,7 +46,13 @@
     (cond [refuted? 'refuted]
           [(or endless? (pair? kinks) (memq 'undecided statuses)) 'undecided]
           [else 'proved]))
-  (verdict status residual tests given endless? kinks grounds (find-remarks status) told question))
+  (verdict status residual tests given endless? kinks grounds (find-remarks status) told question
+           claim))
+
+;; value   : the residual as the question states it, nothing simplified
+;; domain  : expressions that are to have a real value as well
+;; subject : #f, or what was asked: the name of the question and what it was asked about
+(struct claim (value domain subject) #:authentic)
 
 ;; The verdict with one more remark, before the others.
 (define (with-remark v text)

@@ -10,6 +10,7 @@
                    ["check-answers-of.rkt" check-command]
                    ["autograder.rkt" autograder-command]
                    ["export-program.rkt" export-command]
+                   ["certify-program.rkt" certify-command]
                    ["jupyter-kernel.rkt" jupyter-command]
                    ["notebook-files.rkt" notebook-command program-command]
                    ["../help/help-answer.rkt" help-about]
@@ -48,6 +49,9 @@
                                     "[--all] [--list] [--derivatives] [--replace]")
             "the systems of a program, as programs in C, in Python or for JAX"
             export-command)
+   (command "certify" "FILE [-o FOLDER] [--write]"
+            "the proved verdicts of a program as theorems that the proof assistant Coq checks"
+            certify-command)
    (command "notebook" "FILE.rkt [-o notebook.ipynb] [--run]"
             "a program as a notebook of Jupyter, with --run with its results" notebook-command)
    (command "program" "FILE.ipynb [-o program.rkt]" "the program of a notebook" program-command)

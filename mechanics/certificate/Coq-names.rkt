@@ -1,0 +1,76 @@
+#lang racket/base
+;; Names in Coq of what a claim speaks of: symbols are real numbers, literal functions are functions
+;; of them.  The user's names stay; the derivative of U is DU, ∂₁∂₁F is D1_1_F.
+
+(require racket/list racket/string
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
+         "../scale/export/variable-names.rkt")
+
+(provide make-names name-of names-symbols names-functions function-type flat-arguments
+         (struct-out unknown-function))
+
+;; table : symbol or unknown-function -> string
+;; symbols, functions : those of the expressions, in order
+(struct names (table symbols functions) #:authentic)
+
+;; index : as of a literal head; arity : how many real numbers it takes
+(struct unknown-function (name index arity) #:transparent)
+
+;; es : expressions
+(define (make-names es)
+  (define symbols (remove-duplicates (append-map symbols-in es) eq?))
+  (define functions
+    (sort (remove-duplicates (append-map functions-in es)) < #:key derivatives))
+  (define texts
+    (identifiers (append symbols (map function-symbol functions)) words-of-Coq))
+  (names (for/hash ([x (in-list (append symbols functions))] [text (in-list texts)])
+           (values x text))
+         symbols functions))
+
+(define (name-of ns x) (hash-ref (names-table ns) x))
+
+(define (functions-in e)
+  (for/list ([n (in-list (nodes-in e))] #:when (literal-head? (node-head n))) (function-of n)))
+
+;; n : a node headed by a literal function
+(define (function-of n)
+  (define h (node-head n))
+  (unknown-function (literal-head-name h) (literal-head-index h) (length (flat-arguments n))))
+
+(define (derivatives f) (apply + (map cdr (unknown-function-index f))))
+
+;; The real numbers among the arguments of n, those of tuples one after the other.
+(define (flat-arguments n)
+  (append-map (lambda (a)
+                (if (and (node? a) (memq (node-head a) (list op:up op:down)))
+                    (flat-arguments a)
+                    (list a)))
+              (node-args n)))
+
+(define (function-symbol f)
+  (define prefix
+    (for/list ([entry (in-list (unknown-function-index f))])
+      (define times (cdr entry))
+      (if (null? (car entry))
+          (make-string times #\D)
+          (string-append*
+           (for/list ([_ (in-range times)])
+             (format "D~a_" (string-join (map number->string (car entry)) "_")))))))
+  (string->symbol (format "~a~a" (string-append* prefix) (unknown-function-name f))))
+
+;; R -> R -> R
+(define (function-type f)
+  (string-join (for/list ([_ (in-range (+ 1 (unknown-function-arity f)))]) "R") " -> "))
+
+;; What a variable must not be called: words of the language, names of its library that
+;; certificates use, and their own.
+(define words-of-Coq
+  (append
+   (string-split
+    (string-append
+     "R PI sin cos tan exp ln sqrt asin acos atan sinh cosh tanh arcsinh Rabs Rpower D "
+     "as at cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return "
+     "Set SProp then Type using where with by Definition Theorem Lemma Proof Qed "
+     "given hypotheses claim not_vacuous is_derive locally"))
+   '("_")))

@@ -1,0 +1,63 @@
+#lang racket/base
+;; A point where all hypotheses of a claim hold, so that the claim is not empty: numbers for its
+;; symbols, constant functions for its unknown functions.
+;;
+;; The numbers are between 1 and 3/2, where sines and cosines are positive; or, if none of these will
+;; do, others.
+
+(require racket/list
+         "Coq-names.rkt" "Coq-term.rkt"
+         (only-in "../algebra/assumption/reference-point.rkt" real-value)
+         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/read.rkt")
+
+(provide example-values)
+
+;; relations : ((sign left right) ...); ns : names -> alist: symbol or function -> number
+(define (example-values relations ns)
+  (define unknowns (append (names-symbols ns) (names-functions ns)))
+  (or (for/first ([k (in-range most-tries)]
+                  #:when (all-hold? relations (place unknowns k)))
+        (place unknowns k))
+      (give-up "no point was found where all its hypotheses hold")))
+
+(define most-tries 400)
+
+(define (place unknowns k)
+  (for/list ([u (in-list unknowns)] [i (in-naturals)]) (cons u (coordinate i k))))
+
+;; The i-th number of the k-th place
+(define (coordinate i k)
+  (define (pick xs) (list-ref xs (modulo (+ i (* k (+ i 1)) (quotient k (+ i 2))) (length xs))))
+  (cond [(eqv? k 0) 1]
+        [(< k 12) (+ 1 (/ (modulo (+ 1 (* i (+ k 1))) 8) 16))]
+        [(< k 60) (pick '(1 3/2 2 3 1/2 5 1/4 4))]
+        [(< k 200) (pick '(1 -1 2 1/2 -2 0 3 -1/2 1/10))]
+        [else (pick '(1/10 1/2 -1/4 1 1/100 -1/2 2 10 0 -1))]))
+
+(define (all-hold? relations values)
+  (for/and ([d (in-list relations)]) (holds? d values)))
+
+(define (holds? d values)
+  (define (side x)
+    (real-value (if (expression? x) x (datum->expression x)) (lambda (leaf _) (value leaf values))))
+  (define a (side (cadr d)))
+  (define b (side (caddr d)))
+  (and a b
+       (case (car d)
+         [(>) (> a (+ b margin))]
+         [(<) (< a (- b margin))]
+         [(>=) (>= a (- b margin))]
+         [(<=) (<= a (+ b margin))]
+         [(<>) (> (abs (- a b)) margin)]
+         [else (< (abs (- a b)) margin)])))
+
+(define margin 1e-9)
+
+(define (value leaf values)
+  (cond [(assoc leaf values) => cdr]
+        [else
+         (define h (node-head leaf))
+         (cdr (assoc (unknown-function (literal-head-name h) (literal-head-index h)
+                                       (length (flat-arguments leaf)))
+                     values))]))

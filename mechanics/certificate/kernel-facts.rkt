@@ -1,0 +1,322 @@
+#lang racket/base
+;; The facts about kernels that a proof rests on, each with its own proof in Coq.
+;;
+;; To Coq's algebra a sine, a root or an exponential is a number of which it knows nothing.  So
+;; those in a claim are written by a few of them, the kernels, as the library does itself: sin 2θ by
+;; sin θ and cos θ, √(4x) as 2 √x; and the kernels have relations: sin²θ = 1 - cos²θ, (√x)² = x.
+;; Facts about what stands within others come first.
+
+(require racket/list
+         "Coq-term.rkt" "linear-terms.rkt" "root-parts.rkt"
+         "../algebra/expression/exact-numbers.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/nodes.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/pi.rkt" "../algebra/expression/substitute.rkt"
+         "../algebra/simplify/simplify-expression.rkt")
+
+(provide kernel-facts (struct-out fact))
+
+;; sort   : 'value, left = right replaces left; 'relation, a power of a kernel; 'known, anything
+;; left   : expression; right : expression, or of what is known a relation sign with expressions
+;; script : its proof in parts; 'identity stands for the proof of an equality by the facts before
+(struct fact (sort left right script) #:authentic)
+
+;; plans  : node -> (expression . script) or #f, what stands for it
+;; facts  : in the order they are proved, the last first
+;; angles, exponents : nodes of sines and cosines, and of exponentials, the last met first
+;; heads  : literal functions applied, the last met first
+(struct collector (assumptions names plans [met #:mutable] [angles #:mutable]
+                               [exponents #:mutable] [applied #:mutable])
+  #:authentic)
+
+;; es : expressions; A : assumptions; ns : names of all in them -> facts
+(define (kernel-facts es A ns)
+  (define c (collector A ns (make-hash) '() '() '() '()))
+  (for ([e (in-list es)]) (visit-all! c e))
+  (define circles (settle-angles! c))
+  (define exponentials (settle-exponents! c))
+  (append circles
+          exponentials
+          (append-map (lambda (n) (facts-of c n)) (reverse (collector-met c)))))
+
+(define (visit-all! c e) (for ([n (in-list (nodes-in e))]) (visit! c n)))
+
+(define (visit! c n)
+  (unless (hash-has-key? (collector-plans c) n)
+    (hash-set! (collector-plans c) n #f)
+    (make-plan! c n)
+    (add-met! c n)))
+
+(define (add-met! c x) (set-collector-met! c (cons x (collector-met c))))
+
+;; e stands for n; script : the proof of n = e
+(define (plan! c n e . script)
+  (visit-all! c e)
+  (hash-set! (collector-plans c) n (cons e script)))
+
+(define (make-plan! c n)
+  (define head (node-head n))
+  (define a (and (pair? (node-args n)) (car (node-args n))))
+  (define (of op e) (make-node op (list e)))
+  (define (half op)
+    (make-node op:/ (list (make-node op (list (of op:exp a) (of op:exp (e:negate a)))) 2)))
+  (define (by-exponentials name)
+    (define ns (collector-names c))
+    (format "unfold ~a; replace (- (~a)) with (~a) by ring; reflexivity." name (term a ns)
+            (term (e:negate a) ns)))
+  (cond [(memq head (list op:sin op:cos)) (set-collector-angles! c (cons n (collector-angles c)))]
+        [(eq? head op:exp) (set-collector-exponents! c (cons n (collector-exponents c)))]
+        [(eq? head op:tan) (plan! c n (e:/ (of op:sin a) (of op:cos a)) "reflexivity.")]
+        [(eq? head op:sinh) (plan! c n (half op:-) (by-exponentials "sinh"))]
+        [(eq? head op:cosh) (plan! c n (half op:+) (by-exponentials "cosh"))]
+        [(eq? head op:tanh) (plan! c n (e:/ (of op:sinh a) (of op:cosh a)) "reflexivity.")]
+        [(eq? head op:abs) (plan-modulus! c n a)]
+        [(eq? head op:sqrt) (plan-root! c n a)]
+        [(eq? head op:expt) (plan-power! c n a (cadr (node-args n)))]
+        [(literal-head? head) (plan-application! c n)]))
+
+;; What stands for e where all that is known so far is used.
+(define (resolved c e)
+  (let walk ([e e])
+    (cond [(not (node? e)) e]
+          [(hash-ref (collector-plans c) e #f) => (lambda (plan) (walk (car plan)))]
+          [else (rebuild (node-head e) (map walk (node-args e)))])))
+
+;; ---------------------------------------------------------------------------
+;; Absolute values, roots, powers, unknown functions
+
+(define (plan-modulus! c n a)
+  (case (weak-sign a (collector-assumptions c))
+    [(1) (plan! c n a "apply Rabs_pos_eq; nonnegative.")]
+    [(-1) (plan! c n (e:negate a) "rewrite Rabs_left1; [ring | nonpositive].")]))
+
+(define (plan-root! c n u)
+  (define-values (outer known rest) (root-parts u (collector-assumptions c)))
+  (define radicands (append known (if rest (list rest) '())))
+  (define (root r) (make-node op:sqrt (list r)))
+  (define product (for/fold ([e outer]) ([r (in-list radicands)]) (e:* e (root r))))
+  (unless (equal? product n)
+    (for ([r (in-list radicands)]) (visit-all! c r))
+    (when rest (add-met! c (rest-fact c rest u outer known)))
+    (for ([r (in-list radicands)] #:unless (hash-has-key? (collector-plans c) (root r)))
+      (hash-set! (collector-plans c) (root r) #f)
+      (add-met! c (root r)))
+    (plan! c n product "apply sqrt_lem_1. " "- nonnegative. - nonnegative. - " 'identity ".")))
+
+;; 0 <= rest, as rest = u over the square of what else is in the root
+(define (rest-fact c rest u outer known)
+  (define square
+    (for/fold ([e (e:expt outer 2)]) ([r (in-list known)]) (e:* e r)))
+  (visit-all! c square)
+  (define ns (collector-names c))
+  (fact 'known 0 (cons '<= rest)
+        (list (format "replace (~a) with (~a). " (term rest ns) (term (e:/ u square) ns))
+              "- nonnegative. - " 'identity ".")))
+
+(define (plan-power! c n base k)
+  (define-values (kind p) (split-power k))
+  (define root (make-node op:sqrt (list base)))
+  (case kind
+    [(root) (visit-all! c root)]
+    [(exponential)
+     (define exponent (e:* k (make-node op:log (list base))))
+     (plan! c n (make-node op:exp (list exponent))
+            "unfold Rpower; f_equal; " 'identity ".")]))
+
+;; Applications of one function to equal arguments become one.
+(define (plan-application! c n)
+  (define same
+    (for/first ([m (in-list (collector-applied c))] #:when (same-application? c m n)) m))
+  (if same
+      (plan! c n same "f_equal; " 'identity ".")
+      (set-collector-applied! c (cons n (collector-applied c)))))
+
+(define (same-application? c m n)
+  (and (head=? (node-head m) (node-head n))
+       (= (length (node-args m)) (length (node-args n)))
+       (for/and ([a (in-list (node-args m))] [b (in-list (node-args n))])
+         (and (expression? a) (expression? b)
+              (or (equal? a b)
+                  (eqv? 0 (simplify-expression (e:- a b) (collector-assumptions c))))))))
+
+;; ---------------------------------------------------------------------------
+;; Angles
+
+;; A sine of a greater multiple of a basic angle than this is not expanded.
+(define greatest-multiple 8)
+
+;; Plans for sines and cosines; -> the relations of those of basic angles
+(define (settle-angles! c)
+  (define nodes (reverse (collector-angles c)))
+  (define forms (for/list ([n (in-list nodes)]) (linear-terms (resolved c (car (node-args n))))))
+  (define-values (turns plain) (values (map turn-of forms) (map without-turn forms)))
+  (define b (basic-forms plain greatest-multiple #f))
+  (define unit (turn-unit turns))
+  (define angles (named-angles (basics-expressions b) nodes turns (basics-multiples b)))
+  (for ([n (in-list nodes)] [t (in-list turns)] [ms (in-list (basics-multiples b))])
+    (define all
+      (append (for/list ([m (in-list ms)]) (cons (list-ref angles (car m)) (cdr m)))
+              (if (eqv? t 0) '() (list (cons (e:* unit exact-pi) (/ t unit))))))
+    (plan-angle! c n all))
+  (append (append-map circle-facts angles)
+          (if unit (turn-facts unit) '())))
+
+;; The multiple of π in a form, and the form without it
+(define turn-monomial (list (cons exact-pi 1)))
+(define (turn? t) (equal? (cdr t) turn-monomial))
+(define (turn-of form)
+  (define t (findf turn? form))
+  (if t (car t) 0))
+(define (without-turn form) (filter (lambda (t) (not (turn? t))) form))
+
+;; The part of π that all turns are multiples of, or #f
+(define (turn-unit turns)
+  (define found (filter (lambda (t) (not (eqv? t 0))) turns))
+  (cond [(null? found) #f]
+        [else
+         (define q (apply lcm (map denominator found)))
+         (unless (memv q '(1 2 3 4 6)) (give-up "it holds sines of π/~a" q))
+         (/ 1 q)]))
+
+;; Basic angles as they are written in the claim, if they are
+(define (named-angles expressions nodes turns multiples)
+  (for/list ([e (in-list expressions)] [i (in-naturals)])
+    (define (alone sign)
+      (for/first ([n (in-list nodes)] [t (in-list turns)] [ms (in-list multiples)]
+                  #:when (and (eqv? t 0) (equal? ms (list (cons i sign)))))
+        (car (node-args n))))
+    (or (alone 1) e)))
+
+;; multiples : ((angle . integer) ...)
+(define (plan-angle! c n multiples)
+  (define sine? (eq? op:sin (node-head n)))
+  (define cosine+sine
+    (for/fold ([turn '(1 . 0)]) ([m (in-list multiples)])
+      (turn-product turn (multiple-turn (car m) (cdr m)))))
+  (define e ((if sine? cdr car) cosine+sine))
+  (unless (equal? e n)
+    (define ns (collector-names c))
+    (plan! c n e
+           (format "transitivity (~a (~a)); [f_equal; "
+                   (if sine? "sin" "cos") (sum-text multiples ns))
+           'identity
+           (format "| ~a]." (generic-proof "turns" multiples ns)))))
+
+(define (multiple-turn angle k)
+  (define (of op) (make-node op (list angle)))
+  (define t
+    (for/fold ([turn '(1 . 0)]) ([_ (in-range (abs k))])
+      (turn-product turn (cons (of op:cos) (of op:sin)))))
+  (if (negative? k) (cons (car t) (e:negate (cdr t))) t))
+
+;; turns : (cosine . sine)
+(define (turn-product t u)
+  (cons (e:- (e:* (car t) (car u)) (e:* (cdr t) (cdr u)))
+        (e:+ (e:* (cdr t) (car u)) (e:* (car t) (cdr u)))))
+
+;; a + a + - b
+(define (sum-text multiples ns)
+  (define terms
+    (for*/list ([m (in-list multiples)] [_ (in-range (abs (cdr m)))])
+      (format "~a(~a)" (if (negative? (cdr m)) "- " "") (term (car m) ns))))
+  (if (null? terms)
+      "0"
+      (for/fold ([text (car terms)]) ([t (in-list (cdr terms))]) (string-append text " + " t))))
+
+;; The addition formulas hold for any angles: those of the claim are put in last.
+(define (generic-proof tactic multiples ns)
+  (format "~a~a"
+          (apply string-append
+                 (for/list ([m (in-list multiples)])
+                   (format "generalize (~a); " (term (car m) ns))))
+          (format "intros; ~a" tactic)))
+
+(define (circle-facts angle)
+  (define (of op) (make-node op (list angle)))
+  (list (fact 'relation (make-node op:* (list (of op:sin) (of op:sin)))
+              (make-node op:- (list 1 (make-node op:* (list (of op:cos) (of op:cos)))))
+              '("apply sine_squared."))))
+
+;; The sine and cosine of a part of π
+(define (turn-facts unit)
+  (define q (/ 1 unit))
+  (define angle (e:* unit exact-pi))
+  (define (root n) (make-node op:sqrt (list n)))
+  (define-values (s c)
+    (case q
+      [(1) (values 0 -1)]
+      [(2) (values 1 0)]
+      [(3) (values (e:/ (root 3) 2) 1/2)]
+      [(4) (values (e:/ (root 2) 2) (e:/ (root 2) 2))]
+      [(6) (values 1/2 (e:/ (root 3) 2))]))
+  (define (value op e) (fact 'value (make-node op (list angle)) e (list (format "turn_~a." q))))
+  (append (list (value op:sin s) (value op:cos c))
+          (case q
+            [(3 6) (list (root-relation (root 3)))]
+            [(4) (list (root-relation (root 2)))]
+            [else '()])))
+
+;; ---------------------------------------------------------------------------
+;; Exponentials
+
+(define (settle-exponents! c)
+  (define nodes (reverse (collector-exponents c)))
+  (define forms (for/list ([n (in-list nodes)]) (linear-terms (resolved c (car (node-args n))))))
+  (define b (basic-forms (append forms (logarithms forms)) greatest-multiple #t))
+  (for ([n (in-list nodes)] [ms (in-list (basics-multiples b))])
+    (plan-exponential! c n (for/list ([m (in-list ms)])
+                             (cons (list-ref (basics-expressions b) (car m)) (cdr m)))))
+  (append-map exponential-facts (basics-expressions b)))
+
+(define (plan-exponential! c n multiples)
+  (define e
+    (for/fold ([product 1]) ([m (in-list multiples)])
+      (e:* product (e:expt (make-node op:exp (list (car m))) (cdr m)))))
+  (unless (equal? e n)
+    (define ns (collector-names c))
+    (plan! c n e
+           (format "transitivity (exp (~a)); [f_equal; " (sum-text multiples ns))
+           'identity
+           (format "| ~a]." (generic-proof "exponents" multiples ns)))))
+
+;; exp b is not 0; where b is a part of a logarithm a power of it is known.
+(define (exponential-facts b)
+  (define e (make-node op:exp (list b)))
+  (define terms (linear-terms b))
+  (define l (and (= 1 (length terms)) (logarithm-of (cdar terms))))
+  (define q (and l (/ 1 (caar terms))))
+  (cons (fact 'known e (cons '<> 0) '("apply Rgt_not_eq; apply exp_pos."))
+        (cond [(eqv? q 1) (list (fact 'value e l '("apply exp_ln; positive.")))]
+              [(and q (exact-positive-integer? q))
+               (list (fact 'relation (e:expt e q) l '("rewrite <- exp_pow_ln; [reflexivity | positive].")))]
+              [else '()])))
+
+;; Of the logarithms in forms themselves, so that powers of e to them are whole ones.
+(define (logarithms forms)
+  (for*/list ([f (in-list forms)] [t (in-list f)] #:when (logarithm-of (cdr t)))
+    (list (cons 1 (cdr t)))))
+
+(define (logarithm-of monomial)
+  (and (= 1 (length monomial))
+       (eqv? 1 (cdar monomial))
+       (headed? (caar monomial) op:log)
+       (car (node-args (caar monomial)))))
+
+;; ---------------------------------------------------------------------------
+
+;; n : a node that was met, or a fact that was put among them
+(define (facts-of c n)
+  (define plan (and (node? n) (hash-ref (collector-plans c) n #f)))
+  (cond [(fact? n) (list n)]
+        [plan (list (fact 'value n (car plan) (cdr plan)))]
+        [(headed? n op:sqrt) (list (root-relation n))]
+        [(headed? n op:abs) (list (modulus-relation n))]
+        [else '()]))
+
+(define (root-relation n)
+  (fact 'relation (make-node op:* (list n n)) (car (node-args n))
+        '("apply sqrt_sqrt; nonnegative.")))
+
+(define (modulus-relation n)
+  (define a (car (node-args n)))
+  (fact 'relation (make-node op:* (list n n)) (make-node op:* (list a a))
+        '("apply modulus_squared.")))

@@ -1,0 +1,96 @@
+(* How the proofs below go on: nothing here is assumed, all is proved from Coq's library. *)
+
+Lemma sine_squared : forall x : R, sin x * sin x = 1 - cos x * cos x.
+Proof. intro x. pose proof (sin2_cos2 x) as H. unfold Rsqr in H. lra. Qed.
+
+Lemma modulus_squared : forall x : R, Rabs x * Rabs x = x * x.
+Proof. intro x. rewrite <- Rabs_mult. apply Rabs_pos_eq. apply Rle_0_sqr. Qed.
+
+Ltac turns :=
+  repeat rewrite ?Ropp_0, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_0, ?cos_0; ring.
+Ltac exponents :=
+  repeat rewrite ?Ropp_0, ?exp_plus, ?exp_Ropp, ?exp_0; field; repeat split; apply Rgt_not_eq, exp_pos.
+
+(* Signs, by the form of an expression and by what is given. *)
+Ltac positive :=
+  first [ assumption | lra
+        | match goal with
+          | |- 0 < _ * _ => apply Rmult_lt_0_compat; positive
+          | |- 0 < _ / _ => apply Rdiv_lt_0_compat; positive
+          | |- 0 < / _ => apply Rinv_0_lt_compat; positive
+          | |- 0 < sqrt _ => apply sqrt_lt_R0; positive
+          | |- 0 < exp _ => apply exp_pos
+          | |- 0 < _ ^ _ => apply pow_lt; positive
+          | |- 0 < Rabs _ => apply Rabs_pos_lt; nonzero_factor
+          | |- 0 < _ + _ => first [ apply Rplus_lt_0_compat; positive
+                                  | apply Rplus_lt_le_0_compat; [positive | nonnegative]
+                                  | apply Rplus_le_lt_0_compat; [nonnegative | positive] ]
+          end
+        | match goal with
+          | H : ?x <> 0 |- 0 < ?x =>
+              apply Rnot_le_lt; intro; apply H; apply Rle_antisym; [assumption | nonnegative]
+          | H : ?x <> 0 |- 0 < ?x * ?x => apply Rsqr_pos_lt, H
+          | H : ?x <> 0 |- 0 < ?x ^ 2 => rewrite <- Rsqr_pow2; apply Rsqr_pos_lt, H
+          end
+        | nra ]
+with nonnegative :=
+  first [ assumption | lra
+        | match goal with
+          | |- 0 <= sqrt _ => apply sqrt_pos
+          | |- 0 <= Rabs _ => apply Rabs_pos
+          | |- 0 <= ?x * ?x => apply Rle_0_sqr
+          | |- 0 <= _ ^ 2 => apply pow2_ge_0
+          | |- 0 <= _ * _ => apply Rmult_le_pos; nonnegative
+          | |- 0 <= _ / _ => apply Rmult_le_pos; [nonnegative | nonnegative]
+          | |- 0 <= / _ => left; apply Rinv_0_lt_compat; positive
+          | |- 0 <= _ ^ _ => apply pow_le; nonnegative
+          | |- 0 <= _ + _ => apply Rplus_le_le_0_compat; nonnegative
+          end
+        | left; positive
+        | nra ]
+with nonzero_factor :=
+  first [ assumption
+        | lra
+        | match goal with
+          | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; nonzero_factor
+          | |- _ ^ _ <> 0 => apply pow_nonzero; nonzero_factor
+          | |- / _ <> 0 => apply Rinv_neq_0_compat; nonzero_factor
+          | |- Rabs _ <> 0 => apply Rabs_no_R0; nonzero_factor
+          | |- - _ <> 0 => apply Ropp_neq_0_compat; nonzero_factor
+          end
+        | apply Rgt_not_eq; positive
+        | match goal with
+          | H : ?d <> 0 |- ?x <> 0 =>
+              let Z := fresh "Z" in
+              intro Z; apply H; solve [ rewrite Z; field; repeat split; assumption
+                                      | rewrite Z; unfold Rdiv; ring
+                                      | ring [Z] ]
+          | H : ?d <> 0 |- ?x <> 0 =>
+              let Z := fresh "Z" in
+              intro Z; apply H; solve [ field_simplify_eq; [nsatz | repeat split; assumption]
+                                      | nsatz ]
+          end ].
+Ltac nonzero := repeat split; nonzero_factor.
+Ltac nonpositive := first [ assumption | lra | nra ].
+
+(* At numbers between 0 and 3/2 sines and cosines are between 0 and 1. *)
+Ltac bound_waves :=
+  repeat match goal with
+  | |- context [cos ?a] =>
+      lazymatch goal with
+      | H : 0 < cos a < 1 |- _ => fail
+      | _ => assert (0 < cos a < 1) by
+               (pose proof PI2_3_2; split; [apply cos_gt_0; lra |];
+                apply Rlt_le_trans with (cos 0);
+                [apply cos_decreasing_1; lra | rewrite cos_0; lra])
+      end
+  | |- context [sin ?a] =>
+      lazymatch goal with
+      | H : 0 < sin a < 1 |- _ => fail
+      | _ => assert (0 < sin a < 1) by
+               (pose proof PI2_3_2; split; [apply sin_gt_0; lra |];
+                apply Rlt_le_trans with (sin (PI / 2));
+                [apply sin_increasing_1; lra | rewrite sin_PI2; lra])
+      end
+  end.
+Ltac at_numbers := first [ exact I | lra | bound_waves; first [ lra | positive | nonnegative | nonzero ] ].

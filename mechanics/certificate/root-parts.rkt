@@ -1,0 +1,67 @@
+#lang racket/base
+;; A square root as a product: √(4 x²y) = 2 |x| √y.
+;;
+;; The radicand is factored.  A factor of which the sign is known leaves the root with half of its
+;; exponent; of unknown ones even powers leave it as absolute values, and what is left stays under
+;; one root, without divisors.
+
+(require racket/list
+         "Coq-term.rkt"
+         (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
+         "../algebra/expression/exact-numbers.rkt" "../algebra/expression/expression.rkt"
+         "../algebra/expression/operation.rkt"
+         "../algebra/rewriting/factor.rkt"
+         "../algebra/simplify/simplify-expression.rkt")
+
+(provide root-parts weak-sign)
+
+;; u : radicand; A : assumptions
+;; -> what stands before the root, the radicands of the roots that are left, all but the last known
+;; not to be negative, and the last or #f
+(define (root-parts u A)
+  (define-values (factored _) (factored-expression u (with-automatic-assumptions A #f)))
+  (define-values (number factors) (product-parts factored))
+  (define-values (outer roots rest sign)
+    (for/fold ([outer 1] [roots '()] [rest 1] [sign (if (negative? number) -1 1)])
+              ([f (in-list factors)])
+      (define-values (base k) (values (car f) (cdr f)))
+      (define s (weak-sign base A))
+      (define size (e:* (or s 1) base))
+      (define half (floor (/ k 2)))
+      (define whole (e:expt (if s size (make-node op:abs (list base))) half))
+      (cond [(even? k) (values (e:* outer whole) roots rest sign)]
+            [s (values (e:* outer whole) (cons size roots) rest (* s sign))]
+            [else (values (e:* outer whole) roots (e:* rest base) sign)])))
+  (when (and (eqv? rest 1) (eqv? sign -1)) (give-up "a radicand is negative"))
+  (define-values (whole primes) (number-root (abs number)))
+  (values (e:* whole outer)
+          (append primes (reverse roots))
+          (and (not (eqv? rest 1)) (e:* sign rest))))
+
+;; √q = whole √p₁ √p₂ ...
+(define (number-root q)
+  (for/fold ([whole 1] [primes '()]) ([f (in-list (number-factors q))])
+    (values (* whole (expt (car f) (floor (/ (cdr f) 2))))
+            (if (odd? (cdr f)) (cons (car f) primes) primes))))
+
+;; -> the number, and ((base . exponent) ...)
+(define (product-parts e [k 1])
+  (define args (if (node? e) (node-args e) '()))
+  (define (all es ks)
+    (for/fold ([number 1] [factors '()]) ([a (in-list es)] [k (in-list ks)])
+      (define-values (n more) (product-parts a k))
+      (values (* number n) (append factors more))))
+  (cond [(number? e) (values (expt (rational-constant e) k) '())]
+        [(headed? e op:*) (all args (map (lambda (_) k) args))]
+        [(headed? e op:/) (all args (list k (- k)))]
+        [(and (node? e) (integer-power? e)) (product-parts (car args) (* k (cadr args)))]
+        [else (values 1 (list (cons e k)))]))
+
+;; 1 if e is known not to be negative, -1 if not to be positive, else #f
+(define (weak-sign e A)
+  (define B (with-automatic-assumptions A #f))
+  (define (simple x) (simplify-expression x B))
+  (define size (simple (make-node op:abs (list e))))
+  (cond [(equal? size (simple e)) 1]
+        [(equal? size (simple (e:negate e))) -1]
+        [else #f]))

@@ -1,0 +1,64 @@
+#lang racket/base
+;; `raco mechanics certify FILE`: a certificate for each proved verdict that a program shows, and
+;; what Coq says of it.
+
+(require racket/file racket/list racket/path racket/string
+         "program-verdicts.rkt" "written-files.rkt"
+         "../../certificate/certificate.rkt" "../../certificate/Coq-check.rkt"
+         "../../error/message-words.rkt"
+         "../../generic/describe.rkt"
+         "../../verdict/verdict.rkt")
+
+(provide certify-command)
+
+(define who 'certify)
+
+(define (certify-command arguments)
+  (define-values (file option) (read-arguments who arguments #:switches '("--write")))
+  (define path (simple-form-path file))
+  (define-values (all problem) (program-verdicts who path file))
+  (define proved (filter (lambda (s) (proved? (shown-verdict-verdict s))) all))
+  (define folder (simple-form-path (or (option "-o") (path-replace-extension path "-certificates"))))
+  (define coqc (and (not (option "--write")) (find-Coq)))
+  (when problem (eprintf "certify: ~a did not run to its end:\n~a\n" file problem))
+  (define good (certify-all proved folder (identifier-of path) coqc))
+  (print-sum (length proved) good (length all) coqc (option "--write"))
+  (if (or problem (not (= good (length proved)))) 1 0))
+
+;; A file of Coq is named by letters, digits and underscores.
+(define (identifier-of path)
+  (define name (path->string (path-replace-extension (file-name-from-path path) #"")))
+  (define plain (regexp-replace* #px"[^A-Za-z0-9_]" name "_"))
+  (if (regexp-match? #px"^[A-Za-z]" plain) plain (string-append "p" plain)))
+
+;; -> how many certificates are written, and accepted where there is Coq
+(define (certify-all proved folder name coqc)
+  (when (pair? proved) (make-directory* folder))
+  (for/sum ([s (in-list proved)] [k (in-naturals 1)])
+    (define c (certificate-or-reason (shown-verdict-verdict s)))
+    (printf "~a\n" (brief (shown-verdict-form s)))
+    (cond [(string? c) (printf "    no certificate yet: ~a\n" c) 0]
+          [else
+           (define file (build-path folder (format "~a_~a.v" name k)))
+           (write-certificate c file)
+           (printf "    ~a: ~a\n" (short-path file) c)
+           (if (or (not coqc) (accepted? coqc c)) 1 0)])))
+
+(define (accepted? coqc c)
+  (define j (check-by-Coq coqc (certificate-text c)))
+  (define seconds (/ (round (* 10 (judgement-seconds j))) 10.0))
+  (if (judgement-accepted? j)
+      (printf "    accepted by Coq in ~a s\n" seconds)
+      (printf "    NOT accepted by Coq, ~a s: ~a\n" seconds
+              (string-join (string-split (judgement-message j)) " ")))
+  (judgement-accepted? j))
+
+(define (brief form)
+  (define text (value->text form))
+  (if (> (string-length text) 90) (string-append (substring text 0 87) "...") text))
+
+(define (print-sum proved good all coqc only-written?)
+  (printf "~a shown, ~a proved, ~a ~a\n" (counted all "verdict") proved good
+          (if coqc "accepted by Coq" "with a certificate"))
+  (unless (or coqc only-written?)
+    (printf "Coq is not there to check them: on Debian, apt-get install coq libcoq-coquelicot\n")))
