@@ -7,12 +7,13 @@
          "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
          "../scale/export/variable-names.rkt")
 
-(provide make-names name-of names-symbols names-functions function-type flat-arguments
+(provide make-names names-without name-of names-symbols names-functions names-texts function-type flat-arguments
          (struct-out unknown-function))
 
 ;; table : symbol or unknown-function -> string
 ;; symbols, functions : those of the expressions, in order
-(struct names (table symbols functions) #:authentic)
+;; texts : node -> its text; so that equal nodes, b + a and a + b, have one text, which `rewrite` finds
+(struct names (table symbols functions texts) #:authentic)
 
 ;; index : as of a literal head; arity : how many real numbers it takes
 (struct unknown-function (name index arity) #:transparent)
@@ -26,7 +27,11 @@
     (identifiers (append symbols (map function-symbol functions)) words-of-Coq))
   (names (for/hash ([x (in-list (append symbols functions))] [text (in-list texts)])
            (values x text))
-         symbols functions))
+         symbols functions (make-hash)))
+
+;; Without these symbols, which keep their names
+(define (names-without ns symbols)
+  (struct-copy names ns [symbols (remq* symbols (names-symbols ns))]))
 
 (define (name-of ns x) (hash-ref (names-table ns) x))
 

@@ -29,7 +29,14 @@
     (cond [(number? x) (number-text x)]
           [(pi-symbol? x) (number-times-pi (pi-multiple x))]
           [else (written (name-of ns x) atom)]))
-  (at-level (node-fold e leaf (lambda (n parts) (node-text n parts ns))) least))
+  (define (walk e)
+    (if (node? e)
+        (or (hash-ref (names-texts ns) e #f)
+            (let ([w (node-text e (map walk (node-args e)) ns)])
+              (hash-set! (names-texts ns) e w)
+              w))
+        (leaf e)))
+  (at-level (walk e) least))
 
 (define (at-level w least)
   (if (>= (written-level w) least) (written-text w) (string-append "(" (written-text w) ")")))

@@ -2,7 +2,8 @@
 ;; Certificates: a proved verdict as a theorem that the proof assistant Coq checks.
 
 (require racket/list racket/string
-         "Coq-term.rkt" "identity-theorem.rkt" "proof-script.rkt"
+         "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt" "proof-script.rkt"
+         "theorem-text.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/output-file.rkt" "../generic/value-struct.rkt"
@@ -41,7 +42,20 @@
 ;; v : a proved verdict -> certificate, or a string that says why there is none yet
 (define (certificate-or-reason v)
   (with-handlers ([no-certificate? no-certificate-reason])
-    (identity-certificate v)))
+    (or (motion-certificate v) (identity-certificate v))))
+
+;; -> certificate of level 2, or #f where there is none
+(define (motion-certificate v)
+  (define m (claim-subject (verdict-claim v)))
+  (define th
+    (and m
+         (with-handlers ([no-certificate? (lambda (_) #f)])
+           (motion-theorem m (verdict-assumptions v)))))
+  (and th
+       (proof-certificate
+        2
+        (words "the path is a motion of the Lagrangian" th "by Coq's own derivatives")
+        (file-text th #t))))
 
 (define (identity-certificate v)
   (define c (verdict-claim v))
@@ -53,19 +67,25 @@
   (define th
     (identity-theorem (if (null? stated) '(0) (remove-duplicates stated))
                       (claim-domain c) (verdict-assumptions v)))
-  (proof-certificate 1 (words th (length residuals)) (file-text th)))
+  (proof-certificate
+   1
+   (words (if (= 1 (length residuals))
+              "the residual is zero"
+              (format "the ~a components of the residual are zero" (length residuals)))
+          th "the identity, the derivatives are ours")
+   (file-text th #f)))
 
-(define (words th n)
-  (format "a theorem of Coq: ~a zero~a; the identity, the derivatives are ours"
-          (if (= n 1) "the residual is" (format "the ~a components of the residual are" n))
-          (case (theorem-hypotheses th)
-            [(0) ""]
-            [(1) " under 1 hypothesis"]
-            [else (format " under ~a hypotheses" (theorem-hypotheses th))])))
+(define (words claim th kind)
+  (define n (theorem-hypotheses th))
+  (format "a theorem of Coq: ~a~a; ~a" claim
+          (if (= n 0) "" (format " under ~a hypothes~as" n (if (= n 1) "i" "e")))
+          kind))
 
-(define (file-text th)
+(define (file-text th derivatives?)
   (string-append
    "(* A certificate made by mechanics. To check it: coqc FILE.v *)\n"
-   "Require Import Reals Lra Psatz Nsatz.\nOpen Scope R_scope.\n\n"
+   "Require Import Reals Lra Psatz Nsatz.\n"
+   (if derivatives? "From Coquelicot Require Import Coquelicot.\n" "")
+   "Open Scope R_scope.\n\n"
    (proof-tactics) "\n" (theorem-text th)
    "Print Assumptions claim.\nPrint Assumptions not_vacuous.\n"))

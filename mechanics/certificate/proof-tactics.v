@@ -58,7 +58,7 @@ with nonzero_factor :=
           | |- Rabs _ <> 0 => apply Rabs_no_R0; nonzero_factor
           | |- - _ <> 0 => apply Ropp_neq_0_compat; nonzero_factor
           end
-        | apply Rgt_not_eq; positive
+        | apply not_eq_sym, Rlt_not_eq; positive
         | match goal with
           | H : ?d <> 0 |- ?x <> 0 =>
               let Z := fresh "Z" in
@@ -94,3 +94,6 @@ Ltac bound_waves :=
       end
   end.
 Ltac at_numbers := first [ exact I | lra | bound_waves; first [ lra | positive | nonnegative | nonzero ] ].
+
+(* What the derivative of a function asks for. *)
+Ltac conditions := repeat split; first [ exact I | positive | nonzero ].

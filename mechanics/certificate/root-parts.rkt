@@ -7,9 +7,12 @@
 
 (require racket/list
          "Coq-term.rkt"
-         (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
+         (only-in "../algebra/assumption/assumption-set.rkt"
+                  no-assumptions with-automatic-assumptions)
          "../algebra/expression/exact-numbers.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/expression/operation.rkt"
+         "../algebra/expression/nodes.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/field/field.rkt" "../algebra/kernel/kernel.rkt"
+         "../algebra/polynomial/fraction.rkt" "../algebra/polynomial/polynomial.rkt"
          "../algebra/rewriting/factor.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
@@ -55,7 +58,22 @@
         [(headed? e op:*) (all args (map (lambda (_) k) args))]
         [(headed? e op:/) (all args (list k (- k)))]
         [(and (node? e) (integer-power? e)) (product-parts (car args) (* k (cadr args)))]
+        [(some-node? (lambda (n) (headed? n op:/)) e)
+         (define-values (above below) (plain-fraction e))
+         (product-parts (e:/ above below) k)]
         [else (values 1 (list (cons e k)))]))
+
+;; Numerator and denominator as sums of terms, without divisors in them: a/b - 1 is (a - b)/b.
+(define (plain-fraction e)
+  (define-values (F f _) (normal-form e (with-automatic-assumptions no-assumptions #f)))
+  (define (plain p)
+    (for/fold ([sum 0]) ([t (in-list (summands F p))])
+      (e:+ sum
+           (for/fold ([product (car t)]) ([x (in-list (cdr t))])
+             (e:* product (e:expt (kernel-expression (power-base x)) (power-exponent x)))))))
+  (values (plain (fraction-numerator f))
+          (for/fold ([product 1]) ([h (in-list (fraction-denominator-factors f))])
+            (e:* product (e:expt (plain (power-base h)) (power-exponent h))))))
 
 ;; 1 if e is known not to be negative, -1 if not to be positive, else #f
 (define (weak-sign e A)

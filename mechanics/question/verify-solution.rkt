@@ -8,7 +8,7 @@
          "../hamiltonian/as-Lagrangian.rkt"
          "../lagrangian/external-force.rkt" "../lagrangian/Lagrange-equations.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/swapped-arguments.rkt"
-         "../verdict/prove-zero.rkt")
+         "../verdict/prove-zero.rkt" (only-in "../verdict/verdict.rkt" motion-claim))
 
 (require-on-demand
  ["../constraint/eliminate.rkt" eliminate-multipliers]
@@ -40,6 +40,7 @@
       #:remarks (lambda () (remarks-on-solution L q n))
       #:surveys (lambda () (surveys-of-solution L q n outside constraints residual))
       #:meaning (lambda () (meaning-of-solution L q n outside))
+      #:about (and (eqv? n 1) (not constraints) (motion-claim L q outside))
       #:again (lambda (change)
                 (define (if-any x) (and x (change x)))
                 (verify-solution (change L) (change q) (if-any dissipation)

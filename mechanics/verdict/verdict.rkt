@@ -14,7 +14,7 @@
          ;; for those who ask again
          verdict-question verdict-given with-remark with-readings
          ;; for certificates
-         verdict-claim verdict-tests (struct-out claim))
+         verdict-claim verdict-tests (struct-out claim) (struct-out motion-claim))
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
@@ -51,8 +51,10 @@
 
 ;; value   : the residual as the question states it, nothing simplified
 ;; domain  : expressions that are to have a real value as well
-;; subject : #f, or what was asked: the name of the question and what it was asked about
+;; subject : #f, or what was asked
 (struct claim (value domain subject) #:authentic)
+;; The path q is a motion of the Lagrangian L under a force outside L, or #f.
+(struct motion-claim (L q force) #:authentic)
 
 ;; The verdict with one more remark, before the others.
 (define (with-remark v text)

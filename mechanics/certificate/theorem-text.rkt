@@ -1,0 +1,102 @@
+#lang racket/base
+;; What the files of all theorems have in common: hypotheses as a definition, that they hold together
+;; at a point, names and lines.
+
+(require racket/list racket/string
+         "Coq-names.rkt" "Coq-term.rkt" "example-point.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/read.rkt"
+         "../value/algebra.rkt"
+         (only-in "../algebra/assumption/assumption-set.rkt" no-assumptions))
+
+(provide (struct-out theorem) relation-sides relations->assumptions
+         hypotheses-text example-text given-pattern
+         binders all-names symbol-names for-all wrapped)
+
+;; text       : Coq's, without what all certificates have in common
+;; hypotheses : how many
+(struct theorem (text hypotheses) #:authentic)
+
+;; Assumptions that the algebra knows, as far as it can
+(define (relations->assumptions ds)
+  (with-relations no-assumptions (filter-map declarable ds)))
+
+(define (relation-sides d)
+  (for/list ([x (in-list (cdr d))]) (if (expression? x) x (datum->expression x))))
+
+;; The relation as assumptions know it
+(define (declarable d)
+  (define sides (map expression->datum (relation-sides d)))
+  (case (car d)
+    [(<>) (and (eqv? 0 (cadr sides)) (list '> (list 'abs (car sides)) 0))]
+    [(= ) #f]
+    [else (cons (car d) sides)]))
+
+;; ---------------------------------------------------------------------------
+;; The text
+
+;; (a m t : R) (U : R -> R)
+(define (binders ns)
+  (string-join
+   (append (if (null? (names-symbols ns))
+               '()
+               (list (format "(~a : R)" (string-join (symbol-names ns) " "))))
+           (for/list ([f (in-list (names-functions ns))])
+             (format "(~a : ~a)" (name-of ns f) (function-type f))))
+   " "))
+
+(define (symbol-names ns) (map (lambda (s) (name-of ns s)) (names-symbols ns)))
+(define (all-names ns)
+  (append (symbol-names ns) (map (lambda (f) (name-of ns f)) (names-functions ns))))
+
+(define (hypotheses-text assumed domain ns)
+  (define (listed title ds)
+    (if (null? ds)
+        '()
+        (list (cons (format "  (* ~a *)" title) (map (lambda (d) (relation-text d ns)) ds)))))
+  (define groups
+    (append (listed "assumed" assumed)
+            (listed "domain: each part of the claim has a value"
+                    (filter (lambda (d) (not (member d assumed))) domain))))
+  (format "Definition hypotheses ~a : Prop :=\n~a.\n\n" (binders ns)
+          (if (null? groups)
+              "  True"
+              (string-join (for/list ([g (in-list groups)])
+                             (format "~a\n  ~a" (car g) (string-join (cdr g) " /\\\n  ")))
+                           " /\\\n"))))
+
+;; What takes so many hypotheses apart, as given_1, given_2 ...
+(define (given-pattern count)
+  (define given (for/list ([i (in-range 1 (+ count 1))]) (format "given_~a" i)))
+  (cond [(null? given) "given"]
+        [(null? (cdr given)) (car given)]
+        [else (format "(~a)" (string-join given " & "))]))
+
+(define (for-all ns)
+  (define b (binders ns))
+  (if (string=? b "") "" (format "forall ~a," b)))
+
+(define (example-text hypotheses ns)
+  (define values (example-values hypotheses ns))
+  (define witnesses
+    (append (for/list ([s (in-list (names-symbols ns))])
+              (format "(~a)" (term (cdr (assoc s values)) ns)))
+            (for/list ([f (in-list (names-functions ns))])
+              (format "(fun ~a => ~a)"
+                      (string-join (for/list ([_ (in-range (unknown-function-arity f))]) "_") " ")
+                      (term (cdr (assoc f values)) ns)))))
+  (define b (binders ns))
+  (format "~a\nProof. ~aunfold hypotheses; repeat split; at_numbers. Qed.\n\n"
+          (wrapped (format "Theorem not_vacuous : ~ahypotheses ~a."
+                           (if (string=? b "") "" (format "exists ~a, " b))
+                           (string-join (all-names ns) " ")))
+          (if (null? witnesses) "" (format "exists ~a. " (string-join witnesses ", ")))))
+
+;; Lines of at most so many columns, broken at spaces.
+(define (wrapped text)
+  (define-values (lines line)
+    (for/fold ([lines '()] [line #f]) ([word (in-list (string-split text " "))])
+      (cond [(not line) (values lines word)]
+            [(> (+ (string-length line) (string-length word)) 94)
+             (values (cons line lines) (string-append "    " word))]
+            [else (values lines (string-append line " " word))])))
+  (string-join (reverse (cons (or line "") lines)) "\n"))
