@@ -21,7 +21,7 @@ endif
 # Here sources change: what is compiled is compared with them, whatever is usual with you.
 unexport PLT_COMPILED_FILE_CHECK
 
-.PHONY: new worksheet handout check autograder
+.PHONY: certify new worksheet handout check autograder
 .PHONY: new-file worksheet-file handout-file check-file autograder-file
 .PHONY: help demo repl lab lab-installed notebooks run show tex export attack mutants lint \
         lint-texts install uninstall test tests test-quick test-manual test-figures test-export test-lab \
@@ -51,6 +51,7 @@ help:
 	@echo 'make test-lab     the kernel of notebooks, and notebooks in a browser (installs them in build/lab)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make mutants small changes of the library, which tests are to notice  (ROOM=..., N=10 of each, SEED=1)'
+	@echo 'make certify  proofs for the proof assistant Coq, where it is installed   (NEIGHBOURS=3 of each claim)'
 	@echo 'make lint    requires of which no name is used, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one; TASK=lab: thirty kernels)'
 	@echo 'make peers   what benchmarks compare with, in a Python environment in build/python'
@@ -189,6 +190,14 @@ attack: writable compile
 	@$(RACO) make tests/mechanics/attack/main.rkt tests/mechanics/attack/worker.rkt
 	@$(RACKET) tests/mechanics/attack/main.rkt --count $(N) --seed $(SEED) --jobs $(JOBS) \
 	    $(if $(CLASS),--class $(CLASS))
+
+# Certificates of claims and examples, checked by Coq, and false neighbours, which it rejects.
+NEIGHBOURS ?= 3
+certify: writable compile
+	@$(call try-to-compile,$(CERTIFY))
+	@$(RACKET) $(CERTIFY) --jobs $(JOBS) --neighbours $(NEIGHBOURS)
+
+CERTIFY = tests/mechanics/support/certification/certify-all.rkt
 
 lint: compile
 	@$(call try-to-compile,.ci/lint.rkt)

@@ -39,7 +39,7 @@
          "dynamics/on-demand.rkt"
          "motion/on-demand.rkt"
          (only-in "error/progress.rkt" report-progress)
-         "question/on-demand.rkt"
+         "certificate/on-demand.rkt" "question/on-demand.rkt"
          "rigid/on-demand.rkt"
          "search/on-demand.rkt"
          "teaching/derivation/on-demand.rkt"
@@ -89,6 +89,8 @@
  Noether-integral
  ;; questions about a system
  (all-from-out "question/on-demand.rkt")
+ ;; theorems of Coq made of proved verdicts
+ (all-from-out "certificate/on-demand.rkt")
  ;; functions of local tuples
  Euler-Lagrange-operator Dt clip-state trim-last-argument
  (all-from-out "teaching/derivation/on-demand.rkt")

@@ -12,7 +12,9 @@
          "../verdict/verdict.rkt")
 
 (provide certificate write-certificate certificate-or-reason certificate?
-         certificate-text certificate-level)
+         certificate-text certificate-level
+         ;; for tests
+         theorem-file)
 
 ;; level : 1, the identity alone, or 2, the claim with its derivatives
 ;; text  : of the file
@@ -48,32 +50,47 @@
 (define (motion-certificate v)
   (define m (claim-subject (verdict-claim v)))
   (define th
-    (and m
+    (and (motion-claim? m)
          (with-handlers ([no-certificate? (lambda (_) #f)])
            (motion-theorem m (verdict-assumptions v)))))
   (and th
        (proof-certificate
         2
         (words "the path is a motion of the Lagrangian" th "by Coq's own derivatives")
-        (file-text th #t))))
+        (theorem-file th #t))))
 
 (define (identity-certificate v)
   (define c (verdict-claim v))
-  (define residuals
-    (for/list ([e (in-list (filter expression? (leaves (claim-value c))))]
-               [z (in-list (verdict-tests v))])
-      (with-decimals-read e (zero-test-decimals z))))
-  (define stated (filter (lambda (e) (not (eqv? e 0))) residuals))
+  (define equations (filter (lambda (q) (not (equal? q '(0 . 0)))) (equations-of v)))
+  (when (null? equations) (give-up "it vanishes as it is formed, and nothing is left to state"))
   (define th
-    (identity-theorem (if (null? stated) '(0) (remove-duplicates stated))
-                      (claim-domain c) (verdict-assumptions v)))
+    (identity-theorem (remove-duplicates equations) (claim-domain c) (verdict-assumptions v)))
   (proof-certificate
    1
-   (words (if (= 1 (length residuals))
-              "the residual is zero"
-              (format "the ~a components of the residual are zero" (length residuals)))
+   (words (cond [(equality-claim? (claim-subject c)) "both sides are equal"]
+                [(null? (cdr (verdict-tests v))) "the residual is zero"]
+                [else (format "the ~a components of the residual are zero"
+                              (length (verdict-tests v)))])
           th "the identity, the derivatives are ours")
-   (file-text th #f)))
+   (theorem-file th)))
+
+;; -> ((left . right) ...), expressions: the sides of an equality, or residuals and 0
+(define (equations-of v)
+  (define c (verdict-claim v))
+  (define tests (verdict-tests v))
+  (define (exact es)
+    (for/list ([e (in-list es)] [z (in-list tests)])
+      (if (expression? e) (with-decimals-read e (zero-test-decimals z)) e)))
+  (define-values (lefts rights)
+    (if (equality-claim? (claim-subject c))
+        (values (exact (leaves (equality-claim-left (claim-subject c))))
+                (exact (leaves (equality-claim-right (claim-subject c)))))
+        (values '() '())))
+  (define residuals (exact (leaves (claim-value c))))
+  (if (and (= (length tests) (length lefts) (length rights))
+           (andmap expression? (append lefts rights)))
+      (map cons lefts rights)
+      (map (lambda (e) (cons e 0)) residuals)))
 
 (define (words claim th kind)
   (define n (theorem-hypotheses th))
@@ -81,7 +98,7 @@
           (if (= n 0) "" (format " under ~a hypothes~as" n (if (= n 1) "i" "e")))
           kind))
 
-(define (file-text th derivatives?)
+(define (theorem-file th [derivatives? #f])
   (string-append
    "(* A certificate made by mechanics. To check it: coqc FILE.v *)\n"
    "Require Import Reals Lra Psatz Nsatz.\n"

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The identity of a verdict as a theorem: its residual, as the question states it, is zero for all
-;; real values of its symbols where the hypotheses hold.
+;; The identity of a verdict as a theorem: both sides, as the question states them, are equal for all
+;; real values of their symbols where the hypotheses hold.
 
 (require racket/list racket/string
          "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "kernel-facts.rkt" "proof-script.rkt"
@@ -8,28 +8,29 @@
 
 (provide identity-theorem)
 
-;; residuals : expressions that are zero; beside : expressions that are to have values as well
+;; equations : ((left . right) ...) of expressions; beside : expressions that are to have values as well
 ;; assumed : datums of relations
-(define (identity-theorem residuals beside assumed)
-  (define domain (domain-relations (append residuals beside)))
-  (define ns (make-names (append residuals beside (append-map relation-sides assumed))))
+(define (identity-theorem equations beside assumed)
+  (define sides (append (map car equations) (map cdr equations)))
+  (define domain (domain-relations (append sides beside)))
+  (define ns (make-names (append sides beside (append-map relation-sides assumed))))
   (define hypotheses (remove-duplicates (append assumed domain)))
   (define facts
-    (kernel-facts (append residuals (append-map relation-sides hypotheses))
+    (kernel-facts (append sides (append-map relation-sides hypotheses))
                   (relations->assumptions hypotheses) ns))
   (define-values (lines tactic) (proof-lines facts ns))
   (theorem (string-append
             (hypotheses-text assumed domain ns)
-            (claim-text residuals (length hypotheses) ns lines tactic)
+            (claim-text equations (length hypotheses) ns lines tactic)
             (example-text hypotheses ns))
            (length hypotheses)))
 
-(define (claim-text residuals count ns lines tactic)
+(define (claim-text equations count ns lines tactic)
   (define names (string-join (all-names ns) " "))
   (string-append
    (format "Theorem claim : ~a\n  hypotheses ~a ->\n  ~a.\n" (for-all ns) names
-           (string-join (for/list ([e (in-list residuals)])
-                          (wrapped (format "~a = 0" (term e ns))))
+           (string-join (for/list ([q (in-list equations)])
+                          (wrapped (format "~a = ~a" (term (car q) ns) (term (cdr q) ns))))
                         " /\\\n  "))
    (format "Proof.\n  unfold hypotheses. intros ~a ~a.\n" names
            (given-pattern count))

@@ -71,6 +71,7 @@
         [(eq? head op:tanh) (plan! c n (e:/ (of op:sinh a) (of op:cosh a)) "reflexivity.")]
         [(eq? head op:abs) (plan-modulus! c n a)]
         [(eq? head op:sqrt) (plan-root! c n a)]
+        [(eq? head op:log) (plan-logarithm! c n a)]
         [(eq? head op:expt) (plan-power! c n a (cadr (node-args n)))]
         [(literal-head? head) (plan-application! c n)]))
 
@@ -84,10 +85,15 @@
 ;; ---------------------------------------------------------------------------
 ;; Absolute values, roots, powers, unknown functions
 
-(define (plan-modulus! c n a)
-  (case (weak-sign a (collector-assumptions c))
-    [(1) (plan! c n a "apply Rabs_pos_eq; nonnegative.")]
-    [(-1) (plan! c n (e:negate a) "rewrite Rabs_left1; [ring | nonpositive].")]))
+(define (plan-modulus! c n u)
+  (define A (collector-assumptions c))
+  (define-values (number factors) (factors-of u A))
+  (define product
+    (for/fold ([e (abs number)]) ([f (in-list factors)])
+      (define s (weak-sign (car f) A))
+      (e:* e (e:expt (if s (e:* s (car f)) (make-node op:abs (list (car f)))) (cdr f)))))
+  (unless (or (equal? product n) (some-node? (lambda (m) (equal? m n)) product))
+    (plan! c n product "apply modulus_is; [nonnegative | " 'identity "].")))
 
 (define (plan-root! c n u)
   (define-values (outer known rest) (root-parts u (collector-assumptions c)))
@@ -96,21 +102,53 @@
   (define product (for/fold ([e outer]) ([r (in-list radicands)]) (e:* e (root r))))
   (unless (equal? product n)
     (for ([r (in-list radicands)]) (visit-all! c r))
-    (when rest (add-met! c (rest-fact c rest u outer known)))
+    (when (or rest (= 1 (length radicands)))
+      (add-met! c (rest-fact c (last radicands) u outer (drop-right radicands 1))))
     (for ([r (in-list radicands)] #:unless (hash-has-key? (collector-plans c) (root r)))
       (hash-set! (collector-plans c) (root r) #f)
       (add-met! c (root r)))
     (plan! c n product "apply sqrt_lem_1. " "- nonnegative. - nonnegative. - " 'identity ".")))
 
 ;; 0 <= rest, as rest = u over the square of what else is in the root
-(define (rest-fact c rest u outer known)
+(define (rest-fact c rest u outer others)
   (define square
-    (for/fold ([e (e:expt outer 2)]) ([r (in-list known)]) (e:* e r)))
+    (for/fold ([e (e:expt outer 2)]) ([r (in-list others)]) (e:* e r)))
   (visit-all! c square)
   (define ns (collector-names c))
   (fact 'known 0 (cons '<= rest)
-        (list (format "replace (~a) with (~a). " (term rest ns) (term (e:/ u square) ns))
-              "- nonnegative. - " 'identity ".")))
+        (list (format "first [solve [nonnegative] | replace (~a) with (~a); [nonnegative | "
+                      (term rest ns) (term (e:/ u square) ns))
+              'identity "]].")))
+
+;; log u as a sum, where u is a power of e, or a product of what is positive
+(define (plan-logarithm! c n u)
+  (define A (collector-assumptions c))
+  (define-values (number factors) (factors-of u A))
+  (define all
+    (append (if (rational? number) (number-factors (abs number)) '()) factors))
+  (define (of e) (make-node op:log (list e)))
+  (define (positive-factor? f) (and (<= (abs (cdr f)) greatest-multiple) (eqv? 1 (weak-sign (car f) A))))
+  (define sum
+    (for/fold ([sum 0]) ([f (in-list all)]) (e:+ sum (e:* (cdr f) (of (car f))))))
+  (cond [(headed? u op:exp) (plan! c n (car (node-args u)) "apply ln_exp.")]
+        [(and (positive? number) (andmap positive-factor? all) (not (equal? sum n)))
+         (for ([f (in-list all)]) (visit-all! c (car f)))
+         (for ([f (in-list all)] #:when (node? (of (car f))))
+           (hash-ref! (collector-plans c) (of (car f)) #f))
+         (plan! c n sum
+                (format "replace (~a) with (~a); [logarithms | " (term u (collector-names c))
+                        (product-text all (collector-names c)))
+                'identity "].")]))
+
+;; x * x * / y
+(define (product-text factors ns)
+  (define (power-texts f)
+    (for/list ([_ (in-range (abs (cdr f)))])
+      (format "~a(~a)" (if (negative? (cdr f)) "/ " "") (term (car f) ns))))
+  (define texts (append-map power-texts factors))
+  (if (null? texts)
+      "1"
+      (for/fold ([text (car texts)]) ([t (in-list (cdr texts))]) (string-append text " * " t))))
 
 (define (plan-power! c n base k)
   (define-values (kind p) (split-power k))
@@ -232,9 +270,24 @@
 
 (define (circle-facts angle)
   (define (of op) (make-node op (list angle)))
-  (list (fact 'relation (make-node op:* (list (of op:sin) (of op:sin)))
+  (define u (and (node? angle) (pair? (node-args angle)) (car (node-args angle))))
+  (define leg (and u (make-node op:sqrt (list (e:- 1 (make-node op:* (list u u)))))))
+  (define hypotenuse (and u (make-node op:sqrt (list (e:+ 1 (make-node op:* (list u u)))))))
+  (define (arc name sine cosine root)
+    (list (root-relation root "apply sqrt_sqrt; radicand.")
+          (fact 'value (of op:sin) sine (list (format "apply sin_~a; bounds." name)))
+          (fact 'value (of op:cos) cosine (list (format "apply cos_~a; bounds." name)))))
+  (cond [(headed? angle op:asin) (arc "asin" u leg leg)]
+        [(headed? angle op:acos) (arc "acos" leg u leg)]
+        [(headed? angle op:atan)
+         (append (arc "atan" (e:/ u hypotenuse) (e:/ 1 hypotenuse) hypotenuse)
+                 (list (fact 'known hypotenuse '(<> . 0) '("apply hypotenuse_nonzero."))))]
+        [else (list (circle-relation angle of))]))
+
+(define (circle-relation angle of)
+        (fact 'relation (make-node op:* (list (of op:sin) (of op:sin)))
               (make-node op:- (list 1 (make-node op:* (list (of op:cos) (of op:cos)))))
-              '("apply sine_squared."))))
+              '("apply sine_squared.")))
 
 ;; The sine and cosine of a part of π
 (define (turn-facts unit)
@@ -286,8 +339,9 @@
   (define q (and l (/ 1 (caar terms))))
   (cons (fact 'known e (cons '<> 0) '("apply Rgt_not_eq; apply exp_pos."))
         (cond [(eqv? q 1) (list (fact 'value e l '("apply exp_ln; positive.")))]
-              [(and q (exact-positive-integer? q))
-               (list (fact 'relation (e:expt e q) l '("rewrite <- exp_pow_ln; [reflexivity | positive].")))]
+              [(and (exact-integer? q) (<= 2 q 6))
+               (list (fact 'relation (e:expt e q) l
+                           (list (format "apply exp_part_~a; [positive | field]." q))))]
               [else '()])))
 
 ;; Of the logarithms in forms themselves, so that powers of e to them are whole ones.
@@ -312,9 +366,8 @@
         [(headed? n op:abs) (list (modulus-relation n))]
         [else '()]))
 
-(define (root-relation n)
-  (fact 'relation (make-node op:* (list n n)) (car (node-args n))
-        '("apply sqrt_sqrt; nonnegative.")))
+(define (root-relation n [script "apply sqrt_sqrt; nonnegative."])
+  (fact 'relation (make-node op:* (list n n)) (car (node-args n)) (list script)))
 
 (define (modulus-relation n)
   (define a (car (node-args n)))

@@ -32,7 +32,7 @@
   (define relations (remove-duplicates (append assumed domain)))
   (define ns
     (names-without (make-names (append along (append-map relation-sides assumed)
-                                       (list (motion-L M)) (motion-xs M) (motion-ws M)))
+                                       (list (motion-L M) (motion-t M)) (motion-xs M) (motion-ws M)))
                    (append (motion-xs M) (motion-ws M))))
   (unless (null? (names-functions ns)) (give-up "it speaks of unknown functions"))
   (define facts
@@ -61,7 +61,7 @@
     (values (motion-claim-L m) (motion-claim-q m) (motion-claim-force m)))
   (define t 't)
   (define local ((Gamma q) t))
-  (define state (up t (symbols-like (coordinate local) "q") (symbols-like (velocity local) "v")))
+  (define state (up t (dummies (coordinate local) "q") (dummies (velocity local) "v")))
   (define-values (xs ws) (values (scalars (coordinate state)) (scalars (velocity state))))
   (define here
     (append (map cons xs (scalars (coordinate local))) (map cons ws (scalars (velocity local)))))
@@ -70,6 +70,12 @@
           (scalars (coordinate local)) (scalars (velocity local))
           (along (((partial 2) L) state)) (along (((partial 1) L) state))
           (if force (along (force state)) (map (lambda (_) 0) xs))))
+
+;; Symbols that the user cannot have, in the shape of x
+(define (dummies x name)
+  (if (= 1 (shape-length x))
+      (scalars->structure x (lambda (_) (string->uninterned-symbol name)))
+      (symbols-like x (string-append name "_"))))
 
 (define (L-along M)
   (in-place-of (append (map cons (motion-xs M) (motion-qs M)) (map cons (motion-ws M) (motion-vs M)))

@@ -6,10 +6,46 @@ Proof. intro x. pose proof (sin2_cos2 x) as H. unfold Rsqr in H. lra. Qed.
 Lemma modulus_squared : forall x : R, Rabs x * Rabs x = x * x.
 Proof. intro x. rewrite <- Rabs_mult. apply Rabs_pos_eq. apply Rle_0_sqr. Qed.
 
+Lemma modulus_is : forall u w : R, 0 <= w -> w * w = u * u -> Rabs u = w.
+Proof.
+  intros u w H E. rewrite <- (Rabs_pos_eq w H).
+  apply Rsqr_eq_abs_0. unfold Rsqr. symmetry. exact E.
+Qed.
+
+(* Arcs, with x * x for Coq's Rsqr x *)
+Lemma sin_asin : forall x : R, -1 <= x <= 1 -> sin (asin x) = x.
+Proof. exact Ratan.sin_asin. Qed.
+Lemma cos_asin : forall x : R, -1 <= x <= 1 -> cos (asin x) = sqrt (1 - x * x).
+Proof. exact Ratan.cos_asin. Qed.
+Lemma sin_acos : forall x : R, -1 <= x <= 1 -> sin (acos x) = sqrt (1 - x * x).
+Proof. exact Ratan.sin_acos. Qed.
+Lemma cos_acos : forall x : R, -1 <= x <= 1 -> cos (acos x) = x.
+Proof. exact Ratan.cos_acos. Qed.
+Lemma sin_atan : forall x : R, sin (atan x) = x / sqrt (1 + x * x).
+Proof. exact Ratan.sin_atan. Qed.
+Lemma cos_atan : forall x : R, cos (atan x) = 1 / sqrt (1 + x * x).
+Proof. exact Ratan.cos_atan. Qed.
+Lemma hypotenuse_nonzero : forall x : R, sqrt (1 + x * x) <> 0.
+Proof. intro x. apply Rgt_not_eq, sqrt_lt_R0. pose proof (Rle_0_sqr x). unfold Rsqr in *. lra. Qed.
+Ltac bounds := split; lra.
+Ltac radicand := nra.
+
 Ltac turns :=
   repeat rewrite ?Ropp_0, ?sin_plus, ?cos_plus, ?sin_neg, ?cos_neg, ?sin_0, ?cos_0; ring.
 Ltac exponents :=
   repeat rewrite ?Ropp_0, ?exp_plus, ?exp_Ropp, ?exp_0; field; repeat split; apply Rgt_not_eq, exp_pos.
+
+(* Powers of e to parts of logarithms *)
+Lemma exp_part_2 : forall x y : R, 0 < x -> y + y = ln x -> exp y ^ 2 = x.
+Proof. intros x y H E. rewrite <- (exp_ln x H), <- E, exp_plus. ring. Qed.
+Lemma exp_part_3 : forall x y : R, 0 < x -> y + y + y = ln x -> exp y ^ 3 = x.
+Proof. intros x y H E. rewrite <- (exp_ln x H), <- E, !exp_plus. ring. Qed.
+Lemma exp_part_4 : forall x y : R, 0 < x -> y + y + y + y = ln x -> exp y ^ 4 = x.
+Proof. intros x y H E. rewrite <- (exp_ln x H), <- E, !exp_plus. ring. Qed.
+Lemma exp_part_5 : forall x y : R, 0 < x -> y + y + y + y + y = ln x -> exp y ^ 5 = x.
+Proof. intros x y H E. rewrite <- (exp_ln x H), <- E, !exp_plus. ring. Qed.
+Lemma exp_part_6 : forall x y : R, 0 < x -> y + y + y + y + y + y = ln x -> exp y ^ 6 = x.
+Proof. intros x y H E. rewrite <- (exp_ln x H), <- E, !exp_plus. ring. Qed.
 
 (* Signs, by the form of an expression and by what is given. *)
 Ltac positive :=
@@ -71,7 +107,27 @@ with nonzero_factor :=
                                       | nsatz ]
           end ].
 Ltac nonzero := repeat split; nonzero_factor.
-Ltac nonpositive := first [ assumption | lra | nra ].
+
+Ltac logarithms :=
+  repeat first [ rewrite ln_mult by positive | rewrite ln_Rinv by positive | rewrite ln_1 ]; ring.
+
+(* The sine and the cosine of parts of a turn *)
+Lemma half_root : 1 / sqrt 2 = sqrt 2 / 2.
+Proof.
+  assert (E : sqrt 2 * sqrt 2 = 2) by (apply sqrt_sqrt; lra).
+  assert (sqrt 2 <> 0) by (apply Rgt_not_eq, sqrt_lt_R0; lra).
+  field_simplify_eq; [ring [E] | assumption].
+Qed.
+Ltac turn_1 := first [ rewrite sin_PI | rewrite cos_PI ]; ring.
+Ltac turn_2 :=
+  replace (1 / 2 * PI) with (PI / 2) by field; first [ rewrite sin_PI2 | rewrite cos_PI2 ]; ring.
+Ltac turn_3 :=
+  replace (1 / 3 * PI) with (PI / 3) by field; first [ rewrite sin_PI3 | rewrite cos_PI3 ]; field.
+Ltac turn_4 :=
+  replace (1 / 4 * PI) with (PI / 4) by field; first [ rewrite sin_PI4 | rewrite cos_PI4 ];
+  apply half_root.
+Ltac turn_6 :=
+  replace (1 / 6 * PI) with (PI / 6) by field; first [ rewrite sin_PI6 | rewrite cos_PI6 ]; field.
 
 (* At numbers between 0 and 3/2 sines and cosines are between 0 and 1. *)
 Ltac bound_waves :=
@@ -93,7 +149,20 @@ Ltac bound_waves :=
                 [apply sin_increasing_1; lra | rewrite sin_PI2; lra])
       end
   end.
-Ltac at_numbers := first [ exact I | lra | bound_waves; first [ lra | positive | nonnegative | nonzero ] ].
+Ltac know_roots :=
+  repeat match goal with
+  | |- context [sqrt ?a] =>
+      lazymatch goal with
+      | H : sqrt a * sqrt a = a |- _ => fail
+      | _ => assert (sqrt a * sqrt a = a) by (apply sqrt_sqrt; nonnegative);
+             assert (0 <= sqrt a) by apply sqrt_pos
+      end
+  end.
+Ltac at_numbers :=
+  first [ exact I | lra
+        | unfold tanh, sinh, cosh; rewrite ?sin_atan, ?cos_atan; bound_waves;
+          first [ lra | positive | nonnegative | nonzero
+                | know_roots; first [ nra | intro; nra ] ] ].
 
 (* What the derivative of a function asks for. *)
 Ltac conditions := repeat split; first [ exact I | positive | nonzero ].

@@ -16,14 +16,13 @@
          "../algebra/rewriting/factor.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
-(provide root-parts weak-sign)
+(provide root-parts factors-of weak-sign)
 
 ;; u : radicand; A : assumptions
 ;; -> what stands before the root, the radicands of the roots that are left, all but the last known
 ;; not to be negative, and the last or #f
 (define (root-parts u A)
-  (define-values (factored _) (factored-expression u (with-automatic-assumptions A #f)))
-  (define-values (number factors) (product-parts factored))
+  (define-values (number factors) (factors-of u A))
   (define-values (outer roots rest sign)
     (for/fold ([outer 1] [roots '()] [rest 1] [sign (if (negative? number) -1 1)])
               ([f (in-list factors)])
@@ -40,6 +39,11 @@
   (values (e:* whole outer)
           (append primes (reverse roots))
           (and (not (eqv? rest 1)) (e:* sign rest))))
+
+;; -> the number in u, and its factors ((base . exponent) ...)
+(define (factors-of u A)
+  (define-values (factored _) (factored-expression u (with-automatic-assumptions A #f)))
+  (product-parts factored))
 
 ;; √q = whole √p₁ √p₂ ...
 (define (number-root q)

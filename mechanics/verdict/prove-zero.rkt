@@ -163,7 +163,7 @@
   (if elsewhere (zero-test leaf elsewhere variables) z))
 
 (define (verify-equal a b)
-  (define v (prove-zero (difference a b)))
+  (define v (prove-zero (difference a b) #:about (equality-claim a b)))
   (define conditions
     (if (proved? v)
         (append-map (lambda (e) (unexpected-domain e (assumptions-in-force)))

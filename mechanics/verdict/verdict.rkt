@@ -14,7 +14,7 @@
          ;; for those who ask again
          verdict-question verdict-given with-remark with-readings
          ;; for certificates
-         verdict-claim verdict-tests (struct-out claim) (struct-out motion-claim))
+         verdict-claim verdict-tests (struct-out claim) (struct-out equality-claim) (struct-out motion-claim))
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
@@ -53,6 +53,8 @@
 ;; domain  : expressions that are to have a real value as well
 ;; subject : #f, or what was asked
 (struct claim (value domain subject) #:authentic)
+;; left and right are equal.
+(struct equality-claim (left right) #:authentic)
 ;; The path q is a motion of the Lagrangian L under a force outside L, or #f.
 (struct motion-claim (L q force) #:authentic)
 

@@ -1,0 +1,94 @@
+#lang racket/base
+;; Certificates as they are written, for which Coq need not be there: the statement in the user's names,
+;; assumptions and domain as hypotheses, what has none and why, and what is no verdict.
+
+(require racket/file racket/string
+         mechanics mechanics/book
+         (only-in mechanics/certificate/certificate
+                  certificate-level certificate-or-reason certificate-text)
+         "../support/checks.rkt" "../support/messages.rkt")
+
+;; The part of the text from its definition of hypotheses on, spaces aside
+(define (statement v)
+  (define text (certificate-text (certificate v)))
+  (string-normalize-spaces
+   (substring text
+              (caar (regexp-match-positions #rx"Definition hypotheses" text))
+              (caar (regexp-match-positions #rx"Proof[.]\n  (unfold hyp|intro)" text)))))
+
+(test-case "a certificate prints as its theorem in words"
+  (check-equal? (format "~a" (certificate (verify-equal (sin (* 2 'x)) (* 2 (sin 'x) (cos 'x)))))
+                "a theorem of Coq: both sides are equal; the identity, the derivatives are ours")
+  (check-equal? (format "~s" (certificate (verify-equal (/ 'x (sqrt 'x)) (sqrt 'x))))
+                (string-append "a theorem of Coq: both sides are equal under 2 hypotheses; "
+                               "the identity, the derivatives are ours"))
+  (check-equal? (format "~a" (certificate (verify-solution (L-free-particle 'm) (lambda (t) 'c))))
+                (string-append "a theorem of Coq: the path is a motion of the Lagrangian; "
+                               "by Coq's own derivatives")))
+
+(test-case "nothing is simplified: each divisor and each radicand is a hypothesis"
+  (check-equal? (statement (verify-equal (/ (- (square 'x) (square 'y)) (- 'x 'y)) (+ 'x 'y)))
+                (string-append
+                 "Definition hypotheses (x y : R) : Prop := "
+                 "(* domain: each part of the claim has a value *) x - y <> 0. "
+                 "Theorem claim : forall (x y : R), hypotheses x y -> "
+                 "(x * x - y * y) / (x - y) = x + y."))
+  (check-equal? (statement (verify-equal (square (sqrt 'x)) 'x))
+                (string-append
+                 "Definition hypotheses (x : R) : Prop := "
+                 "(* domain: each part of the claim has a value *) 0 <= x. "
+                 "Theorem claim : forall (x : R), hypotheses x -> sqrt x * sqrt x = x.")))
+
+(test-case "what is assumed is a hypothesis of its own"
+  (check-regexp-match
+   #rx":= \\(\\* assumed \\*\\) 0 < x /\\\\ \\(\\* domain: each part of the claim has a value \\*\\) 0 <= x \\* x[.]"
+   (statement (assuming ('(> x 0)) (verify-equal (sqrt (square 'x)) 'x)))))
+
+(test-case "names: the user's, but for words of Coq; derivatives of unknown functions"
+  (define f (literal-function 'f))
+  (check-regexp-match #rx"forall \\(R_ alpha : R\\), hypotheses R_ alpha -> alpha [*] R_ = 2 [*] R_ [*] alpha - "
+                      (statement (verify-equal (* 'α 'R) (- (* 2 'R 'α) (* 'α 'R)))))
+  (check-regexp-match #rx"\\(x : R\\) \\(f : R -> R\\) \\(Df : R -> R\\) : Prop"
+                      (statement (verify-equal ((D (square f)) 'x) (* 2 (f 'x) ((D f) 'x))))))
+
+(test-case "a motion: Lagrangian and path are functions, the equations derivatives of Coq"
+  (define text
+    (statement (verify-solution (L-harmonic 'm (* 'm (square 'w)))
+                                (lambda (t) (* 'a (cos (* 'w t)))))))
+  (check-regexp-match #rx"Definition path \\(t : R\\) : R := a \\* cos \\(w \\* t\\)[.]" text)
+  (check-regexp-match #rx"Definition L \\(t q v : R\\) : R := 1 / 2 \\* m \\* v \\* v - " text)
+  (check-regexp-match
+   (regexp-quote
+    (string-append "is_derive path t (velocity t) /\\ "
+                   "is_derive (fun x => L t (path t) x) (velocity t) (momentum t) /\\ "
+                   "is_derive (fun x => L t x (velocity t)) (path t) (slope t) /\\ "
+                   "is_derive momentum t (slope t)."))
+   text))
+
+(test-case "every file shows that its hypotheses hold together, and what it rests on"
+  (define text (certificate-text (certificate (verify-equal (/ (square 'x) 'x) 'x))))
+  (check-regexp-match #rx"Theorem not_vacuous : exists \\(x : R\\), hypotheses x[.]" text)
+  (check-regexp-match #rx"Print Assumptions claim[.]\nPrint Assumptions not_vacuous[.]" text)
+  (check-false (regexp-match? #rx"Admitted|Axiom|Parameter" text)))
+
+(test-case "what has no certificate says why"
+  (define v (verify-equal (* 2 (atan 'y 'x)) (+ (atan 'y 'x) (atan 'y 'x))))
+  (check-equal? (certificate-or-reason v) "Coq's library has no atan")
+  (check-message "certificate: no certificate yet: Coq's library has no atan" (certificate v)))
+
+(test-case "a file is written for a verdict, or for its certificate"
+  (define file (make-temporary-file "certificate~a.v"))
+  (define v (verify-equal (+ 'x 'x) (* 2 'x)))
+  (write-certificate v file)
+  (check-equal? (file->string file) (certificate-text (certificate v)))
+  (write-certificate (certificate v) file)
+  (check-equal? (file->string file) (certificate-text (certificate v)))
+  (delete-file file))
+
+(says
+ [(certificate 'x)
+  "certificate: expected a verdict, such as verify-solution or verify-equal gives\n  given: the symbol x"]
+ [(certificate (verify-equal 'x 'y))
+  "certificate: only what is proved has a certificate\n  verdict: 'refuted"]
+ [(write-certificate (verify-equal 'x 'y) "wrong.v")
+  "certificate: only what is proved has a certificate\n  verdict: 'refuted"])

@@ -1,0 +1,34 @@
+#lang racket/base
+;; A few certificates of each kind are accepted by Coq, where it is installed, and false neighbours of
+;; them rejected; `make certify` tries many.
+
+(require racket/list
+         mechanics/certificate/certificate mechanics/certificate/Coq-check
+         "../support/checks.rkt" "../support/skip.rkt"
+         "../support/certification/false-neighbours.rkt"
+         "../support/certification/proved-claims.rkt")
+
+(define coqc (find-Coq))
+(define without-Coq "Coq is not there (Debian: coq, libcoq-coquelicot)")
+
+(define (accepted? text) (judgement-accepted? (check-by-Coq coqc text)))
+
+(define few '(rationalized root-of-quotient symbolic-power oscillator central-energy))
+
+(test-case "certificates are accepted: sines, roots, powers, a motion, a conserved quantity"
+  (skip-unless coqc without-Coq
+    (for ([c (in-list (proved-claims few))])
+      (check-true (accepted? (certificate-text (certificate-or-reason (asked-verdict c))))
+                  (format "~a" (asked-name c))))))
+
+(test-case "changed claims, dropped hypotheses and empty domains are rejected"
+  (skip-unless coqc without-Coq
+    (define all
+      (append (false-neighbours (proved-claims '(rationalized)) 1)
+              (take (neighbours-by-hypotheses (proved-claims '(square-root))) 3)))
+    (check-equal? (length all) 4)
+    (for ([n (in-list all)]) (check-false (accepted? (neighbour-text n)) (neighbour-name n)))))
+
+(test-case "each claim of the table is proved; false neighbours are written of most of them"
+  (for ([c (in-list (proved-claims few))])
+    (check-pred certificate? (certificate-or-reason (asked-verdict c)))))
