@@ -7,12 +7,14 @@
          "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
          "../scale/export/variable-names.rkt")
 
-(provide make-names names-without name-of names-symbols names-functions names-texts function-type flat-arguments
+(provide make-names names-without name-of names-symbols names-functions names-texts
+         function-type flat-arguments
          (struct-out unknown-function))
 
 ;; table : symbol or unknown-function -> string
 ;; symbols, functions : those of the expressions, in order
-;; texts : node -> its text; so that equal nodes, b + a and a + b, have one text, which `rewrite` finds
+;; texts : node -> its text; so that equal nodes, b + a and a + b, have one text, which `rewrite`
+;; finds
 (struct names (table symbols functions texts) #:authentic)
 
 ;; index : as of a literal head; arity : how many real numbers it takes

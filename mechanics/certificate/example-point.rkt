@@ -2,13 +2,14 @@
 ;; A point where all hypotheses of a claim hold, so that the claim is not empty: numbers for its
 ;; symbols, constant functions for its unknown functions.
 ;;
-;; The numbers are between 1 and 3/2, where sines and cosines are positive; or, if none of these will
-;; do, others.
+;; The numbers are between 1 and 3/2, where sines and cosines are positive; or, if none of these
+;; will do, others.
 
 (require racket/list
          "Coq-names.rkt" "Coq-term.rkt"
          (only-in "../algebra/assumption/reference-point.rkt" real-value)
-         "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt"
          "../algebra/expression/read.rkt")
 
 (provide example-values)
@@ -16,10 +17,27 @@
 ;; relations : ((sign left right) ...); ns : names -> alist: symbol or function -> number
 (define (example-values relations ns)
   (define unknowns (append (names-symbols ns) (names-functions ns)))
-  (or (for/first ([k (in-range most-tries)]
-                  #:when (all-hold? relations (place unknowns k)))
-        (place unknowns k))
+  (define angles (append-map angles-in (append-map cdr relations)))
+  (define (found good?)
+    (for/first ([k (in-range most-tries)]
+                #:when (let ([values (place unknowns k)])
+                         (and (good? values) (all-hold? relations values))))
+      (place unknowns k)))
+  (or (found (lambda (values) (andmap (lambda (a) (acute? a values)) angles)))
+      (found (lambda (values) #t))
       (give-up "no point was found where all its hypotheses hold")))
+
+;; Those whose sine or cosine is in e, an expression or a datum
+(define (angles-in e)
+  (if (node? e)
+      (for/list ([n (in-list (nodes-in e))]
+                 #:when (memq (node-head n) (list op:sin op:cos op:tan)))
+        (car (node-args n)))
+      '()))
+
+(define (acute? angle values)
+  (define x (value-at angle values))
+  (and x (< 0 x 3/2)))
 
 (define most-tries 400)
 
@@ -30,6 +48,7 @@
 (define (coordinate i k)
   (define (pick xs) (list-ref xs (modulo (+ i (* k (+ i 1)) (quotient k (+ i 2))) (length xs))))
   (cond [(eqv? k 0) 1]
+        [(< k 4) (/ (+ i 1) (expt 4 k))]
         [(< k 12) (+ 1 (/ (modulo (+ 1 (* i (+ k 1))) 8) 16))]
         [(< k 60) (pick '(1 3/2 2 3 1/2 5 1/4 4))]
         [(< k 200) (pick '(1 -1 2 1/2 -2 0 3 -1/2 1/10))]
@@ -39,8 +58,7 @@
   (for/and ([d (in-list relations)]) (holds? d values)))
 
 (define (holds? d values)
-  (define (side x)
-    (real-value (if (expression? x) x (datum->expression x)) (lambda (leaf _) (value leaf values))))
+  (define (side x) (value-at (if (expression? x) x (datum->expression x)) values))
   (define a (side (cadr d)))
   (define b (side (caddr d)))
   (and a b
@@ -53,6 +71,8 @@
          [else (< (abs (- a b)) margin)])))
 
 (define margin 1e-9)
+
+(define (value-at e values) (real-value e (lambda (leaf _) (value leaf values))))
 
 (define (value leaf values)
   (cond [(assoc leaf values) => cdr]

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The identity of a verdict as a theorem: both sides, as the question states them, are equal for all
-;; real values of their symbols where the hypotheses hold.
+;; The identity of a verdict as a theorem: both sides, as the question states them, are equal for
+;; all real values of their symbols where the hypotheses hold.
 
 (require racket/list racket/string
          "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "kernel-facts.rkt" "proof-script.rkt"
@@ -8,8 +8,8 @@
 
 (provide identity-theorem)
 
-;; equations : ((left . right) ...) of expressions; beside : expressions that are to have values as well
-;; assumed : datums of relations
+;; equations : ((left . right) ...) of expressions; beside : expressions that are to have values
+;; as well assumed : datums of relations
 (define (identity-theorem equations beside assumed)
   (define sides (append (map car equations) (map cdr equations)))
   (define domain (domain-relations (append sides beside)))

@@ -127,7 +127,8 @@
   (define all
     (append (if (rational? number) (number-factors (abs number)) '()) factors))
   (define (of e) (make-node op:log (list e)))
-  (define (positive-factor? f) (and (<= (abs (cdr f)) greatest-multiple) (eqv? 1 (weak-sign (car f) A))))
+  (define (positive-factor? f)
+    (and (<= (abs (cdr f)) greatest-multiple) (eqv? 1 (weak-sign (car f) A))))
   (define sum
     (for/fold ([sum 0]) ([f (in-list all)]) (e:+ sum (e:* (cdr f) (of (car f))))))
   (cond [(headed? u op:exp) (plan! c n (car (node-args u)) "apply ln_exp.")]

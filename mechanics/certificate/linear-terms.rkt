@@ -2,8 +2,8 @@
 ;; Angles and exponents as linear forms over monomials, and the few of which the others are whole
 ;; multiples.
 ;;
-;; A term is a rational number times a monomial, a product of whole powers of what is no sum, product
-;; or quotient: ω t (a + b)⁻¹.  π is a monomial like others.
+;; A term is a rational number times a monomial, a product of whole powers of what is no sum,
+;; product or quotient: ω t (a + b)⁻¹.  π is a monomial like others.
 
 (require racket/list
          "Coq-term.rkt"
@@ -68,7 +68,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Forms as whole multiples of basic ones
 
-;; expressions : of the basic forms; multiples : for each form ((place of a basic one . integer) ...)
+;; expressions : of the basic forms; multiples : for each form ((place of a basic one . integer)
+;; ...)
 (struct basics (expressions multiples) #:authentic)
 
 ;; forms : lists of terms, most : the greatest multiple; separate? : a basic form for each monomial

@@ -1,6 +1,6 @@
 #lang racket/base
-;; A motion as a theorem: the path, the Lagrangian along it, and Lagrange's equations by Coquelicot's
-;; derivatives, so that nothing rests on ours.
+;; A motion as a theorem: the path, the Lagrangian along it, and Lagrange's equations by
+;; Coquelicot's derivatives, so that nothing rests on ours.
 ;;
 ;; The theorem gives for each coordinate q four functions of the time or numbers that are what they
 ;; are called: v is the derivative of q, p the derivative of L by its velocity, f by its coordinate,
@@ -30,10 +30,11 @@
                         (list (L-along M))))
   (define domain (map strict (domain-relations along)))
   (define relations (remove-duplicates (append assumed domain)))
+  (define dummies (append (motion-xs M) (motion-ws M)))
   (define ns
     (names-without (make-names (append along (append-map relation-sides assumed)
-                                       (list (motion-L M) (motion-t M)) (motion-xs M) (motion-ws M)))
-                   (append (motion-xs M) (motion-ws M))))
+                                       (list (motion-L M) (motion-t M)) dummies))
+                   dummies))
   (unless (null? (names-functions ns)) (give-up "it speaks of unknown functions"))
   (define facts
     (kernel-facts (append along (append-map relation-sides relations))
@@ -61,7 +62,7 @@
     (values (motion-claim-L m) (motion-claim-q m) (motion-claim-force m)))
   (define t 't)
   (define local ((Gamma q) t))
-  (define state (up t (dummies (coordinate local) "q") (dummies (velocity local) "v")))
+  (define state (up t (symbols-for (coordinate local) "q") (symbols-for (velocity local) "v")))
   (define-values (xs ws) (values (scalars (coordinate state)) (scalars (velocity state))))
   (define here
     (append (map cons xs (scalars (coordinate local))) (map cons ws (scalars (velocity local)))))
@@ -72,24 +73,23 @@
           (if force (along (force state)) (map (lambda (_) 0) xs))))
 
 ;; Symbols that the user cannot have, in the shape of x
-(define (dummies x name)
+(define (symbols-for x name)
   (if (= 1 (shape-length x))
       (scalars->structure x (lambda (_) (string->uninterned-symbol name)))
       (symbols-like x (string-append name "_"))))
 
 (define (L-along M)
-  (in-place-of (append (map cons (motion-xs M) (motion-qs M)) (map cons (motion-ws M) (motion-vs M)))
+  (in-place-of (append (map cons (motion-xs M) (motion-qs M))
+                       (map cons (motion-ws M) (motion-vs M)))
                (motion-L M)))
 
 ;; ---------------------------------------------------------------------------
 ;; The text
 
-;; The name of the i-th of n functions: path, or path_0, path_1 ...
-(define (numbered base i n) (if (= n 1) base (format "~a_~a" base i)))
-
+;; The names of the functions of all coordinates: path, or path_0, path_1 ...
 (define (names-like base M)
   (define n (length (motion-qs M)))
-  (for/list ([i (in-range n)]) (numbered base i n)))
+  (if (= n 1) (list base) (for/list ([i (in-range n)]) (format "~a_~a" base i))))
 
 (define (definitions M ns)
   (define (of-time base es)

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What the files of all theorems have in common: hypotheses as a definition, that they hold together
-;; at a point, names and lines.
+;; What the files of all theorems have in common: hypotheses as a definition, that they hold
+;; together at a point, names and lines.
 
 (require racket/list racket/string
          "Coq-names.rkt" "Coq-term.rkt" "example-point.rkt"

@@ -39,8 +39,7 @@
                     #:remarks [remarks (lambda () '())] #:meaning [meaning #f]
                     #:domain [domain (lambda () '())] #:motion-domain [motion-domain #f]
                     #:resting-on [relied-on '()] #:again [again #f] #:about [subject #f])
-  (check-variables names)
-  (define variables (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
+  (define variables (table-of-variables names))
   (define endless? #f)
   (define (note-endless!) (set! endless? #t))
   (define in-force (assumptions-in-force))
@@ -145,9 +144,11 @@
   (values (remove-duplicates (append-map first found))
           (append relied-on (append-map second found))))
 
-(define (check-variables names)
+;; -> table of the symbols, each with #t
+(define (table-of-variables names)
   (unless (and (list? names) (andmap symbol? names))
-    (complain-of-argument 'prove-zero "the variables, a list of symbols" names)))
+    (complain-of-argument 'prove-zero "the variables, a list of symbols" names))
+  (make-hasheq (for/list ([s (in-list names)]) (cons s #t))))
 
 ;; kinks-found : -> kinks and grounds
 (define (judge leaf A variables kinks-found)

@@ -14,7 +14,8 @@
          ;; for those who ask again
          verdict-question verdict-given with-remark with-readings
          ;; for certificates
-         verdict-claim verdict-tests (struct-out claim) (struct-out equality-claim) (struct-out motion-claim))
+         verdict-claim verdict-tests
+         (struct-out claim) (struct-out equality-claim) (struct-out motion-claim))
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order

@@ -21,6 +21,7 @@ order.
 @include-section["guide/differentiation.scrbl"]
 @include-section["guide/residuals.scrbl"]
 @include-section["guide/what-proved-means.scrbl"]
+@include-section["guide/reading-certificates.scrbl"]
 @include-section["guide/newton-to-lagrange.scrbl"]
 @include-section["guide/constraints.scrbl"]
 @include-section["guide/asking.scrbl"]

@@ -18,7 +18,8 @@
   (define path (simple-form-path file))
   (define-values (all problem) (program-verdicts who path file))
   (define proved (filter (lambda (s) (proved? (shown-verdict-verdict s))) all))
-  (define folder (simple-form-path (or (option "-o") (path-replace-extension path "-certificates"))))
+  (define folder
+    (simple-form-path (or (option "-o") (path-replace-extension path "-certificates"))))
   (define coqc (and (not (option "--write")) (find-Coq)))
   (when problem (eprintf "certify: ~a did not run to its end:\n~a\n" file problem))
   (define good (certify-all proved folder (identifier-of path) coqc))

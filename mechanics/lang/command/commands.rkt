@@ -28,7 +28,7 @@
                  "[--report FILE] ... [--moodle FILE] [--gradescope FOLDER] [--student NAME] "
                  "[--seconds N] [--json]"))
 
-(define commands
+(define program-commands
   (list
    (command "show" "FILE [-o page.html]"
             "a program with its results as a page: formulas typeset, pictures in place"
@@ -51,16 +51,21 @@
             export-command)
    (command "certify" "FILE [-o FOLDER] [--write]"
             "the proved verdicts of a program as theorems that the proof assistant Coq checks"
-            certify-command)
-   (command "notebook" "FILE.rkt [-o notebook.ipynb] [--run]"
-            "a program as a notebook of Jupyter, with --run with its results" notebook-command)
-   (command "program" "FILE.ipynb [-o program.rkt]" "the program of a notebook" program-command)
-   (command "jupyter" "[--python FILE] [--prefix FOLDER] [--remove]"
-            "makes this library known to Jupyter, as a kernel for notebooks" jupyter-command)
-   (command "repl" "" "a prompt with history, completion and help"
-            (lambda (arguments) (start-prompt arguments)))
-   (command "help" "[NAME]" "this list; what a command does; what is known of a name"
-            (lambda (arguments) (help-command arguments)))))
+            certify-command)))
+
+(define commands
+  (append
+   program-commands
+   (list
+    (command "notebook" "FILE.rkt [-o notebook.ipynb] [--run]"
+             "a program as a notebook of Jupyter, with --run with its results" notebook-command)
+    (command "program" "FILE.ipynb [-o program.rkt]" "the program of a notebook" program-command)
+    (command "jupyter" "[--python FILE] [--prefix FOLDER] [--remove]"
+             "makes this library known to Jupyter, as a kernel for notebooks" jupyter-command)
+    (command "repl" "" "a prompt with history, completion and help"
+             (lambda (arguments) (start-prompt arguments)))
+    (command "help" "[NAME]" "this list; what a command does; what is known of a name"
+             (lambda (arguments) (help-command arguments))))))
 
 (define (find-command name) (findf (lambda (c) (string=? name (command-name c))) commands))
 

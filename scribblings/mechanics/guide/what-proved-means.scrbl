@@ -186,6 +186,7 @@ Some questions answer themselves. The verdict is what it is, and a note says so:
 (verify-solution (L-harmonic 'm 0) (lambda (t) (* 't 't)))]
 
 @next-pages["residuals" "verdicts, from the start"
+            "reading-certificates" "proofs for those who do not trust ours"
             "guide-exercises" "verdicts on answers"
             "reference-verdicts" "every name that judges"]
 

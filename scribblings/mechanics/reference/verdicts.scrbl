@@ -285,4 +285,61 @@ refutation all declared relations hold, used or not.
 
 See @secref["reference-assumptions"].}
 
+@section{Certificates}
+
+A certificate is a proved verdict as a theorem about real numbers, with a proof, in a file that the
+proof assistant Coq checks (8.16 or later; Debian: @exec{coq}, @exec{libcoq-coquelicot}). Writing
+one needs no Coq. @secref["reading-certificates"] reads one line by line.
+
+@deftogether[(@defproc[(certificate [v verdict?]) certificate]
+              @defproc[(write-certificate [v (or/c verdict? certificate)] [file path-string?])
+              void?])]{
+
+The certificate of a proved verdict, which prints as its theorem in words; and the file, whose name
+should end in @filepath{.v}. There are two levels:
+
+@itemlist[
+@item{@emph{The identity}: both sides, or the residual and 0, are equal as the question states them,
+for all real values of the symbols. The derivatives in it are ours. A literal function and its
+derivatives are any functions.}
+@item{@emph{The motion}, of @racket[verify-solution]: the Lagrangian and the path are functions, and
+Lagrange's equations hold by Coq's own derivatives.}]
+
+What the verdict assumes is a hypothesis, and so is each divisor, radicand and argument of a
+logarithm: Coq's functions have values everywhere, 1/0 is 0 there. Each file proves that its
+hypotheses hold together at a point, and ends with the axioms that it rests on, those of the real
+numbers.
+
+Where there is no certificate yet, the error says why. The form of an expression that arithmetic
+gives at once, such as 1 for x/x, is that of the certificate.
+
+@examples[#:eval session
+(certificate (verify-equal (sin (* 2 'x)) (* 2 (sin 'x) (cos 'x))))
+(define fall (verify-solution (lambda (s) (* 1/2 'm (square (velocity s))))
+                              (lambda (t) (+ 'a (* 'b t)))))
+(certificate fall)
+(write-certificate fall (build-path (find-system-path 'temp-dir) "fall.v"))
+(eval:error (certificate (verify-equal (* 2 (atan 'y 'x)) (+ (atan 'y 'x) (atan 'y 'x)))))
+(eval:error (certificate (verify-equal 'x 'y)))]
+
+@exec{raco mechanics certify FILE.rkt} writes a certificate for each proved verdict that a program
+shows, has Coq check it, and says which are accepted, in how many seconds, and what has none and
+why.
+
+@tabular[#:sep @hspace[2] #:row-properties '(bottom-border top)
+(list
+ (list @bold{Verdict} @bold{Certificate})
+ (list @elem{@racket[verify-solution] of an explicit path, forces included}
+       @elem{the motion})
+ (list @elem{with constraints, or of higher order; paths or Lagrangians with literal functions}
+       @elem{the identity})
+ (list @elem{@racket[verify-equal], @racket[prove-zero], @racket[verify-conserved],
+             @racket[verify-Hamiltonian-solution] and all other questions}
+       @elem{the identity})
+ (list @elem{with the angle of two arguments, erf, acosh, atanh, sgn, or complex numbers}
+       @elem{none: Coq's library has no such function})
+ (list @elem{sines of parts of π other than halves, thirds, quarters and sixths; angles that are
+ more than eight times another} @elem{none yet})
+ (list @elem{a residual that vanishes as it is formed} @elem{none: nothing is left to state}))]}
+
 @(close-session session)

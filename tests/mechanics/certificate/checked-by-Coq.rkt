@@ -1,6 +1,6 @@
 #lang racket/base
-;; A few certificates of each kind are accepted by Coq, where it is installed, and false neighbours of
-;; them rejected; `make certify` tries many.
+;; A few certificates of each kind are accepted by Coq, where it is installed, and false
+;; neighbours of them rejected; `make certify` tries many.
 
 (require racket/list
          mechanics/certificate/certificate mechanics/certificate/Coq-check

@@ -1,11 +1,11 @@
 #lang racket/base
-;; `make certify`: certificates of the claims of claims.rktd and of all that the examples prove, given
-;; to Coq, and false neighbours of the claims, which it has to reject.
+;; `make certify`: certificates of the claims of claims.rktd and of all that the examples prove,
+;; given to Coq, and false neighbours of the claims, which it has to reject.
 ;;
 ;;     racket certify-all.rkt --jobs 2 --neighbours 3
 ;;
-;; The table is written to build/certificates.txt too. The exit code is 1 if Coq rejects a certificate
-;; or accepts a false neighbour.
+;; The table is written to build/certificates.txt too. The exit code is 1 if Coq rejects a
+;; certificate or accepts a false neighbour.
 
 (require racket/cmdline racket/file racket/list racket/path racket/port racket/runtime-path
          racket/string
@@ -65,7 +65,9 @@
          (row outcome (certificate-level c)
               (format "~a: level ~a ~a in ~a s~a" (entry-name e) (certificate-level c) outcome
                       (/ (round (* 10 (judgement-seconds j))) 10.0)
-                      (if (eq? outcome 'rejected) (string-append "\n" (judgement-message j)) "")))]))
+                      (if (eq? outcome 'rejected)
+                          (string-append "\n" (judgement-message j))
+                          "")))]))
 
 (define (judge-neighbour n coqc)
   (define j (check-by-Coq coqc (neighbour-text n)))
@@ -98,7 +100,8 @@
 
 (define (summary title rows)
   (define levels (filter (lambda (r) (eqv? 2 (row-level r))) rows))
-  (format "~a: accepted ~a, rejected ~a, slower than ~a s ~a, without certificate ~a; by Coq's derivatives ~a\n"
+  (format (string-append "~a: accepted ~a, rejected ~a, slower than ~a s ~a, "
+                         "without certificate ~a; by Coq's derivatives ~a\n")
           title (share rows '(accepted slow)) (share rows '(rejected)) longest
           (share rows '(slow)) (share rows '(none)) (share levels '(accepted slow))))
 

@@ -1,8 +1,8 @@
 #lang racket/base
-;; False neighbours of true claims, with the proofs that the certificates of the true ones would have:
-;; a sign, a factor or an exponent is changed, a term is left out, and the library finds a point
-;; where the changed claim does not hold. Or hypotheses: one that is needed is dropped, or they
-;; contradict each other. Coq has to reject them all.
+;; False neighbours of true claims, with the proofs that the certificates of the true ones would
+;; have: a sign, a factor or an exponent is changed, a term is left out, and the library finds a
+;; point where the changed claim does not hold. Or hypotheses: one that is needed is dropped, or
+;; they contradict each other. Coq has to reject them all.
 
 (require racket/list racket/string
          mechanics/algebra/expression/expression mechanics/algebra/expression/nodes
@@ -59,7 +59,8 @@
          [(and (eq? head op:expt) (exact-integer? (cadr args)))
           (list (make-node op:expt (list (car args) (+ 1 (cadr args)))))]
          [else '()])
-   (for/list ([a (in-list args)] [i (in-naturals)] #:when (and (number? a) (not (eq? head op:expt))))
+   (for/list ([a (in-list args)] [i (in-naturals)]
+              #:when (and (number? a) (not (eq? head op:expt))))
      (make-node head (list-set args i (+ a 1))))))
 
 (define (without-one head args)

@@ -1,0 +1,62 @@
+#lang racket/base
+;; `raco mechanics certify`: which verdicts of a program have certificates, their files, and what is
+;; said where there is nothing to certify.
+
+(require racket/file racket/string
+         "../../support/checks.rkt"
+         "../../../../mechanics/lang/command/raco.rkt")
+
+;; for-label: compiled with this file.
+(require (for-label "../../../../mechanics/lang/command/certify-program.rkt"))
+
+(define folder (make-temporary-file "certify~a" 'directory))
+
+(define (answer . arguments)
+  (define out (open-output-string))
+  (define status
+    (parameterize ([current-output-port out] [current-error-port out]
+                   [current-directory folder])
+      (run-command-line (cons "certify" arguments))))
+  (list status (get-output-string out)))
+
+(define (program name . lines)
+  (display-lines-to-file (cons "#lang mechanics" lines) (build-path folder name)
+                         #:exists 'truncate)
+  name)
+
+(define (wrote? . parts) (file-exists? (apply build-path folder parts)))
+
+(test-case "each proved verdict that is shown has a file, named by the program; others say why"
+  (program "two-springs.rkt"
+           "(verify-equal (* 2 'x) (+ 'x 'x))"
+           "(verify-equal 'x 'y)"
+           "(verify-equal (* 2 (atan 'y 'x)) (+ (atan 'y 'x) (atan 'y 'x)))")
+  (check-equal?
+   (answer "two-springs.rkt" "--write")
+   (list 1
+         (string-append
+          "(verify-equal (* 2 (quote x)) (+ (quote x) (quote x)))\n"
+          "    two-springs-certificates/two_springs_1.v: "
+          "a theorem of Coq: both sides are equal; the identity, the derivatives are ours\n"
+          "(verify-equal (* 2 (atan (quote y) (quote x))) (+ (atan (quote y) (quote x)) "
+          "(atan (quo...\n"
+          "    no certificate yet: Coq's library has no atan\n"
+          "3 verdicts shown, 2 proved, 1 with a certificate\n")))
+  (check-true (wrote? "two-springs-certificates" "two_springs_1.v")))
+
+(test-case "the folder is chosen by -o; a program that shows no verdict has nothing to certify"
+  (program "spring.rkt" "(verify-equal (* 2 'x) (+ 'x 'x))")
+  (check-equal? (car (answer "spring.rkt" "--write" "-o" "proofs")) 0)
+  (check-true (wrote? "proofs" "spring_1.v"))
+  (program "none.rkt" "(+ 1 2)")
+  (check-equal? (answer "none.rkt" "--write")
+                (list 0 "0 verdicts shown, 0 proved, 0 with a certificate\n"))
+  (check-false (directory-exists? (build-path folder "none-certificates"))))
+
+(test-case "a program that ends early is told; what it showed before has its certificates"
+  (program "early.rkt" "(verify-equal (* 2 'x) (+ 'x 'x))" "(car '())")
+  (define told (answer "early.rkt" "--write"))
+  (check-equal? (car told) 1)
+  (check-true (string-prefix? (cadr told) "certify: early.rkt did not run to its end:\ncar: ")))
+
+(delete-directory/files folder)
