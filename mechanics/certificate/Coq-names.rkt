@@ -8,7 +8,7 @@
          "../scale/export/variable-names.rkt")
 
 (provide make-names names-without name-of names-symbols names-functions names-texts
-         function-type flat-arguments
+         function-type function-of flat-arguments
          (struct-out unknown-function))
 
 ;; table : symbol or unknown-function -> string

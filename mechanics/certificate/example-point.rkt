@@ -75,9 +75,4 @@
 (define (value-at e values) (real-value e (lambda (leaf _) (value leaf values))))
 
 (define (value leaf values)
-  (cond [(assoc leaf values) => cdr]
-        [else
-         (define h (node-head leaf))
-         (cdr (assoc (unknown-function (literal-head-name h) (literal-head-index h)
-                                       (length (flat-arguments leaf)))
-                     values))]))
+  (cdr (or (assoc leaf values) (assoc (function-of leaf) values))))

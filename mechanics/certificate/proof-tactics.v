@@ -12,6 +12,9 @@ Proof.
   apply Rsqr_eq_abs_0. unfold Rsqr. symmetry. exact E.
 Qed.
 
+Lemma and_later : forall A B : Prop, A -> (A -> B) -> A /\ B.
+Proof. tauto. Qed.
+
 (* Arcs, with x * x for Coq's Rsqr x *)
 Lemma sin_asin : forall x : R, -1 <= x <= 1 -> sin (asin x) = x.
 Proof. exact Ratan.sin_asin. Qed.

@@ -3,8 +3,9 @@
 ;; together at a point, names and lines.
 
 (require racket/list racket/string
-         "Coq-names.rkt" "Coq-term.rkt" "example-point.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/read.rkt"
+         "Coq-names.rkt" "Coq-term.rkt" "example-point.rkt" "kernel-facts.rkt" "proof-script.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt" "../algebra/expression/read.rkt"
          "../value/algebra.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt" no-assumptions))
 
@@ -75,21 +76,57 @@
   (define b (binders ns))
   (if (string=? b "") "" (format "forall ~a," b)))
 
+;; There are numbers for which the hypotheses hold.
 (define (example-text hypotheses ns)
   (define values (example-values hypotheses ns))
+  (define (text-of u) (term (cdr (assoc u values)) ns))
   (define witnesses
-    (append (for/list ([s (in-list (names-symbols ns))])
-              (format "(~a)" (term (cdr (assoc s values)) ns)))
+    (append (for/list ([s (in-list (names-symbols ns))]) (format "(~a)" (text-of s)))
             (for/list ([f (in-list (names-functions ns))])
               (format "(fun ~a => ~a)"
                       (string-join (for/list ([_ (in-range (unknown-function-arity f))]) "_") " ")
-                      (term (cdr (assoc f values)) ns)))))
+                      (text-of f)))))
   (define b (binders ns))
-  (format "~a\nProof. ~aunfold hypotheses; repeat split; at_numbers. Qed.\n\n"
+  (format "~a\nProof.\n  ~aunfold hypotheses.\n~aQed.\n\n"
           (wrapped (format "Theorem not_vacuous : ~ahypotheses ~a."
                            (if (string=? b "") "" (format "exists ~a, " b))
                            (string-join (all-names ns) " ")))
-          (if (null? witnesses) "" (format "exists ~a. " (string-join witnesses ", ")))))
+          (if (null? witnesses) "" (format "exists ~a. " (string-join witnesses ", ")))
+          (steps-text (for/list ([d (in-list hypotheses)]) (at-numbers d values ns)))))
+
+;; steps : the proofs of the hypotheses, each by those before
+(define (steps-text steps)
+  (define n (length steps))
+  (if (= n 0)
+      "  exact I.\n"
+      (string-append*
+       (for/list ([step (in-list steps)] [k (in-naturals 1)])
+         (format "  ~a\n"
+                 (wrapped (if (= k n)
+                              step
+                              (format "apply and_later. { ~a } intro given_~a." step k))))))))
+
+;; A hypothesis about an expression that simplifies to a number there is proved by the identity.
+(define (at-numbers d values ns)
+  (define left (put-numbers (car (relation-sides d)) values))
+  (define simple (simplify-expression left))
+  (cond [(and (node? left) (number? simple) (some-node? kernel-node? left))
+         (define-values (lines tactic)
+           (proof-lines (kernel-facts (list left) no-assumptions ns) ns))
+         (format "~a assert (number : ~a = ~a). { ~a. } rewrite number. at_numbers."
+                 (string-join lines " ") (term left ns) (term simple ns) tactic)]
+        [else "at_numbers."]))
+
+(define (kernel-node? n) (not (arithmetic-node? n)))
+
+;; e with numbers for its symbols and for its unknown functions applied, nothing evaluated
+(define (put-numbers e values)
+  (node-fold e
+             (lambda (leaf) (let ([known (assoc leaf values)]) (if known (cdr known) leaf)))
+             (lambda (n parts)
+               (if (literal-head? (node-head n))
+                   (cdr (assoc (function-of n) values))
+                   (make-node (node-head n) parts)))))
 
 ;; Lines of at most so many columns, broken at spaces.
 (define (wrapped text)
