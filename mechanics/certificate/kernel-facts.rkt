@@ -261,13 +261,13 @@
       "0"
       (for/fold ([text (car terms)]) ([t (in-list (cdr terms))]) (string-append text " + " t))))
 
-;; The addition formulas hold for any angles: those of the claim are put in last.
+;; The addition formulas hold for any angles, which are generalized, those that hold others first.
 (define (generic-proof tactic multiples ns)
-  (format "~a~a"
-          (apply string-append
-                 (for/list ([m (in-list multiples)])
-                   (format "generalize (~a); " (term (car m) ns))))
-          (format "intros; ~a" tactic)))
+  (define texts (map (lambda (m) (term (car m) ns)) multiples))
+  (format "~aintros; ~a"
+          (apply string-append (for/list ([t (in-list (sort texts > #:key string-length))])
+                                 (format "generalize (~a); " t)))
+          tactic))
 
 (define (circle-facts angle)
   (define (of op) (make-node op (list angle)))
@@ -315,8 +315,9 @@
 (define (settle-exponents! c)
   (define nodes (reverse (collector-exponents c)))
   (define forms (for/list ([n (in-list nodes)]) (linear-terms (resolved c (car (node-args n))))))
-  (define b (basic-forms (append forms (logarithms forms)) greatest-multiple #t))
-  (for ([n (in-list nodes)] [ms (in-list (basics-multiples b))])
+  (define alone (logarithms forms))
+  (define b (basic-forms (append alone forms) greatest-multiple #t))
+  (for ([n (in-list nodes)] [ms (in-list (list-tail (basics-multiples b) (length alone)))])
     (plan-exponential! c n (for/list ([m (in-list ms)])
                              (cons (list-ref (basics-expressions b) (car m)) (cdr m)))))
   (append-map exponential-facts (basics-expressions b)))

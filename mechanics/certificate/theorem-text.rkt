@@ -6,6 +6,7 @@
          "Coq-names.rkt" "Coq-term.rkt" "example-point.rkt" "kernel-facts.rkt" "proof-script.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/read.rkt"
+         "../algebra/expression/size.rkt"
          "../value/algebra.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt" no-assumptions))
 
@@ -106,27 +107,21 @@
                               step
                               (format "apply and_later. { ~a } intro given_~a." step k))))))))
 
-;; A hypothesis about an expression that simplifies to a number there is proved by the identity.
+;; A hypothesis about what simplifies there is proved by the identity, and of the simpler expression.
 (define (at-numbers d values ns)
-  (define left (put-numbers (car (relation-sides d)) values))
+  (define side (car (relation-sides d)))
+  (define left (put-numbers (if (headed? side op:abs) (car (node-args side)) side) values))
   (define simple (simplify-expression left))
-  (cond [(and (node? left) (number? simple) (some-node? kernel-node? left))
+  (cond [(and (node? left)
+              (some-node? kernel-node? left)
+              (< (expression-size simple) (expression-size left)))
          (define-values (lines tactic)
-           (proof-lines (kernel-facts (list left) no-assumptions ns) ns))
-         (format "~a assert (number : ~a = ~a). { ~a. } rewrite number. at_numbers."
+           (proof-lines (kernel-facts (list left simple) no-assumptions ns) ns))
+         (format "~a assert (number : ~a = ~a). { ~a. } first [rewrite number; at_numbers | at_numbers]."
                  (string-join lines " ") (term left ns) (term simple ns) tactic)]
         [else "at_numbers."]))
 
 (define (kernel-node? n) (not (arithmetic-node? n)))
-
-;; e with numbers for its symbols and for its unknown functions applied, nothing evaluated
-(define (put-numbers e values)
-  (node-fold e
-             (lambda (leaf) (let ([known (assoc leaf values)]) (if known (cdr known) leaf)))
-             (lambda (n parts)
-               (if (literal-head? (node-head n))
-                   (cdr (assoc (function-of n) values))
-                   (make-node (node-head n) parts)))))
 
 ;; Lines of at most so many columns, broken at spaces.
 (define (wrapped text)
