@@ -19,9 +19,13 @@
         (define factor (factor-of f id))
         (and (eq? 'sum (car factor))
              (pair? (cdr r))
+             (<= (* (length r) (length (cdr factor))) most-products)
              (let ([shorter (with-one-square f (multiplied-out r t id (cdr factor)))])
                (and (< (length shorter) (length r)) (reduced f shorter)))))
       r))
+
+;; Longer sums hardly cancel, and to try takes long.
+(define most-products 60)
 
 (define (multiplied-out s t id sum)
   (define rest (without id (monomial t)))

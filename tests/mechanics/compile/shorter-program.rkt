@@ -8,7 +8,7 @@
          mechanics/compile/program
          mechanics/compile/shorter-program
          mechanics/compile/trace
-         "../bench/motion-systems.rkt" "../bench/systems.rkt"
+         "../bench/motion-systems.rkt"
          "../support/checks.rkt" "../support/random.rkt")
 
 (define (traced f state)
