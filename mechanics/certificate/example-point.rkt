@@ -41,8 +41,8 @@
         (car (node-args n)))
       '()))
 
-;; The relation with numbers for its sines and cosines, near 0 and near 1: where all of these hold, no
-;; more need be known of them.
+;; The relation with numbers for its sines and cosines, near 0 and near 1: where all of these hold,
+;; no more need be known of them.
 (define (with-waves-anyhow d)
   (for*/list ([s (in-list '(1/100 99/100))] [c (in-list '(1/100 99/100))])
     (define (put e)

@@ -107,7 +107,8 @@
                               step
                               (format "apply and_later. { ~a } intro given_~a." step k))))))))
 
-;; A hypothesis about what simplifies there is proved by the identity, and of the simpler expression.
+;; A hypothesis about what simplifies there is proved by the identity, and of the simpler
+;; expression.
 (define (at-numbers d values ns)
   (define side (car (relation-sides d)))
   (define left (put-numbers (if (headed? side op:abs) (car (node-args side)) side) values))
@@ -117,7 +118,8 @@
               (< (expression-size simple) (expression-size left)))
          (define-values (lines tactic)
            (proof-lines (kernel-facts (list left simple) no-assumptions ns) ns))
-         (format "~a assert (number : ~a = ~a). { ~a. } first [rewrite number; at_numbers | at_numbers]."
+         (format (string-append "~a assert (number : ~a = ~a). { ~a. } "
+                                "first [rewrite number; at_numbers | at_numbers].")
                  (string-join lines " ") (term left ns) (term simple ns) tactic)]
         [else "at_numbers."]))
 
