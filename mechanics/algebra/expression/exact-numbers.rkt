@@ -2,7 +2,7 @@
 ;; Numbers as the algebra takes them: exact rationals, and exponents.
 
 (provide exact-constant? rational-part imaginary-part exact-exponent
-         present-number number-factors rational-content rational-bits to-digits)
+         present-number number-factors whole-root rational-content rational-bits to-digits)
 
 ;; Is x, or each part of a complex x, a rational number?  (NaN and the
 ;; infinities are not.)

@@ -16,6 +16,7 @@
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/pi.rkt"
          "../expression/simplifier.rkt" "../expression/size.rkt"
+         "../radical/radical-expression.rkt"
          "../../error/refusal.rkt")
 
 (provide (struct-out atlas) collect-kernels imaginary-unit
@@ -164,6 +165,10 @@
         [else (visit-kernel! c n)]))
 
 (define (visit-root! c n base k)
+  (define number (and (node? base) (power-of-constant base k)))
+  (if number (resolve-alias! c n number) (visit-split-root! c n base k)))
+
+(define (visit-split-root! c n base k)
   (define degree (denominator k))
   (define-values (outer roots)
     (simplifier-split-root (collector-simplifier c) base degree))
