@@ -47,7 +47,7 @@
              [g:sech sech] [g:csch csch] [g:coth coth]
              [g:asinh asinh] [g:acosh acosh] [g:atanh atanh] [g:sgn sgn] [g:erf erf]
              [g:exact->inexact exact->inexact] [g:inexact->exact inexact->exact]
-             [g:magnitude magnitude]
+             [g:magnitude magnitude] [g:number->string number->string]
              [g:floor floor] [g:ceiling ceiling] [g:truncate truncate] [g:round round])
  pi :pi :-pi :pi/2 :2pi golden-ratio principal-value
  make-rectangular make-polar real-part imag-part conjugate

@@ -13,7 +13,7 @@
          "../error/complain.rkt" "../error/hint.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/notation.rkt" "../generic/recurrence.rkt"
-         "../generic/sums-and-products.rkt"
+         "../generic/sums-and-products.rkt" "../generic/irrational.rkt"
          "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../value/signature.rkt"
@@ -239,7 +239,7 @@
          (make-node (if (up? s) op:up op:down)
                     (for/list ([e (in-vector (structure-elements s))])
                       (value->expression e)))]
-        [(other-number? x) (comparand x)]
+        [(other-number? x) (other-number->expression x)]
         [else x]))
 
 ;; ---------------------------------------------------------------------------

@@ -24,7 +24,7 @@
          "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt"
          "../error/note.rkt"
          "../generic/describe.rkt" "../generic/kinks-met.rkt" "../generic/number-argument.rkt"
-         "../generic/wrong-argument.rkt"
+         "../generic/irrational.rkt" "../generic/wrong-argument.rkt"
          "../value/assumptions.rkt")
 
 (provide symbolic-integral)
@@ -34,7 +34,8 @@
 ;; receive : formula and conditions -> any
 (define (symbolic-integral who f low high [receive formula-with-notes] #:claim [claim #f])
   (check-function-of-one-variable who f)
-  (define (name end) (if (perturbed? end) (string->uninterned-symbol "end") end))
+  (define (name end)
+    (if (perturbed? end) (string->uninterned-symbol "end") (irrational-as-expression end)))
   (define-values (from to) (values (name low) (name high)))
   (define names (list (cons from low) (cons to high)))
   (define x (string->uninterned-symbol "x"))

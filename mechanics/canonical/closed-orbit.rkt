@@ -6,7 +6,8 @@
 
 (require "orbit-scale.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/refusal.rkt"
-         "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
+         "../generic/arithmetic.rkt" "../generic/describe.rkt"
+         (only-in "../generic/number-argument.rkt" known-number) "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamilton-equations.rkt"
          "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt"
@@ -155,7 +156,7 @@
         (<= (abs (- there here)) (* 1e-8 (+ 1 (abs here) (abs there)))))))
 
 (define (check-numbers who H state)
-  (for ([x (in-list (scalars ((Hamiltonian->state-derivative H) state)))] #:unless (real? x))
+  (for ([x (in-list (scalars ((Hamiltonian->state-derivative H) state)))] #:unless (known-number x))
     (complain who "the parameters of ~a are to be numbers; there is ~a~a" (value->text H)
               (value->text (simplify x)) "\n  (H state) is to be a number")))
 

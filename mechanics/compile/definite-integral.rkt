@@ -7,7 +7,8 @@
          "../generic/arithmetic.rkt"
          "../generic/branches.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
          "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/wrong-argument.rkt")
+         "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/irrational.rkt"
+         "../generic/wrong-argument.rkt")
 
 (require-on-demand
  ["compile-function.rkt" compile-scalar]
@@ -77,7 +78,7 @@
          (symbolic-end? y))))
 
 ;; Of π and what is made of it the value
-(define (number-or-not end) (if (symbolic? end) (constant-value end) end))
+(define (number-or-not end) (if (symbolic? end) (constant-value end) (irrational-as-decimal end)))
 
 (define (inner-point low high)
   (cond [(and (rational? low) (rational? high)) (+ low (* 5/13 (- high low)))]

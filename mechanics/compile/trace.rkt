@@ -10,7 +10,7 @@
 (require "program.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt" "../error/refusal.rkt"
-         "../generic/describe.rkt" "../generic/tracing.rkt"
+         "../generic/describe.rkt" "../generic/irrational.rkt" "../generic/tracing.rkt"
          "../value/shape.rkt")
 
 (provide trace raise-no-value)
@@ -42,7 +42,7 @@
                  (lambda (test) (format "it takes a decision by `~a`" test)))))
 
 (define (make-program placeholders further value as-constant check-unknown)
-  (define es (scalars value))
+  (define es (map irrational-as-expression (scalars value)))
   (define odd (for/first ([e (in-list es)] #:unless (expression? e)) e))
   (if odd
       (values (format "its value holds ~a" (describe-with-value odd)) #f)

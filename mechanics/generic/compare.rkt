@@ -8,7 +8,7 @@
 
 (require "arithmetic.rkt" "branches.rkt" "describe.rkt" "kind.rkt"
          "kinks-met.rkt" "naming.rkt" "on-demand.rkt" "scalar.rkt"
-         "singular-derivative.rkt" "tracing.rkt" "up-down.rkt"
+         "singular-derivative.rkt" "irrational.rkt" "tracing.rkt" "up-down.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/hint.rkt")
 
@@ -24,6 +24,7 @@
 
 (define (equal-values? a b)
   (cond [(and (number? a) (number? b)) (= a b)]
+        [(and (exact-real? a) (exact-real? b)) (equal? a b)]
         [else (note-branch! a b)
               (equal-comparands? (comparand a) (comparand b))]))
 
@@ -78,11 +79,11 @@
 (define-syntax-rule (define-order id name compare)
   (begin
     (define (two a b)
-      (if (and (real? a) (real? b))
-          (compare a b)
-          (begin
-            (note-difference! a b)
-            (compared 'name compare (ordered 'name a b a) (ordered 'name a b b)))))
+      (cond [(and (real? a) (real? b)) (compare a b)]
+            [(and (exact-real? a) (exact-real? b)) (compare (comparand (g:- a b)) 0)]
+            [else
+             (note-difference! a b)
+             (compared 'name compare (ordered 'name a b a) (ordered 'name a b b))]))
     (define-named id name
       (case-lambda
         [(a b) (two a b)]
@@ -154,8 +155,10 @@
     (define (two a b)
       (cond [(and (real? a) (real? b)) (numeric a b)]
             [else
-             (define x (real-comparand 'name a))
-             (define y (real-comparand 'name b))
+             (define-values (x y)
+               (if (and (exact-real? a) (exact-real? b))
+                   (values (comparand (g:- a b)) 0)
+                   (values (real-comparand 'name a) (real-comparand 'name b))))
              (note-difference! a b)
              (cond [(compared 'name beyond? y x) b]
                    [(and (compared 'name = x y) (not (identical? a b)))

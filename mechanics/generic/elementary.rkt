@@ -6,17 +6,17 @@
 ;; functions composed, and derivatives of any order taken.
 
 (require (for-syntax racket/base "../operation/operation-table.rkt")
-         racket/flonum
+         racket/fixnum racket/flonum
          "arithmetic.rkt" "branches.rkt" "compare.rkt" "dispatch.rkt" "kind.rkt" "naming.rkt"
          "operation-record.rkt"
-         "kinks-met.rkt" "singular-derivative.rkt" "up-down.rkt"
+         "kinks-met.rkt" "singular-derivative.rkt" "irrational.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/pi.rkt"
          "../error/complain.rkt"
          "sums-and-products.rkt")
 
 ;; Provided where they are defined: g:sin and the like, g:sec and the like.
-(provide g:abs g:sgn g:log g:atan g:expt
+(provide g:sqrt g:abs g:sgn g:log g:atan g:expt
          elementary-operations elementary-operation whole-exponent?
          (for-syntax unary-functions))
 
@@ -47,7 +47,20 @@
                (define-record generic name procedure))
              ...)))]))
 
-(define-elementary abs sgn log atan atan2)
+(define-elementary sqrt abs sgn log atan atan2)
+
+;; Of an exact number an exact one, if it is real.
+(define-named g:sqrt sqrt
+  (lambda (a)
+    (cond [(flonum? a) (sqrt a)]
+          [(number? a) (root-of-number a)]
+          [else (dispatch-unary generic:sqrt a)])))
+
+(define (root-of-number a)
+  (define root (sqrt a))
+  (if (or (exact? root) (not (rational? root)) (not (exact? a))) root (irrational-power a 1/2)))
+
+(define-record generic:sqrt sqrt g:sqrt)
 
 ;; Of a tuple, its length: the root of the sum of squares.
 (define-named g:abs abs
@@ -142,8 +155,15 @@
 (define-named g:expt expt
   (lambda (b n)
     (if (and (number? b) (number? n))
-        (expt b n)
+        (if (or (fixnum? n) (flonum? n)) (expt b n) (power-of-number b n))
         (dispatch-binary generic:expt e:expt power-of-structure b n))))
+
+;; n : neither a small integer nor a flonum
+(define (power-of-number b n)
+  (define power (expt b n))
+  (if (or (exact? power) (not (rational? power)) (not (exact? b)) (not (exact? n)))
+      power
+      (irrational-power b n)))
 
 ;; Tuples have the powers that repeated multiplication gives them.
 (define (power-of-structure b n)

@@ -2,10 +2,10 @@
 ;; Racket's tests of what a value is, for programs that are traced.
 ;;
 ;; They answer what Racket's do, but a placeholder for a number is neither a
-;; number nor a symbol: to ask is to look inside.  A number of higher precision than
-;; Racket's is an inexact one.
+;; number nor a symbol: to ask is to look inside.  An irrational number of ours is exact, one of
+;; higher precision than Racket's is not.
 
-(require "kind.rkt" "naming.rkt" "tracing.rkt")
+(require "kind.rkt" "naming.rkt" "irrational.rkt" "tracing.rkt")
 
 (provide g:number? g:real? g:rational? g:integer? g:exact? g:inexact? g:symbol?
          g:equal? g:eqv? g:memv g:member g:case)
@@ -19,8 +19,9 @@
 
 (define (of-other-number name test x)
   (case name
-    [(exact?) #f]
-    [(inexact?) #t]
+    [(exact?) (irrational? x)]
+    [(inexact?) (not (irrational? x))]
+    [(rational?) (and (not (irrational? x)) (rational? (comparand x)))]
     [else (test (comparand x))]))
 
 (define-tests

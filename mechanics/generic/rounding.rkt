@@ -8,8 +8,8 @@
 ;; down to 3.
 
 (require "arithmetic.rkt" "branches.rkt" "compare.rkt" "describe.rkt" "dispatch.rkt"
-         "elementary.rkt" "kind.rkt"
-         "naming.rkt" "on-demand.rkt" "operation-record.rkt" "singular-derivative.rkt" "up-down.rkt"
+         "elementary.rkt" "kind.rkt" "naming.rkt" "on-demand.rkt" "operation-record.rkt"
+         "singular-derivative.rkt" "irrational.rkt" "up-down.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          (only-in "../algebra/expression/substitute.rkt" rebuild)
          "../error/complain.rkt")
@@ -17,7 +17,8 @@
 (require-on-demand ["../algebra/simplify/simplify-expression.rkt" simplify-expression]
                    ["../algebra/zero/constant-bounds.rkt" constant-bounds])
 
-(provide g:exact->inexact g:inexact->exact g:floor g:ceiling g:truncate g:round g:magnitude
+(provide g:exact->inexact g:inexact->exact g:number->string
+         g:floor g:ceiling g:truncate g:round g:magnitude
          rounding-operations)
 
 ;; A symbol stands for an inexact number as well as for an exact one, but what is made of
@@ -52,6 +53,10 @@
 (define generic:inexact->exact
   (generic-op 'inexact->exact #f g:inexact->exact (list (lambda (x value) 1)) #f '((-2.0 2.0))))
 
+;; An irrational number has the digits of its decimal.
+(define-named g:number->string number->string
+  (lambda (x [radix 10]) (number->string (irrational-as-decimal x) radix)))
+
 (define-named g:magnitude magnitude
   (lambda (x) (if (number? x) (magnitude x) (g:abs x))))
 
@@ -62,6 +67,7 @@
       (lambda (x)
         (define c (comparand x))
         (cond [(real? x) (numeric x)]
+              [(irrational? x) (rounded-irrational 'name numeric c (irrational->expression x))]
               [(other-number? x) (numeric c)]
               [(and (symbolic? c) (constant-value c))
                (define value (rounded-constant 'name numeric c))
@@ -108,6 +114,12 @@
          (complain who "too near to where it jumps to be told by its decimals
   value: ~a"
                    (describe-with-value e))]))
+
+;; Its decimal, right to 50 bits, may be too near to a jump.
+(define (rounded-irrational who numeric decimal e)
+  (define x (inexact->exact decimal))
+  (define low (numeric (* x (- 1 (expt 2 -50)))))
+  (if (= low (numeric (* x (+ 1 (expt 2 -50))))) low (rounded-constant who numeric e)))
 
 (define (raise-at-jump who x)
   (raise-no-derivative-at who (list x) "where it jumps"))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Any value as the tree of its notation.
 
-(require "cyclic-data.rkt" "describe.rkt" "kind.rkt" "notation.rkt"
+(require "cyclic-data.rkt" "describe.rkt" "kind.rkt" "notation.rkt" "irrational.rkt"
          (only-in "../algebra/expression/expression.rkt" expression->datum symbolic?)
          (only-in "../algebra/expression/write.rkt" print-limit)
          "../algebra/notation/formula.rkt" "../algebra/notation/numeral.rkt"
@@ -19,6 +19,7 @@
     (cond [(< left 0) (omitted "…")]
           [(number? x) (number->tree x)]
           [(and (has-kind? x) (kind-notation (kind-of x))) => (lambda (make) (make x see))]
+          [(irrational? x) (datum->tree (value->datum x) ordered)]
           [(other-number? x) (decimal->tree (value->text x))]
           [(has-notation? x) ((notation-of x) x see)]
           [(symbolic? x) (datum->tree (expression->datum x) ordered)]

@@ -15,7 +15,7 @@
          "../algebra/solve/factors.rkt" (only-in "../algebra/solve/root.rkt" sign-and-rest)
          "../calculus/expression-function.rkt"
          "../error/refusal.rkt"
-         "../generic/scalar.rkt" "../generic/up-down.rkt"
+         "../generic/scalar.rkt" "../generic/irrational.rkt" "../generic/up-down.rkt"
          "../value/shape.rkt")
 
 (provide with-decimals-named sign-or-rest)
@@ -32,7 +32,9 @@
   (define (name x)
     (hash-ref! names (abs x)
                (lambda () (string->uninterned-symbol (format "c~a" (hash-count names))))))
-  (define (named e) (decimals-replaced e (lambda (x) (e:* (if (< x 0.0) -1 1) (name x)))))
+  (define (named e)
+    (decimals-replaced (irrational-as-expression e)
+                       (lambda (x) (e:* (if (< x 0.0) -1 1) (name x)))))
   (define e* (and (scalar? e) (expression? e) (named e)))
   (define q* (and e* (s:map/r named q)))
   (if (and e* (<= 1 (hash-count names) most-decimals))
@@ -59,7 +61,8 @@
 
 ;; 1, 0 or −1, or an expression of the same sign.  decimals : an alist, as above; a sign that they
 ;; leave open is 0.
-(define (sign-or-rest e A decimals)
+(define (sign-or-rest value A decimals)
+  (define e (irrational-as-expression value))
   (define names (map car decimals))
   (define B (with-relations A (for/list ([c (in-list names)]) `(> ,c 0))))
   (define (numeric? e) (andmap (lambda (s) (memq s names)) (symbols-in e)))

@@ -12,7 +12,7 @@
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/dispatch.rkt" "../generic/kind.rkt"
-         "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
+         "../generic/irrational.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"
          "../numeric/bigfloat/bigfloat-arithmetic.rkt" "../numeric/bigfloat/bigfloat-systems.rkt"
          "../numeric/finite-number.rkt"
          "../numeric/linear-algebra/row-matrix.rkt")
@@ -57,7 +57,7 @@
   (check-bigfloats 'bigfloat)
   (define value
     (with-bits bits
-      (cond [(real? x) (real->bigfloat x)]
+      (cond [(or (real? x) (irrational? x)) (raw-bigfloat x)]
             [(big? x) (m:bfcopy (big-value x))]
             [(m:bigfloat? x) (m:bfcopy x)]
             [(string? x) (m:string->bigfloat x)]
@@ -109,7 +109,17 @@
   (big (with-bits most (f (raw-bigfloat a) (raw-bigfloat b)))))
 
 ;; A number of Racket's or ours as one of math/bigfloat.
-(define (raw-bigfloat x) (if (big? x) (big-value x) (real->bigfloat x)))
+(define (raw-bigfloat x)
+  (cond [(big? x) (big-value x)]
+        [(irrational? x)
+         (irrational-fold x bigfloat-root (on-bigfloats m:bf+) (on-bigfloats m:bf*))]
+        [else (real->bigfloat x)]))
+
+(define (bigfloat-root n exponent) (m:bfexpt (m:bf n) (real->bigfloat exponent)))
+
+(define ((on-bigfloats f) x y)
+  (define (big x) (if (real? x) (real->bigfloat x) x))
+  (f (big x) (big y)))
 
 ;; The result where an argument is exact 0 or 1, as with Racket's own numbers; or #f.
 (define (trivially name a b)

@@ -1,22 +1,22 @@
 #lang racket/base
-;; The square root as it is written: of an exact number the root itself, not its decimals; of a
-;; negative constant i times that of its opposite.
+;; The square root as an expression, simplified: of an exact number the root itself, not its
+;; decimal, even where it is no sum of roots; of a negative constant i times that of its opposite.
 
 (require "simplify.rkt"
          "../algebra/zero/constant-bounds.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
-         "../generic/arithmetic.rkt" "../generic/elementary.rkt")
+         "../generic/arithmetic.rkt" "../generic/elementary.rkt" "../generic/irrational.rkt")
 
 (provide exact-root)
 
-;; The square root, of an exact number as it stands.
 (define (exact-root x)
-  (if (and (node? x) (constant-bounds x (lambda (low high) (< high 0))))
-      (simplify (g:* +i (root-of (g:negate x))))
-      (root-of x)))
+  (define e (irrational-as-expression x))
+  (if (and (node? e) (constant-bounds e (lambda (low high) (< high 0))))
+      (simplify (g:* +i (root-of (g:negate e))))
+      (root-of e)))
 
-(define (root-of x)
-  (define root (g:sqrt x))
-  (simplify (if (and (number? x) (exact? x) (not (exact? root)))
-                (make-node op:sqrt (list x))
+(define (root-of e)
+  (define root (g:sqrt e))
+  (simplify (if (or (irrational? root) (and (number? e) (exact? e) (not (exact? root))))
+                (make-node op:sqrt (list e))
                 root)))

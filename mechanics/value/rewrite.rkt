@@ -8,7 +8,7 @@
 (require "algebra.rkt" "assumptions.rkt" "simplify.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/wrong-argument.rkt")
+         "../generic/describe.rkt" "../generic/irrational.rkt" "../generic/wrong-argument.rkt")
 
 (provide expand factor collect coefficient together apart
          (rename-out [numerator-of numerator] [denominator-of denominator]))
@@ -89,7 +89,8 @@
   (define A (assumptions-in-force))
   (map-leaves
    (lambda (leaf)
-     (if (expression? leaf) (f leaf A) (raise-no-expression who leaf "use it on")))
+     (define e (irrational-as-expression leaf))
+     (if (expression? e) (f e A) (raise-no-expression who leaf "use it on")))
    x))
 
 ;; ---------------------------------------------------------------------------

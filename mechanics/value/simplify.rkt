@@ -5,7 +5,8 @@
          "algebra.rkt" "assumptions.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/computed-once.rkt"
-         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/wrong-argument.rkt")
+         "../generic/describe.rkt" "../generic/kind.rkt" "../generic/irrational.rkt"
+         "../generic/wrong-argument.rkt")
 
 (provide expression simplify simplify-strictly simplify-always simplify/assumptions as-shown
          substitute with-literals
@@ -81,7 +82,7 @@
   (check-order x alist)
   (map-leaves
    (lambda (leaf)
-     (cond [(symbolic? leaf) (substitute-expression leaf alist)]
+     (cond [(symbolic? leaf) (constant->number (substitute-expression leaf alist))]
            [(or (number? leaf) (other-number? leaf)) leaf]
            [else (raise-no-expression 'substitute leaf "substitute in")]))
    x))
@@ -119,8 +120,9 @@
                    "(substitute x 'm 2 'k 3)"
                    "without a replacement" (describe-with-value (car xs)))]
         [else
-         (check-replacement (car xs) (cadr xs))
-         (cons (cons (car xs) (cadr xs)) (pair-up (cddr xs)))]))
+         (define replacement (irrational-as-expression (cadr xs)))
+         (check-replacement (car xs) replacement)
+         (cons (cons (car xs) replacement) (pair-up (cddr xs)))]))
 
 (define (check-replacement name replacement)
   (check-argument 'substitute symbolic? name "a symbol or an expression to replace")

@@ -9,7 +9,7 @@
 (require (only-in racket/list append-map)
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
-         "../generic/describe.rkt" "../generic/kinks-met.rkt"
+         "../generic/describe.rkt" "../generic/irrational.rkt" "../generic/kinks-met.rkt"
          "../value/algebra.rkt")
 
 (provide survey-derivatives survey-of-values unused-name)
@@ -33,7 +33,7 @@
     (define places (find-places))
     (define names
       (names-of unknowns (append (append-map met-arguments found) (map cdr places))))
-    (define (rename e) (substitute-expression e names))
+    (define (rename e) (substitute-expression (irrational-as-expression e) names))
     (find-kinks
      (for/list ([m (in-list found)]) (cons (met-name m) (map rename (met-arguments m))))
      (map rename variables)

@@ -14,7 +14,8 @@
          "../error/hint.rkt"
          "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
+         "../generic/kind.rkt" "../generic/irrational.rkt" "../generic/up-down.rkt"
+         "../generic/wrong-argument.rkt"
          "../value/algebra.rkt" "../value/assumptions.rkt" "../value/operator.rkt"
          "../value/series/series-access.rkt" "../value/series/series.rkt")
 
@@ -70,7 +71,8 @@
   (define tests '())
   (define known (make-hash))            ; tensors have equal components
   (define residual
-    (map-leaves (lambda (leaf)
+    (map-leaves (lambda (given)
+                  (define leaf (irrational-as-expression given))
                   (define z (hash-ref! known leaf (lambda () (judge leaf A variables kinks))))
                   (set! tests (cons (cons leaf z) tests))
                   (note-used! (zero-test-grounds z))
@@ -186,7 +188,7 @@
          (structure-map2 difference (adopt a) (adopt b))]
         [else
          (for ([f (in-list (list a b))] #:when (procedure? f)) (check-keywords f))
-         (g:- a b)]))
+         (g:- (irrational-as-expression a) (irrational-as-expression b))]))
 
 ;; x with the up tuple of its terms in place of a series; of one that does not end
 ;; as many as are compared, and (note!) is called.

@@ -7,6 +7,7 @@
 (require (only-in racket/list append-map)
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../error/refusal.rkt"
+         "../generic/irrational.rkt"
          "../value/shape.rkt")
 
 (provide values-at values-along expressions-of)
@@ -18,7 +19,8 @@
 ;; state : the state along a path, or at one place
 (define (values-along fs state)
   (define anything (unknowns-like state))
-  (define places (map cons (scalars anything) (scalars state)))
+  (define places
+    (map cons (scalars anything) (map irrational-as-expression (scalars state))))
   (append-map (lambda (f)
                 (define found (value-at f anything))
                 (if found

@@ -9,7 +9,7 @@
          "../algebra/expression/exact-numbers.rkt"
          "../algebra/expression/write.rkt"
          "../error/message-words.rkt"
-         "../generic/describe.rkt" "../generic/notation.rkt"
+         "../generic/describe.rkt" "../generic/notation.rkt" "../generic/irrational.rkt"
          "../value/algebra.rkt")
 
 (provide verdict-report readings kink-lines report->text report-notation)
@@ -209,10 +209,10 @@
 
 (define most-decimals 4)
 
-;; (sqrt 8) would be a decimal again.
+;; Roots are exact as they are typed; (* 2 :pi) would be a decimal again.
 (define (as-typed e)
   (define d (short-datum e))
-  (if (pair? d) `(read-expression ',d) d))
+  (if (and (pair? d) (eq? e (constant->number e))) `(read-expression ',d) d))
 
 (define (in-the-way count)
   (append (if (> count most-decimals) (list (format "and ~a more" (- count most-decimals))) '())

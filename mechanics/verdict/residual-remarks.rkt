@@ -19,11 +19,11 @@
   (cond [(not found) '()]
         [(zero? found)
          (list (string-append "exact numbers would tell: 49/5 for 9.8, ':pi for π, "
-                              "(read-expression '(sqrt 2)) for the root of 2"))]
+                              "(sqrt 2) for the root of 2"))]
         [else
          (list (format (string-append "~a may be no more than what rounding leaves, as of "
                                       "(sin pi): exact numbers would tell, ':pi for π, "
-                              "(read-expression '(sqrt 2)) for the root of 2")
+                                      "(sqrt 2) for the root of 2")
                        (value->text found)))]))
 
 ;; A flonum in e of the size of rounding, or #f.

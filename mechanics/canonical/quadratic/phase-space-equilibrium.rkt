@@ -7,7 +7,7 @@
 (require "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
          "../../calculus/derivative.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/refusal.rkt"
-         "../../generic/describe.rkt"
+         "../../generic/describe.rkt" (only-in "../../generic/number-argument.rkt" known-number)
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
          "../../lagrangian/generic-state.rkt" "../../lagrangian/local-tuple.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
@@ -91,7 +91,7 @@
       (derivatives)))
   (for/list ([x (in-list found)])
     (if (real? x) x
-        (let ([y (simplify x)]) (if (real? y) y (raise-no-number who H y))))))
+        (let ([y (simplify x)]) (or (known-number y) (raise-no-number who H y))))))
 
 ;; part : what is no number; the first symbol in it is named
 (define (raise-no-number who H part)

@@ -6,7 +6,8 @@
          "eigenvalues.rkt" "exact-eigenvectors.rkt" "linear-algebra.rkt" "matrix.rkt"
          "numeric-eigenvectors.rkt"
          "../simplify.rkt" "../structure.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/wrong-argument.rkt"
+         "../../generic/arithmetic.rkt" "../../generic/irrational.rkt"
+         "../../generic/wrong-argument.rkt"
          (only-in "../../numeric/finite-number.rkt" exact-rational?)
          "../../numeric/flvector.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
@@ -47,9 +48,10 @@
 ;; length and orthogonal.
 (define (svd A)
   (define rows
-    (cond [(matrix? A) (matrix-rows A)]
-          [(tuple? A) (square-entries 'svd A)]
-          [else (raise-no-matrix 'svd A)]))
+    (rows-map irrational-as-decimal
+              (cond [(matrix? A) (matrix-rows A)]
+                    [(tuple? A) (square-entries 'svd A)]
+                    [else (raise-no-matrix 'svd A)])))
   (unless (all-entries? rational? rows)
     (complain-of-argument 'svd "a matrix of finite real numbers" A))
   (define wide? (> (row-length rows) (vector-length rows)))

@@ -20,7 +20,7 @@
          "../../algebra/expression/expression.rkt"
          "../../algebra/elimination/block-form.rkt"
          "../../generic/arithmetic.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
-         "../../generic/up-down.rkt"
+         "../../generic/irrational.rkt" "../../generic/up-down.rkt"
          "../../numeric/linear-algebra/flonum-systems.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt")
 
@@ -45,7 +45,8 @@
 
 (define (flonums? rows) (and (all-entries? number? rows) (not (exact-numbers? rows))))
 
-(define (block-determinant rows)
+(define (block-determinant given)
+  (define rows (with-one-precision given))
   (cond [(exact-numbers? rows) (eliminated-determinant rows 1)]
         [(all-entries? number? rows) (floating-determinant rows)]
         [else (or (and (many-rows? rows) (pivots-determinant rows)) (ring-determinant rows))]))
@@ -92,7 +93,9 @@
         (if (eqv? z 0) b (g:- b (g:* a z)))))))
 
 ;; -> rows, or 'singular
-(define (block-solutions A right)
+(define (block-solutions left constant)
+  (define A (with-one-precision left constant))
+  (define right (with-one-precision constant left))
   (define n (vector-length A))
   (cond [(= n 1) (solve-one (entry A 0 0) (vector-ref right 0))]
         [(open-system? A right) (open-solutions A right)]
@@ -104,9 +107,16 @@
          (define inverse (numeric-solutions A (unit-rows n)))
          (if (eq? inverse 'singular) inverse (rows-product inverse right))]))
 
-;; Numbers, not all of them Racket's?
+;; Numbers, some of them of higher precision?
 (define (other-numbers? A right)
-  (and (not (all-entries? number? A right)) (all-entries? plain-number? A right)))
+  (and (all-entries? plain-number? A right)
+       (not (all-entries? (lambda (x) (or (number? x) (irrational? x))) A right))))
+
+;; Beside flonums irrational numbers are decimals.
+(define (with-one-precision rows . others)
+  (if (apply all-entries? (lambda (x) (not (flonum? x))) rows others)
+      rows
+      (rows-map irrational-as-decimal rows)))
 
 (define (solve-one a right)
   (if (zero-value? a)
@@ -129,8 +139,9 @@
   (kernel-basis-vectors (kernel-of who given rows)))
 
 (define (kernel-of who given rows)
-  (unless (all-entries? expression? rows) (raise-no-scalars who given))
-  (or (matrix-kernel rows) (raise-too-large who given)))
+  (define entries (rows-map irrational-as-expression (with-one-precision rows)))
+  (unless (all-entries? expression? entries) (raise-no-scalars who given))
+  (or (matrix-kernel entries) (raise-too-large who given)))
 
 ;; ---------------------------------------------------------------------------
 ;; Characteristic polynomials

@@ -2,6 +2,7 @@
 ;; Numbers that are the same up to a tolerance, alone and in whatever holds them.
 
 (require racket/flonum
+         (only-in mechanics/generic/irrational irrational-as-decimal)
          mechanics/generic/up-down
          mechanics/value/bigfloat
          "checks.rkt")
@@ -12,7 +13,8 @@
  exact)          ; real number of any precision -> exact
 
 ;; |a - b| <= tolerance max(1, |a|, |b|), of finite numbers; others are close to themselves
-(define (close? a b [tolerance 1e-9])
+(define (close? x y [tolerance 1e-9])
+  (define-values (a b) (values (irrational-as-decimal x) (irrational-as-decimal y)))
   (or (eqv? a b)
       (and (finite? a) (finite? b)
            (<= (magnitude (- a b)) (* tolerance (max 1 (magnitude a) (magnitude b)))))))
@@ -27,12 +29,12 @@
                  (< (abs (- (exact x) (exact y))) tolerance)))
     (with-check-info (['given given] ['expected expected]) (fail-check))))
 
-;; Those of structures, lists and flvectors, of any precision.
+;; Those of structures, lists and flvectors, of any precision; of exact roots the decimals.
 (define (numbers-in x)
   (cond [(structure? x) (numbers-in (vector->list (structure-elements x)))]
         [(list? x) (apply append (map numbers-in x))]
         [(flvector? x) (for/list ([y (in-flvector x)]) y)]
-        [else (list x)]))
+        [else (list (irrational-as-decimal x))]))
 
 ;; Infinities and what is no number stay.
 (define (exact x)

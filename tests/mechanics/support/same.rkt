@@ -10,6 +10,7 @@
 (require (for-syntax racket/base)
          mechanics/algebra/expression/expression
          (only-in mechanics/generic/arithmetic g:*)
+         (only-in mechanics/generic/irrational irrational?)
          mechanics/generic/up-down
          mechanics/generic/function
          mechanics/value/matrix/matrix
@@ -34,7 +35,7 @@
   (define (same-parts? as bs)
     (and (= (length as) (length bs))
          (for/and ([x (in-list as)] [y (in-list bs)]) (same? x y tolerance))))
-  (cond [(and (number? a) (number? b)) (close? a b tolerance)]
+  (cond [(and (a-number? a) (a-number? b)) (close? a b tolerance)]
         [(or (series? a) (series? b))
          (for/and ([k (in-range terms)]) (same? (term a k) (term b k) tolerance))]
         [(and (expression? a) (expression? b))
@@ -55,6 +56,8 @@
         [(and (matrix? a) (scalar? b)) (same? a (multiple b a) tolerance)]
         [(and (scalar? a) (matrix? b)) (same? (multiple a b) b tolerance)]
         [else (equal? a b)]))
+
+(define (a-number? x) (or (number? x) (irrational? x)))
 
 (define unknown (literal-function 'unknown))
 (define (image x) (if (operator? x) (x unknown) (g:* x unknown)))
