@@ -25,11 +25,18 @@
      "two libraries have the name; one is left out by (require (except-in library name))")
     (#rx"bad require spec" "as in (require mechanics/plot)")))
 
+;; A number was expected, and one made of exact numbers and roots was given.
+(define exact-root-given
+  (pregexp
+   (string-append "contract violation\n  expected: [^\n]*(?:number|real|rational|flonum)[?][^\n]*\n"
+                  "  given: (?=[^\n]*(?:sqrt|expt) )(?:sqrt|expt|[-+*/0-9 ()])+(?:\n|$)")))
+
 (define for-values
-  '((#rx"\n  (expected: (list|pair)[?][^\n]*\n  given|index: [^\n]*\n  in): [(](up|down) "
+  `((#rx"\n  (expected: (list|pair)[?][^\n]*\n  given|index: [^\n]*\n  in): [(](up|down) "
      "a tuple is no list: (ref s 0) is a component, (structure->list s) a list of them")
     (#px"^(?:sinh|cosh|tanh|sgn|conjugate): contract violation\n  expected: number[?]"
      "this one is Racket's, of numbers alone; (require (except-in racket/math ...)) leaves it out")
+    (,exact-root-given "it is exact; (exact->inexact x) is its decimal")
     (#rx"^Gtk initialization failed"
      "curves are drawn without a window by (require mechanics/plot)")
     (#rx"^set!: assignment disallowed" "a definition is (define x 3)")))

@@ -7,8 +7,9 @@
 
 (require "picture-advice.rkt" "waiting-remark.rkt" "result-lines.rkt"
          "../../algebra/expression/expression.rkt"
-         "../../generic/cyclic-data.rkt" "../../generic/kind.rkt" "../../generic/notation.rkt"
-         "../../generic/on-demand.rkt" "../../generic/value-struct.rkt"
+         "../../generic/cyclic-data.rkt" "../../generic/irrational.rkt" "../../generic/kind.rkt"
+         "../../generic/notation.rkt" "../../generic/on-demand.rkt"
+         "../../generic/value-struct.rkt"
          "../../value/simplify.rkt"
          "../../verdict/verdict.rkt"
          (only-in racket/list append* remove-duplicates))
@@ -25,8 +26,15 @@
 ;; see : as seen-once gives it, where others show x as well
 (define (simplified-result x width [manner 'expression] [see (seen-once)])
   (cond [(cyclic? x) x]
+        [(and (eq? manner 'expression) (decimal-of x))
+         => (lambda (d) (laid-out (format "~v  ; ~a" (expression-result x width see) d)))]
         [(or (eq? manner 'expression) (not (formula? x))) (expression-result x width see)]
         [else (typeset-result x width manner see)]))
+
+;; Of an exact irrational number, or an expression that is one: told beside it.
+(define (decimal-of x)
+  (define n (constant->number x))
+  (and (irrational? n) (irrational-as-decimal n)))
 
 (define (typeset-result x width manner see)
   (define-values (shown notes) (shown-throughout x see))

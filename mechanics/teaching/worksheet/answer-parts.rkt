@@ -6,7 +6,7 @@
          "../../algebra/expression/expression.rkt" "../../algebra/expression/substitute.rkt"
          "../../algebra/zero/vanishing.rkt"
          "../../calculus/derivative.rkt" "../../calculus/expression-function.rkt"
-         "../../generic/describe.rkt" "../../generic/up-down.rkt"
+         "../../generic/describe.rkt" "../../generic/scalar.rkt" "../../generic/up-down.rkt"
          "../../value/assumptions.rkt" "../../value/read-expression.rkt" "../../value/rewrite.rkt"
          "../../value/matrix/matrix.rkt"
          "../../value/shape.rkt" "../../value/structure.rkt"
@@ -24,7 +24,7 @@
                 (alike? p q)))]
         [(and (matrix? a) (matrix? b))
          (and (= (m:num-rows a) (m:num-rows b)) (= (m:num-cols a) (m:num-cols b)))]
-        [else (and (expression? a) (expression? b))]))
+        [else (and (scalar? a) (scalar? b))]))
 
 ;; Are a and b proved to be equal?
 (define (same? a b) (and (alike? a b) (proved? (verify-equal a b))))

@@ -13,7 +13,7 @@
          "../../algebra/expression/substitute.rkt" "../../algebra/expression/symbols.rkt"
          "../../algebra/zero/decimal-readings.rkt"
          "../../calculus/expression-function.rkt"
-         "../../generic/rounding.rkt"
+         "../../generic/irrational.rkt" "../../generic/rounding.rkt" "../../generic/scalar.rkt"
          "../../value/simplify.rkt")
 
 (provide real-value value-at scattered has-decimals? decimals-agree? with-exact-decimals)
@@ -25,14 +25,16 @@
         [else d]))
 
 ;; -> a flonum, or #f
-(define (real-value x) (flonum-or-false (and (expression? x) (g:exact->inexact (simplify x)))))
+(define (real-value x) (flonum-or-false (and (scalar? x) (g:exact->inexact (simplify x)))))
 
 ;; point : ((symbol . number) ...) -> a flonum, or #f where there is no real value
 (define (value-at e point)
   (define all (cons (cons ':pi pi) point))
   (flonum-or-false (with-handlers ([exn:fail? (lambda (x) #f)]) (evaluate-generically e all))))
 
-(define (flonum-or-false n) (and (real? n) (rational? n) (real->double-flonum n)))
+(define (flonum-or-false n)
+  (define x (irrational-as-decimal n))
+  (and (real? x) (rational? x) (real->double-flonum x)))
 
 (define (has-decimals? e) (and (expression? e) (some-leaf? flonum? e)))
 

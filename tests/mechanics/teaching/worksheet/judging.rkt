@@ -221,6 +221,14 @@
  [(* 1.5 'x) wrong 0]
  [(* 7/5 'x) wrong 0])
 
+;; Roots are exact in the key and in the answer.
+(judges (an-exercise expression ('key (up (sqrt 12) (/ (+ 1 (sqrt 5)) 2))))
+ [(up (* 2 (sqrt 3)) (/ 2 (- (sqrt 5) 1))) right 1]
+ [(up (/ 6 (sqrt 3)) (sqrt (/ (+ 3 (sqrt 5)) 2))) right 1]
+ [(up (* 3 (sqrt 2)) (/ (+ 1 (sqrt 5)) 2)) partly 1/2])
+(judges (an-exercise expression ('key (* 'm (sqrt 1/2))))
+ [(/ 'm (sqrt 2)) right 1] [(* 'm (expt 4 -1/4)) right 1] [(* 'm (sqrt 2)) wrong 0])
+
 (define pair (an-exercise expression ('key (up 'a (* 2 'b)))))
 (judges pair
  [(up 'a 'b) partly 1/2]
