@@ -10,7 +10,8 @@
          "../../algebra/expression/constant-value.rkt" "../../algebra/expression/expression.rkt"
          "../../algebra/expression/operation.rkt"
          "../../calculus/derivative.rkt" "../../calculus/expression-function.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/elementary.rkt")
+         "../../generic/arithmetic.rkt" "../../generic/elementary.rkt"
+         (only-in "../../generic/number-argument.rkt" known-number))
 
 (provide Taylor-parts)
 
@@ -89,7 +90,7 @@
 
 (define (number-or fail x)
   (cond [(number? x) x]
-        [(and (expression? x) (constant-value x))]
+        [(known-number x)]
         [else (fail)]))
 
 ;; The index of the only argument that is no constant, or #f

@@ -7,7 +7,8 @@
 (require "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
          "../../calculus/derivative.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt" "../../error/refusal.rkt"
-         "../../generic/describe.rkt" (only-in "../../generic/number-argument.rkt" known-number)
+         "../../generic/describe.rkt" "../../generic/irrational.rkt"
+         (only-in "../../generic/number-argument.rkt" known-number)
          "../../hamiltonian/H-state.rkt" "../../hamiltonian/Hamiltonian.rkt"
          "../../lagrangian/generic-state.rkt" "../../lagrangian/local-tuple.rkt"
          "../../numeric/linear-algebra/row-matrix.rkt"
@@ -18,7 +19,8 @@
 
 ;; state : of symbols;  at : a state of numbers near one, or #f for the origin
 ;; -> coordinates and momenta, a list of numbers
-(define (equilibrium-of who H state at)
+(define (equilibrium-of who H state given)
+  (define at (and given (s:map/r irrational-as-decimal given)))
   (check-Hamiltonian-and-state who H state)
   (check-symbols who state "state")
   (check-parameters who H state "state")
