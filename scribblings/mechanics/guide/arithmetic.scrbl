@@ -51,14 +51,21 @@ value. Their products compose.
 
 @section{Exact and inexact numbers}
 
-Fractions stay exact, and an exact result is printed exactly.
+Fractions stay exact, and so do roots of exact numbers; the prompt prints the decimal of a root
+beside it, as a comment.
 
 @examples[#:eval session #:label #f
 (* 1/2 2/3)
 (/ 4 2)
-(sqrt 2)
+(sqrt 12)
+(/ 1 (+ 1 (sqrt 2)))
+(sqrt (+ 11 (* 6 (sqrt 2))))
 (cos 0)
 (* 'x 1/3)]
+
+Sums, products, quotients and powers of roots are exact as long as they are short, and equal ones
+are known to be equal. What grows long becomes a decimal, as do √(2 + √2), which is no sum of roots
+of fractions, and sines or logarithms of exact numbers.
 
 A number with a decimal point is inexact, and it makes inexact what it touches:
 
@@ -120,7 +127,7 @@ Two have another meaning: @racket[time] is the selector of the time from a local
 tuple (@secref["questions"]), and @racket[expand] multiplies out.
 
 These are Racket's own and know numbers only: @racket[quotient],
-@racket[remainder], @racket[modulo], @racket[gcd], @racket[number->string] and the
+@racket[remainder], @racket[modulo], @racket[gcd] and the
 like. Given a symbol they complain in Racket's words:
 
 @examples[#:eval session #:label #f

@@ -63,7 +63,7 @@ that happen to have two parts:
     (define better (- y (/ (- (square y) a) (* 2 y))))
     (if (< (abs (- better y)) 1e-15) better (loop better))))
 ((D root) 2)
-(/ 1 (* 2 (sqrt 2)))]
+(/ 1 (* 2 (sqrt 2.0)))]
 
 You never see a dual number. It exists while @racket[D] is at work.
 

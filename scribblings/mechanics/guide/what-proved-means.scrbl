@@ -141,10 +141,12 @@ if they have few digits:
 (define (L-falling s) (- (* 1/2 (square (velocity s))) (* 9.8 (coordinate s))))
 (verify-solution L-falling (lambda (t) (- 10 (* 4.9 (square t)))))]
 
-Better write what you mean. @racket[(sqrt 2)] is a number, and Racket has no exact one for
-it; a symbol has all its digits, and so has @racket[':pi], which is π:
+Better write what you mean. @racket[(sqrt 2)] is exact; a symbol has all its digits, and so has
+@racket[':pi], which is π:
 
 @examples[#:eval session #:label #f
+(verify-solution (L-harmonic 1 2) (lambda (t) (cos (* (sqrt 2) t))))
+(verify-equal (sqrt (+ 11 (* 6 (sqrt 2)))) (+ 3 (sqrt 2)))
 (verify-solution (L-harmonic 1 'k) (lambda (t) (cos (* (sqrt 'k) t))))
 (verify-solution (L-harmonic 1 (square ':2pi)) (lambda (t) (cos (* ':2pi t))))]
 

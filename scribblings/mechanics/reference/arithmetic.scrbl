@@ -101,13 +101,19 @@ power, and whoever writes one is told how. Your own definition of the name is we
               @defproc[(exp [x value]) value]
               @defproc*[([(log [x value]) value] [(log [x value] [base value]) value])])]{
 
-Square root, exponential and logarithm. Roots of exact squares are exact. @racket[log] is
+Square root, exponential and logarithm. The root of a positive exact number is exact, a number to
+all that takes numbers: @racket[exact->inexact] gives its decimal, and whatever it has to do with a
+decimal is one. So are rational powers. Racket's own procedures do not take it. @racket[log] is
 the natural logarithm unless a base is given. The exponential of a square matrix is
 1 + A + A²/2! + ⋯, exact if the matrix is nilpotent or diagonal; of others the entries must be
 numbers.
 
 @examples[#:eval session
 (sqrt 16)
+(sqrt 12)
+(* (sqrt 2) (sqrt 8))
+(expt (+ 7 (* 5 (sqrt 2))) 1/3)
+(list (* 1.0 (sqrt 2)) (floor (sqrt 2)) (< (sqrt 2) 3/2) (exact? (sqrt 2)))
 (sqrt (* 4 'x))
 ((D exp) 'x)
 ((D log) 'x)
@@ -259,6 +265,13 @@ as they are, and a derivative passes through.
 (exact->inexact 1/3)
 (exact->inexact (matrix-by-rows '(1/2 1) '(2 x)))
 ((D (lambda (x) (* x (exact->inexact x)))) 3)]}
+
+@defproc[(number->string [x number?] [radix (or/c 2 8 10 16) 10]) string?]{
+
+The digits of a number; of an exact root, those of its decimal.
+
+@examples[#:eval session
+(map number->string (list 1/3 (sqrt 2)))]}
 
 @defproc[(inexact->exact [x value]) value]{
 
@@ -417,6 +430,7 @@ that they are asked about a number that is not known yet.
 @examples[#:eval session
 (number? 'm)
 (list (symbol? 'm) (real? 1/2) (rational? 1/2) (integer? 1/2))
+(list (real? (sqrt 2)) (rational? (sqrt 2)))
 (list (exact? 0.5) (inexact? 0.5))
 (equal? (up 1 (+ 'a 'b)) (up 1 (+ 'b 'a)))
 (eqv? 0.5 1/2)

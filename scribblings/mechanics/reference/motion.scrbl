@@ -480,8 +480,8 @@ long with 100 bits as with flonums.
 
 @margin-note{Exact numbers enter at full precision, a flonum at its own exact value:
 @racket[0.1] is 0.1000000000000000055…. Hence give @racket[1/10] where that is
-meant, and @racket[(sqrt (bigfloat 2 200))] where
-@racket[(sqrt 2)], which is a flonum, has half the digits.}
+meant, and @racket[(sqrt 2)] or @racket[(sqrt (bigfloat 2 200))] where
+@racket[(sqrt 2.0)], a flonum, has half the digits.}
 
 Two runs of the double pendulum of exercise 1.44 from the same place, the second one in
 flonums. After 15 seconds it has two digits right; the first one has six, as a run with
