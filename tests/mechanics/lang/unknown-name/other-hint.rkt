@@ -56,7 +56,8 @@
    (last-lines "(begin (require racket/math) (sinh 'x))")
    '("this one is Racket's, of numbers alone; (require (except-in racket/math ...)) leaves it out"))
   (check-equal? (last-lines "(car 3)") '("given: 3"))
-  (check-equal? (last-lines "(real->double-flonum (sqrt 2))" "(real->decimal-string (/ (sqrt 5) 2) 3)"
+  (check-equal? (last-lines "(real->double-flonum (sqrt 2))"
+                            "(real->decimal-string (/ (sqrt 5) 2) 3)"
                             "(real->decimal-string (sqrt 'x) 3)")
                 '("it is exact; (exact->inexact x) is its decimal"
                   "it is exact; (exact->inexact x) is its decimal" "given: (sqrt x)"))
