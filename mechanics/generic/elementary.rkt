@@ -6,10 +6,10 @@
 ;; functions composed, and derivatives of any order taken.
 
 (require (for-syntax racket/base "../operation/operation-table.rkt")
-         racket/fixnum racket/flonum
-         "arithmetic.rkt" "branches.rkt" "compare.rkt" "dispatch.rkt" "kind.rkt" "naming.rkt"
-         "operation-record.rkt"
-         "kinks-met.rkt" "singular-derivative.rkt" "irrational.rkt" "up-down.rkt"
+         racket/flonum
+         "arithmetic.rkt" "branches.rkt" "compare.rkt" "dispatch.rkt" "irrational.rkt" "kind.rkt"
+         "naming.rkt" "operation-record.rkt"
+         "kinks-met.rkt" "singular-derivative.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/pi.rkt"
          "../error/complain.rkt"

@@ -7,8 +7,7 @@
 ;; is longer, or is no sum of roots, as √(2 + √2), is a decimal, as is whatever has a decimal or
 ;; any other function to do with one.  Beside symbols it is the expression that it prints as.
 
-(require racket/flonum
-         "describe.rkt" "dispatch.rkt" "kind.rkt" "value-struct.rkt"
+(require "kind.rkt" "value-struct.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../algebra/radical/radical-expression.rkt" "../algebra/radical/radical-power.rkt"
          "../algebra/radical/radical-sum.rkt")
