@@ -35,7 +35,7 @@ After some lemmas and tactics, which are the same in each file and are proved th
 on like this:
 
 @verbatim[#:indent 2]|{
-Definition hypotheses (a m t w : R) : Prop :=
+Definition hypotheses (a t w m : R) : Prop :=
   True.
 }|
 
@@ -46,13 +46,13 @@ first, for a theorem is only as good as its hypotheses are weak.
 
 @verbatim[#:indent 2]|{
 Section motion.
-Variables a m w : R.
+Variables a w m : R.
 
 Definition L (t q v : R) : R := 1 / 2 * m * v * v - 1 / 2 * m * w * w * q * q.
 Definition path (t : R) : R := a * cos (w * t).
 }|
 
-Let a, m and w be real numbers. L is your Lagrangian and @tt{path} your path, as the library read
+Let a, w and m be real numbers. L is your Lagrangian and @tt{path} your path, as the library read
 them off your procedures: compare them with your program. This is the one step in which you trust
 us.
 
@@ -65,7 +65,7 @@ Definition slope (t : R) : R := - m * w * w * (a * cos (w * t)).
 Three more functions. Their names are names, and say nothing yet; the theorem says what they are:
 
 @verbatim[#:indent 2]|{
-Theorem claim : forall t : R, hypotheses a m t w ->
+Theorem claim : forall t : R, hypotheses a t w m ->
   is_derive path t (velocity t) /\
   is_derive (fun x => L t (path t) x) (velocity t) (momentum t) /\
   is_derive (fun x => L t x (velocity t)) (path t) (slope t) /\
@@ -82,7 +82,7 @@ Between @tt{Proof} and @tt{Qed} stand the steps of the proof. You need not read 
 stands there, Coq accepts it only if it proves the theorem.
 
 @verbatim[#:indent 2]|{
-Theorem not_vacuous : exists (a m t w : R), hypotheses a m t w.
+Theorem not_vacuous : exists (a t w m : R), hypotheses a t w m.
 }|
 
 A theorem whose hypotheses contradict each other would be true, and empty. So each file proves that

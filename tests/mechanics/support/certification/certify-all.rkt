@@ -118,7 +118,7 @@
   (unless coqc
     (printf "skipped: Coq is not there; on Debian, apt-get install coq libcoq-coquelicot\n")
     (exit 0))
-  (define needed '(square-root positive-root exponential-of-logarithm symbolic-power))
+  (define needed '(square-root exponential-of-logarithm quotient geometric cube-root))
   (define claims (judge-all judge (entries-of-claims) coqc jobs))
   (define examples (if examples? (judge-all judge (entries-of-examples) coqc jobs) '()))
   (define neighbours

@@ -83,7 +83,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Changed hypotheses
 
-;; claims : those of which each hypothesis is needed
+;; claims : those of which each hypothesis is needed, with Coq's total functions too: there
+;; x^a x^b = x^(a + b) holds for negative x as well
 (define (neighbours-by-hypotheses claims)
   (append*
    (for/list ([c (in-list claims)])
