@@ -1,7 +1,7 @@
 #lang racket/base
 ;; A certificate given to Coq: is it accepted, with no axioms but those of the real numbers?
 
-(require racket/file racket/list racket/port racket/string racket/system)
+(require racket/file racket/string racket/system)
 
 (provide find-Coq check-by-Coq (struct-out judgement))
 

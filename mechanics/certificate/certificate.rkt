@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Certificates: a proved verdict as a theorem that the proof assistant Coq checks.
 
-(require racket/list racket/string
+(require racket/list
          "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt" "proof-script.rkt"
          "theorem-text.rkt"
          "../algebra/expression/expression.rkt"

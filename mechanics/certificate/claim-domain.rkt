@@ -9,7 +9,7 @@
 (require racket/list
          "Coq-term.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
-         "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt")
+         "../algebra/expression/operation.rkt")
 
 (provide domain-relations)
 

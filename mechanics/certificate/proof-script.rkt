@@ -6,8 +6,7 @@
 ;; divisors, each of which is shown not to vanish; `ring` knows the relations.
 
 (require racket/file racket/runtime-path racket/string
-         "Coq-term.rkt" "kernel-facts.rkt"
-         "../algebra/expression/expression.rkt")
+         "Coq-term.rkt" "kernel-facts.rkt")
 
 (provide proof-lines proof-tactics)
 

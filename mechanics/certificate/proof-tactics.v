@@ -85,6 +85,11 @@ with nonnegative :=
           | |- 0 <= _ ^ _ => apply pow_le; nonnegative
           | |- 0 <= _ + _ => apply Rplus_le_le_0_compat; nonnegative
           end
+        | match goal with
+          | H : 0 <= ?x / ?y |- 0 <= ?x =>
+              replace x with (x / y * y) by (field; nonzero_factor);
+              apply Rmult_le_pos; [exact H | nonnegative]
+          end
         | left; positive
         | nra ]
 with nonzero_factor :=

@@ -2,7 +2,7 @@
 ;; `raco mechanics certify FILE`: a certificate for each proved verdict that a program shows, and
 ;; what Coq says of it.
 
-(require racket/file racket/list racket/path racket/string
+(require racket/file racket/path racket/string
          "program-verdicts.rkt" "written-files.rkt"
          "../../certificate/certificate.rkt" "../../certificate/Coq-check.rkt"
          "../../error/message-words.rkt"

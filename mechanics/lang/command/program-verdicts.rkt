@@ -1,8 +1,7 @@
 #lang racket/base
 ;; The verdicts that a program shows, each with the form that it is the result of.
 
-(require racket/path
-         "run-program.rkt" "watch.rkt"
+(require "run-program.rkt" "watch.rkt"
          "../program-file.rkt"
          "../../show/document/document-piece.rkt"
          "../../verdict/verdict.rkt")

@@ -7,8 +7,7 @@
 ;; The table is written to build/certificates.txt too. The exit code is 1 if Coq rejects a
 ;; certificate or accepts a false neighbour.
 
-(require racket/cmdline racket/file racket/list racket/path racket/port racket/runtime-path
-         racket/string
+(require racket/cmdline racket/file racket/list racket/path racket/runtime-path
          mechanics/certificate/certificate mechanics/certificate/Coq-check
          mechanics/lang/command/program-verdicts
          mechanics/verdict/verdict

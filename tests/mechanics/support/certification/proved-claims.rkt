@@ -2,7 +2,7 @@
 ;; The claims of claims.rktd, asked: each with its verdict.
 
 (require racket/file racket/runtime-path
-         mechanics mechanics/book)
+         mechanics (only-in mechanics/book))
 
 (provide proved-claims (struct-out asked))
 
