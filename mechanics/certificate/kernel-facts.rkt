@@ -261,9 +261,11 @@
       "0"
       (for/fold ([text (car terms)]) ([t (in-list (cdr terms))]) (string-append text " + " t))))
 
-;; The addition formulas hold for any angles, which are generalized, those that hold others first.
+;; The addition formulas hold for any angles, which are generalized, those that hold others first;
+;; a number is not, which may stand elsewhere.
 (define (generic-proof tactic multiples ns)
-  (define texts (map (lambda (m) (term (car m) ns)) multiples))
+  (define texts
+    (for/list ([m (in-list multiples)] #:unless (number? (car m))) (term (car m) ns)))
   (format "~aintros; ~a"
           (apply string-append (for/list ([t (in-list (sort texts > #:key string-length))])
                                  (format "generalize (~a); " t)))
