@@ -150,6 +150,7 @@
 (define ((evaluator rates all u rows h sigmas tolerance) x)
   (define start (with-unknowns all u x))
   (define moving (for/list ([k (in-list (unknowns-places u))]) (unit-structure all k)))
+  (define sizes (sizes-of u x))
   (define end (for/fold ([t -inf.0]) ([m (in-list rows)]) (flmax t (measured-time m))))
   (define tr
     (call-for-state who (lambda ()
@@ -158,9 +159,9 @@
   (define models+columns (for/list ([m (in-list rows)]) (at-row (tr (measured-time m)) h sigmas)))
   (define model (flvector-join (map car models+columns)))
   (define columns
-    (for/list ([k (in-range (length moving))] [x (in-flvector x)])
+    (for/list ([k (in-range (length moving))] [size (in-list sizes)])
       (define c (flvector-join (for/list ([mc (in-list models+columns)]) (list-ref mc (+ k 1)))))
-      (if (negligible? c x model) (make-flvector (flvector-length c)) (flvector-scaled -1.0 c))))
+      (if (negligible? c size model) (make-flvector (flvector-length c)) (flvector-scaled -1.0 c))))
   (values (difference (flvector-join (for/list ([m (in-list rows)])
                                        (weighted (measured-numbers m) sigmas)))
                       model)
@@ -182,9 +183,13 @@
 
 (define (flvector-join vs) (for*/flvector ([v (in-list vs)] [x (in-flvector v)]) x))
 
-;; Is a change of the unknown by as much as itself too small to be seen?
-(define (negligible? column x model)
-  (define size (if (fl= x 0.0) 1.0 (flabs x)))
+;; The sizes of the unknowns: as they are, or as they were given, for what is fitted may be 0.
+(define (sizes-of u x)
+  (for/list ([x (in-flvector x)] [start (in-flvector (unknowns-start u))])
+    (flmax (flabs x) (if (fl= start 0.0) 1.0 (flabs start)))))
+
+;; Is a change of an unknown by its size too small to be seen?
+(define (negligible? column size model)
   (fl<= (fl* size (norm column)) (fl* 1e-10 (norm model))))
 
 ;; ---------------------------------------------------------------------------

@@ -48,6 +48,16 @@
   (fit-motion pendulum (up 0 0.9 0) data #:parameters '((g 9.8) (l 1.1)) #:hold '(g)
               #:measured angle #:deviation deviation))
 
+;; What converges to 0 has no size of its own.
+(test-case "an unknown may be 0"
+  (define ((oscillator w) s) (up 1 (ref s 2) (* -1 w w (ref s 1))))
+  (for ([f (list cos sin)] [q '(1 0)] [v '(0 1.2)])
+    (define data (for/list ([k 31]) (list (/ k 10.0) (f (* 0.12 k)))))
+    (define found (fit-motion oscillator (up 0 0.9 0) data #:parameters '((w 1.0))
+                              #:measured angle))
+    (for ([value (motion-fit-values found)] [expected (list q v 1.2)])
+      (check-= (cadr value) expected 1e-9))))
+
 (test-case "a picture of the residuals: a point for each row, about a line at 0"
   (define f (fitted (measurements 0.01)))
   (define picture (frame 0 10 -0.05 0.05))
