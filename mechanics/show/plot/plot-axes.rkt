@@ -46,7 +46,7 @@
   (define-values (x-ticks y-ticks) (values (ticks x-min x-max (car (view-scales v)))
                                            (ticks y-min y-max (cadr (view-scales v)))))
   (define-values (width height) (values (view-width v) (view-height v)))
-  (define head (if (view-title v) (* 3/2 (send dc get-char-height)) 0))
+  (define head (if (view-title v) (* 3/2 (text-height (title-text dc v))) 0))
   (let grow ([left 0] [right width] [top head] [bottom height] [rounds 3])
     (define (between left right top bottom)
       (apply area v bar x-ticks y-ticks (map real->double-flonum (list left right top bottom))))
@@ -123,5 +123,6 @@
      '(0 0 0) width))
   (when (area-bar a) (draw-color-bar dc (area-bar a) right top bottom))
   (for ([t (in-list (texts dc a))]) (draw-text dc t))
-  (when (view-title v)
-    (draw-text dc (make-text dc (view-title v) (/ (view-width v) 2) 0 1/2 0))))
+  (when (view-title v) (draw-text dc (title-text dc v))))
+
+(define (title-text dc v) (make-text dc (view-title v) (/ (view-width v) 2) 0 1/2 0))

@@ -25,7 +25,21 @@
            (color->bytes (style-color s)) (pixels-along (style-size s))))
   (draw-image dc a (pixels-width image) (pixels-height image) (pixels-bytes image)))
 
-(define (draw-raster dc a r) (draw-image dc a (raster-width r) (raster-height r) (raster-bytes r)))
+(define (draw-raster dc a r)
+  (define (times cells length) (max 1 (exact-round (/ (* fineness length) cells))))
+  (define-values (width height) (values (raster-width r) (raster-height r)))
+  (define-values (k l) (values (times width (- (area-right a) (area-left a)))
+                               (times height (- (area-bottom a) (area-top a)))))
+  (draw-image dc a (* k width) (* l height) (enlarged (raster-bytes r) width height k l)))
+
+;; Each pixel k wide and l high: where it is enlarged by others, its colour runs into the next.
+(define (enlarged bytes width height k l)
+  (define (repeated n part) (apply bytes-append (for/list ([_ (in-range n)]) part)))
+  (define (pixel i j) (subbytes bytes (* 4 (+ i (* j width))) (* 4 (+ 1 i (* j width)))))
+  (apply bytes-append
+         (for/list ([j (in-range height)])
+           (repeated l (apply bytes-append
+                              (for/list ([i (in-range width)]) (repeated k (pixel i j))))))))
 
 ;; Fills the area with the image.
 (define (draw-image dc a width height bytes)

@@ -8,6 +8,7 @@
          (only-in pict pict-width pict-height)
          (only-in racket/class dynamic-send)
          racket/file
+         (only-in racket/list remove-duplicates)
          racket/serialize
          racket/string
          "../../support/checks.rkt" "../../support/folder.rkt"
@@ -33,14 +34,19 @@
   (check-equal? (subbytes bytes 12 16) #"IHDR")
   (list (integer-bytes->integer bytes #f #t 16 20) (integer-bytes->integer bytes #f #t 20 24)))
 
-;; How many pixels are red, and no paler than half
-(define (red-pixels png)
+;; -> the width in pixels, and alpha, red, green and blue of each
+(define (png-pixels png)
   (define (draw-library name) (dynamic-require 'racket/draw name))
   (define picture ((draw-library 'read-bitmap) (open-input-bytes png)))
   (define (call name . arguments) (apply dynamic-send picture name arguments))
   (define-values (width height) (values (call 'get-width) (call 'get-height)))
   (define bytes (make-bytes (* 4 width height)))
   (call 'get-argb-pixels 0 0 width height bytes)
+  (values width bytes))
+
+;; How many pixels are red, and no paler than half
+(define (red-pixels png)
+  (define-values (_width bytes) (png-pixels png))
   (for/sum ([k (in-range 0 (bytes-length bytes) 4)])
     (if (and (> (bytes-ref bytes (+ k 1)) 200) (< (bytes-ref bytes (+ k 2)) 128)) 1 0)))
 
@@ -84,6 +90,16 @@
       (for/sum ([k (in-range 0 1600 4)])
         (if (equal? (subbytes row (+ k 1) (+ k 4)) (bytes 190 190 190)) 1 0)))
     (check-true (< 250 (width #t) (- (width #f) 30))))
+
+  (test-case "cells of an image are sharp, however few"
+    (define f (frame 0 1 0 1))
+    (define (falls x y return fail) (if (< x 0.5) (fail) (return x y)))
+    (chaos-map f falls 10 #:samples 2)
+    (define-values (width bytes) (png-pixels (convert f 'png-bytes)))
+    (define row (* 4 width 100))
+    (define (color k) (subbytes bytes (+ row (* 4 k) 1) (+ row (* 4 k) 4)))
+    ;; grey, the other colour and at most a mixture between them
+    (check-true (<= (length (remove-duplicates (for/list ([k (in-range 60 380)]) (color k)))) 3)))
 
   (test-case "the size of a point is its diameter in pixels"
     (define f (frame 0 1 0 1))
@@ -271,6 +287,16 @@
     (file->bytes file)))
 
 (skip-unless drawable? no-drawing
+
+  (test-case "a title stands above the ticks, in any size of letters"
+    (define f (frame 0 1 0 1 #:title "title"))
+    (define-values (width bytes) (png-pixels (saved f "a.png" 8 #f 8)))
+    (define (white-row? j)               ; but for its last pixel
+      (for/and ([k (in-range (* 4 width j) (* 4 (- (* width (+ j 1)) 1)))])
+        (= 255 (bytes-ref bytes k))))
+    (define top (for/first ([j (in-naturals)] #:unless (white-row? j)) j))
+    (define below (for/first ([j (in-naturals top)] #:when (white-row? j)) j))
+    (check-true (< (- below top) 40)))
 
   (test-case "text in an SVG that is saved is text, fitted to its place"
     (define f (frame 0 1 0 1 #:x-label "a < b & c" #:y-label "up" #:width 300 #:height 200))
