@@ -194,7 +194,7 @@
 
 (define (read-primary in)
   (case (token-kind (ahead in))
-    [(number) (token-value (take! in))]
+    [(number datum) (token-value (take! in))]
     [(word) (read-word in)]
     [(function) (read-call in (token-value (take! in)))]
     [(open) (enclosed in 'close read-entry-list)]
@@ -319,16 +319,19 @@
   (and (equal? "t" (token-text (car tokens))) (eq? 'close (token-kind (cadr tokens)))))
 
 ;; A coordinate may stand with its argument, the time; x(t - 1) is not clear.  Behind other
-;; quantities parentheses are a factor.
+;; quantities parentheses are a factor; what was read in them is not read again.
 (define (after-quantity in d)
   (when ((vocabulary-moving? (source-words in)) d)
     (skip-time in)
     (when (glued? in 'open)
-      (define ahead (reader-left in))
+      (define open (ahead in))
       (define inside (enclosed in 'close read-entry-list))
       (when (or (number? inside) (memq 't (flattened inside)))
         (either in (product d inside) (list d inside)))
-      (set-reader-left! in ahead)))
+      (set-reader-left! in (list* open
+                                  (struct-copy token open [kind 'datum] [value inside])
+                                  (struct-copy token open [kind 'close])
+                                  (reader-left in)))))
   d)
 
 (define (flattened d) (if (pair? d) (append-map flattened d) (list d)))

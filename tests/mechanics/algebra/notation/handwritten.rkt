@@ -46,7 +46,7 @@
  ["V(r)" (V r)] ["V(r + 1)" (V (+ r 1))] ["V'(r)" ((D V) r)] ["V²(r)" (expt (V r) 2)]
  ["m(r + 1)" (* m (+ r 1))] ["W(r)" (W r)] ["p_x^2/(2m)" (/ (expt p_x 2) (* 2 m))]
  ["(g/l) x" (* (/ g l) x)] ["m/2 (x + y)" (* (/ m 2) (+ x y))] ["k_{2} a₁" (* k_2 a_1)]
- ["x'' (t) + x (t)" (+ xddot x)] ["r^2/2" (/ (expt r 2) 2)] ["r^3/3" (/ (expt r 3) 3)]
+ ["x'' (t) + x (t)" (+ xddot x)] ["x(y + m)^2" (* x (expt (+ y m) 2))] ["r^2/2" (/ (expt r 2) 2)] ["r^3/3" (/ (expt r 3) 3)]
  ["3·10^8 m" (* 3 (expt 10 8) m)] ["2e3" 2000.0] ["\\varphi \\cdot \\pi" (* phi :pi)]
  ["[x, (y, t)]" (up x (up y t))] ["ω t" (* omega t)] ["omegat" (* omega t)])
 
@@ -155,3 +155,8 @@
                      "e^" "& " "x(t" "|x" "\\" "\u307")])
     (define r (reading (repeated piece 800)))
     (check-true (or (pair? r) (string? r)) piece)))
+
+(test-case "parentheses behind coordinates are read once, however deep"
+  (define (nested n) (if (= n 0) "y" (string-append "x(" (nested (- n 1)) ")")))
+  (check-equal? (reading (nested 2)) '(((* x x y))))
+  (check-equal? (length (caar (reading (nested 50)))) 52))
