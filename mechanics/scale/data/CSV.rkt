@@ -162,12 +162,21 @@
         (cond [(not fields) (values (map string-trim names) (reverse rows))]
               [else
                (check-encoding who file line fields)
+               (check-width who file line fields (length names))
                (loop (cons (cons line (filled fields (length names))) rows))])))))
 
 (define (check-encoding who file line fields)
   (when (for/or ([field (in-list fields)]) (regexp-match? #rx"\uFFFD" field))
     (complain who "the file is no text in UTF-8; save it as CSV UTF-8\n  file: ~a\n  line: ~a"
               file line)))
+
+;; What stands beyond the columns would be lost, and what is before it is perhaps misplaced.
+(define (check-width who file line fields n)
+  (unless (for/and ([field (in-list fields)] [k (in-naturals)]) (or (< k n) (equal? field "")))
+    (complain who
+              (string-append "expected ~a, as in the first line; a field with a separator in it "
+                             "stands in quotation marks\n  file: ~a\n  line: ~a\n  fields: ~a")
+              (counted n "field") file line (length fields))))
 
 ;; The commonest of those in the first line
 (define (separator-of in)

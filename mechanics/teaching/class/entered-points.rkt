@@ -54,9 +54,11 @@
 (define (with-entered-points who file r entries)
   (define all (class-report-graded r))
   (for ([e (in-list entries)]) (check-most who file e (class-report-worksheet r)))
+  (check-once who file all entries)
   (define remarks (append-map (lambda (e) (remarks-on e r)) entries))
+  (define found (entries-by-place all entries))
   (struct-copy class-report r
-               [graded (for/list ([g (in-list all)]) (with-points g entries))]
+               [graded (for/list ([g (in-list all)]) (with-points g found))]
                [remarks (append (class-report-remarks r) remarks)]))
 
 (define (check-most who file e w)
@@ -66,6 +68,14 @@
               (number->text (exercise-points x)) file (entry-line e)
               (number->text (entry-points e)))))
 
+(define (check-once who file all entries)
+  (define twice
+    (check-duplicates (filter (lambda (e) (graded-of e all)) entries)
+                      #:key (lambda (e) (place (graded-of e all) (entry-exercise e)))))
+  (when twice
+    (complain who "another line is about the same answer\n  file: ~a\n  line: ~a\n  given: ~a, ~a"
+              file (entry-line twice) (entry-submission twice) (entry-exercise twice))))
+
 (define (exercise-of e w)
   (findf (lambda (x) (equal? (entry-exercise e) (symbol->string (exercise-name x))))
          (exercises-of w)))
@@ -73,7 +83,7 @@
 (define (remarks-on e r)
   (define (told text . parts)
     (list (format "points, line ~a: ~a" (entry-line e) (apply format text parts))))
-  (define g (findf (lambda (g) (of? e g)) (class-report-graded r)))
+  (define g (graded-of e (class-report-graded r)))
   (define j (and g (findf (lambda (j) (about? e j)) (graded-answers g))))
   (cond [(not (or (entry-points e) (nonempty? (entry-comment e)))) '()]
         [(not g) (told "~a is no submission" (entry-submission e))]
@@ -85,23 +95,35 @@
 
 (define (nonempty? text) (not (string=? text "")))
 
-;; A submission is named by itself, or as its participant is known.
-(define (of? e g)
+;; -> the graded submission that the row names by itself, else the first of the participant whom
+;; it names, or #f
+(define (graded-of e all)
   (define id (entry-submission e))
-  (define p (graded-participant g))
-  (or (equal? id (submission-id (graded-submission g)))
-      (and p (eq? p (participant-named (list p) id)))))
+  (define (named? g) (equal? id (graded-id g)))
+  (define (known? g)
+    (define p (graded-participant g))
+    (and p (participant-named (list p) id)))
+  (or (findf named? all) (findf known? all)))
+
+(define (graded-id g) (submission-id (graded-submission g)))
+
+;; name : of an exercise
+(define (place g name) (cons (graded-id g) (format "~a" name)))
+
+;; -> place -> entry
+(define (entries-by-place all entries)
+  (for*/hash ([e (in-list entries)] [g (in-value (graded-of e all))] #:when g)
+    (values (place g (entry-exercise e)) e)))
 
 (define (about? e j) (equal? (entry-exercise e) (symbol->string (judged-name j))))
 (define (same-answer? text j)
   (define (plain t) (string-normalize-spaces t))
   (equal? (plain text) (plain (CSV-cell-text (CSV-safe (answer-text j))))))
 
-(define (with-points g entries)
-  (define own (filter (lambda (e) (of? e g)) entries))
+(define (with-points g found)
   (struct-copy graded g
                [answers (for/list ([j (in-list (graded-answers g))])
-                          (define e (findf (lambda (e) (about? e j)) own))
+                          (define e (hash-ref found (place g (judged-name j)) #f))
                           (if e (marked j e) j))]))
 
 (define (marked j e)
@@ -121,12 +143,13 @@
 ;; r : report without the points; entries : kept, whether something was entered in them or not
 (define (entered-points->CSV r entries)
   (define all (class-report-graded r))
+  (define found (entries-by-place all entries))
   (define rows
     (for*/list ([x (in-list (exercises-of (class-report-worksheet r)))]
                 [g (in-list all)]
                 [j (in-list (graded-answers g))]
                 #:when (eq? (judged-name j) (exercise-name x))
-                [e (in-value (findf (lambda (e) (and (of? e g) (about? e j))) entries))]
+                [e (in-value (hash-ref found (place g (judged-name j)) #f))]
                 #:when (or e (not (judged-points j))))
       (row g j e)))
   (define lost
@@ -136,13 +159,13 @@
   (string-append "\uFEFF" (rows->CSV (cons columns (append rows lost)))))
 
 (define (belongs? e all)
-  (for/or ([g (in-list all)])
-    (and (of? e g) (ormap (lambda (j) (about? e j)) (graded-answers g)))))
+  (define g (graded-of e all))
+  (and g (ormap (lambda (j) (about? e j)) (graded-answers g))))
 
 ;; The answer for which points were entered stays.
 (define (row g j e)
   (define entered? (and e (entry-points e) (nonempty? (entry-answer e))))
-  (list (submission-id (graded-submission g)) (graded-person g) (judged-name j)
+  (list (graded-id g) (graded-person g) (judged-name j)
         (if entered? (entry-answer e) (answer-text j))
         (number->text (exercise-points (judged-exercise j)))
         (if e (points-text e) "")

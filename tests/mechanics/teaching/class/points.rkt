@@ -103,7 +103,18 @@
 (test-case "two who write the same table differently"
   (check-equal? (points-in (merged "Exercise;Submission;Points;x\nwhy;=b;3;\n")) '(1 3 1)))
 
+(test-case "of two submissions of one participant each keeps its own row"
+  (define r (report-of w (list ann) (list "one" "ann@uni.edu" '(answer 3) '(text "old"))
+                       (list "ann@uni.edu" "Ann" '(answer 3) '(text "new"))))
+  (check-equal? (points-in (merged (row "ann@uni.edu" "why" "1\none,why,2") r)) '(2 1))
+  (check-equal? (points-in (merged (row "Ann@uni.edu" "why" "3") r)) '(3 0)))
+
 (says
+ [(merged (row "c" "two" "1\nc,two,"))
+  "check: another line is about the same answer\n  file: points.csv\n  line: 3\n  given: c, two"]
+ [(merged (row "c" "two" "1" "5"))
+  (string-append "check: expected 3 fields, as in the first line; a field with a separator in it "
+                 "stands in quotation marks\n  file: points.csv\n  line: 2\n  fields: 4")]
  [(merged (row "c" "two" "many"))
   "check: expected points, a number\n  file: points.csv\n  line: 2\n  given: many"]
  [(merged (row "c" "two" "-1"))
