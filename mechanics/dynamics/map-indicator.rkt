@@ -36,7 +36,7 @@
   ((indicator-of-kind kind) (make-step!) x y n))
 
 ;; The indicators of a grid of starts, xs by ys, flvectors; returns an flvector, row by row.
-;; (grown all) after each row, where rows to come are -inf.0
+;; (grown all) now and then, where rows to come are -inf.0
 (define (indicator-grid who map xs ys n [kind 'FLI] #:grown [grown void])
   (check-map who map)
   (check-steps who n)
@@ -52,10 +52,10 @@
   (call-counting
    who "rows" (flvector-length ys)
    (lambda (count!)
-     (define (begun! j)
+     (define (tell! j)
        (count! j)
        (grown all))
-     (on-cores (if compiled? (processor-count) 1) (flvector-length ys) make-step! row! begun!)))
+     (on-cores (if compiled? (processor-count) 1) (flvector-length ys) make-step! row! tell!)))
   all)
 
 ;; Core c takes the rows c, c + cores, ..., so that all have the same work.  The user's procedure,

@@ -41,37 +41,36 @@
   (define bar (indicator-bar kind n (not state-at) colors))
   (define (image indicators)
     (raster across up (colored indicators bar (shown-as kind)) (and bar? bar)))
-  (define show! (growing-image who f up image))
+  (define-values (show! grown) (growing-image who f up image))
   (show!
    (if state-at
-       (motion-indicators who system state-at xs ys n #:indicator kind #:grown show!
+       (motion-indicators who system state-at xs ys n #:indicator kind #:grown grown
                           #:tolerance tolerance #:jobs jobs #:checkpoint file)
-       (indicator-grid who system xs ys n kind #:grown show!)))
+       (indicator-grid who system xs ys n kind #:grown grown)))
   f)
 
 ;; At most so many pictures are made while an image grows.
 (define most-pictures 50)
 
 ;; image : indicators -> raster
-;; -> a procedure that shows the indicators so far, which it is called with after each row; all of
-;; them where it was called so often
+;; -> a procedure that shows indicators, and one to be called with them after each row, which does so
+;; after some
 (define (growing-image who f up image)
   (define style (make-style who 'image 0 0 'solid #f))
   (define rows (quotient (+ up most-pictures -1) most-pictures))
   (define calls 0)
-  (define last #f)
-  (define (exchange! image)
+  (define shown #f)
+  (define (show! indicators)
+    (define new (layer style (image indicators)))
     (define layers (frame-layers f))
-    (replace-layers! who f
-                     (if last
-                         (for/list ([l (in-list layers)]) (if (eq? l last) image l))
-                         (cons image layers)))
-    (set! last image))
-  (lambda (indicators)
-    (define whole? (for/and ([x (in-flvector indicators)]) (not (eqv? x -inf.0))))
-    (set! calls (+ calls 1))
-    (when (or whole? (eqv? 0 (modulo calls rows)))
-      (exchange! (layer style (image indicators))))))
+    (replace-layers! who f (if (memq shown layers)
+                               (for/list ([l (in-list layers)]) (if (eq? l shown) new l))
+                               (cons new layers)))
+    (set! shown new))
+  (values show!
+          (lambda (indicators)
+            (set! calls (+ calls 1))
+            (when (eqv? 0 (modulo calls rows)) (show! indicators)))))
 
 (define (check-no-motion who system)
   (when (memq (made-by system) '(stroboscopic-map Poincare-map))
