@@ -23,20 +23,23 @@
   (unless (worksheet? w) (raise-no-worksheet who file))
   w)
 
-;; The worksheet of each student: its module is compiled once, and run with the student's numbers.
+;; The worksheet of each student: its module is compiled once, and run once with their numbers.
 ;; try? : are the keys judged as answers?
 ;; -> procedure: name of a student -> worksheet
 (define (worksheets-of-students who file #:try? [try? #f])
   (define general (load-worksheet who file))
   (define path (path->complete-path file))
   (define code (code-of path))
-  (define (of-student name)
+  (define (made name)
     (parameterize ([current-namespace (fresh-namespace)] [current-print void]
                    [current-student name] [trying-keys? try?]
                    [current-module-declare-name (make-resolved-module-path path)])
       (eval code)
       (dynamic-require path 'worksheet)))
-  (if (numbers-of general) of-student (lambda (name) general)))
+  (define known (make-hash))
+  (if (numbers-of general)
+      (lambda (name) (hash-ref! known name (lambda () (made name))))
+      (lambda (name) general)))
 
 (define (code-of path)
   (parameterize ([current-namespace (fresh-namespace)]) (get-module-code path)))

@@ -53,9 +53,9 @@
   (define relative (find-relative-path (current-directory) p))
   (if (regexp-match? #rx"^[.][.]" (path->string relative)) p relative))
 
-;; A name for a file; students may choose any.
+;; A name for a file; students may choose any, in any script.
 (define (plain-file-name text)
-  (define plain (regexp-replace* #px"[^\\w .@-]" text "_"))
+  (define plain (regexp-replace* #px"(?![\\w .@-]|\\p{L}|\\p{M}|\\p{N})." text "_"))
   (if (regexp-match? #rx"^[.]*$" plain) (string-append "_" plain) plain))
 
 (define (print-paths files) (for ([f (in-list files)]) (printf "~a\n" (short-path f))))

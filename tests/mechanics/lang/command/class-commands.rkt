@@ -6,6 +6,7 @@
          file/unzip file/zip
          json
          mechanics/lang/command/raco
+         (only-in mechanics/lang/command/written-files plain-file-name)
          racket/file
          racket/list
          racket/path
@@ -59,6 +60,10 @@
                           (for/list ([s '("ann" "bob" "cem" "dan")])
                             (number-in (format "w-students/~a@uni.edu.rkt" s)))))
                  1)))
+
+(test-case "names in any script are names of files"
+  (check-equal? (map plain-file-name '("李雷" "Zoë Ünal" "a/b:c" ".."))
+                '("李雷" "Zoë Ünal" "a_b_c" "_..")))
 
 (test-case "one student's by name is the same as that of the list"
   (check-equal? (first (command "worksheet" "w.rkt" "--student" "ann@uni.edu" "-o" "one.rkt")) 0)
