@@ -15,13 +15,16 @@
 ;; States with f = 0 are looked for at several values of all other symbols.  A factor in which
 ;; functions are unknown stays unclear.
 
-(require (only-in racket/list argmax range)
+(require (only-in racket/flonum for/flvector)
+         (only-in racket/list argmax last range)
          "answer-parts.rkt" "decimal-answers.rkt" "prescribed-symbols.rkt" "written-answer.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
          "../../algebra/solve/factors.rkt" "../../algebra/solve/solve-equations.rkt"
          "../../generic/arithmetic.rkt"
+         (only-in "../../numeric/flvector.rkt" flvector->list)
+         "../../numeric/linear-algebra/singular-values.rkt"
          "../../value/assumptions.rkt"
-         "../../value/matrix/linear-algebra.rkt" "../../value/matrix/matrix.rkt"
+         "../../value/matrix/matrix.rkt"
          "../../value/read-expression.rkt"
          "../../value/shape.rkt" "../../value/simplify.rkt" "../../value/structure.rkt")
 
@@ -106,7 +109,7 @@
 ;; -> 'other if a path leaves the motions, 'free if f = 0 is kept with any s, or #f
 (define ((leaves-motions? slopes D m) state)
   (define found (value-at D state))
-  (define k (kernel-at (motion-equations-M m) state))
+  (define k (kernel-at m state))
   (define along
     (and k (for/sum ([s (in-list slopes)] [x (in-list k)]) (* x (or (value-at s state) 0)))))
   (and found along
@@ -129,25 +132,17 @@
 
 (define (differs? a b) (> (abs (- a b)) 1e-6))
 
-;; A vector that M takes to 0, if M has rank n - 1: cofactors of a row.
-(define (kernel-at M state)
-  (define n (m:num-rows M))
-  (define rows
-    (for/list ([i (in-range n)])
-      (for/list ([j (in-range n)]) (value-at (matrix-ref M i j) state))))
+;; A vector of length 1 that the mass matrix takes to 0, as it is singular there; or #f
+(define (kernel-at m state)
+  (define n (length (motion-equations-q m)))
+  (define entries (for/list ([x (in-list (matrix-elements m))]) (value-at x state)))
+  (define (column j)
+    (for/flvector ([x (in-list entries)] [k (in-naturals)] #:when (= j (modulo k n))) x))
   (cond [(= n 1) '(1)]
-        [(not (andmap (lambda (row) (andmap values row)) rows)) #f]
+        [(not (andmap values entries)) #f]
         [else
-         (argmax (lambda (k) (apply + (map abs k)))
-                 (for/list ([i (in-range n)]) (cofactors rows i)))]))
-
-(define (cofactors rows i)
-  (define others (for/list ([row (in-list rows)] [k (in-naturals)] #:unless (= k i)) row))
-  (for/list ([j (in-range (length rows))])
-    (define minor
-      (for/list ([row (in-list others)])
-        (for/list ([x (in-list row)] [k (in-naturals)] #:unless (= k j)) x)))
-    (* (if (even? j) 1 -1) (determinant (apply matrix-by-rows minor)))))
+         (define-values (_us _sizes vs) (singular-values (map column (range n))))
+         (flvector->list (last vs))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers
