@@ -70,9 +70,10 @@
 
 ;; Where the view is not, nothing happens.
 (define (point! x from-x from-y to-x to-y)
-  (define v (view-now x))
-  (define-values (x1 y1) (picture-point v from-x from-y))
-  (define-values (x2 y2) (picture-point v to-x to-y))
+  (define-values (f v) (values (explored-frame x) (view-now x)))
+  (define layers (if (whole? f v) (frame-layers f) '()))
+  (define-values (x1 y1) (picture-point v layers from-x from-y))
+  (define-values (x2 y2) (picture-point v layers to-x to-y))
   (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
   (define (within low high z) (max low (min high z)))
   (define zoomed
@@ -112,7 +113,9 @@
     (define others (remq* (explored-drawn x) (frame-layers f)))
     (set-explored-drawn! x (orbit-layers x (frame-bounds f)))
     (replace-layers! (explored-who x) f (append (explored-drawn x) others))
-    (if (equal? (view-bounds v) (frame-bounds f)) f (part x v others))))
+    (if (whole? f v) f (part x v others))))
+
+(define (whole? f v) (equal? (view-bounds v) (frame-bounds f)))
 
 ;; Levels and images are of the whole frame.
 (define (part x v others)

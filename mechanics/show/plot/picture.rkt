@@ -47,28 +47,22 @@
   (when outside (send region intersect outside))
   (send dc set-clipping-region region))
 
-;; across, down : a place as shares of the picture's width and height -> x and y of the plane
-(define (picture-point given-view across down)
+;; v : with plain axes; across, down : a place as shares of the picture's width and height
+;; -> x and y of the plane
+(define (picture-point v layers across down)
   (define dc (new bitmap-dc% [bitmap (make-bitmap 1 1)]))
   (define a #f)
-  (define v (with-logarithms given-view))
-  (call-with-canvas dc 0 0 (lambda () (set! a (plot-area dc v))))
+  (call-with-canvas dc 0 0 (lambda () (set! a (plot-area dc v (bar-of layers)))))
   (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
   (define (between low high place from to)
     (+ low (* (- high low) (/ (- place from) (- to from)))))
-  (define-values (x y)
-    (values (between x-min x-max (* across (view-width v)) (area-left a) (area-right a))
-            (between y-min y-max (* down (view-height v)) (area-bottom a) (area-top a))))
-  (define (plain x scale) (if (eq? scale 'log) (expt 10.0 x) x))
-  (values (plain x (car (view-scales v))) (plain y (cadr (view-scales v)))))
+  (values (between x-min x-max (* across (view-width v)) (area-left a) (area-right a))
+          (between y-min y-max (* down (view-height v)) (area-bottom a) (area-top a))))
 
 ;; A picture with logarithmic axes is one of logarithms: numbers without one are left out.
 (define (with-logarithms v)
-  (if (plain-axes? v)
-      v
-      (struct-copy view v [bounds (map decimal-logarithm (view-bounds v)
-                                       (list (car (view-scales v)) (car (view-scales v))
-                                             (cadr (view-scales v)) (cadr (view-scales v))))])))
+  (define-values (x y) (apply values (view-scales v)))
+  (struct-copy view v [bounds (map decimal-logarithm (view-bounds v) (list x x y y))]))
 
 (define (decimal-logarithm x scale)
   (cond [(eq? scale 'linear) x] [(> x 0.0) (log x 10.0)] [else +nan.0]))

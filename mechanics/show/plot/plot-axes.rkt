@@ -41,7 +41,7 @@
 
 ;; Margins grow by what sticks out of the picture.  As that moves with the area, they do so again;
 ;; where nothing would remain there are none.
-(define (plot-area dc v [bar #f])
+(define (plot-area dc v bar)
   (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))
   (define-values (x-ticks y-ticks) (values (ticks x-min x-max (car (view-scales v)))
                                            (ticks y-min y-max (cadr (view-scales v)))))

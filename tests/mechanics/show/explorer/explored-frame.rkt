@@ -54,6 +54,15 @@
   (check-true (< (car bounds) (car middle) (cadr bounds)))
   (check-true (< (caddr bounds) (cadr middle) (cadddr bounds))))
 
+(test-case "the bar beside a picture of chaos is no place in the plane"
+  (define (points-of bar?)
+    (define f (frame 0 :2pi 0 :2pi))
+    (chaos-map f T 10 #:samples 4 #:bar? bar?)
+    (define x (open-explored-frame 'explore-map f T 10 '()))
+    (after x "point" 0.95 0.5 0.95 0.5)
+    (count f))
+  (check-equal? (map points-of '(#f #t)) '(11 0)))
+
 (test-case "a drag shows a part, with the orbits in it; the frame keeps all"
   (define-values (f x) (explored T 200 '(1.0 . 1.0) '(3.0 . 2.0)))
   (define part (after x "point" 0.5 0.5 0.9 0.1))
