@@ -19,7 +19,7 @@
          "../compile/compile-function.rkt"
          (only-in "../error/progress.rkt" call-counting)
          "../generic/up-down.rkt"
-         (only-in "../numeric/flvector.rkt" flvector-finite?)
+         (only-in "../numeric/flvector.rkt" flvector-finite? flvector-map)
          (only-in "../value/structure.rkt" ref))
 
 (provide fast-Lyapunov-indicator map-indicator indicator-grid)
@@ -117,9 +117,7 @@
            (loop (- left 1) q p s r)]
           [else +nan.0])))
 
-(define (direction-gap p r combine)
-  (define (part k) (combine (flvector-ref p k) (flvector-ref r k)))
-  (flsqrt (fl+ (fl* (part 2) (part 2)) (fl* (part 3) (part 3)))))
+(define (direction-gap p r combine) (length-of (flvector-map combine p r)))
 
 (define (length-of p)
   (define-values (u v) (values (flvector-ref p 2) (flvector-ref p 3)))

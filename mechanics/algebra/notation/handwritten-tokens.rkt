@@ -5,6 +5,7 @@
 ;; A command of TeX is a token, and so is a brace: the grammar (handwritten-formula.rkt) nests them.
 
 (require "formula-tokens.rkt" (only-in "name.rkt" Greek-name?)
+         (only-in "read-paper.rkt" function-named)
          (only-in racket/list split-at-right))
 
 (provide handwritten-tokens)
@@ -69,17 +70,11 @@
                  (if (string=? dots "d") "dotdot" "dot")))
 
 (define functions-of-TeX
-  (for/hash ([name '(sin cos tan sec csc cot sinh cosh tanh coth exp log ln
-                         arcsin arccos arctan)])
-    (values (symbol->string name) name)))
-
-(define other-names
-  (hash 'ln 'log 'arcsin 'asin 'arccos 'acos 'arctan 'atan))
+  '("sin" "cos" "tan" "sec" "csc" "cot" "sinh" "cosh" "tanh" "coth" "exp" "log" "ln"
+    "arcsin" "arccos" "arctan"))
 
 ;; -> symbol, or #f
-(define (function-of-TeX text)
-  (define name (hash-ref functions-of-TeX text #f))
-  (and name (hash-ref other-names name name)))
+(define (function-of-TeX text) (and (member text functions-of-TeX) (function-named text)))
 
 ;; ---------------------------------------------------------------------------
 

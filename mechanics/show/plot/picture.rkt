@@ -69,14 +69,15 @@
 
 (define ((layer-with-logarithms v) l)
   (define data (layer-data l))
+  (define-values (x-scale y-scale) (apply values (view-scales v)))
   (define (changed xs scale)
     (for/flvector #:length (snapshot-count data)
                   ([x (in-flvector xs 0 (snapshot-count data))])
       (decimal-logarithm x scale)))
   (if (and (snapshot? data) (not (plain-axes? v)))
       (layer (layer-style l)
-             (snapshot (changed (snapshot-xs data) (car (view-scales v)))
-                       (changed (snapshot-ys data) (cadr (view-scales v)))
+             (snapshot (changed (snapshot-xs data) x-scale)
+                       (changed (snapshot-ys data) y-scale)
                        (snapshot-count data)))
       l))
 

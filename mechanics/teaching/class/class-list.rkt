@@ -78,11 +78,13 @@
     (or (field 'name)
         (nonempty (string-join (filter values (list (field 'first) (field 'last)))))))
   (define keys (filter values (append (map field identities) (list full))))
+  ;; Moodle writes a dash where nothing was handed in.
   (define (time text)
-    (or (text->seconds text)
-        (complain-of-field who file row "a time, as in 2026-11-20 18:00," text)))
+    (and text (not (equal? text "-"))
+         (or (text->seconds text)
+             (complain-of-field who file row "a time, as in 2026-11-20 18:00," text))))
   (define (days text)
-    (define n (string->number text))
+    (define n (string->number (or text "0")))
     (if (and n (real? n)) n (complain-of-field who file row "a number of days" text)))
   (and (pair? keys)
        (participant (car keys) (or full (car keys))
@@ -90,11 +92,7 @@
                       (cons (list-ref names (hash-ref places s)) (or (field s) "")))
                     (map normalized (append keys (platform-numbers (field 'platform))
                                             (mail-names (field 'e-mail))))
-                    (cond [(field 'handed-in) => (no-time-or time)] [else #f])
-                    (cond [(field 'extension) => days] [else 0]))))
-
-;; Moodle writes a dash where nothing was handed in.
-(define ((no-time-or time) text) (and (not (equal? text "-")) (time text)))
+                    (time (field 'handed-in)) (days (field 'extension)))))
 
 (define (complain-of-field who file row expected given)
   (complain who "the list of the class should have ~a there\n  file: ~a\n  line: ~a\n  given: ~a"

@@ -69,9 +69,10 @@
               (number->text (entry-points e)))))
 
 (define (check-once who file all entries)
-  (define twice
-    (check-duplicates (filter (lambda (e) (graded-of e all)) entries)
-                      #:key (lambda (e) (place (graded-of e all) (entry-exercise e)))))
+  (define (place-of e)
+    (define g (graded-of e all))
+    (if g (place g (entry-exercise e)) e))
+  (define twice (check-duplicates entries #:key place-of))
   (when twice
     (complain who "another line is about the same answer\n  file: ~a\n  line: ~a\n  given: ~a, ~a"
               file (entry-line twice) (entry-submission twice) (entry-exercise twice))))
