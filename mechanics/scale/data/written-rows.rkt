@@ -61,11 +61,11 @@
 ;; Branches: parameter, state, period of orbits, and 1 where it is stable
 
 (define (branch-rows b)
-  (define states (branch-states b))
+  (define-values (states periods) (values (branch-states b) (branch-periods b)))
   (for/list ([p (in-list (branch-parameters b))] [state (in-list states)]
-             [T (in-list (or (branch-periods b) states))]
+             [T (in-list (or periods states))]
              [stable? (in-list (branch-stabilities b))])
-    (apply up p (append (scalars state) (if (branch-periods b) (list T) '())
+    (apply up p (append (scalars state) (if periods (list T) '())
                         (list (if stable? 1 0))))))
 
 (define (branch-names b)

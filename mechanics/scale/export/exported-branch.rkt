@@ -31,5 +31,4 @@
 (define (rows->text rows)
   (string-append*
    (for/list ([row (in-list rows)])
-     (string-append (string-join (for/list ([x (in-list row)]) (number->string (exact->inexact x))))
-                    "\n"))))
+     (format "~a\n" (string-join (for/list ([x (in-list row)]) (number->string (exact->inexact x))))))))

@@ -16,13 +16,15 @@
 ;; functions are unknown stays unclear.
 
 (require (only-in racket/flonum for/flvector)
-         (only-in racket/list argmax last range)
+         (only-in racket/list append-map argmax last range)
+         racket/match
          "answer-parts.rkt" "decimal-answers.rkt" "prescribed-symbols.rkt" "written-answer.rkt"
          "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
          "../../algebra/solve/factors.rkt" "../../algebra/solve/solve-equations.rkt"
          "../../generic/arithmetic.rkt"
          (only-in "../../numeric/flvector.rkt" flvector->list)
          "../../numeric/linear-algebra/singular-values.rkt"
+         (only-in "../../numeric/optimization/brent-root.rkt" bisected-root)
          "../../value/assumptions.rkt"
          "../../value/matrix/matrix.rkt"
          "../../value/read-expression.rkt"
@@ -154,9 +156,8 @@
 (define (trial-state f m i)
   (define moving (append (motion-equations-q m) (motion-equations-v m) (motion-equations-a m)))
   (define others
-    (for*/fold ([names (names-in-expression f)])
-               ([e (in-list (append (motion-equations-motion m) (matrix-elements m)))])
-      (append (names-in-expression e) names)))
+    (append-map names-in-expression
+                (cons f (append (motion-equations-motion m) (matrix-elements m)))))
   (append (for/list ([s (in-list moving)] [j (in-naturals 7)]) (cons s (- (* 4 (scattered i j)) 2)))
           (state-with (remq* moving others) i)))
 
@@ -180,13 +181,10 @@
 (define (zero-between at low high)
   (define-values (f g) (values (at low) (at high)))
   (and f g (< (* f g) 0)
-       (let loop ([low low] [high high] [f f] [n 60])
-         (define middle (/ (+ low high) 2))
-         (define h (at middle))
-         (cond [(not h) #f]
-               [(= n 0) (and (< (abs h) 1e-6) middle)]
-               [(< (* f h) 0) (loop low middle f (- n 1))]
-               [else (loop middle high h (- n 1))]))))
+       (let/ec return
+         (define (value x) (or (at x) (return #f)))
+         (define-values (zero _error _count) (bisected-root value low high))
+         (and (< (abs (value zero)) 1e-6) zero))))
 
 ;; ---------------------------------------------------------------------------
 ;; Words
@@ -200,8 +198,7 @@
     (or (with-handlers ([exn:fail? (lambda (x) #f)])
           (solve-equations (list f) (list (car unknowns)) (assumptions-in-force)))
         '()))
-  (define single (and (= 1 (length solutions)) (null? (cdar solutions)) (caaar solutions)))
   (define (text x) (formula-read names (expression->datum x)))
-  (if single
-      (format "for ~a = ~a" (text (car single)) (text (simplify (cdr single))))
-      (format "where ~a = 0" (text f))))
+  (match solutions
+    [`((((,name . ,x)))) (format "for ~a = ~a" (text name) (text (simplify x)))]
+    [_ (format "where ~a = 0" (text f))]))

@@ -10,8 +10,8 @@
          "exercise.rkt" "exercise-kind.rkt" "prescribed-symbols.rkt"
          "../../algebra/notation/formula.rkt" "../../algebra/notation/handwritten-formula.rkt"
          "../../algebra/notation/infix.rkt"
-         "../../generic/notation.rkt"
-         "../../value/shape.rkt" "../../value/structure.rkt")
+         (only-in "../../generic/describe.rkt" value->datum) "../../generic/notation.rkt"
+         "../../value/shape.rkt" (only-in "../../value/structure.rkt" ref))
 
 (provide read-written-answer formula-read reading-of (struct-out formula-as-read))
 
@@ -95,22 +95,17 @@
 ;; ---------------------------------------------------------------------------
 ;; Up and down, of which paper knows nothing
 
-;; -> a value of the shape that an answer has, or #f
+;; -> a datum of the shape that an answer has, or #f
 (define (expected-shape e)
   (case (exercise-kind e)
-    [(canonical) (state-of (exercise-coordinates e))]
+    [(canonical) (value->datum (state-of (exercise-coordinates e)))]
     [(equations) #f]
     [else (exercise-key e)]))
 
-;; shape : a value or a datum
 (define (with-orientation d shape)
-  (define parts
-    (cond [(tuple? shape) (structure->list shape)]
-          [(and (pair? shape) (memq (car shape) '(up down))) (cdr shape)]
-          [else #f]))
-  (if (and parts (pair? d) (memq (car d) '(up down)) (= (length parts) (length (cdr d))))
-      (cons (if (if (pair? shape) (eq? 'up (car shape)) (up? shape)) 'up 'down)
-            (map with-orientation (cdr d) parts))
+  (define (tuple-datum? x) (and (pair? x) (memq (car x) '(up down))))
+  (if (and (tuple-datum? d) (tuple-datum? shape) (= (length d) (length shape)))
+      (cons (car shape) (map with-orientation (cdr d) (cdr shape)))
       d))
 
 ;; ---------------------------------------------------------------------------
