@@ -31,4 +31,5 @@
 (define (rows->text rows)
   (string-append*
    (for/list ([row (in-list rows)])
-     (format "~a\n" (string-join (for/list ([x (in-list row)]) (number->string (exact->inexact x))))))))
+     (format "~a\n"
+             (string-join (for/list ([x (in-list row)]) (number->string (exact->inexact x))))))))

@@ -53,8 +53,8 @@
 (define most-pictures 50)
 
 ;; image : indicators -> raster
-;; -> a procedure that shows indicators, and one to be called with them after each row, which does so
-;; after some
+;; -> a procedure that shows indicators; and one that is called with them after each row, and shows
+;; them now and then
 (define (growing-image who f up image)
   (define style (make-style who 'image 0 0 'solid #f))
   (define rows (quotient (+ up most-pictures -1) most-pictures))

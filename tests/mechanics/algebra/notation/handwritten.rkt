@@ -46,7 +46,8 @@
  ["V(r)" (V r)] ["V(r + 1)" (V (+ r 1))] ["V'(r)" ((D V) r)] ["V²(r)" (expt (V r) 2)]
  ["m(r + 1)" (* m (+ r 1))] ["W(r)" (W r)] ["p_x^2/(2m)" (/ (expt p_x 2) (* 2 m))]
  ["(g/l) x" (* (/ g l) x)] ["m/2 (x + y)" (* (/ m 2) (+ x y))] ["k_{2} a₁" (* k_2 a_1)]
- ["x'' (t) + x (t)" (+ xddot x)] ["x(y + m)^2" (* x (expt (+ y m) 2))] ["r^2/2" (/ (expt r 2) 2)] ["r^3/3" (/ (expt r 3) 3)]
+ ["x'' (t) + x (t)" (+ xddot x)]
+ ["x(y + m)^2" (* x (expt (+ y m) 2))] ["r^2/2" (/ (expt r 2) 2)] ["r^3/3" (/ (expt r 3) 3)]
  ["3·10^8 m" (* 3 (expt 10 8) m)] ["2e3" 2000.0] ["\\varphi \\cdot \\pi" (* phi :pi)]
  ["[x, (y, t)]" (up x (up y t))] ["ω t" (* omega t)] ["omegat" (* omega t)])
 
