@@ -7,10 +7,16 @@
 ;; is longer, or is no sum of roots, as √(2 + √2), is a decimal, as is whatever has a decimal or
 ;; any other function to do with one.  Beside symbols it is the expression that it prints as.
 
-(require "kind.rkt" "value-struct.rkt"
-         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
-         "../algebra/radical/radical-expression.rkt" "../algebra/radical/radical-power.rkt"
-         "../algebra/radical/radical-sum.rkt")
+(require "kind.rkt" "on-demand.rkt" "value-struct.rkt"
+         "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt")
+
+;; Most programs hold no such number.
+(require-on-demand
+ ["../algebra/radical/radical-expression.rkt" radicals->expression expression->radicals]
+ ["../algebra/radical/radical-power.rkt" radicals-expt]
+ ["../algebra/radical/radical-sum.rkt"
+  rational->radicals radicals->rational radicals-add radicals-subtract radicals-scale
+  radicals-multiply radicals-invert radicals->flonum radicals-small? radicals-fold])
 
 (provide irrational? exact-real? irrational-power irrational-fold
          irrational-as-decimal irrational-as-expression irrational->expression
