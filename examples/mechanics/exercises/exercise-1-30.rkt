@@ -55,4 +55,4 @@ wrong
     (check-equal? (map expression (verdict-conditions wrong)) '((= alpha -1))))
   (test-case "motions show as many"
     (for ([alpha '(1 2 7)])
-      (check-= (counted alpha) (sqrt (+ alpha 2)) 1e-3))))
+      (check-= (counted alpha) (sqrt (+ alpha 2.0)) 1e-3))))

@@ -61,7 +61,7 @@ reached
 (module+ test
   (require rackunit)
   (test-case "the averaged potential tells when it stands upside down"
-    (check-= found (sqrt 2) 2e-3)
+    (check-= found (sqrt 2.0) 2e-3)
     (check-true (> (abs (- found 1)) 0.4))
     (check-true (> (upright 0.05 omega) 2))
     (check-true (< (abs (upright 0.25 omega)) 2)))
