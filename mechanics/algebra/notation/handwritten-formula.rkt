@@ -10,10 +10,8 @@
 ;; sin x/2 or e^-t/tau, there is no reading: both are told.
 
 (require "formula-tokens.rkt" "handwritten-tokens.rkt" "handwritten-words.rkt"
-         (only-in "one-line-name.rkt" line-name->symbol)
-         (only-in "read-paper.rkt" function-named own-operations)
          "read-terms.rkt" "token-reader.rkt"
-         (only-in racket/list append-map))
+         (only-in racket/list append-map last))
 
 (provide read-handwritten (struct-out vocabulary))
 
@@ -118,10 +116,11 @@
            (loop (product left run) #f)]
           [else left])))
 
-;; 1/2 m and m/2 x, where spaces tell what belongs together
+;; 1/2 m, A*1/2 m and m/2 x, where spaces tell what belongs together
 (define (simple-quotient? in left)
   (define next (behind in))
-  (and (not (pair? left)) (not (token-spaced? (ahead in)))
+  (and (or (not (pair? left)) (and (eq? '* (car left)) (number? (last left))))
+       (not (token-spaced? (ahead in)))
        (eq? 'number (token-kind next)) (not (token-spaced? next))))
 
 (define (unclear-quotient in above q run)
@@ -145,7 +144,8 @@
 (define (ahead-small? in) (regexp-match? #px"^[^0-9.]" (token-text (ahead in))))
 
 (define (product a b)
-  (define (factors d) (if (and (pair? d) (eq? (car d) '*)) (cdr d) (list d)))
+  (define (factors d)
+    (if (and (pair? d) (eq? (car d) '*) (not (eqv? (cadr d) -1))) (cdr d) (list d)))
   (cons '* (append (factors a) (factors b))))
 
 ;; ---------------------------------------------------------------------------
@@ -154,7 +154,7 @@
 (define (read-factor in)
   (let loop ([d (read-primary in)])
     (cond [(ahead? in 'raised) (loop (power d (token-value (take! in))))]
-          [(accept! in 'caret) (loop (read-power in d))]
+          [(accept! in 'caret) => (lambda (t) (loop (read-power in d (python-power? t))))]
           [else d])))
 
 (define (power base exponent)
@@ -162,14 +162,23 @@
 
 ;; What follows an exponent without parentheses may belong to it: x^1/2, a^3/2, x^2y, e^-t/tau,
 ;; e^-2 t, x^y^z.
-(define (read-power in base)
-  (define whole? (ahead? in 'open 'brace))
+(define (read-power in base python?)
+  (define whole? (ahead? in 'open 'brace 'fraction))
   (define exponent
     (cond [(ahead? in 'brace) (enclosed in 'brace-close read-sum)]
           [(ahead? in 'open) (enclosed in 'close read-sum)]
           [else (signed in read-primary)]))
-  (unless whole? (check-exponent in base exponent))
-  (power base exponent))
+  (cond [(and python? (ahead? in 'caret) (python-power? (ahead in)))
+         (take! in)
+         (power base (read-power in exponent #t))]
+        [else
+         (unless (or (and whole? (not (ahead? in 'caret)))
+                     (and python? (not (number? exponent)) (ahead? in 'slash 'times)))
+           (check-exponent in base exponent))
+         (power base exponent)]))
+
+;; x**y**z is x**(y**z), as in Python; of x^y^z other programs make (x^y)^z.
+(define (python-power? t) (string=? "**" (token-text t)))
 
 (define (check-exponent in base exponent)
   (define (unclear combine take?)
@@ -244,13 +253,14 @@
 
 ;; sin x, sin 2x; what follows one factor may belong to the argument or not: sin x y, sin x/2.
 (define (read-bare-argument in call name root?)
-  (unless (or (starts-factor? in) (and (ahead? in 'minus) (not root?)))
+  (unless (or (starts-factor? in) (and (ahead? in 'minus) (not root?) (minus-of-argument? in)))
     (refuse in "~a has no argument" name))
   (define sign? (accept! in 'minus))
   (define number (and (ahead? in 'number) (not root?) (token-value (take! in))))
   (define first-part
     (cond [(not number) (read-primary in)]
-          [(and (ahead? in 'word) (argument-ahead? in)) (product number (read-primary in))]
+          [(and (ahead? in 'word) (argument-ahead? in) (not (eq? name 'sqrt)))
+           (product number (read-primary in))]
           [else number]))
   (define argument (if sign? (negative first-part) first-part))
   (define (more combine read)
@@ -264,6 +274,10 @@
          (more product (lambda (in) (read-run in argument-ahead?)))]
         [else (call argument)]))
 
+;; sin -t, but not log - b
+(define (minus-of-argument? in)
+  (and (token-spaced? (ahead in)) (not (token-spaced? (behind in)))))
+
 ;; The next function begins a factor of its own.
 (define (argument-ahead? in)
   (and (starts-factor? in)
@@ -271,19 +285,20 @@
        (not (and (ahead? in 'word) (function-word? in (ahead in))))))
 
 (define (function-word? in t)
-  (define s (line-name->symbol (token-value t)))
+  (define s (named in (token-value t)))
   (and (not (quantity in s)) (function-named (token-value t)) #t))
 
 ;; ---------------------------------------------------------------------------
 ;; Words
 
+(define (named in text) ((vocabulary-name (source-words in)) text))
 (define (quantity in s) ((vocabulary-quantity (source-words in)) s))
 (define (rate in s dots) ((vocabulary-rate (source-words in)) s dots))
 
 (define (read-word in)
   (define t (take! in))
   (define text (token-value t))
-  (define s (line-name->symbol text))
+  (define s (named in text))
   (cond [(and (ahead? in 'primes) (not (rate in s 1)) (cut! t in)) (read-word in)]
         [(ahead? in 'primes) (read-primed in s)]
         [(quantity in s) => (lambda (d) (after-quantity in d))]
@@ -296,18 +311,46 @@
         [(glued? in 'open) (unknown-call in s)]
         [(regexp-match #px"^(sin|cos|tan|exp|log|sqrt)(.+)$" text)
          => (lambda (m) (refuse in "in ~a a space is missing behind ~a" text (cadr m)))]
+        [(power-before-parenthesis? (reader-left in))
+         (refuse in (string-append "a power of ~a before a parenthesis has two readings: "
+                                   "put a sign * or spaces")
+                 s)]
         [else s]))
+
+;; V²(r), V^2(r)
+(define (power-before-parenthesis? tokens)
+  (define next
+    (case (token-kind (car tokens))
+      [(raised) (cadr tokens)]
+      [(caret) (and (eq? 'number (token-kind (cadr tokens))) (caddr tokens))]
+      [else #f]))
+  (and next (eq? 'open (token-kind next)) (not (token-spaced? next))))
 
 ;; x' and x''; x'(t) is the same.  Of a function, V'(r).
 (define (read-primed in s)
   (define dots (token-value (take! in)))
   (define known (rate in s dots))
   (cond [known (after-quantity in known)]
-        [(rate in s 1) (refuse in "~a has more than two primes" s)]
-        [(glued? in 'open)
-         (cons (list (if (= dots 1) 'D (list 'expt 'D dots)) s)
-               (arguments (enclosed in 'close read-entry-list)))]
-        [else (string->symbol (format "~a~a" s (if (= dots 1) "dot" "ddot")))]))
+        [(> dots 2) (refuse in "~a has more than two primes" s)]
+        [(glued? in 'open) (derivative-call in s dots)]
+        [else (string->symbol (format "~a~a" s (if (= dots 1) "dot" "dotdot")))]))
+
+;; V'(r) and D²x(t) of what is no coordinate
+(define (derivative-call in s dots)
+  (called in (list (if (= dots 1) 'D (list 'expt 'D dots)) s) (read-arguments in)))
+
+(define (read-arguments in)
+  (if (eq? 'close (token-kind (behind in)))
+      (begin (take! in) (take! in) '())
+      (arguments (enclosed in 'close read-entry-list))))
+
+;; Behind a call another parenthesis may be a factor, or arguments.
+(define (called in f inside)
+  (define d (cons f inside))
+  (when (glued? in 'open)
+    (define next (enclosed in 'close read-entry-list))
+    (either in (product d next) (list d next)))
+  d)
 
 ;; (t), behind a coordinate
 (define (skip-time in)
@@ -339,14 +382,19 @@
 ;; V(r), and V²(r) for V(r)²
 (define (read-application in s)
   (define exponent (read-exponent in s))
-  (define d (if (glued? in 'open) (cons s (arguments (enclosed in 'close read-entry-list))) s))
+  (define d (if (glued? in 'open) (called in s (read-arguments in)) s))
   (if exponent (list 'expt d exponent) d))
 
-;; V(r), and f(x, y); but of f(x + 1) nothing tells what it is.
+;; V(r), f(x, y), f(); but of f(x + 1) nothing tells what it is.
 (define (unknown-call in s)
-  (define d (enclosed in 'close read-entry-list))
-  (cond [(or (symbol? d) (and (pair? d) (eq? (car d) 'up))) (cons s (arguments d))]
-        [else (either in (product s d) (list s d))]))
+  (define inside (read-arguments in))
+  (define d (if (and (pair? inside) (null? (cdr inside))) (car inside) 'several))
+  (when (if (pair? d) (memq (car d) '(+ * / expt)) (and (number? d) (not (plain-number? d))))
+    (either in (product s d) (list s d)))
+  (called in s inside))
+
+;; f(2), not f(-1) or f(1/2)
+(define (plain-number? d) (and (>= d 0) (or (integer? d) (inexact? d))))
 
 ;; D x(t), D²x(t)
 (define (read-derivative in)
@@ -358,21 +406,25 @@
   (define rest ((if (ahead? in 'raised) cdr (if (ahead? in 'caret) cddr values)) (reader-left in)))
   (define known
     (and (eq? 'word (token-kind (car rest)))
-         (rate in (line-name->symbol (token-value (car rest))) dots)))
-  (and known
-       (begin (set-reader-left! in (cdr rest)) (after-quantity in known))))
+         (rate in (named in (token-value (car rest))) dots)))
+  (define (from-there read) (set-reader-left! in (cdr rest)) (read))
+  (define next (and (eq? 'word (token-kind (car rest))) (cadr rest)))
+  (cond [known (from-there (lambda () (after-quantity in known)))]
+        [(and next (eq? 'open (token-kind next)) (not (token-spaced? next)))
+         (from-there (lambda () (derivative-call in (named in (token-value (car rest))) dots)))]
+        [else #f]))
 
 ;; Dx
 (define (dotted-by-D in text)
   (define m (regexp-match #px"^D(.+)$" text))
-  (define known (and m (rate in (line-name->symbol (cadr m)) 1)))
+  (define known (and m (rate in (named in (cadr m)) 1)))
   (and known (after-quantity in known)))
 
 ;; mgx as the words m, g, x, where these are known: an exponent or a prime behind is that of the
 ;; last.  A word that can be cut differently is not clear.  -> is the first of several words ahead?
 (define (cut! t in)
-  (define found (cuts-of (token-value t) (lambda (piece) (quantity in (line-name->symbol piece)))))
-  (define (product-of pieces) (cons '* (map line-name->symbol pieces)))
+  (define found (cuts-of (token-value t) (lambda (piece) (quantity in (named in piece)))))
+  (define (product-of pieces) (cons '* (map (lambda (piece) (named in piece)) pieces)))
   (cond [(null? found) #f]
         [(null? (cdr found))
          (define words

@@ -43,7 +43,7 @@
         (cons #px"\\\\[dt]frac(?![a-zA-Z])" "\\\\frac")
         (cons #px"(\\\\frac|\\\\sqrt)(?:\\s*([0-9])|\\s+([a-zA-Z]))" "\\1{\\2\\3}")
         (cons #px"(\\\\frac\\s*\\{[^{}]*\\})\\s*([0-9a-zA-Z])" "\\1{\\2}")
-        (cons #px"\\*\\*" "^") (cons #px"(?<![=<>])==|:=" "=")))
+        (cons #px"(?<![=<>])==|:=" "=")))
 
 ;; ---------------------------------------------------------------------------
 ;; Words
@@ -63,7 +63,7 @@
   (regexp-replace* #px"\\\\(?:var)?([a-zA-Z]+)" text "\\1"))
 
 ;; -> text, or #f where TeX has another command of the name
-(define (Greek name) (and (Greek-name? name) name))
+(define (Greek name) (and (or (Greek-name? name) (equal? name "hbar")) name))
 
 (define (dotted dots letters)
   (string-append (regexp-replace #px"^\\\\(?:var)?" letters "")
@@ -93,8 +93,8 @@
     (list 'function #px"^\\\\([a-z]+)" (lambda (m) (function-of-TeX (cadr m))))
     (word-rule "\\\\(d?)dot\\s*(?:(?=\\{)\\{\\s*)?(\\\\?[a-zA-Z]+)\\s*\\}?" dotted)
     (word-rule "\\\\(?:var)?([a-zA-Z]+)" Greek)
-    (word-rule "\\\\(?:math(?:rm|it|bf)|text|hbar(?=\\{?))\\s*\\{\\s*(\\p{L}+[0-9]*)\\s*\\}" values)
-    (word-rule "(\\p{L}(?:\\p{L}|\\p{M}|[0-9])*)" values)
+    (word-rule "\\\\(?:math(?:rm|it|bf)|text)\\s*\\{\\s*(\\p{L}+[0-9]*)\\s*\\}" values)
+    (word-rule "(\\p{L}(?:\\p{L}|\\p{M}|[0-9])*|⟪[^⟫]*⟫)" values)
     (list 'primes #px"^(?:['′’]+|[″\"])"
           (lambda (m) (if (member (car m) '("″" "\"")) 2 (string-length (car m)))))
     (sign 'brace #rx"^{") (sign 'brace-close #rx"^}") (sign 'bar #rx"^[|]")

@@ -1,16 +1,19 @@
 #lang racket/base
-;; What is known of the names in a formula, and words cut into names: mgx as m, g, x.
+;; What is known of the names in a formula, words cut into names, mgx as m, g, x, and functions as
+;; other programs call them.
 
-(require (only-in racket/list append-map range))
+(require (only-in racket/list append-map range)
+         (only-in "../../operation/operation-column.rkt" operation-names))
 
-(provide (struct-out vocabulary) cuts-of)
+(provide (struct-out vocabulary) cuts-of function-named own-operations)
 
 ;; What is known of names.
+;; name      : text -> the symbol that it is
 ;; quantity  : symbol -> datum that it stands for, or #f
 ;; function? : symbol -> is it the name of a function?
 ;; rate      : symbol, count of dots -> the datum of the rate, or #f
 ;; moving?   : datum -> is it that of a coordinate, or of a rate, which may have (t) behind it?
-(struct vocabulary (quantity function? rate moving?))
+(struct vocabulary (name quantity function? rate moving?))
 
 ;; known? : text -> is it a name?  -> the ways to cut the text into names, two at most; without the
 ;; text as a whole
@@ -28,3 +31,38 @@
 (define longest-piece 20)
 
 (define (few cuts) (if (and (pair? cuts) (pair? (cdr cuts))) (list (car cuts) (cadr cuts)) cuts))
+
+;; ---------------------------------------------------------------------------
+;; Functions
+
+;; -> symbol, or #f
+(define (function-named text)
+  (define name (string->symbol text))
+  (cond [(memq name functions) name]
+        [(assq name other-functions) => cdr]
+        [else #f]))
+
+(define functions (append '(square cube) (operation-names function reciprocal)))
+
+(define other-functions
+  '((ln . log) (arcsin . asin) (arccos . acos) (arctan . atan) (fabs . abs)
+    (Sin . sin) (Cos . cos) (Tan . tan) (Sinh . sinh) (Cosh . cosh) (Tanh . tanh)
+    (Exp . exp) (Log . log) (Sqrt . sqrt) (Abs . abs)
+    (ArcSin . asin) (ArcCos . acos) (ArcTan . ArcTan)
+    (pow . pow) (Power . Power) (atan2 . atan2) (log10 . log10)))
+
+;; Functions of other programs, and powers of e, in ours.
+(define (own-operations d known?)
+  (if (pair? d)
+      (let ([d (for/list ([part (in-list d)]) (own-operations part known?))])
+        (case (car d)
+          [(expt) (if (power-of-e? d known?) (list 'exp (caddr d)) d)]
+          [(pow Power) (cons 'expt (cdr d))]
+          [(atan2) (cons 'atan (cdr d))]
+          [(ArcTan) (cons 'atan (reverse (cdr d)))]
+          [(log10) (list 'log (cadr d) 10)]
+          [else d]))
+      d))
+
+(define (power-of-e? d known?)
+  (and (memq (cadr d) '(e E)) (not (known? (cadr d))) (not (number? (caddr d)))))

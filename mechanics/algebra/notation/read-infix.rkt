@@ -8,12 +8,12 @@
 ;;     power    := [−] primary [** power]
 ;;
 ;; The signs * and ^ (or **) are not written by infix.rkt where it can do without, but by people.
-;; Other spellings are made tokens of this grammar by read-paper.rkt.
+;; How people type formulas is for handwritten-formula.rkt.
 
 (require "formula-tokens.rkt" "one-line-name.rkt" "read-terms.rkt" "token-reader.rkt"
          "../../error/complain.rkt")
 
-(provide infix->datum tokens->datum)
+(provide infix->datum)
 
 (define (infix->datum text)
   (define fail (failing-in text))
@@ -96,7 +96,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Factors
 
-(define starts-of-factors '(number name function unit quoted open root bracket partial plain))
+(define starts-of-factors '(number name unit quoted open root bracket partial plain))
 
 (define (read-factor in)
   (if (accept! in 'root)
@@ -147,7 +147,6 @@
     [(unit) (unit-datum (token-text (take! in)))]
     [(partial) (read-derivative in '())]
     [(name) (read-name in)]
-    [(function) (read-known (token-value (ahead in)) in)]
     [else (unexpected in)]))
 
 (define (read-name in)

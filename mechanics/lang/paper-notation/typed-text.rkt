@@ -55,7 +55,7 @@
              (string-append "'" (if (touches? (car parts) (cadr parts)) "" " ")
                             (form-text (cadr parts) (car parts) w))
              ((writer-operand! w) (datum form)))]
-        [(headed? parts 'unquote) (string-append "," (form-text (cadr parts) #f w))]
+        [(headed? parts 'unquote) (string-append ", " (form-text (cadr parts) #f w))]
         [else (list-text form parts before w)]))
 
 (define (headed? parts name) (and (eq? (content (car parts)) name) (= 2 (length parts))))

@@ -10,6 +10,7 @@
          "exercise.rkt" "exercise-kind.rkt" "prescribed-symbols.rkt"
          "../../algebra/notation/formula.rkt" "../../algebra/notation/handwritten-formula.rkt"
          "../../algebra/notation/infix.rkt"
+         (only-in "../../algebra/notation/one-line-name.rkt" line-name->symbol)
          (only-in "../../generic/describe.rkt" value->datum) "../../generic/notation.rkt"
          "../../value/shape.rkt" (only-in "../../value/structure.rkt" ref))
 
@@ -114,7 +115,8 @@
 (define (vocabulary-of e)
   (define names (exercise-coordinates e))
   (define table (known-names e))
-  (vocabulary (lambda (s) (hash-ref table s #f))
+  (vocabulary line-name->symbol
+              (lambda (s) (hash-ref table s #f))
               (lambda (s) (and (memq s (append '(up down) (setting e 'functions '()))) #t))
               (lambda (s dots)
                 (define n (and (<= dots 2) (hash-ref table s #f)))

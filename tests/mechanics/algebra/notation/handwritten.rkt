@@ -4,6 +4,7 @@
 
 (require mechanics/algebra/notation/handwritten-formula
          mechanics/algebra/notation/infix
+         (only-in mechanics/algebra/notation/one-line-name line-name->symbol)
          mechanics/generic/value-tree
          mechanics/show/typesetting/TeX
          (only-in mechanics read-expression verify-equal proved?)
@@ -13,7 +14,8 @@
 (define quantities '(t x y theta phi xdot thetadot m g l omega a_1 k_2 p_x r c alpha :pi))
 
 (define words
-  (vocabulary (lambda (s) (cond [(memq s quantities) s] [(eq? s 'xdotdot) 'xddot] [else #f]))
+  (vocabulary line-name->symbol
+              (lambda (s) (cond [(memq s quantities) s] [(eq? s 'xdotdot) 'xddot] [else #f]))
               (lambda (s) (and (memq s '(V U up down)) #t))
               (lambda (s dots)
                 (case s
@@ -49,6 +51,8 @@
  ["x'' (t) + x (t)" (+ xddot x)]
  ["x(y + m)^2" (* x (expt (+ y m) 2))] ["r^2/2" (/ (expt r 2) 2)] ["r^3/3" (/ (expt r 3) 3)]
  ["3·10^8 m" (* 3 (expt 10 8) m)] ["2e3" 2000.0] ["\\varphi \\cdot \\pi" (* phi :pi)]
+ ["a_1**c**x" (expt a_1 (expt c x))] ["a_1**c/m" (/ (expt a_1 c) m)] ["W(2)" (W 2)]
+ ["m*1/2 x" (* (/ (* m 1) 2) x)] ["\\hbar t" (* hbar t)] ["D²W(t)" (((expt D 2) W) t)]
  ["[x, (y, t)]" (up x (up y t))] ["ω t" (* omega t)] ["omegat" (* omega t)])
 
 (test-case "relations, and lists without parentheses"
@@ -65,6 +69,10 @@
  ["sin x/2" (/ (sin x) 2) (sin (/ x 2))]
  ["sin omega t" (* (sin omega) t) (sin (* omega t))]
  ["sin x^2" (expt (sin x) 2) (sin (expt x 2))]
+ ["sqrt 2 x" (* (sqrt 2) x) (sqrt (* 2 x))]
+ ["x^(c)^y" (expt (expt x c) y) (expt x (expt c y))]
+ ["W(r)(x)" (* (W r) x) ((W r) x)]
+ ["W(-1)" (* W -1) (W -1)]
  ["√g/l" (/ (sqrt g) l) (sqrt (/ g l))]
  ["e^-t/c" (/ (exp (* -1 t)) c) (exp (/ (* -1 t) c))]
  ["e^-2 t" (* (exp -2) t) (exp (* -2 t))]
@@ -80,7 +88,8 @@
 (test-case "a word that can be cut in two ways is not clear"
   (define names '(ab c a bc))
   (define words
-    (vocabulary (lambda (s) (and (memq s names) s)) (lambda _ #f) (lambda _ #f) (lambda _ #f)))
+    (vocabulary line-name->symbol (lambda (s) (and (memq s names) s))
+                (lambda _ #f) (lambda _ #f) (lambda _ #f)))
   (check-equal? (let/ec return
                   (read-handwritten "abc" words void (lambda (a b) (return (list a b)))))
                 '((* a bc) (* ab c))))

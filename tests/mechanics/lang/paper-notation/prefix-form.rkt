@@ -62,6 +62,17 @@
 (test-case "a number before names is a product, within a formula too"
   (check-prefix '((1/2 m (square v)) - (g * h)) '(- (* 1/2 m (square v)) (* g h))))
 
+(test-case "names are those that are known"
+  (define ((known . names) s) (and (memq s names) #t))
+  (check-equal? (prefix-form (forms-in "m*x_1dot + theta-dot") (known 'x_1dot 'theta-dot))
+                '(+ (* m x_1dot) theta-dot))
+  (check-equal? (prefix-form (forms-in "m*x_1dot")) #f)
+  (check-equal? (prefix-form (forms-in "1 - e^2") (known 'e)) '(- 1 (expt e 2)))
+  (check-equal? (prefix-form (forms-in "1 - e^2")) #f)
+  (check-equal? (prefix-form (forms-in "2 e^x")) '(* 2 (exp x)))
+  (check-equal? (prefix-form (forms-in "f(x)(y) + 1")) #f)
+  (check-equal? (prefix-form (forms-in "x(-1) + 1")) #f))
+
 (test-case "what is none has no other form"
   (check-prefix '(a *) #f)
   (check-prefix '(a * + b) #f)
