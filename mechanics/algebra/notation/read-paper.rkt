@@ -23,7 +23,8 @@
          (or (known? 'e) (not (regexp-match? square-of-e plain)))
          (read-relation plain known?)))
   (and d
-       (andmap (lambda (s) (clear-name? s known? foreign?)) (flatten d))
+       (for/and ([s (in-list (flatten d))])
+         (clear-name? s known? (lambda (s) (and (foreign? s) (before-operand? s plain)))))
        (own-operations (unmarked d) known?)))
 
 ;; 0 < x < 1; the grammar knows =.
@@ -119,12 +120,19 @@
          (line-name->symbol text)]
         [else (string->symbol text)]))
 
+;; Sum(x, i), grad f, but 1.5 kg
+(define (before-operand? s text)
+  (define name (regexp-quote (symbol->string s)))
+  (regexp-match? (pregexp (string-append name "\\s*(?:[(0-9]|\\p{L})")) text))
+
 (define (clear-name? d known? foreign?)
   (define text (if (symbol? d) (symbol->string d) ""))
   (cond [(not (regexp-match? #px"^\\p{L}" text)) #t]
         [(or (member text keywords) (foreign? d)) #f]
         [(or (memq d '(pi expt D)) (known? d) (function-named text)) #t]
-        [else (not (or (regexp-match? #px"_$|[0-9]\\p{L}|(?!\\p{L}|\\p{M}|\\p{N})[^_]" text) (letters-in-a-row? text)))]))
+        [else (not (or (regexp-match? odd-name text) (letters-in-a-row? text)))]))
+
+(define odd-name #px"_$|[0-9]\\p{L}|(?!\\p{L}|\\p{M}|\\p{N})[^_]")
 
 ;; Words that are no names of quantities
 (define keywords '("if" "else" "and" "or" "not" "lambda" "for" "in" "return" "def" "integral"
