@@ -5,7 +5,7 @@
 ;; A command of TeX is a token, and so is a brace: the grammar (handwritten-formula.rkt) nests them.
 
 (require "formula-tokens.rkt" (only-in "name.rkt" Greek-name?)
-         (only-in "read-paper.rkt" function-named)
+         (only-in "handwritten-words.rkt" function-named)
          (only-in racket/list split-at-right))
 
 (provide handwritten-tokens)

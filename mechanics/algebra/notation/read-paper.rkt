@@ -11,7 +11,7 @@
          (only-in racket/list flatten remove-duplicates)
          (only-in racket/string string-split))
 
-(provide read-paper as-typed function-named)
+(provide read-paper as-typed)
 
 ;; known?   : symbol -> is it a name of the reader's, or of the library?
 ;; foreign? : symbol -> is it another program's name of something that is called otherwise here?

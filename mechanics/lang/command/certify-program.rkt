@@ -61,5 +61,7 @@
 (define (print-sum proved good all coqc only-written?)
   (printf "~a shown, ~a proved, ~a ~a\n" (counted all "verdict") proved good
           (if coqc "accepted by Coq" "with a certificate"))
+  (when (= all 0)
+    (printf "a verdict that is shown, on a line of its own, gets a certificate\n"))
   (unless (or coqc only-written?)
     (printf "Coq is not there to check them: on Debian, apt-get install coq libcoq-coquelicot\n")))

@@ -8,7 +8,7 @@
          "definition-by-sign.rkt" "misread-call.rkt" "other-notation.rkt" "prefix-form.rkt"
          "operation-sign.rkt"
          "../written-form.rkt"
-         (only-in "../../algebra/notation/read-paper.rkt" function-named))
+         (only-in "../../algebra/notation/handwritten-words.rkt" function-named))
 
 (provide meant-as-one misread-line prime-alone)
 

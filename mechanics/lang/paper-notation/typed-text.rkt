@@ -8,7 +8,7 @@
          (only-in racket/string string-join)
          "operation-sign.rkt"
          "../written-form.rkt"
-         (only-in "../../algebra/notation/read-paper.rkt" function-named))
+         (only-in "../../algebra/notation/handwritten-words.rkt" function-named))
 
 (provide typed-text)
 
