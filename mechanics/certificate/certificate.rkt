@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Certificates: a proved verdict as a theorem that the proof assistant Coq checks.
 
-(require racket/list
-         "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt" "proof-script.rkt"
+(require racket/list racket/string
+         "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt" "proof-script.rkt"
          "theorem-text.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
@@ -51,6 +51,7 @@
   (define m (claim-subject (verdict-claim v)))
   (define th
     (and (motion-claim? m)
+         (null? (verdict-readings v))   ; the procedures hold the decimals themselves
          (with-handlers ([no-certificate? (lambda (_) #f)])
            (motion-theorem m (verdict-assumptions v)))))
   (and th
@@ -61,18 +62,35 @@
 
 (define (identity-certificate v)
   (define c (verdict-claim v))
+  (define readings (append-map zero-test-decimals (verdict-tests v)))
   (define equations (filter (lambda (q) (not (equal? q '(0 . 0)))) (equations-of v)))
   (when (null? equations) (give-up "it vanishes as it is formed, and nothing is left to state"))
   (define th
-    (identity-theorem (remove-duplicates equations) (claim-domain c) (verdict-assumptions v)))
+    (identity-theorem (remove-duplicates equations)
+                      (for/list ([e (in-list (claim-domain c))]) (with-decimals-read e readings))
+                      (verdict-assumptions v)))
   (proof-certificate
    1
    (words (cond [(equality-claim? (claim-subject c)) "both sides are equal"]
                 [(null? (cdr (verdict-tests v))) "the residual is zero"]
                 [else (format "the ~a components of the residual are zero"
                               (length (verdict-tests v)))])
-          th "the identity, the derivatives are ours")
-   (theorem-file th)))
+          th
+          (string-append "the identity, the derivatives are ours"
+                         (readings-text (verdict-readings v) "; reading" value->text)))
+   (theorem-file th #f (readings-text (verdict-readings v) "Decimals are read as exact numbers:"
+                                      constant-text))))
+
+;; all : ((decimal expression) ...); write : expression -> string
+(define (readings-text all before write)
+  (if (null? all)
+      ""
+      (format "~a ~a" before
+              (string-join (for/list ([r (in-list all)])
+                             (format "~a as ~a" (car r) (write (cadr r))))
+                           ", "))))
+
+(define (constant-text e) (term e (make-names '())))
 
 ;; -> ((left . right) ...), expressions: the sides of an equality, or residuals and 0
 (define (equations-of v)
@@ -98,9 +116,10 @@
           (if (= n 0) "" (format " under ~a hypothes~as" n (if (= n 1) "i" "e")))
           kind))
 
-(define (theorem-file th [derivatives? #f])
+(define (theorem-file th [derivatives? #f] [note ""])
   (string-append
    "(* A certificate made by mechanics. To check it: coqc FILE.v *)\n"
+   (if (string=? note "") "" (format "(* ~a *)\n" note))
    "Require Import Reals Lra Psatz Nsatz.\n"
    (if derivatives? "From Coquelicot Require Import Coquelicot.\n" "")
    "Open Scope R_scope.\n\n"

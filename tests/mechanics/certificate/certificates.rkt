@@ -71,6 +71,19 @@
   (check-regexp-match #rx"Print Assumptions claim[.]\nPrint Assumptions not_vacuous[.]" text)
   (check-false (regexp-match? #rx"Admitted|Axiom|Parameter" text)))
 
+(test-case "decimals that the proof reads as exact numbers are these in the claim, and it says so"
+  (define c (certificate (verify-equal (sin (+ 'x (* 2 pi))) (sin 'x))))
+  (check-regexp-match #rx"reading 6.283185307179586 as \\(\\* 2 :pi\\)$" (format "~a" c))
+  (check-regexp-match
+   (regexp-quote "(* Decimals are read as exact numbers: 6.283185307179586 as 2 * PI *)")
+   (certificate-text c))
+  (define swing
+    (verify-solution (L-harmonic 1 2) (lambda (t) (cos (* 1.4142135623730951 t)))))
+  (check-equal? (certificate-level (certificate swing)) 1)
+  (check-regexp-match (regexp-quote "1.4142135623730951 as (sqrt 2)")
+                      (format "~a" (certificate swing)))
+  (check-false (regexp-match? #rx"14142135623730951 /" (certificate-text (certificate swing)))))
+
 (test-case "what has no certificate says why"
   (define v (verify-equal (* 2 (atan 'y 'x)) (+ (atan 'y 'x) (atan 'y 'x))))
   (check-equal? (certificate-or-reason v) "Coq's library has no atan")
