@@ -3,6 +3,7 @@
 ;; of them.  The user's names stay; the derivative of U is DU, ∂₁∂₁F is D1_1_F.
 
 (require racket/list racket/string
+         "proof-tactics.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
          "../scale/export/variable-names.rkt")
@@ -20,13 +21,14 @@
 ;; index : as of a literal head; arity : how many real numbers it takes
 (struct unknown-function (name index arity) #:transparent)
 
-;; es : expressions
-(define (make-names es)
+;; es : expressions; taken : names that the theorem itself defines
+(define (make-names es [taken '()])
   (define symbols (remove-duplicates (append-map symbols-in es) eq?))
   (define functions
     (sort (remove-duplicates (append-map functions-in es)) < #:key derivatives))
   (define texts
-    (identifiers (append symbols (map function-symbol functions)) words-of-Coq))
+    (identifiers (append symbols (map function-symbol functions))
+                 (append taken words-of-Coq (lemmas-in-file) numbered-names)))
   (names (for/hash ([x (in-list (append symbols functions))] [text (in-list texts)])
            (values x text))
          symbols functions (make-hash)))
@@ -73,11 +75,20 @@
 ;; What a variable must not be called: words of the language, names of its library that
 ;; certificates use, and their own.
 (define words-of-Coq
-  (append
-   (string-split
-    (string-append
-     "R PI sin cos tan exp ln sqrt asin acos atan sinh cosh tanh arcsinh Rabs Rpower D "
-     "as at cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return "
-     "Set SProp then Type using where with by Definition Theorem Lemma Proof Qed "
-     "given hypotheses claim not_vacuous is_derive locally"))
-   '("_")))
+  (string-split
+   (string-append
+    "R PI sin cos tan exp ln sqrt asin acos atan sinh cosh tanh arcsinh Rabs Rpower D "
+    "as at cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return "
+    "Set SProp then Type using where with by Axiom Definition Theorem Lemma Ltac Proof Qed Section "
+    "True False not and or ex eq conj nat Rlt Rle Rgt Rge Rplus Rminus Rmult Rdiv Rinv Ropp pow IZR "
+    "Rgt_not_eq ln_exp exp_ln exp_pos f_equal sqrt_lem_1 sqrt_sqrt Coquelicot "
+    "given hypotheses claim not_vacuous is_derive locally auto_derive")))
+
+;; The names that proof-tactics.v defines
+(define (lemmas-in-file)
+  (map cadr (regexp-match* #px"(?m:^(?:Lemma|Ltac|with) (\\w+))" (proof-tactics)
+                           #:match-select values)))
+
+;; Those of hypotheses and of facts in proofs
+(define numbered-names
+  (for*/list ([k (in-range 1 200)] [base (in-list '("given" "kernel"))]) (format "~a_~a" base k)))

@@ -2,7 +2,7 @@
 ;; Certificates: a proved verdict as a theorem that the proof assistant Coq checks.
 
 (require racket/list racket/string
-         "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt" "proof-script.rkt"
+         "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt" "proof-tactics.rkt"
          "theorem-text.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"

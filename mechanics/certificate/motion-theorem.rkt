@@ -33,7 +33,8 @@
   (define dummies (append (motion-xs M) (motion-ws M)))
   (define ns
     (names-without (make-names (append along (append-map relation-sides assumed)
-                                       (list (motion-L M) (motion-t M)) dummies))
+                                       (list (motion-L M) (motion-t M)) dummies)
+                               (names-defined M))
                    dummies))
   (unless (null? (names-functions ns)) (give-up "it speaks of unknown functions"))
   (define facts
@@ -91,6 +92,11 @@
   (define n (length (motion-qs M)))
   (if (= n 1) (list base) (for/list ([i (in-range n)]) (format "~a_~a" base i))))
 
+;; What the file defines, whether or not there is a force
+(define (names-defined M)
+  (cons "L" (append-map (lambda (base) (names-like base M))
+                        '("path" "velocity" "momentum" "slope" "force"))))
+
 (define (definitions M ns)
   (define (of-time base es)
     (for/list ([name (in-list (names-like base M))] [e (in-list es)])
@@ -144,10 +150,7 @@
 
 (define (proof M count ns lines tactic)
   (define n (length (claims M ns)))
-  (define all
-    (append '("L") (append-map (lambda (base) (names-like base M))
-                               '("path" "velocity" "momentum" "slope"))
-            (if (forced? M) (names-like "force" M) '())))
+  (define all (if (forced? M) (names-defined M) (remove* (names-like "force" M) (names-defined M))))
   (string-append
    (format "Proof.\n  intro ~a. unfold hypotheses. intros ~a.\n" (name-of ns (motion-t M))
            (given-pattern count))

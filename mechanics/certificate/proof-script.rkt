@@ -5,14 +5,10 @@
 ;; `rewrite` puts the kernels in, those with others within them first; `field_simplify_eq` clears
 ;; divisors, each of which is shown not to vanish; `ring` knows the relations.
 
-(require racket/file racket/runtime-path racket/string
+(require racket/string
          "Coq-term.rkt" "kernel-facts.rkt")
 
-(provide proof-lines proof-tactics)
-
-;; What all proofs have in common: tactics, and lemmas that are proved there.
-(define-runtime-path tactics-file "proof-tactics.v")
-(define (proof-tactics) (file->string tactics-file))
+(provide proof-lines)
 
 ;; facts : those that an equality rests on; ns : names of all in them
 ;; -> lines that assert them, and the tactic that proves the equality after these

@@ -51,6 +51,18 @@
   (check-regexp-match #rx"\\(x : R\\) \\(f : R -> R\\) \\(Df : R -> R\\) : Prop"
                       (statement (verify-equal ((D (square f)) 'x) (* 2 (f 'x) ((D f) 'x))))))
 
+(test-case "names: the user's give way to those that the file defines, and to Coq's constants"
+  (define (sum-of-two a b) (statement (verify-equal (square (+ a b)) (square (+ b a)))))
+  (for ([name (in-list '(hypotheses claim given given_1 kernel_2 True False positive half_root))])
+    (check-regexp-match (format "forall \\(.*~a_.* : R\\)" name)
+                        (sum-of-two name 'x)
+                        (format "~a" name)))
+  (define text
+    (statement (verify-solution (L-harmonic 'L 'path)
+                                (lambda (t) (* 'velocity (cos (* (sqrt (/ 'path 'L)) t)))))))
+  (check-regexp-match #rx"Variables (L_|path_|velocity_) (L_|path_|velocity_) " text)
+  (check-regexp-match #rx"Definition path \\(t : R\\) : R := velocity_ \\* cos" text))
+
 (test-case "a motion: Lagrangian and path are functions, the equations derivatives of Coq"
   (define text
     (statement (verify-solution (L-harmonic 'm (* 'm (square 'w)))

@@ -3,6 +3,7 @@
 ;; neighbours of them rejected; `make certify` tries many.
 
 (require racket/list
+         (only-in mechanics - + * / cos sqrt square verify-equal verify-solution) mechanics/book
          mechanics/certificate/certificate mechanics/certificate/Coq-check
          "../support/checks.rkt" "../support/skip.rkt"
          "../support/certification/false-neighbours.rkt"
@@ -20,6 +21,19 @@
     (for ([c (in-list (proved-claims few))])
       (check-true (accepted? (certificate-text (certificate-or-reason (asked-verdict c))))
                   (format "~a" (asked-name c))))))
+
+(test-case "symbols may be called as what the file defines"
+  (skip-unless coqc without-Coq
+    (check-true
+     (accepted?
+      (certificate-text
+       (certificate
+        (verify-solution (L-harmonic 'L 'path)
+                         (lambda (t) (* 'q (cos (* (sqrt (/ 'path 'L)) t)))))))))
+    (check-true
+     (accepted? (certificate-text (certificate (verify-equal (- (square 'True) (square 'claim))
+                                                             (* (+ 'True 'claim)
+                                                                (- 'True 'claim)))))))))
 
 (test-case "changed claims, dropped hypotheses and empty domains are rejected"
   (skip-unless coqc without-Coq
