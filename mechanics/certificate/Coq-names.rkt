@@ -80,8 +80,8 @@
     "R PI sin cos tan exp ln sqrt asin acos atan sinh cosh tanh arcsinh Rabs Rpower D "
     "as at cofix else end exists exists2 fix for forall fun if IF in let match mod Prop return "
     "Set SProp then Type using where with by Axiom Definition Theorem Lemma Ltac Proof Qed Section "
-    "True False not and or ex eq conj nat Rlt Rle Rgt Rge Rplus Rminus Rmult Rdiv Rinv Ropp pow IZR "
-    "Rgt_not_eq ln_exp exp_ln exp_pos f_equal sqrt_lem_1 sqrt_sqrt Coquelicot "
+    "True False not and or ex eq conj nat Rlt Rle Rgt Rge Rplus Rminus Rmult Rdiv Rinv Ropp pow "
+    "IZR Rgt_not_eq ln_exp exp_ln exp_pos f_equal sqrt_lem_1 sqrt_sqrt Coquelicot "
     "given hypotheses claim not_vacuous is_derive locally auto_derive")))
 
 ;; The names that proof-tactics.v defines

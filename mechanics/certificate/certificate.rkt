@@ -2,8 +2,8 @@
 ;; Certificates: a proved verdict as a theorem that the proof assistant Coq checks.
 
 (require racket/list racket/string
-         "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt" "proof-tactics.rkt"
-         "theorem-text.rkt"
+         "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt"
+         "proof-tactics.rkt" "theorem-text.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
          "../generic/describe.rkt" "../generic/output-file.rkt" "../generic/value-struct.rkt"
@@ -39,7 +39,7 @@
 (define (check-proved who v)
   (check-argument who verdict? v "a verdict, such as verify-solution or verify-equal gives")
   (unless (proved? v)
-    (complain-showing who "only what is proved has a certificate" "verdict" (verdict-status v))))
+    (complain who "only what is proved has a certificate\n  verdict: ~a" (verdict-status v))))
 
 ;; v : a proved verdict -> certificate, or a string that says why there is none yet
 (define (certificate-or-reason v)
@@ -111,9 +111,9 @@
       (map (lambda (e) (cons e 0)) residuals)))
 
 (define (words claim th kind)
-  (define n (theorem-hypotheses th))
-  (format "a theorem of Coq: ~a~a; ~a" claim
-          (if (= n 0) "" (format " under ~a hypothes~as" n (if (= n 1) "i" "e")))
+  (define hypotheses (theorem-hypotheses th))
+  (format "a theorem for Coq to check: ~a~a; ~a" claim
+          (if (null? hypotheses) "" (format " under ~a" (string-join hypotheses ", ")))
           kind))
 
 (define (theorem-file th [derivatives? #f] [note ""])

@@ -23,7 +23,7 @@
             (hypotheses-text assumed domain ns)
             (claim-text equations (length hypotheses) ns lines tactic)
             (example-text hypotheses ns))
-           (length hypotheses)))
+           (hypothesis-texts hypotheses ns)))
 
 (define (claim-text equations count ns lines tactic)
   (define names (string-join (all-names ns) " "))

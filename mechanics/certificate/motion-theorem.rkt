@@ -46,7 +46,7 @@
                           (statement M ns)
                           (proof M (length relations) ns lines tactic)
                           (example-text relations ns))
-           (length relations)))
+           (hypothesis-texts relations ns)))
 
 ;; A radicand along a motion has a derivative where it is positive.
 (define (strict d)

@@ -11,11 +11,11 @@
          (only-in "../algebra/assumption/assumption-set.rkt" no-assumptions))
 
 (provide (struct-out theorem) relation-sides relations->assumptions
-         hypotheses-text example-text given-pattern
+         hypotheses-text hypothesis-texts example-text given-pattern
          binders all-names symbol-names for-all wrapped)
 
 ;; text       : Coq's, without what all certificates have in common
-;; hypotheses : how many
+;; hypotheses : their texts
 (struct theorem (text hypotheses) #:authentic)
 
 ;; Assumptions that the algebra knows, as far as it can
@@ -50,11 +50,14 @@
 (define (all-names ns)
   (append (symbol-names ns) (map (lambda (f) (name-of ns f)) (names-functions ns))))
 
+(define (hypothesis-texts relations ns)
+  (for/list ([d (in-list relations)]) (relation-text d ns)))
+
 (define (hypotheses-text assumed domain ns)
   (define (listed title ds)
     (if (null? ds)
         '()
-        (list (cons (format "  (* ~a *)" title) (map (lambda (d) (relation-text d ns)) ds)))))
+        (list (cons (format "  (* ~a *)" title) (hypothesis-texts ds ns)))))
   (define groups
     (append (listed "assumed" assumed)
             (listed "domain: each part of the claim has a value"
