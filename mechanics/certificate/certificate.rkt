@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Certificates: a proved verdict as a theorem that the proof assistant Coq checks.
 
-(require racket/list racket/string
+(require racket/list racket/path racket/string
          "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt"
          "proof-tactics.rkt" "theorem-text.rkt"
          "../algebra/expression/expression.rkt"
@@ -32,9 +32,21 @@
   c)
 
 (define (write-certificate v file)
-  (check-file 'write-certificate file)
+  (define who 'write-certificate)
+  (check-comes-first who (and (path-string? v) (or (verdict? file) (certificate? file)))
+                     "verdict" "name of the file")
+  (unless (certificate? v) (check-proved who v))
+  (check-argument who path-string? file "the name of a file")
+  (check-argument who name-for-Coq? file
+                  "a file name as coqc takes it, a letter, then letters, digits and _, then .v")
+  (check-file who file)
   (define c (if (certificate? v) v (certificate v)))
-  (write-file 'write-certificate file (string->bytes/utf-8 (certificate-text c))))
+  (write-file who file (string->bytes/utf-8 (certificate-text c))))
+
+;; coqc makes the name of a module from that of the file.
+(define (name-for-Coq? file)
+  (define name (file-name-from-path file))
+  (and name (regexp-match? #px"^[A-Za-z][A-Za-z0-9_]*[.]v$" (path->string name))))
 
 (define (check-proved who v)
   (check-argument who verdict? v "a verdict, such as verify-solution or verify-equal gives")

@@ -296,7 +296,8 @@ one needs no Coq. @secref["reading-certificates"] reads one line by line.
               void?])]{
 
 The certificate of a proved verdict, which prints as its theorem in words; and the file, whose name
-should end in @filepath{.v}. There are two levels:
+is one that Coq takes: a letter, then letters, digits and _, then @filepath{.v}. There are two
+levels:
 
 @itemlist[
 @item{@emph{The identity}: both sides, or the residual and 0, are equal as the question states them,
@@ -309,6 +310,9 @@ What the verdict assumes is a hypothesis, and so is each divisor, radicand and a
 logarithm: Coq's functions have values everywhere, 1/0 is 0 there. Each file proves that its
 hypotheses hold together at a point, and ends with the axioms that it rests on, those of the real
 numbers.
+
+Where a proof reads decimals as exact numbers, these stand in the claim, and the certificate says
+which; such a motion has a certificate of the identity.
 
 Where there is no certificate yet, the error says why. The form of an expression that arithmetic
 gives at once, such as 1 for x/x, is that of the certificate.

@@ -111,6 +111,19 @@
   (check-equal? (file->string file) (certificate-text (certificate v)))
   (delete-file file))
 
+(define sum (verify-equal (+ 'x 'x) (* 2 'x)))
+
+(define (bad-name file)
+  (format (string-append "write-certificate: expected a file name as coqc takes it, "
+                         "a letter, then letters, digits and _, then .v\n  given: ~s, a string")
+          file))
+
+(test-case "the name of a file is one that coqc takes, in a folder that is there"
+  (for ([file (in-list '("swing" "my-proof.v" "my proof.v" "1swing.v" "swing.v/" "swing.txt"))])
+    (check-message (bad-name file) (write-certificate sum file)))
+  (check-regexp-match #rx"^write-certificate: there is no such folder\n  file: nowhere/swing[.]v"
+                      (message-of (write-certificate sum "nowhere/swing.v") exn:fail?)))
+
 (says
  [(certificate 'x)
   "certificate: expected a verdict, such as verify-solution or verify-equal gives\n"
@@ -118,4 +131,11 @@
  [(certificate (verify-equal 'x 'y))
   "certificate: only what is proved has a certificate\n  verdict: refuted"]
  [(write-certificate (verify-equal 'x 'y) "wrong.v")
-  "certificate: only what is proved has a certificate\n  verdict: refuted"])
+  "write-certificate: only what is proved has a certificate\n  verdict: refuted"]
+ [(write-certificate "swing.v" sum)
+  "write-certificate: the verdict comes first, then the name of the file; these look swapped"]
+ [(write-certificate sum 'swing)
+  "write-certificate: expected the name of a file\n  given: the symbol swing"]
+ [(write-certificate 'x "swing.v")
+  "write-certificate: expected a verdict, such as verify-solution or verify-equal gives\n"
+  "  given: the symbol x"])
