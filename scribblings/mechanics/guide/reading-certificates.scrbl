@@ -26,8 +26,10 @@ swing
 (write-certificate swing (build-path (find-system-path 'temp-dir) "swing.v"))]
 
 Where Coq is installed (on Debian @exec{apt-get install coq libcoq-coquelicot}),
-@exec{coqc swing.v} checks the file. It prints the axioms that the proof rests on, and nothing else.
-If it printed an error, there would be no proof.
+@exec{coqc swing.v} checks the file. It prints the axioms that the proof rests on. Where a file
+speaks of derivatives, as this one does, Coq also prints a warning about Coquelicot, its
+library of derivatives, which does not concern the proof. If it printed an error, there would be no
+proof.
 
 @section{One file, line by line}
 
@@ -124,7 +126,8 @@ in its words. What has a certificate of which level is in the table of
 
 @commandline{raco mechanics certify program.rkt}
 
-writes a file for each proved verdict that the program shows, and tells what Coq says. If Coq
+writes a file for each proved verdict that the program shows, on a line of its own, and tells what
+Coq says. If Coq
 rejects one, either our proof is wrong or our claim is; please tell us.
 
 @next-pages["what-proved-means" "what a proof is here"

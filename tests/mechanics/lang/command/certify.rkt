@@ -51,7 +51,9 @@
   (check-true (wrote? "proofs" "spring_1.v"))
   (program "none.rkt" "(+ 1 2)")
   (check-equal? (answer "none.rkt" "--write")
-                (list 0 "0 verdicts shown, 0 proved, 0 with a certificate\n"))
+                (list 0 (string-append
+                         "0 verdicts shown, 0 proved, 0 with a certificate\n"
+                         "a verdict that is shown, on a line of its own, gets a certificate\n")))
   (check-false (directory-exists? (build-path folder "none-certificates"))))
 
 (test-case "a program that ends early is told; what it showed before has its certificates"
