@@ -158,4 +158,6 @@
    (format "  unfold ~a.\n" (string-join all ", "))
    (format "  refine ~a;\n"
            (for/fold ([text "_"]) ([_ (in-range (- n 1))]) (format "(conj _ ~a)" text)))
-   (format "  (auto_derive; [conditions | ~a]).\nQed.\nEnd motion.\n\n" (wrapped tactic))))
+   ;; auto_derive writes x - y as x + - y, and x / y as x * / y.
+   (format "  (auto_derive; [conditions | ~a]).\nQed.\nEnd motion.\n\n"
+           (wrapped (format "first [~a | unfold Rminus, Rdiv in *; ~a]" tactic tactic)))))

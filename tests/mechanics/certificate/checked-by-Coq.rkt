@@ -14,7 +14,9 @@
 
 (define (accepted? text) (judgement-accepted? (check-by-Coq coqc text)))
 
-(define few '(rationalized root-of-quotient symbolic-power oscillator central-energy))
+(define few
+  '(rationalized root-of-quotient symbolic-power oscillator oscillator-from-a-time
+    oscillating-circuit central-energy))
 
 (test-case "certificates are accepted: sines, roots, powers, a motion, a conserved quantity"
   (skip-unless coqc without-Coq

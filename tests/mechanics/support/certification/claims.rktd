@@ -101,6 +101,10 @@
                             (lambda (t) (up (* 'u t) (- (* 'w t) (* 1/2 'g (square t)))))))
 (oscillator (verify-solution (L-harmonic 'm 'k)
                              (lambda (t) (* 'a (cos (+ (* (sqrt (/ 'k 'm)) t) 'phi))))))
+(oscillator-from-a-time
+ (verify-solution (L-harmonic 'm 'k) (lambda (t) (* 'a (cos (* (sqrt (/ 'k 'm)) (- t 't0)))))))
+(oscillating-circuit
+ (verify-solution (L-harmonic 'L (/ 1 'C)) (lambda (t) (* 'Q (cos (/ t (sqrt (* 'L 'C))))))))
 (oscillator-of-frequency (verify-solution (L-harmonic 'm (* 'm (square 'w)))
                                           (lambda (t) (+ (* 'a (cos (* 'w t))) (* 'b (sin (* 'w t)))))))
 (inverted-oscillator (verify-solution (L-harmonic 'm (* -1 'm (square 'w)))
