@@ -48,7 +48,7 @@
 
 (define win (frame 0 :pi -0.009 0.009 #:x-label "θ" #:y-label "p_θ"))
 (plot-contours win left '(0) #:samples 151 #:color 'gray)
-(define sea (explore-map win top-map 450 #:starts (list (up 0.1 0.) (up 0.15 0.))))
+(define sea (explore-map win top-map 450 #:starts (list (up 0.1 0.) (up 3. 0.))))
 (define island
   (explore-map win top-map 150 #:color 1
                #:starts (for/list ([theta '(0.4 0.5 0.7 0.9 1.1 1.3 1.5)]) (up theta 0.))))

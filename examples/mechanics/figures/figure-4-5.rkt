@@ -47,7 +47,7 @@ picture
         (check-true (in? (- (* 2 (real-part z)) z) all))))
     (check-= (apply * (multipliers 0.1)) 1 1e-8))
   (test-case "up to Routh's ratio all are on the unit circle, beyond it none is"
-    (define Routh (* 1/2 (- 1 (sqrt 23/27))))
+    (define Routh (* 1/2 (- 1 (sqrt (/ 23.0 27)))))
     (check-= Routh 0.0385 1e-4)
     (for ([z (multipliers (- Routh 0.003))]) (check-= (magnitude z) 1 1e-8))
     (for ([z (multipliers (+ Routh 0.003))]) (check-true (> (abs (- (magnitude z) 1)) 0.01))))

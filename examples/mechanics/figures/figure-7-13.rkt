@@ -67,7 +67,7 @@ picture
     (define (second-wave state) (series:ref ((perturbation-Hamiltonian P) state) 2))
     (define half
       (ref (resonance-width rotor-and-clock second-wave k (up 0 (up 0 0) (down 0 -2.5))) 1))
-    (check-= half (* 2 (sqrt (/ (* 2 beta gamma) (square omega)))) 1e-12)
+    (check-= half (* 2.0 (sqrt (/ (* 2 beta gamma) (square omega)))) 1e-12)
     (for ([side '(-1 1)])
       (define (inside? x) (apply goes-along? gamma k (told (+ p* (* side x half)))))
       (check-= (boundary inside? 0. 2.) 1 0.1))))

@@ -12,9 +12,10 @@
 (require (only-in racket/list append*)
          (only-in racket/string string-trim)
          "answer-bounds.rkt"
+         "../../algebra/expression/expression.rkt"
          "../../error/complain.rkt" "../../error/message-words.rkt"
-         "../../generic/describe.rkt" "../../generic/function.rkt" "../../generic/scalar.rkt"
-         "../../generic/up-down.rkt"
+         "../../generic/describe.rkt" "../../generic/function.rkt"
+         (only-in "../../generic/irrational.rkt" irrational?) "../../generic/up-down.rkt"
          "../../value/matrix/matrix.rkt" "../../value/read-expression.rkt" "../../value/shape.rkt")
 
 (provide unanswered answer->datum text-answer->datum datum->answer longest-text)
@@ -76,7 +77,8 @@
       (ormap function? (scalars x))
       (procedure? x)))
 
-(define (value? x) (or (matrix? x) (andmap scalar? (scalars x))))
+(define (value? x)
+  (or (matrix? x) (for/and ([e (in-list (scalars x))]) (or (expression? e) (irrational? e)))))
 
 (define (not-a-value x)
   (cond [(and (procedure? x) (not (tuple? x)))

@@ -86,7 +86,7 @@
    (check-true (string-prefix? printed "(frame x from ") printed)
    (check-true (string-suffix? printed (format "written: ~a\n" file)) printed)
    (check-equal? (map path->string (directory-list)) (list file))
-   (check-true (> (file-size file) 5000))))
+   (check-true (> (file-size file) 2500))))
 
 (for ([program (in-list programs)] [extension (in-cycle '("svg" "png" "pdf"))])
   (define name (name-of (path-replace-extension program #"")))
