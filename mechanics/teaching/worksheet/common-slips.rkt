@@ -7,12 +7,11 @@
 (require racket/list
          (only-in racket/math pi)
          "answer-parts.rkt" "judge-equations.rkt" "prescribed-symbols.rkt"
-         "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
+                 "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../value/shape.rkt"
          "../../value/simplify.rkt" "../../value/structure.rkt")
 
-(provide slip-of-values slip-of-equations slip-of-number slip-sort unknown-names)
+(provide slip-of-values slip-of-equations slip-of-number slip-sort)
 
 ;; What is said of a slip -> sign or factor, for which worksheets may give credit; or #f
 (define (slip-sort text)
@@ -98,7 +97,12 @@
 ;; Compares the accelerations that follow from either.
 (define (slip-of-accelerations key answer names)
   (define-values (k a) (values (accelerations-by key names) (accelerations-by answer names)))
-  (and k a (not (andmap same? k a)) (slip-of-parts k a)))
+  (and k a (not (andmap same? k a)) (or (factor-of-accelerations k a) (slip-of-parts k a))))
+
+;; Multiples of an equation are right: a factor of the accelerations is one of its terms'.
+(define (factor-of-accelerations k a)
+  (define c (constant-factor k a))
+  (and c (not (eqv? c -1)) other-factor))
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers
@@ -119,11 +123,3 @@
         [(and (positive? k) (is? (sqrt k))) "it is the square root"]
         [(< (abs (- a k)) (* 1/10 (abs k))) "it is near, but not within the tolerance"]
         [else #f]))
-
-;; ---------------------------------------------------------------------------
-
-;; The symbols in the answer that the question does not have.
-(define (unknown-names answer known)
-  (define names
-    (append-map (lambda (e) (if (expression? e) (symbols-in e) '())) (scalars answer)))
-  (remove-duplicates (filter (lambda (s) (not (memq s known))) names)))

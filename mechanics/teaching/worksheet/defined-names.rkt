@@ -6,7 +6,7 @@
          "exercise.rkt"
          "../../error/spelling.rkt")
 
-(provide definition-notes defined-names)
+(provide definition-notes defined-names defined-numbers)
 
 ;; exercises : to be answered; text : a program -> notes, texts
 (define (definition-notes exercises text)
@@ -29,3 +29,10 @@
 (define (defined-names text)
   (map string->symbol
        (regexp-match* #px"(?m:^\\(define[ \t]+\\(*([^\\s()\";]+))" text #:match-select cadr)))
+;; -> pairs of a name and its number
+(define (defined-numbers text)
+  (define number #px"(?m:^\\(define[ \t]+([^\\s()\";]+)[ \t]+([^\\s()\";]+)[ \t]*\\))")
+  (for*/list ([m (in-list (regexp-match* number text #:match-select cdr))]
+              [x (in-value (string->number (cadr m)))]
+              #:when (rational? x))
+    (cons (string->symbol (car m)) x)))

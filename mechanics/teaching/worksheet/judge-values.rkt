@@ -3,7 +3,8 @@
 
 (require (only-in racket/list count)
          "answer-parts.rkt" "decimal-answers.rkt" "exercise.rkt" "judgment.rkt"
-         "prescribed-symbols.rkt"
+         "prescribed-symbols.rkt" "question-names.rkt"
+         (only-in "../../error/message-words.rkt" joined)
          "../../calculus/derivative.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
          "../../value/shape.rkt" "../../value/structure.rkt"
@@ -37,7 +38,9 @@
 ;; Within a relative tolerance of the key; absolute, where the key is 0 or the question says so.
 (define (judge-number e key answer)
   (define-values (k a) (values (real-value key) (real-value answer)))
-  (cond [(not a) (wrong #f (format "the answer is no number: ~a" (value->text answer)))]
+  (define names (if a '() (unknown-names answer '())))
+  (cond [(pair? names) (unreadable (number-wanted names (setting e 'unit)))]
+        [(not a) (wrong #f (format "the answer is no number: ~a" (value->text answer)))]
         [(within? e k a) (right #f)]
         [else (wrong #f)]))
 
@@ -45,6 +48,11 @@
   (define tolerance (setting e 'within usual-tolerance))
   (define least (if (or (setting e 'absolute) (zero? k)) 1 (abs k)))
   (<= (abs (- a k)) (* tolerance least)))
+
+;; Names in a number are a unit, or what the student has a number for.
+(define (number-wanted names unit)
+  (format "it has ~a in it: give the number alone~a" (joined (map symbol->string names))
+          (if unit (format ", in ~a" unit) "")))
 
 ;; Equal but for a function of the time, which no equation sees.
 (define (judge-Hamiltonian e key answer)

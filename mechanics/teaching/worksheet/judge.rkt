@@ -46,7 +46,7 @@
 ;; teacher's or ours, and the answer is left to a person.
 (define (judge-datum e d)
   (define answer
-    (with-handlers ([exn:fail? (lambda (x) (judgment 'failed 0 #f (list (exn-message x))))])
+    (with-handlers ([exn:fail? (lambda (x) (unreadable (exn-message x)))])
       (datum->answer d)))
   (if (judgment? answer) answer (judge-answer e answer)))
 

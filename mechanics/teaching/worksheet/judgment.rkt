@@ -4,7 +4,7 @@
 (require "exercise.rkt"
          "../../verdict/verdict.rkt")
 
-(provide (struct-out judgment) right wrong partly undecided-judgment trivial judged-by
+(provide (struct-out judgment) right wrong partly undecided-judgment trivial unreadable judged-by
          (struct-out judged) judged-name judged-status wanting? judged-points sum-of-points)
 
 ;; status  : right, partly, wrong, trivial, undecided, unanswered, failed, kept; or marked, by hand
@@ -19,6 +19,7 @@
 (define (right v . words) (judgment 'right 1 v words))
 (define (wrong v . words) (judgment 'wrong 0 v words))
 (define (trivial v . words) (judgment 'trivial 0 v words))
+(define (unreadable why) (judgment 'failed 0 #f (list why)))
 (define (undecided-judgment v . words) (judgment 'undecided #f v words))
 (define (partly share v . words)
   (judgment (if (eqv? share 0) 'wrong 'partly) share v words))

@@ -17,7 +17,7 @@
 (define trying-keys? (make-parameter #t))
 
 (define (make-worksheet title due name parts)
-  (define w (worksheet title due name parts))
+  (define w (worksheet title due name (with-given-numbers parts)))
   (define all (exercises-of w))
   (define twice (check-duplicates (map exercise-name all)))
   (unless title (complain 'worksheet "it has no title, as in (title \"Small oscillations\")"))
@@ -26,6 +26,17 @@
   (check-names all (filter given? parts))
   (when (trying-keys?) (for-each try-exercise all))
   w)
+
+;; A text may use the numbers that are given by their names.
+(define (with-given-numbers parts)
+  (define given-numbers
+    (append-map (lambda (g) (defined-numbers (given-source g))) (filter given? parts)))
+  (define (informed e)
+    (struct-copy exercise e
+                 [settings (hash-set (exercise-settings e) 'given-numbers given-numbers)]))
+  (if (null? given-numbers)
+      parts
+      (for/list ([p (in-list parts)]) (if (exercise? p) (informed p) p))))
 
 ;; Given definitions and answers must have different names: the student's file holds both.
 (define (check-names exercises givens)

@@ -2,12 +2,13 @@
 ;; The names of which a question speaks besides those that its kind prescribes: constants, as m and
 ;; g, and functions, as V.  An answer may have no others, and the student's file tells them.
 
-(require (only-in racket/list remove-duplicates)
+(require (only-in racket/list append-map remove-duplicates)
          "prescribed-symbols.rkt"
+         "../../algebra/expression/expression.rkt" "../../algebra/expression/symbols.rkt"
          (only-in "../../algebra/expression/read.rkt" operation-name?)
          "../../value/shape.rkt")
 
-(provide names-in-question prescribed-names)
+(provide names-in-question prescribed-names unknown-names)
 
 ;; data : the key, the system, and what else is given of it -> constants, functions
 (define (names-in-question data coordinates arguments)
@@ -36,3 +37,9 @@
 
 (define (function-name? s)
   (not (or (operation-name? s) (memq s '(D partial up down list matrix-by-rows)))))
+
+;; The symbols in the answer that the question does not have.
+(define (unknown-names answer known)
+  (define names
+    (append-map (lambda (e) (if (expression? e) (symbols-in e) '())) (scalars answer)))
+  (remove-duplicates (filter (lambda (s) (not (memq s known))) names)))

@@ -5,7 +5,7 @@
 ;; momenta, the constants of its key, the functions there.  So the answer is in the symbols to which
 ;; answers of its kind are applied (prescribed-symbols.rkt).
 
-(require (only-in racket/list append-map index-of last)
+(require (only-in racket/list append-map flatten index-of last remove-duplicates)
          (only-in racket/string string-trim)
          "exercise.rkt" "exercise-kind.rkt" "prescribed-symbols.rkt"
          "../../algebra/notation/formula.rkt" "../../algebra/notation/handwritten-formula.rkt"
@@ -26,7 +26,19 @@
                       (formula-read names a) (formula-read names b))))
     (define entries
       (read-handwritten (without-unit e text) (vocabulary-of e) refuse unclear))
-    (list 'answer (with-orientation (answer-of-entries e entries refuse) (expected-shape e)))))
+    (define d (with-numbers (answer-of-entries e entries refuse) (numbers-by-name e)))
+    (list 'answer (with-orientation d (expected-shape e)))))
+
+;; The numbers that the worksheet gives, but for names that stand for anything in the question
+(define (numbers-by-name e)
+  (define asked (append (setting e 'names '()) (setting e 'constants '()) (setting e 'arguments '())
+                        (exercise-coordinates e)))
+  (filter (lambda (n) (not (memq (car n) asked))) (setting e 'given-numbers '())))
+
+(define (with-numbers d table)
+  (cond [(pair? d) (cons (car d) (map (lambda (part) (with-numbers part table)) (cdr d)))]
+        [(assq d table) => cdr]
+        [else d]))
 
 (define (without-unit e text)
   (define unit (setting e 'unit))
@@ -69,7 +81,11 @@
 
 ;; entries : the sides of each relation
 (define (answer-of-entries e entries refuse)
-  (define value-of (if (eq? 'equations (exercise-kind e)) residual right-side))
+  (define (value-of sides refuse)
+    (case (exercise-kind e)
+      [(equations) (residual (remove-duplicates sides) refuse)]
+      [(conserved) (right-side (moving-sides e sides) refuse)]
+      [else (right-side sides refuse)]))
   (define values (for/list ([sides (in-list entries)]) (value-of sides refuse)))
   (define whole (if (null? (cdr values)) (car values) (cons 'up values)))
   (let walk ([d whole])
@@ -82,6 +98,13 @@
     [(1) (car sides)]
     [(2) (if (eqv? 0 (cadr sides)) (car sides) (list '- (car sides) (cadr sides)))]
     [else (refuse "there are several = in one equation")]))
+
+;; Of E = ... = const what is not the same whatever the state, if that is one side
+(define (moving-sides e sides)
+  (define names (moving-names (exercise-coordinates e)))
+  (define moving
+    (for/list ([s (in-list sides)] #:when (ormap (lambda (d) (memq d names)) (flatten s))) s))
+  (if (= 1 (length moving)) moving sides))
 
 ;; Of L = ..., x(t) = ... what stands on the right
 (define (right-side sides refuse)
@@ -135,6 +158,7 @@
   (define arguments (arguments-of e))
   (define own
     (append (setting e 'names '()) (setting e 'constants '()) (setting e 'arguments '())
+            (map car (numbers-by-name e))
             (if (eq? arguments 'none) '() '(t))
             (if (memq arguments '(path local state)) names '())))
   (define table (make-hasheq (map (lambda (s) (cons s s)) own)))

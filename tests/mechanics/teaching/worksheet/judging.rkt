@@ -45,7 +45,7 @@
  [(pendulum-with (square 'l) (/ 'g 'l)) right 1]
  [(lambda (theta t) (+ ((D2 theta) t) (* (/ 'g 'l) (sin (theta t))))) right 1]
  [(pendulum-with 1 (/ 'g -1 'l)) wrong 0 "the sign is the opposite"]
- [(pendulum-with 1 (/ 'g 2 'l)) wrong 0 "it is right but for a factor: it is 1/2 times"]
+ [(pendulum-with 1 (/ 'g 2 'l)) wrong 0 "one term has another factor than it should"]
  [(pendulum-with 1 (/ 'g 'L)) wrong 0 "it has L in it"]
  [(lambda (theta) (lambda (t) (+ ((D theta) t) (* (/ 'g 'l) (sin (theta t)))))) wrong 0
   "a first derivative stands where a second one should"]
@@ -244,7 +244,7 @@
  [1.5 wrong 0 "it is near, but not within the tolerance"]
  [(* 1.42 2 pi) wrong 0 "it is off by a factor 2π"]
  [(* 1.42 57.2957795) wrong 0 "degrees and radians are mixed up"]
- ['x wrong 0 "the answer is no number"])
+ ['x failed 0 "it has x in it: give the number alone"])
 
 (judges (an-exercise number ('key 5)) [(/ 1 5) wrong 0 "it is the reciprocal"])
 

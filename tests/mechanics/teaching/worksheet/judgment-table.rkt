@@ -101,12 +101,13 @@
 
 (table (an-exercise number ('key 2.006) ('unit "s") ('within 1/100))
  [right "2.006" "2.01" "2" "2.006 s" "2 pi sqrt(1/9.81)" "2π/3.132"]
- [wrong "1.003" "12.6" "-2.006" "0.498" "20.06" "2006" "2.1" "T" "2 l"]
- [failed "2,006"] [nonsense "two"])
+ [wrong "1.003" "12.6" "-2.006" "0.498" "20.06" "2006" "2.1"]
+ [failed "2,006" "T" "2 l" "2 seconds"] [nonsense "two"])
 
 (table (an-exercise number ('key 0) ('within 1/1000))
  [right "0" "0.0001" "1 - 1"]
- [wrong "1" "-1" "x" "0.01"])
+ [wrong "1" "-1" "0.01"]
+ [failed "x"])
 
 ;; ---------------------------------------------------------------------------
 ;; Lagrangians

@@ -9,6 +9,7 @@
          mechanics/teaching/worksheet/judge
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
+         mechanics/teaching/worksheet/make-worksheet
          mechanics/teaching/worksheet/written-answer
          (except-in "../../support/checks.rkt" check))
 
@@ -71,6 +72,21 @@
                 '(failed "it is an equation where an expression is expected"))
   (check-equal? (datum-of e "m, g") '(up m g)))
 
+(define energy
+  (an-exercise conserved ('coordinates 'x) ('of (L-harmonic 'm 'k))
+               ('key (Lagrangian->energy (L-harmonic 'm 'k)))))
+
+(test-case "of a conserved quantity the side that moves is read"
+  (for ([text '("E = m x'^2/2 + k x^2/2 = const"
+                "E = m x'^2/2 + k x^2/2" "m x'^2 + k x^2 = 2 E" "m x'^2 + k x^2 - 2 E = 0")])
+    (check-equal? (judgment-status (judgment-of energy text)) 'right text))
+  (check-equal? (judgment-status (judgment-of energy "E = const")) 'wrong)
+  (check-equal? (read-written-answer energy "m x'^2/2 = C - k x^2/2")
+                '(failed "it is an equation where an expression is expected")))
+
+(test-case "a side that stands there twice is one"
+  (check-equal? (judgment-status (judgment-of bowl (string-append answer " = 0 = 0"))) 'right))
+
 (test-case "a list takes up and down from the key"
   (define e (an-exercise expression ('key (down 'a (up 'b 'c)))))
   (check-equal? (datum-of e "[a, (b, c)]") '(down a (up b c))))
@@ -78,6 +94,30 @@
 (test-case "a unit that the question names may stand behind"
   (define e (an-exercise number ('key 2) ('unit "m/s")))
   (for ([text '("2 m/s" "2m/s" "2")]) (check-equal? (datum-of e text) 2 text)))
+
+(test-case "names in a number, as another unit, are not judged but told"
+  (define (told e text)
+    (define j (judgment-of e text))
+    (list (judgment-status j) (car (judgment-words j))))
+  (define seconds (an-exercise number ('key 2) ('unit "s")))
+  (check-equal? (told seconds "2000 ms") '(failed "it has ms in it: give the number alone, in s"))
+  (check-equal? (told seconds "2 seconds")
+                '(failed "it has seconds in it: give the number alone, in s"))
+  (check-equal? (told (an-exercise number ('key 2)) "2 s")
+                '(failed "it has s in it: give the number alone")))
+
+(define (with-given source e)
+  (car (exercises-of (make-worksheet "W" #f "w" (list (given source) e)))))
+
+(test-case "a text may use the numbers that the worksheet gives, by their names"
+  (define numbers "(define k 20)\n(define m 0.2) ; kg\n(define (f x) x)")
+  (define period (with-given numbers (an-exercise number ('key (* 2 pi (sqrt (/ 0.2 20)))))))
+  (for ([text '("2 pi sqrt(m/k)" "2π√(m/k)" "T = 2 pi sqrt(m/k)")])
+    (check-equal? (judgment-status (judgment-of period text)) 'right text))
+  (check-equal? (judgment-status (judgment-of period "2 pi sqrt(k/m)")) 'wrong)
+  (define weight (with-given numbers (an-exercise expression ('key (* 'm 'g)))))
+  (check-equal? (datum-of weight "m g") '(* m g))
+  (check-equal? (judgment-status (judgment-of weight "m g")) 'right))
 
 (define (two-readings a b)
   (format "it has two readings, ~a and ~a: parentheses or a sign * tell which is meant" a b))
