@@ -8,7 +8,7 @@
          (only-in "../../error/message-words.rkt" joined))
 
 (provide (struct-out kind) kinds find-kind kind-of-exercise arguments-of rounds-of answer-form
-         answer-names answer-of-kind)
+         answer-names answer-of-kind velocity-told)
 
 ;; arguments : of an answer, one of none, time, path, local, state, named
 ;; says      : an answer of the kind, in words
@@ -82,11 +82,37 @@
 ;; What may be in an answer besides, and that it may be a text; or #f
 (define (answer-names e)
   (define names (append (setting e 'names '()) (setting e 'functions '())))
+  (define all (filter pair? (list (map symbol->string names) (motion-names e))))
   (and (not (eq? 'reason (exercise-kind e)))
        (string-append "or as on paper, in quotation marks"
-                      (if (null? names)
-                          ""
-                          (format ". Names in it: ~a" (joined (map symbol->string names) ", "))))))
+                      (if (null? all) "" ". Names in it: ")
+                      (joined (map (lambda (part) (joined part ", ")) all) "; "))))
+
+;; How a motion is written on paper -> strings: the coordinate x, its velocity x'
+(define (motion-names e)
+  (define names (exercise-coordinates e))
+  (define (said whose noun nouns names)
+    (format "~a ~a ~a" whose (if (null? (cdr names)) noun nouns)
+            (joined (map symbol->string names) ", ")))
+  (define (of-each . words)
+    (apply said (if (null? (cdr names)) "its" "their") words))
+  (define (velocities) (of-each "velocity" "velocities" (primed names "'")))
+  (define (motion . rest) (cons (said "the" "coordinate" "coordinates" names) rest))
+  (case (arguments-of e)
+    [(local) (motion (velocities))]
+    [(path) (motion (velocities) (of-each "acceleration" "accelerations" (primed names "''")))]
+    [(state) (motion (of-each "momentum" "momenta" (momenta-of names)))]
+    [else '()]))
+
+;; What to say of a v in an answer where velocities have other names; or #f
+(define (velocity-told e)
+  (define names (exercise-coordinates e))
+  (and (memq (arguments-of e) '(path local))
+       (format "the ~a ~a" (if (null? (cdr names)) "velocity is" "velocities are")
+               (joined (map symbol->string (primed names "'")) ", "))))
+
+(define (primed names primes)
+  (for/list ([n (in-list names)]) (string->symbol (format "~a~a" n primes))))
 
 (define (dotted names)
   (for/list ([n (in-list names)]) (string->symbol (format "~adot" n))))

@@ -5,7 +5,7 @@
 ;; the slip in place of the key; then with common ones (common-slips.rkt).
 
 (require "answer-data.rkt" "answer-parts.rkt" "common-slips.rkt" "decimal-answers.rkt"
-         "exercise.rkt"
+         "exercise.rkt" "exercise-kind.rkt"
          "judge-equations.rkt" "judge-questions.rkt" "judge-values.rkt" "judgment.rkt"
          "question-names.rkt" "written-answer.rkt"
          "../../error/failure.rkt" "../../error/message-words.rkt"
@@ -161,6 +161,13 @@
     (append (setting e 'constants '()) (setting e 'arguments '()) (setting e 'names '())
             (prescribed-names (exercise-coordinates e))))
   (define found (unknown-names answer usual))
-  (and (pair? found)
-       (format "it has ~a in it, of which the question does not speak"
-               (joined (map symbol->string found)))))
+  (define told (joined (map symbol->string found)))
+  (define velocity (and (ormap like-velocity? found) (velocity-told e)))
+  (cond [(null? found) #f]
+        [velocity
+         (format "~a ~a for nothing here; ~a" told (if (null? (cdr found)) "stands" "stand")
+                 velocity)]
+        [else (format "it has ~a in it, of which the question does not speak" told)]))
+
+;; Is it v, vx or v_x?
+(define (like-velocity? name) (regexp-match? #rx"^v(.|_.*)?$" (symbol->string name)))

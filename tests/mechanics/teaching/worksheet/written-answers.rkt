@@ -144,6 +144,20 @@
   (check-equal? (judgment-words (judgment-of (an-exercise expression ('key 'a)) "hello"))
                 '("it has hello in it, of which the question does not speak" "read as hello")))
 
+(test-case "the question tells how a velocity is written, and so do the words on a v"
+  (check-equal? (answer-names energy)
+                (string-append "or as on paper, in quotation marks. Names in it: m, k; "
+                               "the coordinate x, its velocity x'"))
+  (check-equal? (car (judgment-words (judgment-of energy "1/2 m v^2 + 1/2 k x^2")))
+                "v stands for nothing here; the velocity is x'")
+  (define two (an-exercise function ('coordinates 'x 'y) ('key (lambda (s) (* 'm (time s))))))
+  (check-equal? (car (judgment-words (judgment-of two "m vx^2 + m vy^2")))
+                "vx, vy stand for nothing here; the velocities are x', y'")
+  (define state (an-exercise phase-function ('coordinates 'x 'y) ('key (lambda (s) (time s)))))
+  (check-regexp-match #rx"Names in it: the coordinates x, y, their momenta p_x, p_y$"
+                      (answer-names state))
+  (check-regexp-match #rx"its velocity r', its acceleration r''$" (answer-names bowl)))
+
 (test-case "without its key an answer is kept, and still read"
   (define e (struct-copy exercise bowl [key #f]))
   (check-equal? (judgment-status (judgment-of e "m r''")) 'kept)
