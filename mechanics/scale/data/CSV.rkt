@@ -3,7 +3,8 @@
 ;; a field that has commas, quotation marks or line ends in it; the first line has the names.
 ;;
 ;; A number is written with the fewest digits that are read back as the same flonum.  What is
-;; read may end its lines in any of the three ways.
+;; read may end its lines in any of the three ways, and have semicolons or tabs between fields, as
+;; spreadsheets save a table where numbers have decimal commas.
 
 (require racket/flonum
          (only-in racket/list argmax)
@@ -49,27 +50,41 @@
 (define (call-reading-CSV who file given-names wanted use)
   (call-with-input-file* file
     (lambda (in)
-      (define next-record (record-reader who file in))
+      (define separator (call-with-input-file* file separator-of-numbers))
+      (define next-record (record-reader who file in separator))
       (define names
         (or given-names
             (let-values ([(fields line) (next-record)])
               (unless fields (complain who "the file is empty\n  file: ~a" file))
-              (names-of-fields who file fields))))
+              (names-of-fields who file fields separator))))
       (define places
         (if wanted
             (for/list ([name (in-list wanted)]) (place-of who names name))
             (for/list ([_ (in-list names)] [k (in-naturals)]) k)))
       (define (next)
         (define-values (fields line) (next-record))
-        (and fields (record->row who file names places fields line)))
+        (and fields (record->row who file names places (pointed fields separator) line)))
       (use (for/list ([k (in-list places)]) (list-ref names k)) next))))
 
-(define (names-of-fields who file fields)
-  (when (andmap field->number fields)
+;; With commas between the fields a number has none; otherwise it may have a comma as its point.
+(define (pointed fields separator)
+  (if (equal? separator ",")
+      fields
+      (for/list ([f (in-list fields)]) (string-replace f "," "."))))
+
+;; What is between quotation marks separates nothing.
+(define (separator-of-numbers in)
+  (define line (read-line in 'any))
+  (define plain (if (eof-object? line) "" (regexp-replace* #rx"\"[^\"]*\"" line "")))
+  (for/first ([s (in-list '(";" "," "\t" ""))] #:when (string-contains? plain s))
+    (if (equal? s "") "," s)))
+
+(define (names-of-fields who file fields separator)
+  (when (andmap field->number (pointed fields separator))
     (complain who
               (string-append "the first line has numbers and no names"
                              "\n  file: ~a\n  line 1: ~a\n  #:names tells the names of columns")
-              file (string-join fields ",")))
+              file (string-join fields separator)))
   (check-names who (map string-trim fields)))
 
 (define (record->row who file names places fields line)
@@ -100,7 +115,7 @@
 
 ;; -> a procedure that returns the fields of the next record, or #f, and the number of its first
 ;; line.  Empty lines are passed over.
-(define (record-reader who file in [separator ","])
+(define (record-reader who file in separator)
   (define line 0)
   (define (next-line)
     (set! line (+ line 1))

@@ -67,6 +67,19 @@
     (write-table '() file #:names '(a b))
     (check-equal? (table-length (read-table file)) 0)))
 
+(test-case "semicolons and decimal commas are read"
+  (with-folder (folder)
+    (define file (build-path folder "a.csv"))
+    (define (columns text #:names [names #f])
+      (display-to-file text file #:exists 'truncate)
+      (define t (read-table file #:names names))
+      (list (table-column t 't) (table-column t 'x)))
+    (define expected '((0.0 0.5) (1.5 -2000.0)))
+    (check-equal? (columns "t;x\n0;1,5\n0,5;-2,0e3\n") expected)
+    (check-equal? (columns "t\tx\n0\t1,5\n0,5\t-2e3\n") expected)
+    (check-equal? (columns "t;x\n0;1.5\n0.5;-2000\n") expected)
+    (check-equal? (columns "0;1,5\n0,5;-2000\n" #:names '(t x)) expected)))
+
 (test-case "a table is written again in another format"
   (with-folder (folder)
     (define-values (a b) (values (build-path folder "a.csv") (build-path folder "b.npz")))
