@@ -23,13 +23,17 @@
   (when (> (length all) most-entries)
     (complain who "the archive has ~a entries; at most ~a are read\n  file: ~a"
               (length all) most-entries file))
-  (define entries (without-common-folder (filter wanted? (map named all))))
+  (define-values (programs others) (partition program? (filter seen? (map named all))))
+  (define common (common-folder programs))
+  (define entries (map (lambda (e) (without-folder e common)) programs))
   (when (null? entries)
     (complain who (string-append "there is no submission, no file that ends with .rkt or .ipynb"
                                  "\n  archive: ~a")
               file))
   (define groups (group-by submission-of entries))
-  (sort (for/list ([g (in-list groups)]) (group->submission file directory g))
+  (define without
+    (without-any (map (lambda (e) (without-folder e common)) others) (map submission-of entries)))
+  (sort (append (for/list ([g (in-list groups)]) (group->submission file directory g)) without)
         string<? #:key submission-order #:cache-keys? #t))
 
 ;; bytes : its name in the archive; parts : of its path, strings
@@ -39,27 +43,42 @@
   (entry bytes (string-split (visible (bytes->string/utf-8 bytes #\?)) #rx"[/\\\\]" #:trim? #f)))
 
 ;; Files that systems put beside others, and what is hidden, are none.
-(define (wanted? e)
-  (and (submission-name? (entry-bytes e))
-       (not (for/or ([p (in-list (entry-parts e))])
-              (or (equal? p "__MACOSX") (equal? p "compiled") (regexp-match? #px"^[.][^./]" p))))))
+(define (seen? e)
+  (not (for/or ([p (in-list (entry-parts e))])
+         (or (equal? p "__MACOSX") (equal? p "compiled") (regexp-match? #px"^[.][^./]" p)))))
+
+(define (program? e) (submission-name? (entry-bytes e)))
+
+;; The folders in which only other files were handed in
+(define (without-any others ids)
+  (define files
+    (for/list ([e (in-list others)]
+               #:unless (or (leads-out? e) (null? (cdr (entry-parts e)))
+                            (member (submission-of e) ids)))
+      e))
+  (for/list ([g (in-list (group-by submission-of files))])
+    (no-program (submission-of (first g)) (map (lambda (e) (last (entry-parts e))) g))))
 
 (define (leads-out? e)
   (define parts (entry-parts e))
   (or (member ".." parts) (member "" parts) (member "." parts)
       (regexp-match? #rx"^[A-Za-z]:" (first parts))))
 
-;; A folder that holds the whole class says nothing of anybody.
-(define (without-common-folder entries)
+;; A folder that holds the whole class says nothing of anybody. -> its name, or #f
+(define (common-folder entries)
   (define tops (remove-duplicates (map (lambda (e) (first (entry-parts e))) entries)))
-  (define inner
-    (for/list ([e (in-list entries)] #:unless (null? (cdr (entry-parts e))))
-      (entry (entry-bytes e) (cdr (entry-parts e)))))
-  (if (and (pair? entries) (null? (cdr tops)) (= (length inner) (length entries))
-           (pair? (cdr (remove-duplicates (map submission-of inner))))
-           (not (ormap leads-out? entries)))
-      inner
-      entries))
+  (and (pair? entries) (null? (cdr tops))
+       (not (ormap leads-out? entries))
+       (andmap (lambda (e) (pair? (cdr (entry-parts e)))) entries)
+       (let ([inner (map (lambda (e) (without-folder e (first tops))) entries)])
+         (pair? (cdr (remove-duplicates (map submission-of inner)))))
+       (first tops)))
+
+(define (without-folder e folder)
+  (define parts (entry-parts e))
+  (if (and folder (equal? folder (first parts)) (pair? (cdr parts)))
+      (entry (entry-bytes e) (cdr parts))
+      e))
 
 ;; What entries of one submission have in common
 (define (submission-of e)

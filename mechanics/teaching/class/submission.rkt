@@ -8,12 +8,12 @@
 (require (only-in racket/list filter-map)
          racket/path
          (only-in racket/string string-trim)
-         "../../error/complain.rkt"
+         "../../error/complain.rkt" (only-in "../../error/message-words.rkt" joined)
          "../../show/typesetting/visible.rkt")
 
 (provide (struct-out submission)
          folder->submissions folder->submission file->submission bytes->submission
-         without-program too-large most-bytes submission-name? with-outline
+         without-program no-program too-large most-bytes submission-name? with-outline
          submission-order)
 
 ;; id      : string, by which it is listed
@@ -60,13 +60,22 @@
 (define (folder->submission path id)
   (define programs (filter program? (directory-list path)))
   (cond [(hidden? id) #f]
-        [(null? programs)
-         (without-program id "the folder has no file that ends with .rkt or .ipynb")]
+        [(null? programs) (no-program id (map path->text (directory-list path)))]
         [(pair? (cdr programs))
          (without-program id "the folder has several files that end with .rkt or .ipynb")]
         [else (file->submission (build-path path (car programs)) id)]))
 
 (define (without-program id problem) (submission id id #f problem #f #f))
+
+;; others : names of the files that are there
+(define (no-program id others)
+  (define seen (filter (lambda (name) (not (hidden? name))) others))
+  (without-program id (if (null? seen)
+                          "the folder has no file that ends with .rkt or .ipynb"
+                          (format "handed in ~a, ~a" (joined seen)
+                                  (if (null? (cdr seen))
+                                      "which is no program (.rkt) and no notebook (.ipynb)"
+                                      "of which none is a program (.rkt) or a notebook (.ipynb)")))))
 
 (define (program? name) (submission-name? (path->bytes name)))
 (define (submission-name? bytes) (regexp-match? #rx#"[.](rkt|ipynb)$" bytes))

@@ -67,6 +67,19 @@
                 '("ann" "bob"))
   (check-equal? (ids (archive (list #"ann/a.rkt" program))) '("ann")))
 
+(test-case "who handed in other files alone is told so"
+  (define all
+    (read-archive (archive (list #"class/ann/x.rkt" program) (list #"class/bob/answers.pdf" #"x")
+                           (list #"class/ann/notes.txt" #"x") (list #"class/cy/a.docx" #"x")
+                           (list #"class/cy/b.png" #"x") (list #"class/dan.ipynb" #"{}")
+                           (list #"class/empty/" #"") (list #"class/readme.txt" #"x"))))
+  (check-equal? (map submission-id all) '("ann" "bob" "cy" "dan"))
+  (check-equal? (map submission-problem all)
+                `(#f "handed in answers.pdf, which is no program (.rkt) and no notebook (.ipynb)"
+                     ,(string-append "handed in a.docx, b.png, of which none is a program (.rkt) "
+                                     "or a notebook (.ipynb)")
+                     #f)))
+
 (test-case "text, name and time are those of the file"
   (for ([how '(stored deflated)])
     (define s (car (read-archive (archive (list #"ann.rkt" program how)))))
