@@ -32,10 +32,11 @@
   (define code (code-of path))
   (define (made name)
     (parameterize ([current-namespace (fresh-namespace)] [current-print void]
-                   [current-student name] [trying-keys? try?]
+                   [trying-keys? try?]
                    [current-module-declare-name (make-resolved-module-path path)])
-      (eval code)
-      (dynamic-require path 'worksheet)))
+      (call-for-student name (lambda ()
+                               (eval code)
+                               (dynamic-require path 'worksheet)))))
   (define known (make-hash))
   (if (numbers-of general)
       (lambda (name) (hash-ref! known name (lambda () (made name))))

@@ -66,11 +66,13 @@
   (define worksheet-of (worksheets-of-students 'worksheet file #:try? #t))
   (define all (read-class-list 'worksheet class))
   (define folder (simple-form-path (or out (format "~a-students" (base-name file)))))
+  ;; before any file is written all keys are tried
+  (define worksheets (for/list ([p (in-list all)]) (worksheet-of (participant-key p))))
   (make-directory* folder)
-  (for ([p (in-list all)])
+  (for ([p (in-list all)] [w (in-list worksheets)])
     (define (named extension)
       (build-path folder (string-append (plain-file-name (participant-key p)) extension)))
-    (write-student-files (worksheet-of (participant-key p)) (named ".rkt") (named ".ipynb")))
+    (write-student-files w (named ".rkt") (named ".ipynb")))
   (printf "~a: a program and a notebook for each of ~a\n" (short-path folder)
           (counted (length all) "student")))
 

@@ -16,6 +16,9 @@
     (unless good?
       (complain 'deadline "~a takes ~a\n  given: ~a" keyword expected (value->text given))))
   (define seconds (and (string? time) (text->seconds time)))
+  (when (and (not seconds) (string? time) (regexp-match? digits-first time))
+    (complain 'deadline "there is no such day, or no such hour of it\n  given: ~a"
+              (value->text time)))
   (unless seconds
     (complain 'deadline "expected a time, as in (deadline \"2026-11-20 18:00\")\n  given: ~a"
               (value->text time)))

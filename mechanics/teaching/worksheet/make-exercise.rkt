@@ -141,6 +141,8 @@
   (unless k
     (complain name "there is no kind of exercise called ~a~a" kind
               (among kind (map kind-name kinds))))
+  (when (eq? name 'unanswered)
+    (complain name "that name stands for what is not answered yet; call the exercise otherwise"))
   (define twice (check-duplicates (remq* several-times (map car clauses))))
   (when twice (complain name "the clause `~a` stands there twice" twice))
   (check-needed name k has?)
@@ -181,5 +183,10 @@
     (case (car c)
       [(points within)
        (check (and (real? given) (>= given 0))
-              "the clause `~a` takes a number that is not negative" (car c))]
+              "the clause `~a` takes a number that is not negative" (car c))])
+    (case (car c)
+      [(within)
+       (check (or (< given 1) (memq '#:absolute (cdr c)))
+              (string-append "the clause `within` takes a share of the key's value, as 1/100, or an "
+                             "error in the unit, (within 5 #:absolute)"))]
       [(unit) (check (string? given) "the unit is a text, as in (unit \"s\")")])))

@@ -2,12 +2,13 @@
 ;; Numbers that differ from student to student: each is chosen by a hash of the worksheet's seed,
 ;; the student's name and the number's name, so that it is the same on all machines.
 
-(require (only-in racket/string string-join)
+(require (only-in racket/list check-duplicates)
+         (only-in racket/string string-join)
          "exercise.rkt"
          "../../error/complain.rkt"
          "../../generic/describe.rkt")
 
-(provide current-student student-number stepped make-numbers)
+(provide current-student student-number stepped make-numbers call-for-student)
 
 ;; The name of the student whose worksheet is made, or #f: then the first of the values is taken.
 (define current-student (make-parameter #f))
@@ -18,7 +19,10 @@
   (for ([x (in-list choices)] #:unless (real? x))
     (complain 'parameters "the values of ~a are numbers\n  given: ~a" name (value->text x)))
   (define student (current-student))
-  (list-ref choices (if student (choice (length choices) seed student name) 0)))
+  (define x (list-ref choices (if student (choice (length choices) seed student name) 0)))
+  (define all (current-numbers))
+  (when all (set-box! all (cons (format "~a = ~a" name (value->text x)) (unbox all))))
+  x)
 
 ;; -> 0 ... n - 1
 (define (choice n seed student name)
@@ -37,8 +41,22 @@
 ;; The decimals that are written: 0.1 is 1/10.
 (define (written x) (if (exact? x) x (string->number (format "~a" x) 10 'read 'decimal-as-exact)))
 
+;; A box of the numbers of a worksheet that is being made, as texts; or #f
+(define current-numbers (make-parameter #f))
+
+;; (make) -> the worksheet of a student; an error in it tells the student and the numbers
+(define (call-for-student student make)
+  (define chosen (box '()))
+  (define (raise-with-numbers x)
+    (complain 'worksheet "the worksheet of ~a cannot be made\n  numbers: ~a\n  ~a" student
+              (string-join (reverse (unbox chosen)) ", ") (exn-message x)))
+  (parameterize ([current-student student] [current-numbers chosen])
+    (with-handlers ([exn:fail? raise-with-numbers]) (make))))
+
 ;; -> part of a worksheet: their definitions
 (define (make-numbers names values)
+  (define twice (check-duplicates names))
+  (when twice (complain 'parameters "~a stands there twice" twice))
   (define student (current-student))
   (numbers (string-join
             (append (if student (list (format ";; The numbers of ~a" student)) '())

@@ -57,6 +57,8 @@
 (says
  [(make-deadline "Friday")
   "deadline: expected a time, as in (deadline \"2026-11-20 18:00\")\n  given: \"Friday\""]
+ [(make-deadline "2026-11-31 18:00")
+  "deadline: there is no such day, or no such hour of it\n  given: \"2026-11-31 18:00\""]
  [(make-deadline noon #:grace -1) "deadline: #:grace takes a number of minutes\n  given: -1"]
  [(make-deadline noon #:per-day 10)
   "deadline: #:per-day takes a share of the points, from 0 to 1\n  given: 10"]

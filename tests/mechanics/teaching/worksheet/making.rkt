@@ -42,8 +42,18 @@
                  (make-worksheet "W" #f "w" (list (given "(define x 1)\n(define ((item m) x) x)")
                                                   (made 'number '(key 1))))))
 
+(test-case "no exercise is called as what is not answered"
+  (check-message (string-append "unanswered: that name stands for what is not answered yet; "
+                                "call the exercise otherwise")
+                 (make-exercise 'unanswered 'number "?" '((key 1)))))
+
 (test-case "a tolerance is given where something is measured"
   (for ([kind '(number expression)]) (check-true (exercise? (made kind '(key 1) '(within 1/10)))))
+  (check-message (string-append
+                  "item: the clause `within` takes a share of the key's value, as 1/100, or an "
+                  "error in the unit, (within 5 #:absolute)\n  given: 5")
+                 (made 'number '(key 1) '(within 5)))
+  (check-true (exercise? (made 'number '(key 1) '(within 5 #:absolute))))
   (check-message (string-append
                   "item: the clause `within` is for numbers, and for expressions and functions "
                   "with decimals; an answer of the kind Hamiltonian is proved")

@@ -43,7 +43,10 @@
  [(student-number 'l 0 '()) "parameters: l has no value, as in [l 1 2 3]"]
  [(student-number 'l 0 '(1 x)) "parameters: the values of l are numbers\n  given: x"]
  [(stepped 'l 1 3 0)
-  "parameters: l goes up in steps, as in [l #:from 1 #:to 3 #:step 1/2]"])
+  "parameters: l goes up in steps, as in [l #:from 1 #:to 3 #:step 1/2]"]
+ [(make-numbers '(l m l) '(1 2 3)) "parameters: l stands there twice"]
+ [(call-for-student "ann" (lambda () (/ 1 (student-number 'l 0 '(0)))))
+  "worksheet: the worksheet of ann cannot be made\n  numbers: l = 0\n  /: division by zero"])
 
 ;; ---------------------------------------------------------------------------
 ;; Credit
