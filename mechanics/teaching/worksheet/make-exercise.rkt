@@ -187,6 +187,6 @@
     (case (car c)
       [(within)
        (check (or (< given 1) (memq '#:absolute (cdr c)))
-              (string-append "the clause `within` takes a share of the key's value, as 1/100, or an "
-                             "error in the unit, (within 5 #:absolute)"))]
+              (string-append "the clause `within` takes a share of the key's value, as 1/100, or "
+                             "an error in the unit, (within 5 #:absolute)"))]
       [(unit) (check (string? given) "the unit is a text, as in (unit \"s\")")])))

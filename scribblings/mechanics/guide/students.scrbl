@@ -99,6 +99,7 @@ cells.}
 @item{@tt{period is not defined; perod is: is that its answer?}: keep the names that the questions
 give.}
 @item{@tt{it has L in it, of which the question does not speak}: look how the question spells it.}
+@item{@tt{it has ms in it: give the number alone, in s}: the question names the unit.}
 @item{@tt{the function takes 3 arguments; here it is applied to theta}: begin the definition as the
 comment says.}
 @item{@tt{it has two readings, (g/l) sin θ and g/(l sin θ)}: put parentheses into your text.}

@@ -143,7 +143,8 @@
 
 (test-case "the student's file tells the names of constants, and text stands before its exercise"
   (define student (text "first-student.rkt"))
-  (check-regexp-match #rx"in quotation marks. Names in it: m, l, g; the coordinate theta, its" student)
+  (check-regexp-match #rx"in quotation marks. Names in it: m, l, g; the coordinate theta, its"
+                      student)
   (write-text "passage.rkt" "#lang mechanics/worksheet" "(title \"P\")" "(text \"Before one.\")"
               "(exercise one number \"?\" (key 1))" "(text \"Before two.\")"
               "(exercise two number \"?\" (key 2))")
