@@ -33,7 +33,15 @@
   (check-coordinate-system 'point C)
   (unary-function (call-datum 'point C) (x)
     (check-coordinates C x)
-    (manifold-point C (if (vector? x) (vector->up x) x))))
+    (manifold-point C (in-signs-of-chart C (if (vector? x) (vector->up x) x)))))
+
+;; The coordinates that the chart has for the place, where x has the sign of another: an angle that
+;; was followed through a pole is told by the other meridian.
+(define (in-signs-of-chart C x)
+  (define (wrong? p) (and (real? p) (< p 0)))
+  (if (ormap wrong? (coordinate-system-positive C x))
+      (place->coordinates C (coordinates->place C x))
+      x))
 
 (define (check-coordinates C x)
   (define n (coordinate-system-dimension C))
@@ -44,14 +52,7 @@
   (define own (chart-of-coordinates x))
   (unless (or (not own) (same-chart? own C))
     (complain 'point "these coordinates are in ~a, not in ~a\n  given: ~a" (value->text own)
-              (value->text C) (describe-with-value x)))
-  (for ([p (in-list (coordinate-system-positive C x))]
-        [q (in-list (coordinate-system-positive C (named-coordinates C)))]
-        #:when (and (real? p) (< p 0)))
-    (complain 'point "the point is outside the chart ~a, where ~a is positive\n  given: ~a"
-              (value->text C) (value->text q) (describe-with-value x))))
-
-(define (named-coordinates C) (coordinate-tuple (coordinate-system-names C)))
+              (value->text C) (describe-with-value x))))
 
 ;; up tuple -> the chart that it is marked for
 (define charts-of-tuples (make-weak-hasheq))

@@ -135,7 +135,8 @@ place, anything that tells a point, and one back; both are made for a dimension.
 type must mean the same by a place. @racket[positive] makes, of the coordinates, the list of what is
 positive in the chart, such as a radius or the sine of a colatitude: @racket[volume-form] needs no
 absolute value of it. A verdict on what lives in the chart tells these signs under
-@italic{assuming}, and a point whose coordinates are numbers of another sign is an error.
+@italic{assuming}; a point whose coordinates are numbers of another sign has those that the chart
+gives its place.
 
 @examples[#:eval session
 (define surface (make-manifold-type 'surface 'middle))

@@ -4,7 +4,7 @@
 
 (require mechanics
          mechanics/geometry
-         "../support/checks.rkt" "../support/close.rkt" "../support/messages.rkt"
+         "../support/checks.rkt" "../support/close.rkt"
          "../support/random.rkt"
          "../support/same.rkt" "../support/session.rkt"
          "../support/standard-charts.rkt")
@@ -82,14 +82,12 @@
   (check-equal? (verdict-assumptions (verify-equal (sqrt (square r)) r))
                 '((> r 0) (> (sin theta) 0))))
 
-;; A point that has other signs is not there.
-(says
- [((point R3-spherical) (up -1 1 0))
-  "point: the point is outside the chart R3-spherical, where r is positive\n"
-  "  given: (up -1 1 0), an up tuple of 3"]
- [((point S2-spherical) (up -0.5 0))
-  "point: the point is outside the chart S2-spherical, where (sin theta) is positive\n"
-  "  given: (up -0.5 0), an up tuple of 2"])
+(test-case "a point whose numbers have other signs is told by those of its chart"
+  (define m ((point R3-spherical) (up -2 1 0.5)))
+  (check-close ((chart R3-spherical) m) (list 2 (- pi 1) (- 0.5 pi)) 1e-12)
+  (check-close ((chart R3-rect) m) ((chart R3-rect) ((point R3-spherical) (up 2 (- pi 1) (- 0.5 pi))))
+               1e-12)
+  (check-close ((chart S2-spherical) ((point S2-spherical) (up -0.5 0))) (list 0.5 pi) 1e-12))
 
 (test-case "a metric is pulled back by an embedding"
   (define-coordinates (up u v) R2-rect)

@@ -36,9 +36,6 @@
   "  coordinates: (up 1 2)\n  velocities: (up 1 2 3)"]
  [(evolve-on L S2-spherical (up 0 (up -1.0 0.3) (up 1 0)) 1) outside "(up -1.0 0.3)"]
  [(evolve-on L S2-spherical (up 0 (up 0 0.3) (up 1 0)) 1) outside "(up 0 0.3)"]
- [(evolve-on L S2-spherical (up 0 ((point S2-spherical) (up 4.0 0.3)) (up 1 0)) 1)
-  "point: the point is outside the chart S2-spherical, where (sin theta) is positive\n"
-  "  given: (up 4.0 0.3), an up tuple of 2"]
  [(evolve-on L S2-spherical (up 0 ((point R2-rect) (up 0 0.3)) (up 1 0)) 1)
   "point: expected a point of S2; this one is of R2\n  given: ((point R2-rect) (up 0 0.3))"]
  [(evolve-on L S2-spherical (up 0 (up 'a 0.3) (up 1 0)) 1)
