@@ -20,7 +20,7 @@ orbits
     (check-eq? (special-point-kind Hopf) 'Hopf)
     (check-= (special-point-parameter Hopf) 470/19 1e-8)
     (check-= (apply max (map imag-part (special-point-spectrum Hopf)))
-             (sqrt (* 8/3 (+ 10 470/19))) 1e-6))
+             (sqrt (* 8/3 (+ 10.0 470/19))) 1e-6))
   ;; C. Sparrow, The Lorenz Equations (1982): down to 13.926, where the orbit meets the origin
   (test-case "the orbits last below the point, are unstable, and ever slower"
     (check-true (< 13.926 (car (reverse (branch-parameters orbits))) 16))

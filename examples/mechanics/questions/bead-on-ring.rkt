@@ -40,7 +40,7 @@
   (test-case "frequencies on both sides"
     (define (frequencies omega q) (small-oscillation-frequencies (L-ring 1 1 10 omega) q))
     (check-= (car (frequencies 3 0.0)) 1 1e-12)
-    (check-= (car (frequencies 4 (acos 10/16))) (sqrt (- 16 100/16)) 1e-12))
+    (check-= (car (frequencies 4 (acos 10/16))) (sqrt (- 16.0 100/16)) 1e-12))
   (test-case "what is conserved"
     (check-pred refuted? (verify-conserved L T+V bead))
     (check-pred proved? (verify-conserved L (Lagrangian->energy L) bead))))

@@ -85,8 +85,8 @@
 (test-case "a point whose numbers have other signs is told by those of its chart"
   (define m ((point R3-spherical) (up -2 1 0.5)))
   (check-close ((chart R3-spherical) m) (list 2 (- pi 1) (- 0.5 pi)) 1e-12)
-  (check-close ((chart R3-rect) m) ((chart R3-rect) ((point R3-spherical) (up 2 (- pi 1) (- 0.5 pi))))
-               1e-12)
+  (define same ((point R3-spherical) (up 2 (- pi 1) (- 0.5 pi))))
+  (check-close ((chart R3-rect) m) ((chart R3-rect) same) 1e-12)
   (check-close ((chart S2-spherical) ((point S2-spherical) (up -0.5 0))) (list 0.5 pi) 1e-12))
 
 (test-case "a metric is pulled back by an embedding"
