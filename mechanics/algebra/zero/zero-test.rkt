@@ -23,6 +23,7 @@
          (only-in "../assumption/signs.rkt" signs-within? zero)
          "../expression/expression.rkt" "../expression/flat-graph.rkt"
          "../expression/operation.rkt" (only-in "../expression/simplifier.rkt" left-unexpanded?)
+         (only-in "../expression/symbols.rkt" symbols-in)
          "../field/work-bounds.rkt" (only-in "../field/field.rkt" field-atlas)
          (only-in "../kernel/find-kernels.rkt" atlas-simplifier)
          "../polynomial/fraction.rkt"
@@ -239,10 +240,18 @@
   (cond [witness (make-zero-test 'refuted witness value bound points #f '() f)]
         [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t A))]
         [(prove-among-reals (tape->expression t) A)
-         (vanishing-test t (form 0 1 0 '() no-ways '() '()) A)]
+         (define grounds (relations-about (tape->expression t) A))
+         (vanishing-test t (form 0 1 0 '() no-ways grounds '()) A)]
         [else
          (define reason (and (zero? points) 'nowhere))
          (make-zero-test 'undecided #f value bound points reason '() f)]))
+
+;; The data of what A says of the symbols in e: a proof among real numbers may rest on all of it.
+(define (relations-about e A)
+  (define symbols (symbols-in e))
+  (for/list ([r (in-list (assumptions-relations A))]
+             #:when (ormap (lambda (s) (memq s symbols)) (symbols-in (relation-expression r))))
+    (relation-datum r)))
 
 ;; What is among the grounds without being in A.
 (define (taken-relations A grounds)
