@@ -88,7 +88,7 @@
                 [else (format "the ~a components of the residual are zero"
                               (length (verdict-tests v)))])
           th
-          (string-append "the identity, the derivatives are ours"
+          (string-append "the derivatives are ours"
                          (readings-text (verdict-readings v) "; reading" value->text)))
    (theorem-file th #f (readings-text (verdict-readings v) "Decimals are read as exact numbers:"
                                       constant-text))))

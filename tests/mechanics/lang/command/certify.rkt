@@ -38,7 +38,7 @@
           "(verify-equal (* 2 (quote x)) (+ (quote x) (quote x)))\n"
           "    two-springs-certificates/two_springs_1.v: "
           "a theorem for Coq to check: both sides are equal; "
-          "the identity, the derivatives are ours\n"
+          "the derivatives are ours\n"
           "(verify-equal (* 2 (atan (quote y) (quote x))) (+ (atan (quote y) (quote x)) "
           "(atan (quo...\n"
           "    no certificate yet: Coq's library has no atan\n"
