@@ -10,8 +10,9 @@
 ;; Derivatives of programs are taken of the longer ones, which leave no less to be found in theirs.
 
 (require (only-in racket/list append-map)
-         "factored-sums.rkt" "program-builder.rkt" "program.rkt" "shared-products.rkt"
-         "sum-terms.rkt" "sums-of-products.rkt" "written-sums.rkt")
+         "factored-sums.rkt" (only-in "flonum-coefficients.rkt" moderate?)
+         "program-builder.rkt" "program.rkt" "shared-products.rkt" "sum-terms.rkt"
+         "sums-of-products.rkt" "written-sums.rkt")
 
 (provide shorter-program)
 
@@ -20,8 +21,13 @@
 (define longest-again 150)
 
 (define (shorter-program p [most longest])
-  (define q (and (<= 2 (program-length p) most) (written-again p)))
+  (define q (and (<= 2 (program-length p) most) (moderate-constants? p) (written-again p)))
   (if (and q (< (cost q) (cost p))) (shorter-program q longest-again) p))
+
+;; Sums and products of others may leave the flonums in another order.
+(define (moderate-constants? p)
+  (for*/and ([i (in-vector (program-instructions p))] [x (in-list (instruction-operands i))])
+    (or (not (real? x)) (zero? x) (moderate? x))))
 
 ;; A division takes as long as some products.
 (define (cost p)

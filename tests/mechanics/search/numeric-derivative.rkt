@@ -26,7 +26,7 @@
     (define-values (name f points) (apply values example))
     (for ([x (in-list points)])
       (define-values (value error count) ((D-numeric f #:tolerance tolerance #:report values) x))
-      (define off (abs (- value ((D f) x))))
+      (define off (abs (- value ((D f) (exact->inexact x)))))
       (define text (format "~a at ~a to ~a: ~a ± ~a, off by ~a" name x tolerance value error off))
       (define size (max (abs value) (* 10 (abs (f (exact->inexact x))))))
       (check-true (<= off (+ (* tolerance size) 1e-15)) text)
