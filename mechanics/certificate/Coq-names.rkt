@@ -72,7 +72,7 @@
 (define (function-type f)
   (string-join (for/list ([_ (in-range (+ 1 (unknown-function-arity f)))]) "R") " -> "))
 
-;; What a variable must not be called: words of the language, names of its library that
+;; Names that no variable may have: words of the language, names of its library that
 ;; certificates use, and their own.
 (define words-of-Coq
   (string-split
@@ -89,6 +89,6 @@
   (map cadr (regexp-match* #px"(?m:^(?:Lemma|Ltac|with) (\\w+))" (proof-tactics)
                            #:match-select values)))
 
-;; Those of hypotheses and of facts in proofs
+;; Names of hypotheses and of facts in proofs
 (define numbered-names
   (for*/list ([k (in-range 1 200)] [base (in-list '("given" "kernel"))]) (format "~a_~a" base k)))

@@ -33,7 +33,7 @@
       (found (lambda (values) #t))
       (give-up "no point was found where all its hypotheses hold")))
 
-;; Those whose sine or cosine is in e, an expression or a datum
+;; The angles of which a sine, cosine or tangent is in e, an expression or a datum
 (define (angles-in e)
   (if (node? e)
       (for/list ([n (in-list (nodes-in e))]

@@ -75,7 +75,7 @@
         [(eq? head op:expt) (plan-power! c n a (cadr (node-args n)))]
         [(literal-head? head) (plan-application! c n)]))
 
-;; What stands for e where all that is known so far is used.
+;; The expression that stands for e where all that is known so far is used.
 (define (resolved c e)
   (let walk ([e e])
     (cond [(not (node? e)) e]

@@ -92,7 +92,7 @@
   (define n (length (motion-qs M)))
   (if (= n 1) (list base) (for/list ([i (in-range n)]) (format "~a_~a" base i))))
 
-;; What the file defines, whether or not there is a force
+;; The names that the file defines, whether or not there is a force
 (define (names-defined M)
   (cons "L" (append-map (lambda (base) (names-like base M))
                         '("path" "velocity" "momentum" "slope" "force"))))

@@ -69,7 +69,7 @@
                              (format "~a\n  ~a" (car g) (string-join (cdr g) " /\\\n  ")))
                            " /\\\n"))))
 
-;; What takes so many hypotheses apart, as given_1, given_2 ...
+;; The pattern that takes so many hypotheses apart, as given_1, given_2 ...
 (define (given-pattern count)
   (define given (for/list ([i (in-range 1 (+ count 1))]) (format "given_~a" i)))
   (cond [(null? given) "given"]

@@ -160,7 +160,7 @@
 (define (power base exponent)
   (if (eq? base ':e) (list 'exp exponent) (list 'expt base exponent)))
 
-;; What follows an exponent without parentheses may belong to it: x^1/2, a^3/2, x^2y, e^-t/tau,
+;; Signs behind an exponent without parentheses may belong to it: x^1/2, a^3/2, x^2y, e^-t/tau,
 ;; e^-2 t, x^y^z.
 (define (read-power in base python?)
   (define whole? (ahead? in 'open 'brace 'fraction))

@@ -7,7 +7,7 @@
 
 (provide (struct-out vocabulary) cuts-of function-named own-operations)
 
-;; What is known of names.
+;; A vocabulary: the meanings of names.
 ;; name      : text -> the symbol that it is
 ;; quantity  : symbol -> datum that it stands for, or #f
 ;; function? : symbol -> is it the name of a function?

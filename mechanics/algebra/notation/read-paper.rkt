@@ -62,7 +62,7 @@
       (not (or (one-letter? (letters-of text)) (function-named text)))))
 
 ;; ---------------------------------------------------------------------------
-;; What is not read
+;; Texts that are not read
 
 (define unread
   (pregexp

@@ -239,14 +239,16 @@
                   (pair? grounds)))
   (cond [witness (make-zero-test 'refuted witness value bound points #f '() f)]
         [(and (eq? 'zero (tape-fingerprint t)) (prove-indirectly t A))]
-        [(prove-among-reals (tape->expression t) A)
-         (define grounds (relations-about (tape->expression t) A))
-         (vanishing-test t (form 0 1 0 '() no-ways grounds '()) A)]
+        [(real-proof-form (tape->expression t) A) => (lambda (f) (vanishing-test t f A))]
         [else
          (define reason (and (zero? points) 'nowhere))
          (make-zero-test 'undecided #f value bound points reason '() f)]))
 
-;; The data of what A says of the symbols in e: a proof among real numbers may rest on all of it.
+;; The form of an e that is proved to be zero among real numbers, or #f
+(define (real-proof-form e A)
+  (and (prove-among-reals e A) (form 0 1 0 '() no-ways (relations-about e A) '())))
+
+;; Data of the relations in A on symbols of e: a proof among real numbers may rest on them all.
 (define (relations-about e A)
   (define symbols (symbols-in e))
   (for/list ([r (in-list (assumptions-relations A))]
