@@ -66,9 +66,9 @@
 ;; The number that an expression without symbols and π stands for, if it is a sum of roots or
 ;; holds a decimal; else the expression.
 (define (constant->number e)
-  (define s (and (node? e) (expression->radicals e)))
-  (cond [s (radicals->number s)]
-        [(and (node? e) (some-leaf? flonum? e) (all-leaves? number? e)) (or (constant-value e) e)]
+  (cond [(not (and (node? e) (all-leaves? number? e))) e]
+        [(expression->radicals e) => radicals->number]
+        [(some-leaf? flonum? e) (or (constant-value e) e)]
         [else e]))
 
 ;; The sum with its roots taken by (root n exponent), combined by add and multiply.

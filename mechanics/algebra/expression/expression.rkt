@@ -313,8 +313,10 @@
         (leaf e))))
 
 ;; Does the predicate hold of some number or symbol in e?  Of all of them?
-(define (some-leaf? good? e) (node-fold e good? (lambda (n parts) (ormap values parts))))
-(define (all-leaves? good? e) (node-fold e good? (lambda (n parts) (andmap values parts))))
+(define (some-leaf? good? e)
+  (let/ec return
+    (node-fold e (lambda (x) (let ([v (good? x)]) (and v (return v)))) (lambda (n parts) #f))))
+(define (all-leaves? good? e) (not (some-leaf? (lambda (x) (not (good? x))) e)))
 
 ;; The plain S-expression.  Shared nodes give shared pairs.
 (define (expression->datum e)

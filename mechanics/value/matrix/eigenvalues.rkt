@@ -3,8 +3,8 @@
 ;;
 ;; Zeros first: rows and columns that reach one another form a block, and the
 ;; eigenvalues are those of the blocks.  A block of one row is its own; (a b; c d)
-;; has (τ ± √((a - d)² + 4 b c))/2, with the trace τ; of numbers, decimals too, to all digits
-;; (surd.rkt).  Greater blocks lead to equations of higher degree: those of
+;; has (τ ± √((a - d)² + 4 b c))/2, with the trace τ; of exact numbers that is exact where it is
+;; real, of others it has all digits (surd.rkt).  Greater blocks lead to equations of higher degree: those of
 ;; flonums are left to the algorithms of numeric/, others are refused.
 ;;
 ;; How much roundings change eigenvalues, those of a neighbor tell: the transposed matrix, its
@@ -17,7 +17,8 @@
          "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
          "../../error/complain.rkt" "../../error/failure.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt"
-         "../../generic/elementary.rkt" "../../generic/on-demand.rkt" "../../generic/scalar.rkt"
+         "../../generic/elementary.rkt" "../../generic/irrational.rkt" "../../generic/on-demand.rkt"
+         "../../generic/scalar.rkt"
          "../../generic/wrong-argument.rkt"
          "../../numeric/constants.rkt" "../../numeric/finite-number.rkt"
          "../../numeric/flvector.rkt"
@@ -25,7 +26,7 @@
 
 (provide characteristic-polynomial eigenvalues
          ;; for eigenvectors and roots
-         (struct-out sure) spectrum exact-spectrum decimal)
+         (struct-out sure) spectrum exact-spectrum exact-value decimal)
 
 (require-on-demand
  ["../../numeric/linear-algebra/general-eigenvalues.rkt" real-matrix-eigenvalues]
@@ -71,7 +72,8 @@
         [(flonums? block) (numeric-spectrum who m block)]
         [(not (= (vector-length block) 2)) (raise-degree m (vector-length block))]
         [(all-entries? rational? block)
-         (for/list ([x (in-list (two-numbers block))]) (exactly (if (surd? x) (decimal who x) x)))]
+         (for/list ([x (in-list (two-numbers block))])
+           (exactly (or (and (all-entries? exact? block) (exact-value x)) (decimal who x))))]
         [else (map exactly (two-eigenvalues block))]))
 
 ;; Of a matrix of rational numbers, where its blocks have no more than two rows: rational numbers
@@ -91,13 +93,18 @@
 (define (four-entries f block)
   (values (f (entry block 0 0)) (f (entry block 0 1)) (f (entry block 1 0)) (f (entry block 1 1))))
 
-;; The decimal of a surd or a rational number
+;; The exact number that a surd or a rational number is; #f of one that is complex, or has a root
+;; that is not taken apart
+(define (exact-value x)
+  (define value (if (surd? x) (g:+ (surd-p x) (g:* (surd-q x) (g:sqrt (surd-D x)))) x))
+  (and (exact-real? value) value))
+
+;; The decimal of a surd; a rational number as it is
 (define (decimal who x)
-  (define z (exact->inexact (if (surd? x) (surd->number x) x)))
+  (define z (if (surd? x) (exact->inexact (surd->number x)) x))
   (if (< (magnitude z) +inf.0)
       z
       (complain who "there are values beyond 1.8e308, where decimals end")))
-
 
 (define (two-eigenvalues block)
   (define-values (a b c d) (four-entries values block))

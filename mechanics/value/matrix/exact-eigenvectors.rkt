@@ -20,9 +20,10 @@
 ;; -> a list of (value vector ...), up tuples; the greatest component of one with decimals is 1
 (define (exact-eigenvectors m)
   (for/list ([found (in-list (remove-duplicates (exact-spectrum 'eigenvectors m)))])
-    (if (surd? found)
-        (cons (decimal 'eigenvectors found) (map decimals (surd-vectors m found)))
-        (cons found (null-space (g:- m found))))))
+    (define value (exact-value found))
+    (cond [(not (surd? found)) (cons found (null-space (g:- m found)))]
+          [value (cons value (map exact-values (surd-vectors m found)))]
+          [else (cons (decimal 'eigenvectors found) (map decimals (surd-vectors m found)))])))
 
 ;; Lists of surds
 (define (surd-vectors m λ)
@@ -42,6 +43,8 @@
         (values found all))))
 
 (define (up->list v) (vector->list (structure-elements v)))
+
+(define (exact-values surds) (apply up (map exact-value surds)))
 
 (define (decimals surds)
   (define numbers (map surd->number surds))

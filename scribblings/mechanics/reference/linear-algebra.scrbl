@@ -217,10 +217,11 @@ The zeros of the characteristic polynomial, each as often as it is one. Matrices
 finite real numbers, some of them flonums, may have any size; their eigenvalues come in
 the order of real parts, as accurate as LAPACK's; a note names those of which roundings leave
 fewer than half of the digits, as of eigenvalues that are repeated. Otherwise the zeros of the
-matrix must leave blocks of at most two rows.
+matrix must leave blocks of at most two rows; real eigenvalues of exact numbers are exact.
 
 @examples[#:eval session
 (eigenvalues (matrix-by-rows '(2 1) '(1 2)))
+(eigenvalues (matrix-by-rows '(1 1) '(1 0)))
 (eigenvalues (matrix-by-rows '(0 1) (list (- (square 'omega)) 0)))
 (eigenvalues (matrix-by-rows '(a b c) '(0 d e) '(0 0 f)))
 (eigenvalues (matrix-by-rows '(2.0 -1 0) '(-1 2 -1) '(0 -1 2)))]
@@ -231,15 +232,15 @@ derivative there have magnitude 1 @sicm{4.1}.}
 @defproc[(eigenvectors [m value]) (listof list?)]{
 
 For each eigenvalue a list: the eigenvalue, and after it its independent eigenvectors, as
-@racket[up] tuples. Of exact numbers, an irrational eigenvalue is a decimal with all digits, and the
-greatest component of its vectors is 1. Those of flonums have unit length. If such a matrix is
-symmetric, each
-eigenvalue comes with one vector, orthogonal to all others; if it is not, eigenvalues that are
+@racket[up] tuples. Of exact numbers, real eigenvalues and their vectors are exact; a complex one
+that is irrational is a decimal with all digits, and the greatest component of its vectors is 1.
+Those of flonums have unit length. If such a matrix is symmetric, each eigenvalue comes with one vector, orthogonal to all others; if it is not, eigenvalues that are
 the same but for roundings are one, with their mean as value. A note names vectors of which
 roundings leave fewer than half of the digits, since another eigenvalue is near.
 
 @examples[#:eval session
 (eigenvectors (matrix-by-rows '(a b) '(b a)))
+(eigenvectors (matrix-by-rows '(2 1) '(1 3)))
 (eigenvectors (matrix-by-rows '(2.0 1.0) '(1.0 2.0)))
 (eigenvectors (matrix-by-rows '(2.0 0.0 0.0) '(0.0 2.0 0.0) '(0.0 1.0 2.0)))
 (eval:error (eigenvectors 3))]}

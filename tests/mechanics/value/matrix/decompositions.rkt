@@ -3,7 +3,7 @@
 ;; matrices.
 
 (require mechanics
-         "../../support/checks.rkt" "../../support/close.rkt")
+         "../../support/checks.rkt" "../../support/close.rkt" "../../support/same.rkt")
 
 ;; sizes : how many vectors are expected, for each eigenvalue
 (define (check-eigenvectors m sizes) (void (checked-eigenvectors m sizes)))
@@ -94,3 +94,19 @@
                   (matrix-by-rows '(0 1) '(0 0) '(0 2))
                   (matrix-by-rows '(0 0 0) '(0 1 0))
                   (matrix-by-rows '(1 1 1 1) '(2 2 2 2) '(3 3 3 3)))))
+
+(test-case "eigenvalues and vectors of exact numbers are exact where they are real"
+  (define golden (/ (+ 1 (sqrt 5)) 2))
+  (check-equal? (eigenvalues (matrix-by-rows '(1 1) '(1 0))) (list golden (- 1 golden)))
+  (for ([A (list (matrix-by-rows '(1 1) '(1 0))
+                 (matrix-by-rows '(0 1 0 0) '(2 0 0 0) '(0 0 0 1) '(0 0 3 0))
+                 (matrix-by-rows (list 2 (sqrt 2)) (list (sqrt 2) 3)))])
+    (define found (eigenvectors A))
+    (check-equal? (map car found) (eigenvalues A))
+    (for* ([pair found] [v (cdr pair)])
+      (check-equal? (* A v) (* (car pair) v))))
+  (check-true (same? (apply up (eigenvalues (matrix-by-rows '(1 2) '(-3 1))))
+                     (up (make-rectangular 1 (sqrt 6.0)) (make-rectangular 1 (- (sqrt 6.0)))) 1e-15))
+  ;; 10³⁰ + 1 is not taken apart, and the decimals have all digits
+  (check-true (same? (apply up (eigenvalues (matrix-by-rows '(0 1) '(1000000000000000000000000000057 0))))
+                     (up 1e15 -1e15) 1e-15)))
