@@ -3,6 +3,7 @@
 ;; their worksheets.
 
 (require racket/file
+         (only-in racket/list check-duplicates)
          racket/path
          racket/runtime-path
          "load-worksheet.rkt" "show-program.rkt" "written-files.rkt"
@@ -68,13 +69,22 @@
   (define folder (simple-form-path (or out (format "~a-students" (base-name file)))))
   ;; before any file is written all keys are tried
   (define worksheets (for/list ([p (in-list all)]) (worksheet-of (participant-key p))))
+  (define names (for/list ([p (in-list all)]) (plain-file-name (participant-key p))))
+  (check-apart class all names)
   (make-directory* folder)
-  (for ([p (in-list all)] [w (in-list worksheets)])
-    (define (named extension)
-      (build-path folder (string-append (plain-file-name (participant-key p)) extension)))
+  (for ([name (in-list names)] [w (in-list worksheets)])
+    (define (named extension) (build-path folder (string-append name extension)))
     (write-student-files w (named ".rkt") (named ".ipynb")))
   (printf "~a: a program and a notebook for each of ~a\n" (short-path folder)
           (counted (length all) "student")))
+
+;; Characters that no file's name should have are left out of keys.  Some systems take capitals
+;; for small letters.
+(define (check-apart class all names)
+  (define twice (check-duplicates (map cons (map string-foldcase names) all) #:key car))
+  (when twice
+    (complain 'worksheet "another student's files would have the same name\n  file: ~a\n  student: ~a"
+              class (participant-key (cdr twice)))))
 
 (define (base-name file)
   (path-replace-extension (file-name-from-path (simple-form-path file)) #""))

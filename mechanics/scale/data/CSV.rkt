@@ -172,6 +172,7 @@
       (define next (record-reader who file in separator))
       (define-values (names _line) (next))
       (unless names (complain who "the file is empty\n  file: ~a" file))
+      (check-encoding who file 1 names)
       (let loop ([rows '()])
         (define-values (fields line) (next))
         (cond [(not fields) (values (map string-trim names) (reverse rows))]

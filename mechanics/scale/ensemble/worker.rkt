@@ -19,7 +19,8 @@
       (define answer
         (with-handlers ([exn:fail? (lambda (e) (trouble (exn-message e)))])
           (perform-batch perform b)))
-      (with-handlers ([exn:fail? (lambda (_) (exit 0))])
+      ;; the reader has ended
+      (with-handlers ([exn:fail:filesystem? (lambda (_) (exit 0))])
         (send answer out))
       (loop))))
 

@@ -39,8 +39,13 @@
            (text->points who file (car row) (field points-at))
            (field comment-at))))
 
-;; A comma is a decimal point, too.
+;; A comma is a decimal point, too; but in "1,000" it may be none.
 (define (text->points who file line text)
+  (when (regexp-match? #px"^[1-9]\\d*,\\d{3}$" text)
+    (complain who
+              (string-append "the comma may be that of a decimal or of thousands"
+                             "\n  file: ~a\n  line: ~a\n  given: ~a")
+              file line text))
   (define n (string->number (string-replace text "," ".") 10 'number-or-false 'decimal-as-exact))
   (cond [(string=? text "") #f]
         [(and n (real? n) (>= n 0)) n]

@@ -5,7 +5,7 @@
 ;; 2026-11-20 18:00 +01:00; learning platforms also write 20 November 2026, 6:00 PM.
 
 (require racket/date
-         "exercise.rkt"
+         "exercise.rkt" (only-in "judgment-words.rkt" number->text)
          "../../error/complain.rkt" "../../error/message-words.rkt"
          "../../generic/describe.rkt")
 
@@ -37,7 +37,7 @@
        "")
    (if days (format " What comes more than ~a late does not count." (counted days "day")) "")))
 
-(define (percents share) (round (inexact->exact (* 100 share))))
+(define (percents share) (number->text (* 100 share)))
 
 ;; ---------------------------------------------------------------------------
 ;; Times

@@ -148,6 +148,10 @@
   (check-regexp-match pattern (second result)))
 
 (write-text "bad.zip" "no archive")
+(write-text "twins.csv" "username\nann/a\nAnn_A\n")
+(write-text "wide.csv" "")
+(call-with-output-file (in-folder "wide.csv") #:exists 'truncate
+  (lambda (out) (write-bytes #"\377\376e\0-\0m\0a\0i\0l\0\n\0" out)))
 (test-case "what is missing or makes no sense is told"
   (check-refused #rx"^check: each student has numbers of their own: the list of the class is needed"
                  "check" "class" "--worksheet" "w.rkt")
@@ -167,6 +171,10 @@
   (check-refused #rx"^worksheet: it is either for a --class or for a --student" "worksheet" "w.rkt"
                  "--class" "list.csv" "--student" "ann")
   (check-refused #rx"^worksheet: there is no such file" "worksheet" "w.rkt" "--class" "none.csv")
+  (check-refused #rx"^worksheet: another student's files would have the same name.*student: Ann_A"
+                 "worksheet" "w.rkt" "--class" "twins.csv")
+  (check-refused #rx"^worksheet: the file is no text in UTF-8; save it as CSV UTF-8"
+                 "worksheet" "w.rkt" "--class" "wide.csv")
   (check-refused #rx"^check: it is no ZIP archive" "check" "bad.zip" "--worksheet" "w.rkt"
                  "--class" "list.csv"))
 

@@ -31,6 +31,8 @@
   (check-equal? (kept d 901) '(9/10 "handed in 15 minutes after the deadline: 10 % taken off"))
   (check-equal? (kept d (hours 27))
                 '(8/10 "handed in 1 day 3 hours after the deadline: 20 % taken off"))
+  (check-equal? (kept (make-deadline noon #:per-day 1/8) (hours 1))
+                '(7/8 "handed in 1 hour after the deadline: 12.5 % taken off"))
   (check-equal? (kept d (hours 73))
                 '(0 "handed in 3 days 1 hour after the deadline: it does not count"))
   (check-equal? (car (kept (make-deadline noon #:per-day 1/2) (hours 100))) 0))

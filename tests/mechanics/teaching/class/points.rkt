@@ -117,6 +117,9 @@
                  "stands in quotation marks\n  file: points.csv\n  line: 2\n  fields: 4")]
  [(merged (row "c" "two" "many"))
   "check: expected points, a number\n  file: points.csv\n  line: 2\n  given: many"]
+ [(merged (row "c" "two" "\"1,000\""))
+  (string-append "check: the comma may be that of a decimal or of thousands\n"
+                 "  file: points.csv\n  line: 2\n  given: 1,000")]
  [(merged (row "c" "two" "-1"))
   "check: expected points, a number\n  file: points.csv\n  line: 2\n  given: -1"]
  [(merged (row "c" "two" "1.5"))
