@@ -21,8 +21,9 @@
 
 (require "map-indicator.rkt" "map/period-check.rkt"
          "../calculus/derivative.rkt"
-         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/elementary.rkt"
-         "../generic/function-check.rkt"
+         "../error/complain.rkt"
+         "../generic/arithmetic.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/elementary.rkt" "../generic/function-check.rkt"
          "../generic/up-down.rkt" "../generic/wrong-argument.rkt"
          "../motion/evolution.rkt" "../motion/linearized-flow.rkt" "../motion/observed-systems.rkt"
          "../motion/system/check.rkt"
@@ -30,18 +31,27 @@
 
 (provide chaos-indicator
          ;; for many motions
-         check-kind watched-derivative watched-start indicator-of indicator-method)
+         check-kind check-no-tolerance usual-tolerance
+         watched-derivative watched-start indicator-of indicator-method)
 
 (define who 'chaos-indicator)
 
 ;; f : state derivative -> the indicator of the motion from the state for the duration
 ;; or a map of the plane -> that of the orbit from a point for so many steps
 (define-plain (chaos-indicator f state duration
-                               #:indicator [kind 'FLI] #:tolerance [tolerance 1e-10])
+                               #:indicator [kind 'FLI] #:tolerance [tolerance #f])
   (check-kind who kind)
-  (if (takes-arguments? f 4)
-      (map-indicator who f state duration kind)
-      (motion-indicator f state duration kind tolerance)))
+  (cond [(takes-arguments? f 4)
+         (check-no-tolerance who tolerance)
+         (map-indicator who f state duration kind)]
+        [else (motion-indicator f state duration kind (or tolerance usual-tolerance))]))
+
+(define usual-tolerance 1e-10)
+
+(define (check-no-tolerance who tolerance)
+  (when tolerance
+    (complain who "a tolerance is for motions; the steps of a map have none\n  given: ~a"
+              (value->text tolerance))))
 
 (define (motion-indicator f state duration kind tolerance)
   (check-derivative who f state)

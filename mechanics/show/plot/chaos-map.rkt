@@ -11,7 +11,7 @@
 
 (require-on-demand ["../../dynamics/map-indicator.rkt" indicator-grid]
                    ["motion-indicators.rkt" motion-indicators]
-                   ["../../dynamics/chaos-indicator.rkt" check-kind]
+                   ["../../dynamics/chaos-indicator.rkt" check-kind check-no-tolerance]
                    ["../../dynamics/map/plane-points.rkt" part-middle])
 
 (provide chaos-map)
@@ -21,7 +21,7 @@
 ;; samples : number of starts to a side, or (list across up)
 ;; -> the frame
 (define (chaos-map f system [n 1000] #:samples [samples 200]
-                   #:state [state-at #f] #:indicator [kind 'FLI] #:tolerance [tolerance 1e-10]
+                   #:state [state-at #f] #:indicator [kind 'FLI] #:tolerance [tolerance #f]
                    #:jobs [jobs (processor-count)] #:checkpoint [file #f]
                    #:colors [colors 'dusk] #:bar? [bar? #f])
   (define who 'chaos-map)
@@ -30,6 +30,7 @@
     (check-no-motion who system)
     (check-map who system)
     (check-kind who kind)
+    (check-no-tolerance who tolerance)
     (when file
       (complain who "a checkpoint is for motions, with #:state\n  file: ~a" file)))
   (check-argument who (lambda (c) (memq c color-map-names)) colors

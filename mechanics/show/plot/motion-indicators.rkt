@@ -35,7 +35,7 @@
                       (+ begin-time duration)
                       #:collect (lambda (all) (indicator-of kind all))
                       #:observe add! #:fold void #:initial #f
-                      #:tolerance tolerance #:method indicator-method
+                      #:tolerance (or tolerance usual-tolerance) #:method indicator-method
                       #:jobs jobs #:checkpoint file)))
   all)
 

@@ -392,7 +392,7 @@ more; @racket[chaos-map] draws it. (C. Froeschlé, E. Lega and R. Gonczi 1997.)
 
 @defproc[(chaos-indicator [system (or/c (-> value value) map)] [state value] [duration real?]
                           [#:indicator indicator (or/c 'FLI 'MEGNO 'SALI) 'FLI]
-                          [#:tolerance tolerance real? 1e-10])
+                          [#:tolerance tolerance (or/c real? #f) #f])
          real?]{
 
 A number that tells whether a motion is regular or chaotic, from the equations of variations, which
@@ -409,7 +409,8 @@ are integrated beside it:
  opposite. It stays where the motion is regular, and falls to 0 within rounding where it is
  chaotic.}]
 
-Of a map of the plane the state is a point and the duration a number of steps; SALI falls as their
+A motion is followed to the @racket[tolerance], or to 1e-10.
+Of a map of the plane the state is a point and the duration a number of steps, and there is no tolerance; SALI falls as their
 inverse square then where the orbit is regular, and the indicator of an orbit that ends is
 @racket[+nan.0].
 

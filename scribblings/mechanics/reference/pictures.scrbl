@@ -341,7 +341,7 @@ Draws one orbit of a map of the plane: its start and @racket[n] images.
                                200]
                     [#:state state (or/c (-> real? real? (or/c value #f)) #f) #f]
                     [#:indicator indicator (or/c 'FLI 'MEGNO 'SALI) 'FLI]
-                    [#:tolerance tolerance real? 1e-10]
+                    [#:tolerance tolerance (or/c real? #f) #f]
                     [#:jobs jobs exact-positive-integer? (processor-count)]
                     [#:checkpoint file (or/c path-string? #f) #f]
                     [#:colors colors (or/c 'dusk 'viridis 'cividis 'plasma 'grey) 'dusk]

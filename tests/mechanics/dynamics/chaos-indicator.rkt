@@ -133,6 +133,10 @@
   "chaos-indicator: expected a positive duration\n  given: the number -5"]
  [(chaos-map (picture) (standard-map 1) 5 #:indicator 'megno)
   "chaos-map: expected 'FLI, 'MEGNO or 'SALI\n  given: the symbol megno"]
+ [(chaos-indicator (standard-map 1) (up 1.0 2.0) 5 #:tolerance 1e-8)
+  "chaos-indicator: a tolerance is for motions; the steps of a map have none\n  given: 1e-8"]
+ [(chaos-map (picture) (standard-map 1) 5 #:tolerance 1e-8)
+  "chaos-map: a tolerance is for motions; the steps of a map have none\n  given: 1e-8"]
  [(chaos-map (picture) (standard-map 1) 5 #:checkpoint "a.ensemble")
   "chaos-map: a checkpoint is for motions, with #:state\n  file: a.ensemble"]
  [(chaos-map (picture) (stroboscopic-map oscillator 1) 5)
