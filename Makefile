@@ -51,7 +51,7 @@ help:
 	@echo 'make test-lab     the kernel of notebooks, and notebooks in a browser (installs them in build/lab)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
 	@echo 'make mutants small changes of the library, which tests are to notice  (ROOM=..., N=10 of each, SEED=1)'
-	@echo 'make certify  proofs for the proof assistant Coq, where it is installed   (FILE=my-system.rkt; without FILE many, NEIGHBOURS=3 of each)'
+	@echo 'make certify proofs for the proof assistant Coq, where it is installed   (FILE=my-system.rkt; without FILE many, NEIGHBOURS=3 of each)'
 	@echo 'make lint    requires of which no name is used, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one; TASK=lab: thirty kernels)'
 	@echo 'make peers   what benchmarks compare with, in a Python environment in build/python'
