@@ -2,29 +2,27 @@
 ;; One mutant and tests of it:  racket try-mutant.rkt FILE TEST ...
 ;;
 ;; The changed text comes from the standard input.  The tests run one after another, in this
-;; process, with the file as it is changed and all others as they are compiled, until one fails.
-;; The last line printed is the datum (killed TEST) or (survived).
+;; process, each with modules of its own, with the file as it is changed and all others as they
+;; are compiled, until one fails.  The last line printed is the datum (killed TEST) or (survived).
 ;;
 ;; A procedure so small that it was compiled into others' code is not replaced there.
 
 (require racket/path
          racket/port
          rackunit/log
-         "mutate.rkt")
+         "mutate.rkt"
+         "../../runner/module-space.rkt")
 
 (define (failures) (car (test-log)))
 
-;; Modules are loaded anew, but failures are counted where this module looks.
-(define (fresh-namespace)
-  (define here (variable-reference->namespace (#%variable-reference)))
-  (define there (make-base-empty-namespace))
-  (namespace-attach-module here 'rackunit/log there)
-  there)
-
 (define (run test)
   (define path (path->complete-path test))
+  (define space (make-module-space path))
   (define sub `(submod ,path test))
-  (dynamic-require (if (module-declared? sub #t) sub path) #f))
+  (parameterize ([current-namespace (module-space-namespace space)]
+                 [current-module-name-resolver (module-space-resolver space)]
+                 [current-pseudo-random-generator (make-pseudo-random-generator)])
+    (dynamic-require (if (module-declared? sub #t) sub path) #f)))
 
 ;; -> does it notice?
 (define (notices? test)
@@ -43,7 +41,6 @@
   (define verdict
     (parameterize ([current-load/use-compiled
                     (load-replaced file text (current-load/use-compiled))]
-                   [current-namespace (fresh-namespace)]
                    [use-compiled-file-check 'exists])
       (or (for/first ([t (in-list (cdr arguments))] #:when (notices? t)) (list 'killed t))
           '(survived))))
