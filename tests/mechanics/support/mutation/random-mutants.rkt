@@ -12,6 +12,7 @@
 (require file/sha1
          racket/cmdline
          racket/file
+         racket/format
          racket/list
          racket/match
          racket/port
@@ -50,68 +51,83 @@
     (list file m)))
 
 ;; ---------------------------------------------------------------------------
-;; Tests of a file: those that loaded it, its room's first, then the shortest
+;; Tests of a file: those that loaded it, its room's first, then those of the rooms beside, the
+;; shortest first among each
 
-(define most-seconds 60)
+(define most-seconds 20)
 
+;; -> list of (test seconds)
 (define (tests-of file room entries)
   (define source (string->symbol (string-append "mechanics/" file)))
   (define own (string-append "tests/mechanics/" (string-trim room "/" #:left? #f) "/"))
-  (define (own? name) (string-prefix? (symbol->string name) own))
+  (define beside (string-append "tests/mechanics/" (car (string-split room "/")) "/"))
+  (define (distance name) (index-where (list own beside "") (lambda (f) (string-prefix? name f))))
   (define loading
     (for/list ([(name e) (in-hash entries)] #:when (memq source (entry-sources e)))
-      (list name (if (own? name) 0 1) (entry-seconds e))))
-  (define in-order (sort loading (lambda (a b) (or (< (cadr a) (cadr b))
-                                                   (and (= (cadr a) (cadr b))
-                                                        (< (caddr a) (caddr b)))))))
-  (define-values (chosen _)
-    (for/fold ([chosen '()] [seconds 0]) ([t (in-list in-order)])
-      (if (> (+ seconds (caddr t)) most-seconds)
-          (values chosen seconds)
-          (values (cons t chosen) (+ seconds (caddr t))))))
+      (list (symbol->string name) (entry-seconds e))))
+  (define in-order
+    (sort (sort loading < #:key cadr) < #:key (lambda (t) (distance (car t)))))
   (if (null? loading)
       (tests-in own)
-      (map (lambda (t) (symbol->string (car t))) (reverse chosen))))
+      (within-seconds in-order)))
+
+;; Those that fit into the time
+(define (within-seconds tests)
+  (for/fold ([chosen '()] [left most-seconds] #:result (reverse chosen)) ([t (in-list tests)])
+    (if (> (cadr t) left)
+        (values chosen left)
+        (values (cons t chosen) (- left (cadr t))))))
 
 ;; Where no run is on record, those of the room
 (define (tests-in folder)
   (define path (from-top folder))
   (if (directory-exists? path)
       (for/list ([f (in-directory path)] #:when (regexp-match? #rx"[.]rkt$" f))
-        (path->string f))
+        (list (path->string f) 10))
       '()))
 
 ;; ---------------------------------------------------------------------------
 ;; Trying
 
-(define patience 300)            ; seconds
-
 ;; -> (killed test), (survived) or (untested)
 (define (try file m tests)
-  (cond
-    [(null? tests) '(untested)]
-    [else
-     (define text (mutated-text (file->string (full-path file)) m))
-     (define-values (process out in err)
-       (parameterize ([subprocess-group-enabled #t] [current-subprocess-custodian-mode 'kill]
-                      [current-directory (from-top ".")])
-         (apply subprocess #f #f 'stdout (find-exe) trier
-                (path->string (full-path file)) tests)))
-     (write-string text in)
-     (close-output-port in)
-     (define said (make-channel))
-     (define reader (thread (lambda () (channel-put said (port->lines out)))))
-     (define lines (sync/timeout patience said))
-     (subprocess-kill process #t)
-     (close-input-port out)
-     (verdict-in (or lines '()) lines)]))
+  (define text (file->string (full-path file)))
+  (define fit (filter (lambda (t) (hash-ref passing (car t) #t)) tests))
+  (define verdict (if (null? fit) '(untested) (verdict-on file (mutated-text text m) fit)))
+  (define test (and (eq? (car verdict) 'killed) (assoc (cadr verdict) fit)))
+  (if (and test (not (passes? test file text)))
+      (try file m tests)
+      verdict))
 
-;; One that does not end, or of which the process dies, has been noticed.
+;; Does a test that noticed a mutant pass without one?  Asked once of each.
+(define passing (make-hash))
+(define (passes? test file text)
+  (hash-ref! passing (car test) (lambda () (equal? '(survived) (verdict-on file text (list test))))))
+
+(define patience 1200)           ; seconds of the clock; try-mutant.rkt counts those of the processor
+
+(define (verdict-on file text tests)
+  (define-values (process out in err)
+    (parameterize ([subprocess-group-enabled #t] [current-subprocess-custodian-mode 'kill]
+                   [current-directory (from-top ".")])
+      (apply subprocess #f #f 'stdout (find-exe) trier
+             (path->string (full-path file)) (map ~a (append* tests)))))
+  (write-string text in)
+  (close-output-port in)
+  (define said (make-channel))
+  (thread (lambda () (channel-put said (port->lines out))))
+  (define lines (sync/timeout patience said))
+  (subprocess-kill process #t)
+  (close-input-port out)
+  (verdict-in (or lines '()) lines))
+
+;; One that does not end, or of which the process dies, has been noticed.  Tests may print too.
 (define (verdict-in lines ended?)
-  (define last-line (if (null? lines) "" (last lines)))
-  (match (with-handlers ([void void]) (read (open-input-string last-line)))
-    [(? pair? v) v]
-    [_ (list 'killed (if ended? "the process died" "it did not end"))]))
+  (or (for/or ([line (in-list lines)])
+        (match (with-handlers ([void void]) (read (open-input-string line)))
+          [(and v (or '(survived) (list 'killed _))) v]
+          [_ #f]))
+      (list 'killed (if ended? "the process died" "it did not end"))))
 
 ;; ---------------------------------------------------------------------------
 ;; What is known
@@ -194,7 +210,7 @@
   (printf "~a of ~a noticed\n" (count-of 'killed answers)
           (- (length answers) (count-of 'marked answers))))
 
-(provide drawn try mutants-of)
+(provide drawn try tests-of mutants-of)
 
 (module+ main
   (define-values (room count seed jobs) (values #f 10 1 2))
