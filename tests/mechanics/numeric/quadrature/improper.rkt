@@ -69,6 +69,13 @@
                (lambda () (integral (lambda (x) ((tail c) (- x))) -inf.0 -1))))
   (check-integral (tail 0.0) 1 +inf.0 2.0))
 
+;; The parts met tell +, the rule −: to extrapolate would be wrong by 2e-3.
+(test-case "what is left near an end must have the sign that the rule tells"
+  (define (f x) (/ (if (< x (- 3.0 3e-7)) 1.0 -1.0) (sqrt (- 3.0 x))))
+  (check-exn #rx"^quadrature: the function is not finite" (lambda () (integral f 2 3)))
+  (check-exn #rx"^quadrature: the function is not finite"
+             (lambda () (integral (lambda (x) (- (f x))) 2 3))))
+
 (test-case "bounds of errors add up where integrals do"
   (define (bound f low high)
     (define-values (value bound) (improper-quadrature f low high #:tolerance 1e-6))

@@ -54,7 +54,7 @@
 ;; Tests of a file: those that loaded it, its room's first, then those of the rooms beside, the
 ;; shortest first among each
 
-(define most-seconds 20)
+(define most-seconds 12)
 
 ;; -> list of (test seconds)
 (define (tests-of file room entries)
@@ -67,9 +67,9 @@
       (list (symbol->string name) (entry-seconds e))))
   (define in-order
     (sort (sort loading < #:key cadr) < #:key (lambda (t) (distance (car t)))))
-  (if (null? loading)
-      (tests-in own)
-      (within-seconds in-order)))
+  (define new (filter (lambda (t) (not (hash-has-key? entries (string->symbol (car t)))))
+                      (tests-in own)))
+  (append new (within-seconds in-order)))
 
 ;; Those that fit into the time
 (define (within-seconds tests)
@@ -78,12 +78,12 @@
         (values chosen left)
         (values (cons t chosen) (- left (cadr t))))))
 
-;; Where no run is on record, those of the room
+;; Those of the room, of which there may be new ones without a record
 (define (tests-in folder)
   (define path (from-top folder))
   (if (directory-exists? path)
       (for/list ([f (in-directory path)] #:when (regexp-match? #rx"[.]rkt$" f))
-        (list (path->string f) 10))
+        (list (short-name f) 10))
       '()))
 
 ;; ---------------------------------------------------------------------------
