@@ -51,6 +51,11 @@
    [(cos (* 2 (acos x))) (- (* 2 (expt x 2)) 1)]
    [(tan (atan x)) x]))
 
+(test-case "values of exact numbers that are exact"
+  (check-forms
+   [(acosh 1) 0] [(acosh (- x (- x 1))) 0] [(atan 0) 0]
+   [(acosh 2) (acosh 2)] [(atan 1 0) (* 1/2 :pi)]))
+
 ;; ---------------------------------------------------------------------------
 ;; Exponentials, powers, logarithms
 
@@ -125,7 +130,11 @@
 (test-case "a distance keeps the radicand that was written"
   (check-forms
    [(/ m (sqrt (+ (expt (+ x (/ (* a M) (+ M N))) 2) (expt y 2))))
-    (/ m (sqrt (+ (expt (+ x (/ (* M a) (+ M N))) 2) (expt y 2))))]))
+    (/ m (sqrt (+ (expt (+ x (/ (* M a) (+ M N))) 2) (expt y 2))))]
+   [(sqrt (- (+ (expt (+ x y) 2) (expt (+ z u) 2)) (expt w 2)))
+    (sqrt (+ (expt (+ u z) 2) (* -1 (expt w 2)) (expt (+ x y) 2)))]
+   [(sqrt (- (expt (+ x y) 2) (expt (+ z u) 2)))
+    (sqrt (- (expt (+ x y) 2) (expt (+ u z) 2)))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Numbers

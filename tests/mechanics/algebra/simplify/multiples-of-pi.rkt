@@ -43,7 +43,8 @@
 (test-case "imaginary multiples in exponents"
   (check-simple
    [(exp (* +i :pi)) -1] [(exp (* +2i :pi)) 1] [(exp (* 1/2 -i :pi)) -i] [(exp (* +i :2pi)) 1]
-   [(exp (* +i (+ x :pi))) (* -1 (exp (* +i x)))] [(exp :pi) (exp :pi)])
+   [(exp (* +i (+ x :pi))) (* -1 (exp (* +i x)))] [(exp :pi) (exp :pi)]
+   [(exp (* +i 1/6 :pi)) (* 1/2 (+ +i (sqrt 3)))] [(exp (* -i 1/6 :pi)) (* 1/2 (- (sqrt 3) +i))])
   (for ([d (in-list '((- (exp (* +i 2/3 :pi)) (* 1/2 (+ -1 (* +i (sqrt 3)))))
                       (- (exp (* +i 8/7 :pi)) (* -1 (exp (* +i 1/7 :pi))))
                       (- (exp (* +i 4/7 :pi)) (* +i (exp (* +i 1/14 :pi))))))])
