@@ -54,7 +54,7 @@
 (test-case "values of exact numbers that are exact"
   (check-forms
    [(acosh 1) 0] [(acosh (- x (- x 1))) 0] [(atan 0) 0]
-   [(acosh 2) (acosh 2)] [(atan 1 0) (* 1/2 :pi)]))
+   [(acosh 2) (acosh 2)] [(atan x 2) (atan x 2)] [(atan 2 x) (atan 2 x)] [(atan 1 0) (* 1/2 :pi)]))
 
 ;; ---------------------------------------------------------------------------
 ;; Exponentials, powers, logarithms

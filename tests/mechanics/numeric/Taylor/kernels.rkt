@@ -1,9 +1,11 @@
 #lang racket/base
-;; Kernels beside sums of products over lists, of all orders, for one to seven terms.
+;; Kernels beside sums of products over lists, of all orders, for one to seven terms; linear
+;; systems put into their equations.
 
 (require racket/flonum
          racket/list
          mechanics/numeric/Taylor/kernels
+         mechanics/numeric/Taylor/linear-system
          "../../support/checks.rkt")
 
 (define size 9)
@@ -128,3 +130,21 @@
   (run (list (derivative-kernel of-power power) (derivative-kernel of-b b)))
   (check-row (empty-row) (lambda (k) (- (convolution of-power b k 1)
                                         (* 2.5 (convolution of-b power k 1))))))
+
+;; Entry 1 of A is a constant, the others vary.
+(test-case "the solution of a linear system satisfies it at all orders"
+  (define n 3)
+  (define (varying? i) (not (= i 1)))
+  (define A (for/vector ([i (in-range (* n n))])
+              (define row (if (varying? i) (random-row) (row-of-degree 0)))
+              (when (= 0 (remainder i (+ n 1))) (flvector-set! row 0 (+ 5.0 (random))))
+              row))
+  (define b (build-vector n (lambda (_) (random-row))))
+  (define x (build-vector n (lambda (_) (empty-row))))
+  (define-values (start! step!) (system-kernels A varying? b x))
+  (start!)
+  (run (list step!))
+  (for* ([i (in-range n)] [k (in-range size)])
+    (check-= (for/sum ([j (in-range n)])
+               (convolution (vector-ref A (+ (* i n) j)) (vector-ref x j) k))
+             (flvector-ref (vector-ref b i) k) 1e-10)))
