@@ -89,6 +89,7 @@
   (check-two -1e-7 2.0 1.0 -1e8)
   (check-two 1e8 1.0 2.0 1e-7)
   (check-two 1e-7 1.0 2.0 1e8)
+  (check-two 1.0 1e-16 1e-16 2e-32)       ; 1.0e-32, by entries that are nothing beside 1
   (random-seed seed)
   (for ([_ 200])
     (define (entry) (* (if (zero? (random 2)) 1.0 -1.0) (expt 10.0 (- (* 16.0 (random)) 8.0))))

@@ -20,6 +20,7 @@
 
 (test-case "the columns are put together again"
   (check-decomposition (list (flvector 3.0 4.0) (flvector 0.0 5.0)))
+  (check-decomposition (list (flvector 1.0 0.01) (flvector 0.01 1.0)))
   (check-decomposition (list (flvector 1.0 2.0 3.0) (flvector 4.0 5.0 6.0)))
   (check-decomposition (list (flvector 1.0 4.0 7.0) (flvector 2.0 5.0 8.0)
                              (flvector 3.0 6.0 10.0))))

@@ -104,7 +104,7 @@
 (define (of-atom s make)
   (define x (syntax-e s))
   (cond [(and (exact-integer? x) (< -1 x 1000)) (list (make 'number s (number->string (add1 x))))]
-        [(flonum? x) (list (make 'number s (number->string (* 2.0 x))))]
+        [(flonum? x) (list (make 'number s (number->string (if (zero? x) 1.0 (* 2.0 x)))))]
         [(eq? x #t) (list (make 'boolean s "#f"))]
         [(eq? x #f) (list (make 'boolean s "#t"))]
         [else '()]))
