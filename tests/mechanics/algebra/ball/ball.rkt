@@ -118,6 +118,13 @@
           (check-true (< (- (upper value) (lower value)) (* (expt 2 (- 24 p)) (+ 1 (abs true))))
                       (format "~a at ~a, ~a bits" (function-name f) x p))))))
 
+  (test-case "small angles are known to nearly all bits, too"
+    (for* ([p (in-list precisions)] [k (in-list '(10 20 30))] [y (in-list '(1 -3))])
+      (define small (/ y (expt 2 k)))
+      (define value (ball-angle (exact->ball small p) (exact->ball 1 p) p))
+      (check-true (holds? value (true-angle small 1)))
+      (check-true (< (- (upper value) (lower value)) (* (expt 2 (- 8 p)) (abs small))))))
+
   (test-case "the angle of a point holds that of the points around it"
     (with-seed 9
       (for* ([p (in-list precisions)] [_ (in-range 20)])

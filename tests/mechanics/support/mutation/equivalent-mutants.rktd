@@ -12,3 +12,15 @@
  "(modulo (+ (if (negative? c) 1 0)"
  "(modulo (- (if (negative? c) 1 0)"
  "modulo 2 a sum is a difference")
+("algebra/ball/ball-value.rkt"
+ "[(or (memv x '(1 -1)) (<= (* (abs n) (rational-bits x)) most-exact-bits)) (expt x n)]"
+ "[(or (memv x '(1 -1)) (<= (+ (abs n) (rational-bits x)) most-exact-bits)) (expt x n)]"
+ "a power stays exact a little longer, and is inside the ball that it would be; at most 500 factors")
+("algebra/elimination/bareiss.rkt"
+ "(sub1 (vector-ref place-counts (candidate-place c)))))"
+ "(add1 (vector-ref place-counts (candidate-place c)))))"
+ "another pivot of the least size: the determinant is the same, its speed is in tasks D12 and I8")
+("algebra/elimination/minors.rkt"
+ "(if (even? (- n 1 j)) m ((operations-subtract ops) 0 m)))"
+ "(if (even? (+ n 1 j)) m ((operations-subtract ops) 0 m)))"
+ "n - 1 - j and n + 1 + j are both even or both odd")
