@@ -55,3 +55,9 @@
     (/ (* mu x) (expt (+ (expt x 2) (expt y 2)) 3/2))]
    [(sqrt (/ k m)) (sqrt (/ k m))]
    [(* (sqrt (* x y)) (sqrt (* x y)) z) (* x y z)]))
+
+(test-case "a square of roots leaves the root of a product, by its positive root"
+  (check-forms
+   [(sqrt (- (* 3 x) (* 2 (sqrt 2) x))) (- (* (sqrt 2) (sqrt x)) (sqrt x))]
+   [(sqrt (- (* 2 (sqrt 2) x) (* 3 x))) (* (- (sqrt 2) 1) (sqrt (* -1 x)))]
+   [(sqrt (* -1 x (+ 3 (* 2 (sqrt 2))))) (* (+ 1 (sqrt 2)) (sqrt (* -1 x)))]))
