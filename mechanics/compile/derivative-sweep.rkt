@@ -201,9 +201,7 @@
     (for/list ([row (in-range n)])
       (for/fold ([sum (tangent (entry row n))]) ([x (in-list solution)] [column (in-naturals)])
         (subtract! b sum (multiply! b (tangent (entry row column)) x)))))
-  (if (andmap (lambda (x) (eqv? x 0)) right)
-      (make-vector n 0)
-      (list->vector (solve-with! b n entry (lambda (row) (list-ref right row))))))
+  (list->vector (solve-with! b n entry (lambda (row) (list-ref right row)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Partial derivatives

@@ -102,6 +102,14 @@
   (check-identity (((partial 2) (Lagrangian->Hamiltonian (L-cubic))) (up 't 'q 'p))
                   (/ (- (sqrt (+ 1 (* 4 'p))) 1) 2)))
 
+(test-case "a formula that rests on declared assumptions is not kept under others"
+  ;; |a| (v² + v³) has the slope |a| (2 v + 3 v²)
+  (define v
+    (D (Legendre-transform (lambda (v) (* (sqrt (square 'a)) (+ (square v) (expt v 3)))))))
+  (define (at-one a) (substitute (simplify (v 'w)) 'a a 'w 8.0))
+  (check-close (assuming ('(> a 0)) (at-one 1.0)) 4/3 1e-12)
+  (check-close (assuming ('(< a 0)) (at-one -1.0)) 4/3 1e-12))
+
 (test-case "numbers agree with the formula"
   (check-transform (L-relativistic 1.5 2.0) (up 0. (up 1. 2.) (up .3 -.9)))
   (define H (Lagrangian->Hamiltonian (L-relativistic 1.5 2.0)))

@@ -104,3 +104,21 @@
     (define text (file->string (build-path to "motion.c")))
     (for ([name '("double_" "v7_" "lambda_1" "sin_" "theta" "y_")])
       (check-regexp-match (string-append "const double " name " = ") text))))
+
+(define (C-text folder rates example)
+  (define to (build-path folder "it"))
+  (export-system rates example #:folder to #:replace? #t)
+  (file->string (build-path to "motion.c")))
+
+(test-case "a suggested name that a parameter has is another one"
+  (in-new-folder folder
+    (define (L s) (- (* 1/2 (square (velocity s))) (* 't 'q (coordinate s))))
+    (define text (C-text folder (Lagrangian->state-derivative L) (up 0 1 2)))
+    (check-regexp-match #rx"variables: y.0. = t_, y.1. = q_, y.2. = v\n" text)
+    (check-regexp-match #rx"parameters: p.0. = q, p.1. = t [*]/" text)))
+
+(test-case "a name neither breaks the line of a comment nor ends it"
+  (in-new-folder folder
+    (define (rates s) (up 1 (* (string->symbol "k\n*/ x") (ref s 1))))
+    (define text (C-text folder rates (up (string->symbol "a\nb") 'x)))
+    (check-regexp-match #rx"y.0. = a b, y.1. = x\n   parameters: p.0. = k [*] / x [*]/\n" text)))
