@@ -38,6 +38,11 @@
   (check-transform top '(0 2)
                    (up 't (up 'phi (up 'theta 'psi)) (up 'phidot (down 'p_theta 'p_psi)))))
 
+(test-case "beside a coordinate that is a tuple of one"
+  (define (L s)
+    (- (* 1/2 'm (square (velocity s))) (* (ref (coordinate s) 0 0) (ref (coordinate s) 1))))
+  (void (check-transform L 1 (up 't (up (up 'x) 'y) (up (up 'vx) 'p_y)))))
+
 (test-case "its motion is that of the Lagrangian"
   (define ((L-three m k) (up t (up x y z) (up vx vy vz)))
     (- (* 1/2 m (+ (square vx) (square vy) (square vz) (* vx vy)))

@@ -24,3 +24,7 @@
  "(if (even? (- n 1 j)) m ((operations-subtract ops) 0 m)))"
  "(if (even? (+ n 1 j)) m ((operations-subtract ops) 0 m)))"
  "n - 1 - j and n + 1 + j are both even or both odd")
+("calculus/moving-places.rkt"
+ "(define direction (if (< end other) 1.0 -1.0))"
+ "(define direction (if (<= end other) 1.0 -1.0))"
+ "a piece of no length: the displacement is 0 in either direction")
