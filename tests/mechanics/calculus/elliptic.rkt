@@ -99,6 +99,6 @@
   (check-= (elliptic-integral-E 0.5 1) (sin 0.5) 1e-14)
   (check-= ((D (lambda (phi) (elliptic-integral-E phi 1.5))) 0.3)
            (sqrt (- 1 (expt (* 1.5 (sin 0.3)) 2))) 1e-12)
-  (for ([phi '(0.8 2.0)])
+  (for ([phi (list 0.8 2.0 (asin 1.0))] [k '(1.5 1.5 -1)])
     (check-exn #rx"^elliptic-integral-F: expected a modulus k between -1 and 1, or one with"
-               (lambda () (elliptic-integral-F phi 1.5)))))
+               (lambda () (elliptic-integral-F phi k)))))

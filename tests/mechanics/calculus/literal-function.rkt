@@ -171,6 +171,9 @@
    (G (down 'a 'b)))
   (check-message "G: was declared (-> (UP Real Real) Real); slot 0 got (up a b c), an up tuple of 3"
                  (G (up 'a 'b 'c)))
+  (check-message (string-append "x: was declared (-> Real Real); slot 0 got the procedure `sin`\n"
+                                "  what takes it of the values of a function is (compose x sin)")
+                 (x sin))
   (check-message "G: was declared (-> (UP Real Real) Real); slot 0 got the symbol a"
                  (G 'a)))
 

@@ -45,6 +45,8 @@
 (test-case "what a proof takes for granted is told"
   (check-equal? (told (check-true (= (sqrt (square 'm)) 'm)) (= (sqrt (square 'm)) 'm))
                 "; = takes (sqrt (* m m)) and m for equal assuming (>= m 0)\n")
+  (check-equal? (told (check-true (= (up 1 (sqrt (square 'n))) (up 1 'n))))
+                "; = takes (sqrt (* n n)) and n for equal assuming (>= n 0)\n")
   (check-equal? (told (assuming ('(>= m 0)) (= (sqrt (square 'm)) 'm))) ""))
 
 ;; √(b − a) has a value where b ≥ a alone, there and beside it.

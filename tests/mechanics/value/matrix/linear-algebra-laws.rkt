@@ -3,7 +3,8 @@
 ;; against their values, matrices with a name, and what singular ones say.
 
 (require mechanics
-         "../../support/checks.rkt" "../../support/random.rkt" "../../support/same.rkt")
+         "../../support/checks.rkt" "../../support/messages.rkt"
+         "../../support/random.rkt" "../../support/same.rkt")
 
 (define (symbols n [name 'a])
   (m:generate n n (lambda (i j) (string->symbol (format "~a~a~a" name i j)))))
@@ -32,6 +33,17 @@
     (define A (symbols n))
     (check-true (proved-equal? (* A (m:invert A)) (identity-matrix n)))
     (check-true (proved-equal? (* (/ 1 A) A) (identity-matrix n)))))
+
+(test-case "the reciprocal of a tuple of tuples is the inverse map"
+  (for ([A (list (down (up 'a 'b) (up 'c 'd)) (down (down 'a 'b) (down 'c 'd)))])
+    (define x (up 'x 'y))
+    (check-true (proved-equal? (* (/ 1 A) (* A x)) x))
+    (check-true (proved-equal? (* (invert A) (* A x)) x))
+    (check-true (proved-equal? (* A (/ (* A x) A)) (* A x))))
+  (check-message (string-append "/: cannot divide a number by an up tuple of 2\n"
+                                "  argument 1: the number 1\n"
+                                "  argument 2: (up (up 1 2) 3), an up tuple of 2")
+                 (/ 1 (up (up 1 2) 3))))
 
 (test-case "determinants multiply and ignore transposition"
   (for ([n '(2 3)])
