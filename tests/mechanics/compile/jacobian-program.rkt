@@ -116,7 +116,11 @@
   (check-sweep (lambda (s) (/ (- (ref s 0) (* 3 (ref s 1))) (+ (ref s 0) (sqrt (ref s 1))))))
   (check-sweep (lambda (s) (+ (atan (ref s 0) (ref s 1)) (expt (ref s 0) (ref s 1)))))
   (check-sweep (lambda (s) ((principal-value :pi) (* 3 (ref s 0) (ref s 1)))))
-  (check-sweep (lambda (s) (dot-product (four-unknowns s) (up 1 (ref s 1) 0 2)))))
+  (check-sweep (lambda (s) (dot-product (four-unknowns s) (up 1 (ref s 1) 0 2))))
+  (define (first-unknown s)
+    (define m (matrix-by-rows (list 4 1 0 (ref s 0)) '(0 5 1 0) '(1 0 3 1) '(0 0 1 6)))
+    (ref (solve-linear-left m (up 1 (ref s 1) 0 0)) 0))
+  (check-sweep first-unknown))
 
 (test-case "by the first inputs only, the others being parameters"
   (define p (program-of (lambda (s) (up (* (ref s 1) (ref s 0)) (+ (ref s 2) (square (ref s 0)))))

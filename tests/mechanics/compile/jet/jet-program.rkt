@@ -171,6 +171,17 @@
 
 ;; ---------------------------------------------------------------------------
 
+(test-case "a product with the time, which has an end, is no convolution"
+  (define (convolutions . rates)
+    (define-values (p shape)
+      (trace 'test (lambda (s) (apply m:up (for/list ([f rates]) (f (m:ref s 0) (m:ref s 1)))))
+             (m:up 0.6 1.3)))
+    (work-convolutions
+     (expander-work (maker->expander (program->expansion-maker p 2) (flvector 0.0 0.0)))))
+  (define (product t x) (m:* t x))
+  (check-equal? (convolutions (lambda (t x) 1) product) 0)
+  (check-equal? (convolutions product product) 1))
+
 (test-case "what has no recurrence is named"
   (define (reason f)
     (define-values (p shape) (trace 'test (lambda (s) (m:up (f (m:ref s 0)))) (m:up 0.6)))
