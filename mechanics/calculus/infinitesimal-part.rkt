@@ -50,8 +50,7 @@
 ;; x with one ε replaced by another.
 (define (rename-tag old new x)
   (define (rename x)
-    (cond [(perturbed? x) (rename-perturbed x)]
-          [(constant? x) x]
+    (cond [(constant? x) x]
           [(pair? x) (cons (rename (car x)) (rename (cdr x)))]
           [else (map-leaves rename-leaf x)]))
   (define (rename-leaf x)

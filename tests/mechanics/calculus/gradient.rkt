@@ -354,7 +354,9 @@
   ;; the ε of the outer function comes back in the argument
   (define slope-at-3 ((D (lambda (x) (lambda (h) (h x)))) 3))
   (define (twice y) (g:* y (slope-at-3 (lambda (z) (slope-at-3 (lambda (w) (g:* y z (g:sin w))))))))
-  (check-same ((gradient twice) 'y) ((D twice) 'y)))
+  (check-same ((gradient twice) 'y) ((D twice) 'y))
+  (define linear ((D (lambda (a) (lambda (s) (g:+ (g:* a (ref s 0)) (ref s 1))))) 3))
+  (check-equal? ((gradient linear) (up 4 5)) (down 1 0)))
 
 (test-case "the derivative of the shift, of functions that take gradients (arXiv:1211.4892)"
   (define (((shift u) f) x) (f (g:+ x u)))
