@@ -65,3 +65,10 @@
     (define (term H) (series:ref (((Lie-transform H 'dt) coordinate) line) n))
     (check-equal? (substitute (term letters) 'a 1/2 'b -1/3 'c 1 'd -1 'q 1/7 'p 2/5 'dt 1)
                   (substitute (term (steep 1/2 -1/3 1 -1)) 'q 1/7 'p 2/5 'dt 1))))
+
+;; On H = p²/2 the rate of t q is q + t p, and of that 2 p.
+(test-case "derivatives along a flow of a function that decides by numbers"
+  (define (F (up t q p)) (if (> q 100) 0 (* t q)))
+  (define (L n) ((expt (flow-derivative (lambda ((up t q p)) (* 1/2 (square p)))) n) F))
+  (check-equal? ((L 1) (up 2 3 5)) 13)
+  (check-equal? ((L 2) (up 2 3 5)) 10))

@@ -65,6 +65,19 @@
   "  particle 0: 2 coordinates\n"
   "  particle 1: 3 coordinates\n"
   "  positions: (up (up x 0) (up x y 0))"]
+ [((generalized-force uneven (force 0)) state)
+  "generalized-force: the particles are in spaces of different dimension\n"
+  "  particle 0: 2 coordinates\n"
+  "  particle 1: 3 coordinates\n"
+  "  positions: (up (up x 0) (up x y 0))"]
+ [((virtual-displacement uneven) state (up 'dx 'dy))
+  "virtual-displacement: the particles are in spaces of different dimension\n"
+  "  particle 0: 2 coordinates\n"
+  "  particle 1: 3 coordinates\n"
+  "  positions: (up (up x 0) (up x y 0))"]
+ [(d-Alembert-equations 'm (up 'x 'y) (force 0))
+  "d-Alembert-equations: positions are a function of the time and the coordinates, (r t q); "
+  "given (up x y), an up tuple of 2"]
  [((kinetic-energy 'm upside-down) state)
   "kinetic-energy: positions are up tuples; upside-down has the value (down x y)"]
  [((kinetic-energy 'm listed) state)

