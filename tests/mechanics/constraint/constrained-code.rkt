@@ -75,7 +75,9 @@
     (- (* 1/2 (+ (square vx) (* 2 (square vy)) (* vx vy (sin (+ x y))))) (* x y)))
   (check-code L-coupled (rod 1) 1 (up 0 (up 0.6 0.7) (up 0.3 0.2)))
   (define (L-light (up t (up x y) (up vx vy))) (- (* 1/2 (square vx)) (* 9.8 y)))
-  (void (check-code L-light (rod 1) 1 (up 0 (up 0.6 0.7) (up 0.3 0.2)))))
+  (check-code L-light (rod 1) 1 (up 0 (up 0.6 0.7) (up 0.3 0.2)))
+  (define (L-cross (up t (up x y) (up vx vy))) (- (* vx vy) (* 9.8 y)))
+  (void (check-code L-cross (rod 1) 1 (up 0 (up 0.6 0.7) (up 0.3 0.2)))))
 
 (test-case "a mass that is nothing where the motion begins is carried by the constraint"
   (define ((L-lower mass) s)

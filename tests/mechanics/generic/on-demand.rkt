@@ -107,3 +107,11 @@
   (call-with-fixture
    (lambda (get space) (check-eq? ((get 'loading-thread)) (current-thread)))
    here))
+
+(test-case "a break waits until what is loaded there is whole"
+  (call-with-fixture
+   (lambda (get space)
+     (check-exn exn:break? (lambda () ((get 'whole)) (sleep 0)))
+     (check-equal? ((get 'events)) '(begun done))
+     (check-equal? ((get 'whole)) 1))
+   here))

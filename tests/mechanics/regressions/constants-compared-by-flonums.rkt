@@ -2,7 +2,7 @@
 ;; π was compared with other constants by its flonum: it was not greater than its first forty
 ;; digits, and constants that cancel were ordered by what rounding left of them.
 
-(require mechanics "../support/checks.rkt")
+(require mechanics "../support/checks.rkt" "../support/messages.rkt")
 
 ;; π lies between these.
 (define below 3141592653589793238462643383279502884197/1000000000000000000000000000000000000000)
@@ -41,3 +41,12 @@
 (test-case "a constant without a real value has no order"
   (check-exn #rx"^<: an expression that is not a number has no order"
              (lambda () (< (sqrt (- 1 ':pi)) 1))))
+
+;; cos(π/7) − cos(2π/7) + cos(3π/7) = 1/2, which no bounds tell.
+(test-case "an order that more and more digits do not tell is refused by the one that asks"
+  (define (c k) (cos (* k 1/7 ':pi)))
+  (define sum (+ (c 1) (- (c 2)) (c 3)))
+  (for ([compare (list < >=)] [name '("<" ">=")])
+    (check-message
+     (string-append name ": two constants are too close to be told apart by their decimals")
+     (compare sum 1/2))))

@@ -36,3 +36,7 @@
  "(if (<= (abs a) (abs b))"
  "(if (< (abs a) (abs b))"
  "of cos² − sin² both forms, 1 − 2 sin² and 2 cos² − 1, have as many operations and digits")
+("canonical/Lie/Lie-derivative.rkt"
+ "(define large 500)                      ; nodes of a graph"
+ "(define large 501)                      ; nodes of a graph"
+ "from how many nodes on a form may have swollen: either form has the same value")
