@@ -97,7 +97,7 @@
 
 (says [(rigid-sysder 0 1 2)
        "rigid-sysder: a moment of inertia is a positive number; given the number 0"]
-      [(qw-sysder 1 -2 3)
+      [(qw-sysder -2 1 3)
        "qw-sysder: a moment of inertia is a positive number; given the number -2"]
       [(rigid-sysder (up 1 2 3) 'B 'C)
        "rigid-sysder: a moment of inertia is a positive number; given (up 1 2 3), an up tuple of 3"]

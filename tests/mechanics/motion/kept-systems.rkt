@@ -29,6 +29,15 @@
   (clear-kept-systems)
   (check-false (eq? (make-system 'test spring start) one)))
 
+(test-case "those of the latest four shapes are kept"
+  (define (spring s) (up 1 (velocity s) (- (coordinate s))))
+  (define (system n)
+    (define (tuple x) (apply up (for/list ([_ n]) x)))
+    (make-system 'test spring (up 0 (tuple 1) (tuple 0))))
+  (define made (for/list ([n '(1 2 3 4 5)]) (system n)))
+  (for ([n '(5 4 3 2)]) (check-eq? (system n) (list-ref made (- n 1))))
+  (check-false (eq? (system 1) (car made))))
+
 (test-case "a variable that was set anew is noticed"
   (define k 1)
   (define (spring s) (up 1 (velocity s) (* -1 k (coordinate s))))

@@ -118,3 +118,16 @@
   (for ([f (list (damped 0.1) skew breathing)])
     (define expected ((state-advancer (lambda () f)) (up 0 1 0) 1 1e-12))
     (check-= (ref (follow f (up 0 1 0) (Gauss-Legendre-6 0.01)) 1) (ref expected 1) 1e-10)))
+
+(test-case "whether a system can be followed is asked once"
+  (define calls 0)
+  (define (spring s)
+    (set! calls (+ 1 calls))
+    (up 1 (velocity s) (if (> (coordinate s) 100) 0 (- (coordinate s)))))
+  (define advance (state-advancer (lambda () spring)))
+  (define (calls-of-a-step)
+    (set! calls 0)
+    (advance (up 0 1 0) 0.1 1e-10 #:method (leapfrog 0.1))
+    calls)
+  (calls-of-a-step)
+  (check-true (<= (calls-of-a-step) 5)))

@@ -40,3 +40,7 @@
  "(define large 500)                      ; nodes of a graph"
  "(define large 501)                      ; nodes of a graph"
  "from how many nodes on a form may have swollen: either form has the same value")
+("motion/system/separable.rkt"
+ "(list (lambda (x k) (fl+ x (fl* (fl+ 1.0 (flabs x)) (fl+ 0.1 (fl/ 0.3 (->fl (+ k 1)))))))"
+ "(list (lambda (x k) (fl+ x (fl* (fl+ 1.0 (flabs x)) (fl+ 0.1 (fl/ 0.6 (->fl (+ k 1)))))))"
+ "any displacement shows whether a rate depends on what is displaced")
