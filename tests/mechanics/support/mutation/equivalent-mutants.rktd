@@ -44,3 +44,7 @@
  "(list (lambda (x k) (fl+ x (fl* (fl+ 1.0 (flabs x)) (fl+ 0.1 (fl/ 0.3 (->fl (+ k 1)))))))"
  "(list (lambda (x k) (fl+ x (fl* (fl+ 1.0 (flabs x)) (fl+ 0.1 (fl/ 0.6 (->fl (+ k 1)))))))"
  "any displacement shows whether a rate depends on what is displaced")
+("canonical/quadratic/symplectic-modes.rkt"
+ "(define (start k) (for/vector ([i (in-range n)]) (sin (+ 1.0 (* 1.7 i) (* 2.3 k (+ i 1))))))"
+ "(define (start k) (for/vector ([i (in-range n)]) (sin (+ 2.0 (* 1.7 i) (* 2.3 k (+ i 1))))))"
+ "an iteration towards a space begins with any vectors")
