@@ -80,6 +80,7 @@
 (test-case "saddles and complex exponents, alone and repeated"
   (check-found '(hyperbolic 1.0) '(elliptic 1.0))
   (check-found '(hyperbolic 1.0) '(hyperbolic 1.0))
+  (check-found '(hyperbolic 1.0) '(hyperbolic 1.001))
   (check-found '(complex 0.3 0.7))
   (check-found '(complex 0.3 0.7) '(complex 0.3 0.7))
   (check-found '(elliptic -1.5) '(complex 0.3 0.7) '(hyperbolic 2.0)))
