@@ -48,3 +48,7 @@
  "(define (start k) (for/vector ([i (in-range n)]) (sin (+ 1.0 (* 1.7 i) (* 2.3 k (+ i 1))))))"
  "(define (start k) (for/vector ([i (in-range n)]) (sin (+ 2.0 (* 1.7 i) (* 2.3 k (+ i 1))))))"
  "an iteration towards a space begins with any vectors")
+("motion/event/sign-change.rkt"
+ "(cond [(or (zero? gb) (= count 100) (close? a b c)) (unless-pole b gb)]"
+ "(cond [(or (zero? gb) (= count 101) (close? a b c)) (unless-pole b gb)]"
+ "a guard: a secant with halving ends long before a hundred steps")
