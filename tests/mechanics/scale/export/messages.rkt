@@ -122,3 +122,30 @@
     (define (rates s) (up 1 (* (string->symbol "k\n*/ x") (ref s 1))))
     (define text (C-text folder rates (up (string->symbol "a\nb") 'x)))
     (check-regexp-match #rx"y.0. = a b, y.1. = x\n   parameters: p.0. = k [*] / x [*]/\n" text)))
+
+;; The body of its derivative, without the arrays' types
+(define (JAX-text rates example)
+  (in-new-folder folder
+    (export-system rates example #:language 'JAX #:folder (build-path folder "it"))
+    (define text (file->string (build-path folder "it" "motion.py")))
+    (regexp-replace* #rx"jnp.asarray[(](.*?), jnp.float64[)]"
+                     (cadr (regexp-match #rx"each variable changes.\"\"\"\n(.*?)\n\n" text))
+                     "\\1")))
+
+(test-case "the rates as JAX has them: variables, parameters, what is no number, systems"
+  (define (rates s) (up 1 (* 'k (ref s 2) +inf.0) (+ (ref s 1) +nan.0 (* -inf.0 'k))))
+  (check-equal? (JAX-text rates (up 't 'x 'y))
+                (string-append
+                 "    t = y[0]\n    x = y[1]\n    y_ = y[2]\n    k = p[0]\n"
+                 "    return jnp.stack([1.0, y_ * (INFINITY * k), (-INFINITY) * k + (NAN + x)])"))
+  (define (four s)
+    (define x (ref s 1))
+    (define m (matrix-by-rows (list (+ 4 x) x 1 0) (list x 5 0 1) (list x 1 3 x) (list 0 x x 6)))
+    (define solved (solve-linear-left m (up x 5 6 7)))
+    (up 1 (ref solved 2)))
+  (check-equal? (JAX-text four (up 't 'x))
+                (string-append
+                 "    t = y[0]\n    x = y[1]\n"
+                 "    v3 = jnp.linalg.solve(jnp.array([[4.0 + x, x, 1.0, 0.0], [x, 5.0, 0.0, 1.0], "
+                 "[x, 1.0, 3.0, x], [0.0, x, x, 6.0]]), jnp.array([x, 5.0, 6.0, 7.0]))\n"
+                 "    return jnp.stack([1.0, v3[2]])")))
