@@ -49,6 +49,11 @@
     (check-identity ((to-old cubic) ((to-new cubic) line)) line)
     (check-identity ((symplectic-transform? (to-old cubic)) line) (* 0 (identity-matrix 2)))))
 
+(test-case "what they make prints as it is made"
+  (define (F t q p) (* q p))
+  (check-equal? (map (lambda (f) (format "~a" f)) (list (F2->C F) (F2->C-inv F) (F2->K F)))
+                '("(F2->C F)" "(F2->C-inv F)" "(F2->K F)")))
+
 (test-case "p. 366: what the new Hamiltonian gets"
   (check-identity ((F2->K (lambda (t q p) (* p (- q (* 'v t))))) line) (* -1 'v 'p))
   ;; a translation of the momentum, too, for Galileo: H∘C + ∂₀F is the free particle again

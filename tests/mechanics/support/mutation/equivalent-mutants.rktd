@@ -52,3 +52,7 @@
  "(cond [(or (zero? gb) (= count 100) (close? a b c)) (unless-pole b gb)]"
  "(cond [(or (zero? gb) (= count 101) (close? a b c)) (unless-pole b gb)]"
  "a guard: a secant with halving ends long before a hundred steps")
+("canonical/action-angle.rkt"
+ "(if (at-rest? H (up 0 center p))"
+ "(if (at-rest? H (up 1 center p))"
+ "a Hamiltonian that depends on the time is refused when its orbits are followed")
