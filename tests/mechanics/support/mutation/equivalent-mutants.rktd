@@ -56,3 +56,19 @@
  "(if (at-rest? H (up 0 center p))"
  "(if (at-rest? H (up 1 center p))"
  "a Hamiltonian that depends on the time is refused when its orbits are followed")
+("motion/event/certain-zeros.rkt"
+ "(define most-places 400)"
+ "(define most-places 401)"
+ "a limit of the work, which few functions reach: one place more tells what 400 tell")
+("search/minimum-near.rkt"
+ "[best #f] [count 0] [round 0])"
+ "[best #f] [count 0] [round 1])"
+ "a guard: no known search goes on for twenty rounds")
+("search/critical-point.rkt"
+ "(and there (< there (* 0.2 least))))"
+ "(and there (< there (* 0.4 least))))"
+ "a curvature that fades does so by much more than this, one that does not by much less")
+("search/minimum-between.rkt"
+ "(define ((fall side) distance) (- (at (* side 10.0 distance)) (at (* side distance))))"
+ "(define ((fall side) distance) (- (at (* side 20.0 distance)) (at (* side distance))))"
+ "how the falls compare with one another does not depend on their ratio of distances")

@@ -104,7 +104,9 @@
 (define (of-atom s make)
   (define x (syntax-e s))
   (cond [(and (exact-integer? x) (< -1 x 1000)) (list (make 'number s (number->string (add1 x))))]
-        [(flonum? x) (list (make 'number s (number->string (if (zero? x) 1.0 (* 2.0 x)))))]
+        [(flonum? x)
+         (define other (if (and (rational? x) (not (zero? x))) (* 2.0 x) 1.0))
+         (list (make 'number s (number->string other)))]
         [(eq? x #t) (list (make 'boolean s "#f"))]
         [(eq? x #f) (list (make 'boolean s "#t"))]
         [else '()]))
