@@ -91,4 +91,6 @@
     (fixed-point-coordinates
      (find-fixed-point (driven-pendulum-map 1 1 9.8 .05 omega) (up 3.1 13))))
   (define all (Floquet-multipliers shaken (up 0 (abscissa around) (ordinate around)) period))
-  (check-close (map magnitude all) '(1 1) 1e-9))
+  (check-close (map magnitude all) '(1 1) 1e-9)
+  (define (turning-back s) (up 1 (velocity s) 0))
+  (check-close (Floquet-multipliers turning-back (up 0 1 -2) :pi) '(1 1) 1e-7))

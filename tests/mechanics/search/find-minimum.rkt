@@ -29,6 +29,10 @@
         [expected '(minimum degenerate flat kink end minimum kink)])
     (check-equal? (kind f -1 2.5) expected)))
 
+(test-case "an end where there is no value is no minimum"
+  (define m (find-minimum (lambda (x) (g:+ 1 (g:/ x (g:sin x)))) 0 1))
+  (check-= (minimum-value m) 2 1e-9))
+
 (test-case "near a start: each kind"
   (for ([f (list g:cos quartic (lambda (x) 3) (lambda (x) (g:abs (g:- x 1)))
                  (measured (lambda (x) (* x x))) (measured abs))]

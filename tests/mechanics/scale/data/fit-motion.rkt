@@ -3,6 +3,7 @@
 
 (require json
          mechanics
+         (only-in mechanics/error/progress current-reporter reporter)
          (only-in mechanics/book L-pendulum)
          (only-in mechanics/plot frame frame-curves frame-points plot-residuals)
          "../../support/checks.rkt" "../../support/folder.rkt" "../../support/messages.rkt"
@@ -97,9 +98,21 @@
   (for ([d (motion-fit-deviations f)] [e (motion-fit-deviations known)])
     (check-close (cadr d) (* (/ estimate 0.02) (cadr e)) 1e-6))
   (check-regexp-match
-   #px"^motion fitted to 40 numbers\n  q = [01].\\d\\d* ± 0.0\\d*\n.*\n  deviation of the data 0.0\\d+$"
+   (pregexp (string-append "^motion fitted to 40 numbers\n  q = [01].\\d{4} ± 0.00[1-9]\\d\n"
+                           ".*\n  deviation of the data 0.0\\d+$"))
    (format "~a" f))
   (check-regexp-match #px"\n  chi-square [\\d.]+, of 37 expected$" (format "~a" known)))
+
+(test-case "progress is told by sums of squares"
+  (define port (open-output-string))
+  (define now 0)
+  (define (clock)
+    (set! now (+ now 1000))
+    now)
+  (parameterize ([current-reporter (reporter port clock)])
+    (fit-motion saturating (up 0.0) Misra1a #:parameters '((b1 500) (b2 0.0001)) #:hold '(x0)
+                #:progress? #t))
+  (check-regexp-match #rx"fit-motion: sum of squares [0-9.]+" (get-output-string port)))
 
 (test-case "several columns, each with its deviation, from a table"
   (with-folder (folder)

@@ -143,6 +143,32 @@
 ;; ---------------------------------------------------------------------------
 ;; NumPy
 
+;; NPY, version 1.0: the length of the head, the head, then the numbers
+(define (write-NPY file type by-columns? shape numbers)
+  (define head
+    (format "{'descr': '~a', 'fortran_order': ~a, 'shape': ~a, }\n"
+            type (if by-columns? "True" "False") shape))
+  (call-with-output-file file
+    (lambda (out)
+      (write-bytes (bytes-append #"\223NUMPY\1\0"
+                                 (integer->integer-bytes (string-length head) 2 #f #f)
+                                 (string->bytes/latin-1 head)
+                                 (apply bytes-append numbers))
+                   out))))
+
+(test-case "an array column by column, of short integers; one row by row, of big-endian numbers"
+  (define (short n) (integer->integer-bytes n 2 #f #f))
+  (define (big x) (real->floating-point-bytes x 8 #t))
+  (with-folder (folder)
+    (define (rows type by-columns? shape numbers)
+      (define file (build-path folder (format "~a.npy" by-columns?)))
+      (write-NPY file type by-columns? shape numbers)
+      (table-rows (read-table file)))
+    (check-equal? (rows "<u2" #t "(3, 2)" (map short '(1 3 5 2 4 6)))
+                  (list (up 1.0 2.0) (up 3.0 4.0) (up 5.0 6.0)))
+    (check-equal? (rows ">f8" #f "(2, 2)" (map big '(1.5 2.5 -3.0 4.0)))
+                  (list (up 1.5 2.5) (up -3.0 4.0)))))
+
 (define python (python-with "numpy"))
 
 (define loading #<<end
