@@ -2,6 +2,8 @@
 ;; States followed in time: SICM 1.7 and its numbers.
 
 (require mechanics
+         (only-in mechanics/motion/observed-systems call-watching-systems)
+         (only-in racket/list remove-duplicates)
          (only-in mechanics/book harmonic-state-derivative pend-state-derivative)
          "../support/checks.rkt" "../support/close.rkt" "../support/systems.rkt")
 
@@ -137,3 +139,13 @@
       ((state-advancer falling-in) (up 0 1 0) 2 1e-10)))
   (check-= (time where) (/ :pi (* 2 (sqrt 2))) 1e-8)
   (check-true (< (magnitude (coordinate where)) 1e-4)))
+
+(test-case "whoever watches is told what makes the system, of which parameters, and the state"
+  (define ((spring k) s) (up 1 (velocity s) (* -1 k (coordinate s))))
+  (define start (up 0 1 0))
+  (define told '())
+  (call-watching-systems
+   (lambda all (set! told (cons all told)))
+   (lambda ()
+     ((evolve spring 4) start void 0.1 0.2)))
+  (check-equal? (remove-duplicates told) (list (list spring '(4) start))))
