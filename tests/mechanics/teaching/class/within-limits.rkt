@@ -45,11 +45,13 @@
    "Slow" #f "slow"
    (list (make-exercise 'first 'expects "?"
                         (list (list 'expects (lambda (x) (if (m:= x 'slow) (forever) #t)))))
-         (make-exercise 'second 'expression "?" '((key k))))))
+         (make-exercise 'second 'expression "?" '((key k)))
+         (make-exercise 'third 'expression "?" '((key l))))))
 
 (define (submission-of id answer)
   (submission id id
-              (format "#lang mechanics\n(define first '~a)\n(define second '~a)\n" answer id)
+              (format "#lang mechanics\n(define first '~a)\n(define-values (second third) (values '~a '~a))\n"
+                      answer id id)
               #f #f #f))
 
 (test-case "what is long to judge is left to a person, with what follows it in that submission"
@@ -58,7 +60,26 @@
                          #:seconds (processor-seconds 3)))
   (check-equal? (for/list ([g (in-list (class-report-graded r))])
                   (map judgment-status (graded-judgments g)))
-                '((right right) (undecided undecided) (undecided right))
+                '((right right wrong) (undecided undecided undecided) (undecided right wrong))
                 (format "~s" (map graded-problem (class-report-graded r))))
   (check-equal? (judgment-words (car (graded-judgments (cadr (class-report-graded r)))))
                 '("to judge it took too long, or too much memory")))
+
+;; Of the seconds the judgment takes three quarters, the program a third.
+(test-case "the time that a program took is none for its judgment"
+  (define seconds (processor-seconds 1))
+  (define (milliseconds) (current-process-milliseconds (current-thread)))
+  (define (look _)
+    (define end (+ (milliseconds) (* 750 seconds)))
+    (let loop () (or (> (milliseconds) end) (loop))))
+  (define works
+    (make-worksheet "Works" #f "works" (list (make-exercise 'first 'expects "?" `((expects ,look))))))
+  (define (status-of program)
+    (define text (format "#lang mechanics\n~s\n(define first 1)\n" program))
+    (define r (grade-class works (list (submission "s" "s" text #f #f #f)) #:seconds seconds))
+    (judgment-status (car (graded-judgments (car (class-report-graded r))))))
+  (check-equal? (status-of '(define second 2)) 'right)
+  (check-equal? (status-of `(let* ([now current-process-milliseconds]
+                                   [end (+ (now) ,(* 350 seconds))])
+                              (let loop () (when (< (now) end) (loop)))))
+                'undecided))

@@ -5,7 +5,7 @@
 (require mechanics
          (only-in mechanics/teaching/derivation/step-by-step derivation derivation-lines make-step
                   step-label step-value step-verdict)
-         "../../support/checks.rkt" "../../support/messages.rkt"
+         "../../support/checks.rkt" "../../support/messages.rkt" "../../support/session.rkt"
          (only-in racket/port with-output-to-string))
 
 (define V (literal-function 'V))
@@ -65,6 +65,24 @@
   (check-equal? (value-of (list-ref all 4) '(* ((partial 2) L) ((D F) 0)))
                 (simplify (* 'm (- (* 'x 'ydot) (* 'y 'xdot))))))
 
+;; A ring of radius R whose centre moves upwards at c, and a wire that turns at Ω
+(define (risen t q) (up (* 'R (cos q)) (+ (* 'c t) (* 'R (sin q)))))
+(define (on-turning-wire local)
+  (define angle (* 'Omega (time local)))
+  (* (coordinate local) (up (cos angle) (sin angle))))
+
+(test-case "coordinates that move: what their own motion adds to velocities does no work"
+  (define force (derive-generalized-force risen (lambda (t r v) (up 'X 'Y)) (up 't 'q 'v)))
+  (define wire (derive-F->C on-turning-wire (up 't 'r 'rdot)))
+  (for* ([d (list force wire)] [s (derivation-lines d)])
+    (check-true (proved? (step-verdict s)) (format "~s" (step-label s))))
+  (check-identity (value-of force '(* F ((partial 1) r)))
+                  (- (* 'R 'Y (cos 'q)) (* 'R 'X (sin 'q))))
+  (check-identity (value-of wire '((partial 0) F))
+                  (* 'r 'Omega (up (- (sin (* 'Omega 't))) (cos (* 'Omega 't)))))
+  (check-identity (square (value-of wire '(+ ((partial 0) F) (* ((partial 1) F) v))))
+                  (+ (square 'rdot) (square (* 'r 'Omega)))))
+
 (test-case "what is no symmetry is refuted, on the line that claims it and on that of the integral"
   (define d (derive-Noether-integral L-plane shifted plane))
   (define verdicts (map step-verdict (derivation-lines d)))
@@ -99,6 +117,12 @@
 (says
  [(derive-F->C p->r 't)
   "derive-F->C: expected a state of symbols, (up 't 'q 'v)\n  given: the symbol t"]
+ [(derive-F->C p->r (up 't (up 'r 'phi) (up 'rdot 'phidot) (up 'a 'b)))
+  "derive-F->C: expected a state of symbols, (up 't 'q 'v)\n"
+  "  given: (up t (up r phi) (up rdot phidot) (up a b)), an up tuple of 4"]
+ [(derive-F->C p->r (down 't 'q 'v))
+  "derive-F->C: expected a state of symbols, (up 't 'q 'v)\n"
+  "  given: (down t q v), a down tuple of 3"]
  [(show-derivation (Lagrange-equations L-plane))
   "show-derivation: needs the path: (show-derivation (Lagrange-equations L) q)"]
  [(show-derivation Legendre #:as 'PDF)
