@@ -248,6 +248,24 @@
 
 (judges (an-exercise number ('key 5)) [(/ 1 5) wrong 0 "it is the reciprocal"])
 
+;; A key below 0, and no answer at 0 or far away from it
+(judges (an-exercise number ('key -5) ('within 1/1000))
+ [-5.2 wrong 0 "it is near, but not within the tolerance"]
+ [-50 wrong 0 "it is off by a power of ten"]
+ [-0.5 wrong 0 "it is off by a power of ten"]
+ [5 wrong 0 "the sign is the opposite"]
+ [-2.5 wrong 0 "it is off by a factor 2"]
+ [-1/5 wrong 0 "it is the reciprocal"]
+ [25 wrong 0 "it is the square"])
+(judges (an-exercise number ('key 5) ('within 1/1000))
+ [(sqrt 5) wrong 0 "it is the square root"])
+(test-case "of a number that is far away nothing is told"
+  (for ([(key answers) (hash -5 '(-6 -4 0) 5 '(6 4 0) 0 '(1))])
+    (define e (make-exercise 'item 'number "?" (list (list 'key key) '(within 1/1000))))
+    (for ([x (in-list answers)])
+      (define j (judgment-of e x))
+      (check-equal? (list (judgment-status j) (judgment-words j)) '(wrong ()) (format "~a" x)))))
+
 (define reason (an-exercise reason))
 (test-case "a reason is kept and not judged, and is a text"
   (check-equal? (judgment-status (judge reason (text-answer->datum "because"))) 'kept)
@@ -268,6 +286,19 @@
 (judges foreseen
  [energy-of-pendulum partly 1/2 "that is the energy"]
  [(* 3 energy-of-pendulum) partly 1/2 "that is the energy"])
+
+;; A slip leaves what the answer has earned without it, or gives more.
+(define-syntax-rule (pair-with-slip credit)
+  (an-exercise expression ('key (up 'a (* 2 'b))) ('slip (up 'a 'b) "half of b" '#:credit credit)))
+(judges (pair-with-slip 0) [(up 'a 'b) partly 1/2 "half of b"])
+(judges (pair-with-slip 1/4) [(up 'a 'b) partly 1/2 "half of b"])
+(judges (pair-with-slip 3/4) [(up 'a 'b) partly 3/4 "half of b"])
+
+;; A slip of a motion is a motion, compared with the answer; the key is none that must be met.
+(judges (an-exercise solution ('coordinates 'x) ('of oscillator) ('constants 'a 'phi) ('key motion)
+                     ('slip (lambda (t) (* 'a (sin (* (/ 'k 'm) t)))) "no root" '#:credit 1/3))
+ [(lambda (t) (* 'a (sin (* (/ 'k 'm) t)))) partly 1/3 "no root"]
+ [(lambda (t) (* 'a (cos (* (/ 'k 'm) t)))) wrong 0])
 
 ;; ---------------------------------------------------------------------------
 ;; What is too large, and what the mathematics cannot tell
