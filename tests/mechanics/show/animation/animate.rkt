@@ -92,7 +92,16 @@
     (check-equal? (car lengths) 0)
     (check-true (> (cadr lengths) 50))
     (check-true (> (list-ref lengths 4) (* 4 (cadr lengths))))
-    (check-= (length-of-trail some 6) (length-of-trail all 1) (* 0.3 (length-of-trail all 1))))
+    (check-= (length-of-trail some 6) (length-of-trail all 1) (* 0.3 (length-of-trail all 1)))
+    ;; backwards: from the last time on
+    (define back (animate circling (draw-pendulum) #:from 6 #:to 0 #:trail #t))
+    (define a-while (animate circling (draw-pendulum) #:from 6 #:to 0 #:trail #t #:trail-time 1))
+    (define one (length-of-trail all 1))
+    (check-equal? (length-of-trail back 6) 0)
+    (check-= (length-of-trail back 5) one (* 0.3 one))
+    (check-= (length-of-trail a-while 5) one (* 0.3 one))
+    (check-= (length-of-trail a-while 1) one (* 0.3 one))
+    (check-true (> (length-of-trail back 0) (* 4 one))))
 
   (test-case "a drawing of one's own: pictures of several sizes, a trail in pixels"
     (define (grows s) (filled-rectangle (+ 10 (* 5 (coordinate s))) 10))
