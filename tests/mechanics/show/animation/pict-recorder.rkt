@@ -42,6 +42,15 @@
     (check-equal? (map (lambda (name) (attribute point name)) '(cx cy rx ry)) '("3" "5" "2" "2"))
     (check-regexp-match #rx"^fill:rgb[(]255,0,0[)];" (attribute point 'class)))
 
+  (test-case "lines and areas through points are where they were moved to"
+    (define (path-of draw . more)
+      (define send (dynamic-require 'racket/class 'dynamic-send))
+      (define (draw! canvas x y)
+        (apply send canvas draw '((0 . 0) (4 . 0) (4 . 2)) (+ x 3) (+ y 5) more))
+      (attribute (last (elements ((pict 'unsafe-dc) draw! 10 10))) 'd))
+    (check-equal? (path-of 'draw-lines) "M3 5L7 5L7 7")
+    (check-regexp-match #rx"^M3 5L7 5L7 7Z?$" (path-of 'draw-polygon)))
+
   (test-case "black and white are the ink and the paper, half-transparent colors stay so"
     (define (fill p) (attribute (first (elements p)) 'class))
     (define ((filled c) p) ((pict 'colorize) p c))

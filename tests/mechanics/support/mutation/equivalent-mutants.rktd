@@ -72,3 +72,19 @@
  "(define ((fall side) distance) (- (at (* side 10.0 distance)) (at (* side distance))))"
  "(define ((fall side) distance) (- (at (* side 20.0 distance)) (at (* side distance))))"
  "how the falls compare with one another does not depend on their ratio of distances")
+("show/plot/plot-legend.rkt"
+ "(define symbol-x (+ x (* 4 space) (apply max (map text-width texts))))"
+ "(define symbol-x (+ x (+ 4 space) (apply max (map text-width texts))))"
+ "the gap between a label and its line is some pixels less")
+("teaching/worksheet/extra-motions.rkt"
+ "(append (for/list ([s (in-list moving)] [j (in-naturals 7)]) (cons s (- (* 4 (scattered i j)) 2)))"
+ "(append (for/list ([s (in-list moving)] [j (in-naturals 7)]) (cons s (- (* 4 (scattered i j)) 3)))"
+ "states are tried anywhere about 0; which ones does not matter")
+("teaching/worksheet/common-slips.rkt"
+ "(and (<= (length ks) 4)"
+ "(and (<= (length ks) 5)"
+ "a limit of work: 120 orders of five components are tried, too")
+("show/animation/drawing.rkt"
+ "#f #f '()))"
+ "#f #t '()))"
+ "a drawing without marks has no diagram: nobody asks for its sample")

@@ -83,6 +83,12 @@
   (check-step steps '((d-Alembert-equations masses r F) q)
               '(+ (* g l m (sin (x t))) (* (expt l 2) m (((expt D 2) x) t)))))
 
+(test-case "a mistake about the path of particles is reported in that name, too"
+  (check-exn #rx"^derivation-steps: a path is a function of time"
+             (lambda () (derivation-steps newton 'x)))
+  (check-exn #rx"^show-derivation: a path is a function of time"
+             (lambda () (show-derivation newton 'x))))
+
 (test-case "each identity on the way to Lagrange's equations is proved, for any positions and force"
   (define (verdicts masses r F q)
     (for/list ([s (derivation-steps (d-Alembert-equations masses r F) q)]

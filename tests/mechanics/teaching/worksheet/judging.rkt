@@ -234,6 +234,8 @@
  [(up 'a 'b) partly 1/2]
  [(down 'a (* 2 'b)) wrong 0 "the components are right, but up and down are exchanged"]
  [(up (* 2 'b) 'a) wrong 0 "the components are exchanged"])
+(judges (an-exercise expression ('key (down 'a (up 'b 'c) 'd)))
+ [(down 'b (up 'd 'a) 'c) wrong 0 "the components are exchanged"])
 
 (define number (an-exercise number ('key 1.42) ('within 1/100)))
 (judges number
