@@ -4,6 +4,7 @@
 (require racket/port
          mechanics
          (only-in mechanics/book L-harmonic)
+         (only-in mechanics/show/display/result simplified-result)
          "../../support/checks.rkt" "../../support/run-text.rkt")
 
 (define one (+ (square (sin 'x)) (square (cos 'x))))
@@ -76,3 +77,9 @@
   (define v (vector 1 2))
   (vector-set! v 0 v)
   (check-equal? (format "~a" v) "#0=#(#0# 2)"))
+
+(test-case "within a vector procedures are told as they are alone, where there is a width"
+  (define v (vector (lambda (x) x) sin (+ 'a 'a)))
+  (check-equal? (format "~v" (simplified-result v 40)) "(vector <function> sin (* 2 a))")
+  (check-regexp-match #rx"^.vector #<procedure.*> #<procedure:sin> .[*] 2 a[)][)]$"
+                      (format "~v" (simplified-result v #f))))

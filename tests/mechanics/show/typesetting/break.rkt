@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Formulas cut into lines: commas at the ends of lines, no product in scraps, the width of type.
 
-(require racket/string
+(require (only-in racket/list remove-duplicates)
+         racket/string
          mechanics
          (prefix-in t: "../../../../mechanics/algebra/notation/tree.rkt")
          (only-in "../../../../mechanics/generic/value-tree.rkt" value->tree)
@@ -56,3 +57,22 @@
   (define t (value->tree (* (sum-of 'beta 40) (sqrt (+ 1 'y)) (cos 'alpha) (sin 'omega)) #t))
   (for ([line (cdr (string-split (tree->text (fit t 40)) "\n"))])
     (check-true (<= (string-length line) 42))))
+
+;; The brackets take two columns, what stands beside an entry two more.
+(test-case "entries of a matrix share the width among its columns"
+  (define entry (sum-of 'beta 24))
+  (define (entries columns width)
+    (define M (apply matrix-by-rows (for/list ([_ 2]) (for/list ([_ columns]) entry))))
+    (define grid (car (parts-of-sort (fit (value->tree M #t) width) t:grid?)))
+    (remove-duplicates (apply append (t:grid-rows grid))))
+  (define (alone width) (list (fit (value->tree entry #t) width)))
+  (check-equal? (entries 1 30) (alone 26))
+  (check-equal? (entries 2 58) (alone 26))
+  (check-equal? (entries 3 86) (alone 26)))
+
+(test-case "both sides of a long relation stay within the width"
+  (define t (t:relation (value->tree (sum-of 'alpha 12) #t) "=" (value->tree (sum-of 'beta 24) #t)))
+  (for ([width (in-range 24 60)])
+    (define lines (string-split (tree->text (fit t width)) "\n"))
+    (check-true (<= (apply max (map string-length lines)) width) (format "~a" width))
+    (check-true (<= (length lines) (+ 4 (quotient 220 (- width 8)))) (format "~a" width))))
