@@ -1,48 +1,54 @@
 #lang racket/base
-;; Rows of coefficients for the nodes of a graph, and the kernels that fill them, in order.
+;; Rows of coefficients for the nodes of a graph, and the recurrences that fill them, in order.
 
-(require racket/flonum
-         "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/kernels.rkt")
+(require "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/recurrence.rkt")
 
-(provide make-rows row spare-row degree derivative-row emit! emit-always! emit-start!
-         starts ending-kernels endless-kernels)
+(provide make-rows row-of spare-row degree derivative-row emit! emit-always! emit-start!
+         rows->recurrences)
 
-;; degrees : of the nodes; order : of the expansion; rows, derivatives : id -> flvector
-;; starts, kernels : the latest first; a kernel with the degree of its row
-(struct rows (degrees order rows derivatives [starts #:mutable] [kernels #:mutable]) #:authentic)
+;; degrees : of the nodes, whose rows have their ids for numbers; derivatives : id -> row;
+;; spare : how many rows belong to no node
+;; starts, steps : recurrences of order 0 and of those above, the latest first, a step with the
+;; degree of its row
+(struct rows (degrees derivatives [spare #:mutable] [starts #:mutable] [steps #:mutable])
+  #:authentic)
 
-(define (make-rows degrees order) (rows degrees order (make-hasheqv) (make-hasheqv) '() '()))
+(define (make-rows degrees) (rows degrees (make-hasheqv) 0 '() '()))
 
-(define (spare-row r) (make-flvector (+ 1 (rows-order r))))
-(define (row r id) (hash-ref! (rows-rows r) id (lambda () (spare-row r))))
 (define (degree r id) (vector-ref (rows-degrees r) id))
+(define (row-of r id) (row id (degree r id)))
+(define (row-count r) (+ (vector-length (rows-degrees r)) (rows-spare r)))
+
+(define (spare-row r [degree +inf.0])
+  (define index (row-count r))
+  (set-rows-spare! r (+ 1 (rows-spare r)))
+  (row index degree))
 
 ;; The row of k x_k, which is filled once x is.
 (define (derivative-row r id)
   (hash-ref! (rows-derivatives r) id
              (lambda ()
-               (define d (spare-row r))
-               (emit! r id (derivative-kernel d (row r id)))
+               (define d (spare-row r (degree r id)))
+               (emit! r id (make-recurrence 'derivative d (row-of r id)))
                d)))
 
 ;; For orders above 0.  A row that does not vary takes none.
-(define (emit! r id . kernels)
+(define (emit! r id . recurrences)
   (define last (degree r id))
-  (for ([kernel (in-list kernels)] #:when (> last 0))
-    (set-rows-kernels! r (cons (cons last kernel) (rows-kernels r)))))
+  (for ([x (in-list recurrences)] #:when (> last 0))
+    (set-rows-steps! r (cons (cons last x) (rows-steps r)))))
 
-(define (emit-start! r thunk) (set-rows-starts! r (cons thunk (rows-starts r))))
+(define (emit-start! r recurrence) (set-rows-starts! r (cons recurrence (rows-starts r))))
 
 ;; For order 0 as for others.
-(define (emit-always! r id kernel)
-  (emit-start! r (lambda () (kernel 0)))
-  (emit! r id kernel))
+(define (emit-always! r id recurrence)
+  (emit-start! r recurrence)
+  (emit! r id recurrence))
 
-(define (starts r) (list->vector (reverse (rows-starts r))))
-
-(define (ending-kernels r)
-  (for/list ([k (in-list (reverse (rows-kernels r)))] #:when (< (car k) +inf.0))
-    (ending (car k) (cdr k))))
-
-(define (endless-kernels r)
-  (for/vector ([k (in-list (reverse (rows-kernels r)))] #:when (= (car k) +inf.0)) (cdr k)))
+;; states, slopes : ids
+(define (rows->recurrences r states slopes)
+  (define steps (reverse (rows-steps r)))
+  (define (rows-of ids) (for/list ([id (in-list ids)]) (row-of r id)))
+  (make-recurrences (row-count r) (rows-of states) (rows-of slopes) (reverse (rows-starts r))
+                    (for/list ([s (in-list steps)] #:when (< (car s) +inf.0)) s)
+                    (for/list ([s (in-list steps)] #:when (= (car s) +inf.0)) (cdr s))))

@@ -1,10 +1,9 @@
 #lang racket/base
-;; Kernels of operations that have equations (generic/operation-equations.rkt).
+;; Recurrences of operations that have equations (generic/operation-equations.rkt).
 
-(require racket/flonum
-         "../flonum-functions.rkt" "jet-coefficient-rows.rkt"
+(require "../flonum-functions.rkt" "jet-coefficient-rows.rkt"
          "../../generic/operation-equations.rkt"
-         "../../numeric/Taylor/kernels.rkt")
+         "../../numeric/Taylor/recurrence.rkt")
 
 (provide emit-law! emit-integral! emit-value!)
 
@@ -12,7 +11,7 @@
 ;; else needs it
 (define (emit-law! r id name arguments partner)
   (define equations (equations-of name (length arguments)))
-  (define p (and (pair? (cdr equations)) (if partner (row r partner) (spare-row r))))
+  (define p (and (pair? (cdr equations)) (if partner (row-of r partner) (spare-row r))))
   (define names (law r id arguments p (make-hasheq)))
   (emit-value! r id name arguments)
   (when p (emit-partner-start! names (cadr equations) p))
@@ -29,14 +28,11 @@
 
 ;; The value of the operation where the motion begins.
 (define (emit-value! r id name arguments)
-  (define f (flonum-body name (length arguments)))
-  (define x (row r id))
-  (define rows (for/list ([a (in-list arguments)]) (row r a)))
-  (define (first-of row) (flvector-ref row 0))
-  (define a (car rows))
-  (emit-start! r (if (null? (cdr rows))
-                     (lambda () (flvector-set! x 0 (f (first-of a))))
-                     (lambda () (flvector-set! x 0 (apply f (map first-of rows)))))))
+  (emit-start! r (apply value-recurrence (row-of r id) name
+                        (for/list ([a (in-list arguments)]) (row-of r a)))))
+
+(define (value-recurrence x name . arguments)
+  (apply make-recurrence 'value x name (flonum-body name (length arguments)) arguments))
 
 ;; What the names in equations stand for.  derivatives : of r and p, name -> row
 (struct law (rows id arguments p derivatives) #:authentic)
@@ -51,38 +47,35 @@
 (define (row-named l name)
   (if (eq? name 'p)
       (law-p l)
-      (row (law-rows l) (or (argument-named l name) (law-id l)))))
-
-(define (degree-named l name)
-  (define id (argument-named l name))
-  (if id (degree (law-rows l) id) +inf.0))
+      (row-of (law-rows l) (or (argument-named l name) (law-id l)))))
 
 (define (derivative-named l name)
   (define id (argument-named l name))
   (define (make)
     (define d (spare-row (law-rows l)))
-    (emit-in! l (derivative-kernel d (row-named l name)))
+    (emit-in! l (make-recurrence 'derivative d (row-named l name)))
     d)
   (if id (derivative-row (law-rows l) id) (hash-ref! (law-derivatives l) name make)))
 
-(define (emit-in! l . kernels) (apply emit! (law-rows l) (law-id l) kernels))
+(define (emit-in! l . recurrences) (apply emit! (law-rows l) (law-id l) recurrences))
 
 ;; ---------------------------------------------------------------------------
 
 (define (emit-partner-start! l e p)
   (define s (equation-start e))
-  (define value
-    (cond [s (define f (flonum-body (start-operation s) 1))
-             (define x (row-named l (start-row s)))
-             (lambda () (f (flvector-ref x 0)))]
-          [else
-           (define (first name) (flvector-ref (row-named l name) 0))
-           (lambda ()
-             (for/fold ([sum (real->double-flonum (equation-constant e))])
-                       ([t (in-list (equation-terms e))])
-               (fl+ sum (fl* (factor-of t)
-                             (fl* (first (term-left t)) (first (term-right t)))))))]))
-  (emit-start! (law-rows l) (lambda () (flvector-set! p 0 (value)))))
+  (define (start! recurrence) (emit-start! (law-rows l) recurrence))
+  (cond [s (start! (value-recurrence p (start-operation s) (row-named l (start-row s))))]
+        [else
+         (start! (make-recurrence 'constant p (real->double-flonum (equation-constant e))))
+         (for-each start! (equation-products l e p (itself p)))]))
+
+;; base + Σ factor left right
+(define (equation-products l e r base)
+  (product-recurrences
+   r
+   (for/list ([t (in-list (equation-terms e))])
+     (product (factor-of t) (row-named l (term-left t)) (row-named l (term-right t))))
+   base))
 
 (define (factor-of t) (real->double-flonum (term-factor t)))
 
@@ -98,21 +91,13 @@
 
 (define (emit-pair! l equations)
   (define factors (for/list ([e (in-list equations)]) (factor-of (car (equation-terms e)))))
-  (emit-in! l (pair-kernel (row-named l 'r) (car factors) (row-named l 'p) (cadr factors)
-                           (derivative-named l 'a) (degree-named l 'a))))
+  (emit-in! l (pair-recurrence (row-named l 'r) (car factors) (row-named l 'p) (cadr factors)
+                               (derivative-named l 'a))))
 
 (define (emit-equation! l e unknown)
   (if (equation-differential? e)
       (emit-differential! l e unknown)
-      (apply emit-in! l
-             (product-kernels (row-named l unknown)
-                              (for/list ([t (in-list (equation-terms e))])
-                                (product (factor-of t)
-                                         (row-named l (term-left t))
-                                         (degree-named l (term-left t))
-                                         (row-named l (term-right t))
-                                         (degree-named l (term-right t))))
-                              #f))))
+      (apply emit-in! l (equation-products l e (row-named l unknown) #f))))
 
 ;; In terms of the row d of the derivative of the unknown.
 (define (emit-differential! l e unknown)
@@ -122,9 +107,9 @@
   (for ([t (in-list (equation-terms e))] [k (in-naturals)])
     (define right (derivative-named l (term-right t)))
     (if (term-left t)
-        (emit-in! l (differential-kernel d (factor-of t) right (degree-named l (term-right t))
-                                         (row-named l (term-left t)) (base k)))
-        (apply emit-in! l (sum-kernels d (list (weighed (factor-of t) right)) (base k)))))
-  (when leading (emit-in! l (differential-leading-kernel d (row-named l leading))))
-  (emit-in! l (integral-kernel (row-named l unknown) d))
+        (emit-in! l (differential-recurrence d (factor-of t) right (row-named l (term-left t))
+                                             (base k)))
+        (apply emit-in! l (sum-recurrences d (list (weighed (factor-of t) right)) (base k)))))
+  (when leading (emit-in! l (make-recurrence 'differential-leading d (row-named l leading))))
+  (emit-in! l (make-recurrence 'integral (row-named l unknown) d))
   (hash-set! (law-derivatives l) unknown d))

@@ -1,19 +1,15 @@
 #lang racket/base
 ;; From programs to what computes Taylor coefficients of the motions they are the rates of.
 ;;
-;; The nodes of a graph (jet-graph.rkt) become rows of coefficients, and kernels
-;; (numeric/Taylor) that compute them, closures made once for an integration: no code is
-;; generated.  A node that is a polynomial in the time, as the time is itself, ends: beyond its
+;; The nodes of a graph (jet-graph.rkt) become rows of coefficients, and recurrences
+;; (numeric/Taylor) that compute them.  A node that is a polynomial in the time, as the time is itself, ends: beyond its
 ;; degree nothing is computed, so that cos ωt costs one multiplication for an order.
 
-(require racket/fixnum
-         racket/flonum
-         racket/list
+(require racket/list
          "jet-coefficient-rows.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-nodes.rkt"
          "jet-operation-kernels.rkt"
          "jet-sum-kernels.rkt" "../program.rkt"
-         "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/kernels.rkt"
-         "../../numeric/Taylor/linear-system.rkt"
+         "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/recurrence.rkt"
          "../../operation/operation-column.rkt")
 
 (provide program->expansion-maker maker->expander expansion-maker-branches?)
@@ -27,7 +23,8 @@
   (cond [(string? g) g]
         [else
          (define degrees (if follow? (node-degrees g #f) (node-degrees g (graph-outputs g))))
-         (expansion-maker (lambda (order inputs) (make-expansion g degrees order inputs))
+         (define rs (graph->recurrences g degrees))
+         (expansion-maker (lambda (order inputs) (recurrences->expansion rs order inputs))
                           (graph-work g degrees) (branches? p))]))
 
 ;; make : order flvector -> expansion, given the values of all inputs, of which those beyond
@@ -49,26 +46,15 @@
 (define of-one-branch
   (append '(add subtract multiply divide negate solve component log) (operation-names meromorphic)))
 
-(define (make-expansion g degrees order inputs)
+(define (graph->recurrences g degrees)
   (define nodes (graph-nodes g))
-  (define r (make-rows degrees order))
+  (define r (make-rows degrees))
   (define uses (sole-uses g))
   (define shared (factor-groups g degrees uses))
   (for ([n (in-vector nodes)] [id (in-naturals)])
     (unless (eq? 'sum (vector-ref uses id))
       (emit-node! r nodes id uses shared)))
-  (for ([x (in-flvector inputs)] [id (in-naturals)]) (flvector-set! (row r id) 0 x))
-  (define states (for/list ([id (in-range (graph-varying g))]) (row r id)))
-  (define slopes (for/list ([id (in-vector (graph-outputs g))]) (row r id)))
-  (define moving
-    (for/list ([state (in-list states)] [slope (in-list slopes)] [id (in-naturals)]
-               #:unless (< (degree r id) +inf.0))
-      (list state slope)))
-  (define (last id) (if (< (degree r id) order) (inexact->exact (degree r id)) order))
-  (expansion order (list->vector states) (list->vector slopes)
-             (for/fxvector ([id (in-range (graph-varying g))]) (max 1 (last id)))
-             (list->vector (append* moving))
-             (starts r) (ending-kernels r) (endless-kernels r)))
+  (rows->recurrences r (range (graph-varying g)) (vector->list (graph-outputs g))))
 
 ;; ---------------------------------------------------------------------------
 ;; Nodes
@@ -78,15 +64,15 @@
   (define operands (cdr n))
   (case (node-kind n)
     [(input unused) (void)]
-    [(one) (flvector-set! (row r id) 0 1.0)]
+    [(one) (emit-start! r (make-recurrence 'constant (row-of r id) 1.0))]
     [(linear) (emit-sum! r nodes id uses)]
     [(product) (emit-product! r nodes id shared)]
     [(power) (emit-power! r id (car operands) (cadr operands))]
     [(quotient)
-     (define-values (x a b) (values (row r id) (row r (car operands)) (row r (cadr operands))))
-     (emit-start! r (lambda () (flvector-set! x 0 (fl/ (flvector-ref a 0) (flvector-ref b 0)))))
-     (apply emit! r id (sum-kernels x (list (weighed 1.0 a)) #f))
-     (emit! r id (leading-kernel x b (degree r (cadr operands))))]
+     (define-values (x a b) (apply values (for/list ([id (in-list (cons id operands))]) (row-of r id))))
+     (emit-start! r (make-recurrence 'ratio x a b))
+     (apply emit! r id (sum-recurrences x (list (weighed 1.0 a)) #f))
+     (emit! r id (leading-recurrence x b))]
     [(law) (emit-law! r id (car operands) (cdr operands) (find-node nodes (list 'partner id)))]
     [(integral) (emit-integral! r id (car operands) (cdr operands))]
     [(still) (emit-value! r id (car operands) (cdr operands))]
@@ -97,26 +83,12 @@
 ;; Powers
 
 (define (emit-power! r id base n)
-  (define-values (x b) (values (row r id) (row r base)))
-  (define f (power-body n))
-  (emit-start! r (lambda () (flvector-set! x 0 (f (flvector-ref b 0)))))
+  (define-values (x b) (values (row-of r id) (row-of r base)))
+  (emit-start! r (make-recurrence 'power-value x b n))
   (emit! r id (case n
-                [(1/2) (root-kernel x b)]
-                [(-1) (reciprocal-kernel x b)]
-                [else (power-kernel x b (real->double-flonum n))])))
-
-;; Halves of small whole numbers by multiplication and roots.
-(define (power-body n)
-  (define m (* 2 n))
-  (cond [(and (integer? m) (<= (abs m) 12))
-         (define-values (whole half?) (values (quotient (abs m) 2) (odd? m)))
-         (lambda (b)
-           (define x
-             (for/fold ([x (if half? (flsqrt b) 1.0)]) ([_ (in-range whole)]) (fl* x b)))
-           (if (< n 0) (fl/ 1.0 x) x))]
-        [else
-         (define exponent (real->double-flonum n))
-         (lambda (b) (flexpt b exponent))]))
+                [(1/2) (make-recurrence 'root x b)]
+                [(-1) (make-recurrence 'reciprocal x b)]
+                [else (make-recurrence 'power x b (real->double-flonum n))])))
 
 ;; ---------------------------------------------------------------------------
 ;; Systems
@@ -131,14 +103,11 @@
     (for/list ([x (in-list entries)] [k (in-naturals)]
                #:when (eq? of-right? (= n (remainder k width))))
       x))
-  (define (rows ids) (for/vector ([x (in-list ids)]) (row r x)))
+  (define (rows ids) (for/vector ([x (in-list ids)]) (row-of r x)))
   (define matrix (ids #f))
   (define varying (for/vector ([x (in-list matrix)]) (> (degree r x) 0)))
   (define xs
     (for/vector ([k (in-range n)])
       (define component (find-node nodes (list 'component id k)))
-      (if component (row r component) (spare-row r))))
-  (define-values (start! step!)
-    (system-kernels (rows matrix) (lambda (k) (vector-ref varying k)) (rows (ids #t)) xs))
-  (emit-start! r start!)
-  (emit! r id step!))
+      (if component (row-of r component) (spare-row r))))
+  (emit-always! r id (make-recurrence 'system (rows matrix) varying (rows (ids #t)) xs)))

@@ -1,11 +1,11 @@
 #lang racket/base
-;; Sums and products of a graph, and their kernels: products that only one sum is made of are added
-;; up in place, products that share a factor are computed together, in one loop.
+;; Sums and products of a graph, and their recurrences: products that only one sum is made of are
+;; added up in place, products that share a factor are computed together, in one loop.
 
 (require racket/flonum
          racket/list
          "jet-graph.rkt" "jet-nodes.rkt" "jet-coefficient-rows.rkt"
-         "../../numeric/Taylor/kernels.rkt")
+         "../../numeric/Taylor/recurrence.rkt")
 
 (provide sole-uses factor-groups emit-sum! emit-product!)
 
@@ -54,49 +54,48 @@
 (define (other-factor xs factor) (if (= (car xs) factor) (cadr xs) (car xs)))
 
 ;; ---------------------------------------------------------------------------
-;; Kernels
+;; Recurrences
 
 (define (emit-sum! r nodes id uses)
   (define n (vector-ref nodes id))
-  (define x (row r id))
+  (define x (row-of r id))
   (define constant (real->double-flonum (cadr n)))
   (define-values (products others) (partition (lambda (t) (vector-ref uses (car t))) (cddr n)))
   ;; one multiple of a row is where the first product begins
-  (define (kernels varying? base)
+  (define (recurrences varying? base)
     (define kept
       (for/list ([t (in-list others)] #:when (or (not varying?) (> (degree r (car t)) 0)))
-        (weighed (real->double-flonum (cdr t)) (row r (car t)))))
+        (weighed (real->double-flonum (cdr t)) (row-of r (car t)))))
     (if (and (not base) (pair? products) (pair? kept) (null? (cdr kept)))
         (products-of r nodes x products (car kept))
-        (let ([sums (sum-kernels x kept base)])
+        (let ([sums (sum-recurrences x kept base)])
           (append sums (products-of r nodes x products (if (pair? sums) (itself x) base))))))
-  (unless (fl= constant 0.0) (emit-start! r (lambda () (flvector-set! x 0 constant))))
-  (for ([kernel (in-list (kernels #f (if (fl= constant 0.0) #f (itself x))))])
-    (emit-start! r (lambda () (kernel 0))))
-  (apply emit! r id (kernels #t #f)))
+  (unless (fl= constant 0.0) (emit-start! r (make-recurrence 'constant x constant)))
+  (for ([start (in-list (recurrences #f (if (fl= constant 0.0) #f (itself x))))])
+    (emit-start! r start))
+  (apply emit! r id (recurrences #t #f)))
 
-;; Kernels of x = base + Σ c a b, squares among them.
+;; Recurrences of x = base + Σ c a b, squares among them.
 (define (products-of r nodes x terms base)
   (define-values (squares others)
     (for/fold ([squares '()] [others '()]) ([t (in-list terms)])
       (define-values (a b) (apply values (node-operands (vector-ref nodes (car t)))))
       (define c (real->double-flonum (cdr t)))
       (if (and (= a b) (= +inf.0 (degree r a)))
-          (values (cons (weighed c (row r a)) squares) others)
-          (values squares
-                  (cons (product c (row r a) (degree r a) (row r b) (degree r b)) others)))))
-  (define of-squares (square-kernels x squares base))
-  (append of-squares (product-kernels x others (if (pair? of-squares) (itself x) base))))
+          (values (cons (weighed c (row-of r a)) squares) others)
+          (values squares (cons (product c (row-of r a) (row-of r b)) others)))))
+  (define of-squares (square-recurrences x squares base))
+  (append of-squares (product-recurrences x others (if (pair? of-squares) (itself x) base))))
 
 (define (emit-product! r nodes id shared)
   (define group (hash-ref shared id #f))
-  (define (emit-all! kernels) (for ([k (in-list kernels)]) (emit-always! r id k)))
+  (define (emit-all! recurrences) (for ([x (in-list recurrences)]) (emit-always! r id x)))
   (cond [(eq? group 'done) (void)]
         [group
          (define factor (car group))
          (define targets
            (for/list ([k (in-list (cons id (cdr group)))])
              (define other (other-factor (node-operands (vector-ref nodes k)) factor))
-             (target (row r k) (row r other))))
-         (emit-all! (shared-product-kernels targets (row r factor)))]
-        [else (emit-all! (products-of r nodes (row r id) (list (cons id 1.0)) #f))]))
+             (target (row-of r k) (row-of r other))))
+         (emit-all! (shared-product-recurrences targets (row-of r factor)))]
+        [else (emit-all! (products-of r nodes (row-of r id) (list (cons id 1.0)) #f))]))

@@ -7,12 +7,16 @@
 ;; It is divided by k + 1: a factor 1/(k + 1) would be rounded in the same direction at every
 ;; step, and a long run drift.
 
-(require racket/unsafe/ops
+(require racket/fixnum racket/flonum
+         racket/list
+         racket/unsafe/ops
          "../record-fields.rkt" "../flvector.rkt" "../unboxed-loop.rkt"
-         "convolution.rkt")
+         "convolution.rkt" "kernels.rkt" "recurrence.rkt")
 
 (provide (struct-out expander) (struct-out work) work-of-order
-         (struct-out expansion) (struct-out ending) expand! follow! coefficient-row
+         make-recurrences recurrences->expansion
+         expansion-order expansion-states expansion-slopes expansion-lasts
+         expand! follow! coefficient-row
          for-each-sum for-each-rate value-at! coefficients-finite?)
 
 ;; What makes expansions.  make : order -> expansion; work : what one of them takes;
@@ -30,15 +34,42 @@
      (* n (+ 4 (* 1.8 (work-rows w))))
      (* n n 0.45 (work-convolutions w))))
 
-;; order   : the last one; states, slopes : vectors of rows, y and f(y)
+;; count  : of rows, of which the first are those of the inputs
+;; states, slopes : lists of rows, y and f(y)
+;; starts : recurrences of order 0; ending, endless : of the others, those of rows that end, each
+;; behind its last order, and those of rows that do not
+(struct recurrences (count states slopes starts ending endless) #:authentic)
+(define make-recurrences recurrences)
+
+;; order   : the last one; states, slopes : vectors of flvectors
 ;; lasts   : fxvector, where the rows of the states end
-;; moving  : vector, state row and slope row in turn, of those that do not end
-;; starts  : vector of thunks, for order 0; ending : list of those below, whose rows end;
-;; kernels : vector of those that do not
+;; moving  : vector, state and slope in turn, of those that do not end
+;; starts  : vector of kernels, for order 0; ending : list of those below; kernels : vector of those
+;; whose rows do not end
 (struct expansion (order states slopes lasts moving starts ending kernels) #:authentic)
 
 ;; A kernel of rows that are 0 beyond an order.
 (struct ending (last kernel) #:authentic)
+
+;; inputs : flvector of the values of all inputs, of which those that are no states stay
+(define (recurrences->expansion rs order inputs)
+  (define rows
+    (for/vector #:length (recurrences-count rs) ([_ (in-range (recurrences-count rs))])
+      (make-flvector (+ order 1))))
+  (for ([x (in-flvector inputs)] [row (in-vector rows)]) (put! row 0 x))
+  (define (flvectors rs) (for/list ([r (in-list rs)]) (vector-ref rows (row-index r))))
+  (define-fields recurrences rs states slopes starts endless)
+  (define kernels (make-hasheq))
+  (define (kernel r) (hash-ref! kernels r (lambda () (recurrence->kernel r rows))))
+  (define (last r) (if (< (row-degree r) order) (row-degree r) order))
+  (expansion order (list->vector (flvectors states)) (list->vector (flvectors slopes))
+             (for/fxvector ([s (in-list states)]) (max 1 (last s)))
+             (list->vector
+              (append* (for/list ([s (in-list states)] [slope (in-list slopes)] #:unless (ends? s))
+                         (flvectors (list s slope)))))
+             (list->vector (map kernel starts))
+             (for/list ([e (in-list (recurrences-ending rs))]) (ending (car e) (kernel (cdr e))))
+             (list->vector (map kernel endless))))
 
 (define (coefficient-row e i) (vector-ref (expansion-states e) i))
 
@@ -46,7 +77,7 @@
 (define (expand! e y h)
   (define-fields expansion e states slopes moving order kernels ending)
   (each (i 0 (vector-length states)) (put! (unsafe-vector-ref states i) 0 (at y i)))
-  (start-all! (expansion-starts e))
+  (run-all! (expansion-starts e) 0)
   (let loop ([k 1])
     (if (unsafe-fx<= k latest-end) (next-of-all! states slopes h k) (next-of! moving h k))
     (when (unsafe-fx< k order)
@@ -72,13 +103,10 @@
 
 ;; Coefficients of what depends on rows that are known already, up to the order.
 (define (follow! e)
-  (start-all! (expansion-starts e))
+  (run-all! (expansion-starts e) 0)
   (for ([k (in-range 1 (+ 1 (expansion-order e)))])
     (run-ending! (expansion-ending e) k)
     (run-all! (expansion-kernels e) k)))
-
-(define (start-all! starts)
-  (each (i 0 (vector-length starts)) ((unsafe-vector-ref starts i))))
 
 (define (run-all! kernels k)
   (each (i 0 (vector-length kernels)) ((unsafe-vector-ref kernels i) k)))

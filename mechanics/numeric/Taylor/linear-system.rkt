@@ -10,19 +10,19 @@
          "../linear-algebra/factored-system.rkt" "../unboxed-loop.rkt"
          "convolution.rkt")
 
-(provide system-kernels)
+(provide system)
 
-;; A : vector of n² rows of coefficients, row by row; varying? : (index in A -> does it vary?);
+;; A : vector of n² rows of coefficients, row by row; varying : vector, does one of them vary?
 ;; b, x : vectors of n rows
-;; -> what solves at order 0, a procedure without arguments, and a kernel
-(define (system-kernels A varying? b x)
+;; -> kernel, for all orders
+(define (system A varying b x)
   (define n (vector-length b))
   (define factors (make-flvector (* n n)))
   (define exchanges (make-fxvector n))
   (define right (make-flvector n))
   (define changing                      ; of each row of A, the columns that vary
     (for/vector #:length n ([i (in-range n)])
-      (for/list ([j (in-range n)] #:when (varying? (+ (* i n) j))) j)))
+      (for/list ([j (in-range n)] #:when (vector-ref varying (+ (* i n) j))) j)))
   (define (store! k)
     (solve-factored! factors n exchanges right)
     (for ([row (in-vector x)] [value (in-flvector right)]) (put! row k value)))
@@ -38,7 +38,7 @@
       (for ([j (in-list columns)])
         (subtract-convolution! right i k (vector-ref A (+ (* i n) j)) (vector-ref x j))))
     (store! k))
-  (values start! step!))
+  (lambda (k) (if (= k 0) (start!) (step! k))))
 
 (define (subtract-convolution! right i k a x)
   (convolve k 1 k ([s a x]) (put! right i (fl- (at right i) s))))
