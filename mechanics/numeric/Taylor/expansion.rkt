@@ -11,7 +11,7 @@
          racket/list
          racket/unsafe/ops
          "../record-fields.rkt" "../flvector.rkt" "../unboxed-loop.rkt"
-         "convolution.rkt" "kernels.rkt" "recurrence.rkt")
+         "convolution.rkt" "kernels.rkt" "recurrence.rkt" "recurrence-code.rkt")
 
 (provide (struct-out expander) (struct-out work) work-of-order
          make-recurrences recurrences->expansion
@@ -38,31 +38,60 @@
 ;; states, slopes : lists of rows, y and f(y)
 ;; starts : recurrences of order 0; ending, endless : of the others, those of rows that end, each
 ;; behind its last order, and those of rows that do not
-(struct recurrences (count states slopes starts ending endless) #:authentic)
-(define make-recurrences recurrences)
+;; runs : so many times kernels were run, by all expansions; threads may lose some
+;; code : machine code, #f where there is none, or 'later until runs have earned it
+(struct recurrences (count states slopes starts ending endless [runs #:mutable] [code #:mutable])
+  #:authentic)
 
+(define (make-recurrences count states slopes starts ending endless)
+  (recurrences count states slopes starts ending endless 0 'later))
+
+;; About so many expansions take as much less time by machine code as it takes to write.
+(define runs-that-pay 500)
+
+;; -> (unit rows -> void), or #f as long as kernels are run; (make) : -> the code, or #f
+(define-syntax-rule (code-of rs make)
+  (let ([code (recurrences-code rs)])
+    (if (eq? code 'later) (earned-code! rs make) code)))
+
+(define (earned-code! rs make)
+  (set-recurrences-runs! rs (+ 1 (recurrences-runs rs)))
+  (and (> (recurrences-runs rs) runs-that-pay)
+       (let ([code (make rs)])
+         (set-recurrences-code! rs code)
+         code)))
+
+(define (code-of-motion rs)
+  (define-fields recurrences rs count states slopes starts ending endless)
+  (motion-code states slopes starts ending endless latest-end count))
+
+(define (code-that-follows rs)
+  (define-fields recurrences rs count starts ending endless)
+  (follow-code starts ending endless count))
+
+;; list    : recurrences; rows : vector of all rows, and the order behind them
 ;; order   : the last one; states, slopes : vectors of flvectors
 ;; lasts   : fxvector, where the rows of the states end
 ;; moving  : vector, state and slope in turn, of those that do not end
 ;; starts  : vector of kernels, for order 0; ending : list of those below; kernels : vector of those
 ;; whose rows do not end
-(struct expansion (order states slopes lasts moving starts ending kernels) #:authentic)
+(struct expansion (list rows order states slopes lasts moving starts ending kernels) #:authentic)
 
 ;; A kernel of rows that are 0 beyond an order.
 (struct ending (last kernel) #:authentic)
 
 ;; inputs : flvector of the values of all inputs, of which those that are no states stay
 (define (recurrences->expansion rs order inputs)
-  (define rows
-    (for/vector #:length (recurrences-count rs) ([_ (in-range (recurrences-count rs))])
-      (make-flvector (+ order 1))))
+  (define count (recurrences-count rs))
+  (define rows (make-vector (+ count 1) order))
+  (for ([k (in-range count)]) (vector-set! rows k (make-flvector (+ order 1))))
   (for ([x (in-flvector inputs)] [row (in-vector rows)]) (put! row 0 x))
   (define (flvectors rs) (for/list ([r (in-list rs)]) (vector-ref rows (row-index r))))
   (define-fields recurrences rs states slopes starts endless)
   (define kernels (make-hasheq))
   (define (kernel r) (hash-ref! kernels r (lambda () (recurrence->kernel r rows))))
   (define (last r) (if (< (row-degree r) order) (row-degree r) order))
-  (expansion order (list->vector (flvectors states)) (list->vector (flvectors slopes))
+  (expansion rs rows order (list->vector (flvectors states)) (list->vector (flvectors slopes))
              (for/fxvector ([s (in-list states)]) (max 1 (last s)))
              (list->vector
               (append* (for/list ([s (in-list states)] [slope (in-list slopes)] #:unless (ends? s))
@@ -75,8 +104,13 @@
 
 ;; Coefficients of the motion from the state y on, in the unit h.
 (define (expand! e y h)
-  (define-fields expansion e states slopes moving order kernels ending)
+  (define-fields expansion e list states rows)
   (each (i 0 (vector-length states)) (put! (unsafe-vector-ref states i) 0 (at y i)))
+  (define code (code-of list code-of-motion))
+  (if code (code h rows) (expand-by-kernels! e h)))
+
+(define (expand-by-kernels! e h)
+  (define-fields expansion e states slopes moving order kernels ending)
   (run-all! (expansion-starts e) 0)
   (let loop ([k 1])
     (if (unsafe-fx<= k latest-end) (next-of-all! states slopes h k) (next-of! moving h k))
@@ -103,6 +137,10 @@
 
 ;; Coefficients of what depends on rows that are known already, up to the order.
 (define (follow! e)
+  (define code (code-of (expansion-list e) code-that-follows))
+  (if code (code 0.0 (expansion-rows e)) (follow-by-kernels! e)))
+
+(define (follow-by-kernels! e)
   (run-all! (expansion-starts e) 0)
   (for ([k (in-range 1 (+ 1 (expansion-order e)))])
     (run-ending! (expansion-ending e) k)

@@ -182,7 +182,7 @@
 
 (define jump-codes
   (hasheq 'less #x8C 'not-less #x8D 'not-below #x83 'below-or-equal #x86 'equal #x84
-          'unordered #x8A))
+          'unordered #x8A 'greater #x8F))
 
 ;; The label of a procedure that (write!) writes behind the code, once for a key.
 (define (subroutine! a key write!)

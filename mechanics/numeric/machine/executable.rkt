@@ -20,9 +20,10 @@
          (protect-out machine-procedures))
 
 ;; code : bytes; entries : list of (where type ...), where a procedure begins and what it is given:
-;; up to six flvectors, type 'flvector, and before these perhaps a flonum, type 'flonum
+;; up to six flvectors, type 'flvector, or vectors, type 'vector, and before these perhaps a flonum,
+;; type 'flonum
 ;; -> list of procedures, run for what they store in the flvectors; or #f where there are none
-;; They take their arguments as they are: flvectors as long as the code believes.
+;; They take their arguments as they are: vectors as long as the code believes.
 (define (machine-procedures code entries)
   (define memory (and (machine?) (executable code)))
   (and memory
@@ -31,16 +32,18 @@
 ;; ---------------------------------------------------------------------------
 ;; What is known here
 
-;; Racket CS on x86-64 Linux, flvectors laid out as expected, MECHANICS_NO_MACHINE_CODE unset?
+;; Racket CS on x86-64 Linux, vectors laid out as expected, MECHANICS_NO_MACHINE_CODE unset?
 (define machine?
   (once
    (lambda ()
      (with-handlers ([exn:fail? (lambda (_) #f)])
        (and (not (getenv "MECHANICS_NO_MACHINE_CODE"))
             (known-processor?)
-            (flvectors-as-known?))))))
+            (flvectors-as-known?)
+            (vectors-as-known?))))))
 
-;; The address that a procedure receives of an flvector is so many bytes before its first component.
+;; The address that a procedure receives of an flvector, or of a vector, is so many bytes before its
+;; first component.  A component of a vector is an address like this, or eight times a fixnum.
 (define flvector-data 9)
 
 (define (known-processor?)
@@ -56,6 +59,15 @@
   (define v (flvector 1.5 -2.5 0.75))
   (for/and ([x (in-flvector v)] [k (in-naturals)])
     (eqv? x (object-ref 'double v (+ flvector-data (* 8 k))))))
+
+(define (vectors-as-known?)
+  (define object-ref (vm-eval '($primitive $object-ref)))
+  (define u (flvector 1.5))
+  (define v (vector 7 u -3))
+  (define (component type k) (object-ref type v (+ flvector-data (* 8 k))))
+  (and (eqv? 56 (component 'integer-64 0))
+       (eq? u (component 'scheme-object 1))
+       (eqv? -24 (component 'integer-64 2))))
 
 ;; The address of a function of the library of C, a symbol; or #f.
 (define (C-function name)

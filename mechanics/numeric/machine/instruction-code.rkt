@@ -10,7 +10,8 @@
          "straight-instruction.rkt"
          "../../operation/operation-column.rkt")
 
-(provide machine-instruction? (struct-out context) write-instruction! load!)
+(provide machine-instruction? operation-C-function
+         (struct-out context) write-instruction! load!)
 
 ;; Is there code for it?
 (define (machine-instruction? i)
@@ -26,11 +27,12 @@
           'divide (cons divsd! divpd!) 'larger (cons maxsd! maxpd!) 'sqrt (cons sqrtsd! sqrtpd!)
           'negate (cons xorpd! xorpd!) 'abs (cons andpd! andpd!)))
 
-;; -> the address of the function in the library of C; or #f
 (define (C-function-of i)
-  (define name
-    (hash-ref library-names
-              (operation-key (instruction-operation i) (length (instruction-operands i))) #f))
+  (operation-C-function (instruction-operation i) (length (instruction-operands i))))
+
+;; -> the address of the function of so many arguments in the library of C; or #f
+(define (operation-C-function operation arguments)
+  (define name (hash-ref library-names (operation-key operation arguments) #f))
   (and name (C-function name)))
 
 ;; The functions that Racket takes from there, too: values are the same to the last bit.
