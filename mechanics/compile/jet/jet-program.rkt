@@ -23,7 +23,7 @@
   (cond [(string? g) g]
         [else
          (define degrees (if follow? (node-degrees g #f) (node-degrees g (graph-outputs g))))
-         (define rs (graph->recurrences g degrees))
+         (define rs (graph->recurrences g degrees follow?))
          (expansion-maker (lambda (order inputs) (recurrences->expansion rs order inputs))
                           (graph-work g degrees) (branches? p))]))
 
@@ -46,7 +46,7 @@
 (define of-one-branch
   (append '(add subtract multiply divide negate solve component log) (operation-names meromorphic)))
 
-(define (graph->recurrences g degrees)
+(define (graph->recurrences g degrees follow?)
   (define nodes (graph-nodes g))
   (define r (make-rows degrees))
   (define uses (sole-uses g))
@@ -54,7 +54,7 @@
   (for ([n (in-vector nodes)] [id (in-naturals)])
     (unless (eq? 'sum (vector-ref uses id))
       (emit-node! r nodes id uses shared)))
-  (rows->recurrences r (range (graph-varying g)) (vector->list (graph-outputs g))))
+  (rows->recurrences r (range (graph-varying g)) (vector->list (graph-outputs g)) follow?))
 
 ;; ---------------------------------------------------------------------------
 ;; Nodes

@@ -1,39 +1,32 @@
 #lang racket/base
 ;; Convolutions of Taylor coefficients in machine code, in the order of convolution.rkt.
 ;;
-;; The number of the present order is in r12, in bytes, and in a register for flonums; rbx has the
-;; address of the vector of rows.  Within a loop rax rises and rcx falls, so that their sum is the
-;; present order; rbp and rdx bound rax.  Rows take the other registers; sums are in the registers
-;; for flonums from 0 on.
+;; All rows are one behind the other on a *tape*, an flvector whose address is in rbx.  The present
+;; order is in r12, in bytes, and in a register for flonums.  Within a loop rax rises and rcx falls,
+;; so that their sum is the present order; r13 and r14 bound rax.  Sums are in the registers for
+;; flonums from 0 on, the latest of them for terms, so that many are added up in one loop.
 
-(require racket/list
-         "recurrence.rkt"
+(require "recurrence.rkt"
          "../machine/assembler.rkt" "../machine/executable.rkt")
 
-(provide (struct-out rows-at) load-rows! unit order
-         now before early rising falling
-         convolve! convolve-halves! convolve-ending! for-each-term!)
+(provide (struct-out tape) unit order most-sums
+         now before early
+         convolve! convolve-ending! convolve-halves! add-weighted-terms!)
 
-;; Registers of the unit of time, and of the present order
+;; a : assembly; stride : how many coefficients a row has
+(struct tape (a stride) #:authentic)
+
+;; Registers of the unit of time and of the present order, each twice side by side
 (define-values (unit order) (values 15 14))
+
+;; How many registers are for sums; those up to `order` are for terms.
+(define most-sums 10)
 
 ;; ---------------------------------------------------------------------------
 ;; Rows
 
-;; registers : number of a row -> the one that has its address
-(struct rows-at (assembly registers) #:authentic)
-
-(define for-rows (list rsi rdi r8 r9 r10 r11 r14 r15))
-
-(define (load-rows! a rows)
-  (define indices (remove-duplicates (map row-index rows)))
-  (rows-at a
-           (for/hasheqv ([i (in-list indices)] [r (in-list for-rows)])
-             (mov! a r (behind rbx (+ flvector-data (* 8 i))))
-             (values i r))))
-
 (define ((coefficient index) c r [k 0])
-  (behind (hash-ref (rows-at-registers c) (row-index r)) (+ flvector-data (* 8 k)) index))
+  (behind rbx (+ flvector-data (* 8 (+ k (* (tape-stride c) (row-index r))))) index))
 
 ;; The coefficient of the present order, of the one before, and of a given one
 (define now (coefficient r12))
@@ -45,21 +38,25 @@
 (define falling (coefficient rcx))
 
 ;; ---------------------------------------------------------------------------
-;; Sums Σ a_j b_{k−j}, j from `first` to `last`, to k, or to k − 1
+;; Sums Σ a_j b_{k−j} of each (a . b), j from `first` to `last`, to k, or to k − 1.  alone? : is each
+;; a sum by itself, in two parts?  There are twice as many registers then.
 
-(define (convolve! c first as bs #:last [last #f] #:before-end? [before-end? #f])
-  (define a (rows-at-assembly c))
-  (mov-number! a rax (* 8 first))
-  (lea! a rcx (behind r12 (* -8 first)))
+(define (convolve! c first pairs alone? #:last [last #f] #:before-end? [before-end? #f])
+  (define a (tape-a c))
+  (begin-terms! c first)
   (define end
-    (cond [before-end? (lea! a rbp (behind r12 -8)) rbp]
-          [last (load-lesser! a rbp last) rbp]
+    (cond [before-end? (lea! a r13 (behind r12 -8)) r13]
+          [last (load-lesser! a r13 last) r13]
           [else r12]))
-  (write-terms! c as bs end))
+  (write-terms! c pairs alone? end))
+
+(define (begin-terms! c first)
+  (mov-number! (tape-a c) rax (* 8 first))
+  (lea! (tape-a c) rcx (behind r12 (* -8 first))))
 
 ;; All terms of rows that end
 (define (convolve-ending! c x lx y ly)
-  (define a (rows-at-assembly c))
+  (define a (tape-a c))
   (define not-negative (make-label))
   (lea! a rax (behind r12 (* -8 ly)))
   (compare-number! a rax 0)
@@ -67,8 +64,8 @@
   (mov-number! a rax 0)
   (label-here! a not-negative)
   (load-lesser! a rcx ly)
-  (load-lesser! a rbp lx)
-  (write-terms! c (list x) (list y) rbp))
+  (load-lesser! a r13 lx)
+  (write-terms! c (list (cons x y)) #t r13))
 
 ;; The present order or the last one, whichever is less
 (define (load-lesser! a r last)
@@ -79,18 +76,18 @@
   (mov! a r r12)
   (label-here! a least))
 
-(define (write-terms! c as bs end)
-  (for ([s (in-range (length as))]) (xorpd! (rows-at-assembly c) s s))
-  (if (null? (cdr as))
-      (write-one! c (car as) (car bs) end)
-      (write-some! c as bs end)))
+(define (write-terms! c pairs alone? end)
+  ((if alone? write-in-parts! write-in-pairs!) c pairs end))
+
+(define (clear-sums! a count)
+  (for ([s (in-range count)]) (xorpd! a s s)))
 
 ;; Terms in pairs.
-(define (write-some! c as bs end)
-  (define a (rows-at-assembly c))
+(define (write-in-pairs! c pairs end)
+  (define a (tape-a c))
   (define-values (again last-one out) (values (make-label) (make-label) (make-label)))
-  (define (for-each-sum add!)
-    (for ([x (in-list as)] [y (in-list bs)] [s (in-naturals)]) (add! c s x y 0)))
+  (define (for-each-sum add!) (for ([p (in-list pairs)] [s (in-naturals)]) (add! c s p 0)))
+  (clear-sums! a (length pairs))
   (compare! a rax end)
   (jump! a 'not-less last-one)
   (label-here! a again)
@@ -103,97 +100,110 @@
   (for-each-sum add-one!)
   (label-here! a out))
 
-;; Of a sum alone, two: registers 0 and 1
-(define (write-one! c x y end)
-  (define a (rows-at-assembly c))
-  (define-values (again few two none out)
+;; A sum alone would wait for each addition: it is two, of which the second is in another register.
+(define (write-in-parts! c pairs end)
+  (define a (tape-a c))
+  (define n (length pairs))
+  (define-values (again few two one out)
     (values (make-label) (make-label) (make-label) (make-label) (make-label)))
-  (define (end-with! add! label)
-    (addsd! a 0 1)
-    (when add! (add! c 0 x y 0))
-    (jump! a 'always out)
-    (label-here! a label))
-  (xorpd! a 1 1)
-  (lea! a rdx (behind end -16))
-  (compare! a rax rdx)
+  (define (for-each-sum add! k) (for ([p (in-list pairs)] [s (in-naturals)]) (add! c s p k)))
+  (define (for-each-part add! k) (for ([p (in-list pairs)] [s (in-naturals n)]) (add! c s p k)))
+  (define (add-parts!) (for ([s (in-range n)]) (addsd! a s (+ n s))))
+  (clear-sums! a (* 2 n))
+  (lea! a r14 (behind end -16))
+  (compare! a rax r14)
   (jump! a 'not-less few)
   (label-here! a again)
-  (add-two! c 0 x y 0)
-  (add-two! c 1 x y 2)
+  (for-each-sum add-two! 0)
+  (for-each-part add-two! 2)
   (go-on! a 4)
-  (compare! a rax rdx)
+  (compare! a rax r14)
   (jump! a 'less again)
   (label-here! a few)
   (jump! a 'greater two)
-  (add-two! c 0 x y 0)                  ; three are left
-  (add-one! c 1 x y 2)
-  (end-with! #f two)
+  (for-each-sum add-two! 0)             ; three are left
+  (for-each-part add-one! 2)
+  (add-parts!)
+  (jump! a 'always out)
+  (label-here! a two)
   (compare! a rax end)
-  (jump! a 'not-less none)
-  (add-two! c 0 x y 0)                  ; two are left
-  (end-with! #f none)
-  (addsd! a 0 1)
+  (jump! a 'not-less one)
+  (for-each-sum add-two! 0)
+  (add-parts!)
+  (jump! a 'always out)
+  (label-here! a one)
+  (add-parts!)
   (jump! a 'greater out)
-  (add-one! c 0 x y 0)
+  (for-each-sum add-one! 0)
   (label-here! a out))
 
 (define (go-on! a terms)
   (add! a rax (* 8 terms))
   (add! a rcx (* -8 terms)))
 
-;; Registers from 6 on are for terms.
-(define (add-one! c s x y k)
-  (term! c 6 x y k)
-  (addsd! (rows-at-assembly c) s 6))
+(define (add-one! c s p k)
+  (define t (term-register s))
+  (term! c t p k)
+  (addsd! (tape-a c) s t))
 
-(define (add-two! c s x y k)
-  (define-values (a t) (values (rows-at-assembly c) (+ 6 (* 2 s))))
-  (term! c t x y k)
-  (term! c (+ t 1) x y (+ k 1))
+(define (add-two! c s p k)
+  (define-values (a t) (values (tape-a c) (term-register s)))
+  (term! c t p k)
+  (term! c (+ t 1) p (+ k 1))
   (addsd! a t (+ t 1))
   (addsd! a s t))
 
-(define (term! c t x y k)
-  (movsd! (rows-at-assembly c) t (rising c x k))
-  (mulsd! (rows-at-assembly c) t (falling c y (- k))))
+(define (term-register s) (+ most-sums (* 2 (remainder s 2))))
+
+(define (term! c t p k)
+  (movsd! (tape-a c) t (rising c (car p) k))
+  (mulsd! (tape-a c) t (falling c (cdr p) (- k))))
 
 ;; ---------------------------------------------------------------------------
-;; Sums Σ a_j a_{k−j}, j from `first` to k − `first`
+;; Sums Σ a_j a_{k−j} of each row, j from `first` to k − `first`
 
 (define (convolve-halves! c first rows)
-  (define a (rows-at-assembly c))
+  (define a (tape-a c))
   (define-values (again middle even out)
     (values (make-label) (make-label) (make-label) (make-label)))
-  (define (for-each-sum do!) (for ([x (in-list rows)] [s (in-naturals)]) (do! s x)))
-  (define (add-square! s x) (add-one! c s x x 0))
-  (define (double! s x) (addsd! a s s))
-  (for-each-sum (lambda (s x) (xorpd! a s s)))
-  (mov-number! a rax (* 8 first))
-  (lea! a rcx (behind r12 (* -8 first)))
+  (define (add-squares!) (for ([x (in-list rows)] [s (in-naturals)]) (add-one! c s (cons x x) 0)))
+  (define (double!) (for ([s (in-range (length rows))]) (addsd! a s s)))
+  (clear-sums! a (length rows))
+  (begin-terms! c first)
   (compare! a rax rcx)
   (jump! a 'not-less middle)
   (label-here! a again)
-  (for-each-sum add-square!)
+  (add-squares!)
   (go-on! a 1)
   (compare! a rax rcx)
   (jump! a 'less again)
   (label-here! a middle)
   (jump! a 'greater even)
-  (for-each-sum double!)
-  (for-each-sum add-square!)
+  (double!)
+  (add-squares!)
   (jump! a 'always out)
   (label-here! a even)
-  (for-each-sum double!)
+  (double!)
   (label-here! a out))
 
-;; Any term, j from `first` to k
-(define (for-each-term! c first write-term!)
-  (define a (rows-at-assembly c))
+;; Sums Σ ((n + 1) j − k) a_j b_{k−j} of each (a . b) and n, j from 1 to k; the factors are in
+;; registers behind those of the sums.
+(define (add-weighted-terms! c pairs ns)
+  (define-values (a count) (values (tape-a c) (length pairs)))
   (define again (make-label))
-  (mov-number! a rax (* 8 first))
-  (lea! a rcx (behind r12 (* -8 first)))
+  (define (rise n) (constant (+ n 1.0)))
+  (clear-sums! a count)
+  (for ([n (in-list ns)] [w (in-naturals count)])
+    (movsd! a w (rise n))
+    (subsd! a w order))
+  (begin-terms! c 1)
   (label-here! a again)
-  (write-term!)
+  (for ([p (in-list pairs)] [n (in-list ns)] [s (in-naturals)])
+    (define t (term-register s))
+    (term! c t p 0)
+    (mulsd! a t (+ count s))
+    (addsd! a s t)
+    (addsd! a (+ count s) (rise n)))
   (go-on! a 1)
   (compare-number! a rcx 0)
   (jump! a 'not-less again))

@@ -14,7 +14,7 @@
          "convolution.rkt" "kernels.rkt" "recurrence.rkt" "recurrence-code.rkt")
 
 (provide (struct-out expander) (struct-out work) work-of-order
-         make-recurrences recurrences->expansion
+         make-recurrences recurrences->expansion expansion-list (struct-out recurrences)
          expansion-order expansion-states expansion-slopes expansion-lasts
          expand! follow! coefficient-row
          for-each-sum for-each-rate value-at! coefficients-finite?)
@@ -38,53 +38,33 @@
 ;; states, slopes : lists of rows, y and f(y)
 ;; starts : recurrences of order 0; ending, endless : of the others, those of rows that end, each
 ;; behind its last order, and those of rows that do not
+;; follow? : are the inputs known, or a solution of y' = f(y)?
 ;; runs : so many times kernels were run, by all expansions; threads may lose some
-;; code : machine code, #f where there is none, or 'later until runs have earned it
-(struct recurrences (count states slopes starts ending endless [runs #:mutable] [code #:mutable])
+;; codes : order -> machine code, or #f where there is none
+(struct recurrences (count states slopes starts ending endless follow?
+                     [runs #:mutable] [codes #:mutable])
   #:authentic)
 
-(define (make-recurrences count states slopes starts ending endless)
-  (recurrences count states slopes starts ending endless 0 'later))
+(define (make-recurrences count states slopes starts ending endless follow?)
+  (recurrences count states slopes starts ending endless follow? 0 (hasheqv)))
 
-;; About so many expansions take as much less time by machine code as it takes to write.
-(define runs-that-pay 500)
-
-;; -> (unit rows -> void), or #f as long as kernels are run; (make) : -> the code, or #f
-(define-syntax-rule (code-of rs make)
-  (let ([code (recurrences-code rs)])
-    (if (eq? code 'later) (earned-code! rs make) code)))
-
-(define (earned-code! rs make)
-  (set-recurrences-runs! rs (+ 1 (recurrences-runs rs)))
-  (and (> (recurrences-runs rs) runs-that-pay)
-       (let ([code (make rs)])
-         (set-recurrences-code! rs code)
-         code)))
-
-(define (code-of-motion rs)
-  (define-fields recurrences rs count states slopes starts ending endless)
-  (motion-code states slopes starts ending endless latest-end count))
-
-(define (code-that-follows rs)
-  (define-fields recurrences rs count starts ending endless)
-  (follow-code starts ending endless count))
-
-;; list    : recurrences; rows : vector of all rows, and the order behind them
+;; list    : recurrences; rows : vector of all rows; run : unit -> void, machine code, or #f where
+;; there is none, or 'later until it was earned
 ;; order   : the last one; states, slopes : vectors of flvectors
 ;; lasts   : fxvector, where the rows of the states end
 ;; moving  : vector, state and slope in turn, of those that do not end
 ;; starts  : vector of kernels, for order 0; ending : list of those below; kernels : vector of those
 ;; whose rows do not end
-(struct expansion (list rows order states slopes lasts moving starts ending kernels) #:authentic)
+(struct expansion (list rows order states slopes lasts moving starts ending kernels
+                   [run #:mutable])
+  #:authentic)
 
 ;; A kernel of rows that are 0 beyond an order.
 (struct ending (last kernel) #:authentic)
 
 ;; inputs : flvector of the values of all inputs, of which those that are no states stay
 (define (recurrences->expansion rs order inputs)
-  (define count (recurrences-count rs))
-  (define rows (make-vector (+ count 1) order))
-  (for ([k (in-range count)]) (vector-set! rows k (make-flvector (+ order 1))))
+  (define rows (build-vector (recurrences-count rs) (lambda (_) (make-flvector (+ order 1)))))
   (for ([x (in-flvector inputs)] [row (in-vector rows)]) (put! row 0 x))
   (define (flvectors rs) (for/list ([r (in-list rs)]) (vector-ref rows (row-index r))))
   (define-fields recurrences rs states slopes starts endless)
@@ -98,16 +78,17 @@
                          (flvectors (list s slope)))))
              (list->vector (map kernel starts))
              (for/list ([e (in-list (recurrences-ending rs))]) (ending (car e) (kernel (cdr e))))
-             (list->vector (map kernel endless))))
+             (list->vector (map kernel endless))
+             'later))
 
 (define (coefficient-row e i) (vector-ref (expansion-states e) i))
 
 ;; Coefficients of the motion from the state y on, in the unit h.
 (define (expand! e y h)
-  (define-fields expansion e list states rows)
+  (define states (expansion-states e))
   (each (i 0 (vector-length states)) (put! (unsafe-vector-ref states i) 0 (at y i)))
-  (define code (code-of list code-of-motion))
-  (if code (code h rows) (expand-by-kernels! e h)))
+  (define run (machine-run e))
+  (if run (run h) (expand-by-kernels! e h)))
 
 (define (expand-by-kernels! e h)
   (define-fields expansion e states slopes moving order kernels ending)
@@ -137,8 +118,8 @@
 
 ;; Coefficients of what depends on rows that are known already, up to the order.
 (define (follow! e)
-  (define code (code-of (expansion-list e) code-that-follows))
-  (if code (code 0.0 (expansion-rows e)) (follow-by-kernels! e)))
+  (define run (machine-run e))
+  (if run (run 1.0) (follow-by-kernels! e)))
 
 (define (follow-by-kernels! e)
   (run-all! (expansion-starts e) 0)
@@ -153,6 +134,42 @@
   (unless (null? kernels)
     (when (unsafe-fx<= k (ending-last (car kernels))) ((ending-kernel (car kernels)) k))
     (run-ending! (cdr kernels) k)))
+
+;; ---------------------------------------------------------------------------
+;; Machine code
+
+;; About so many expansions take as much less time by machine code as it takes to write.
+(define runs-that-pay 500)
+
+(define (machine-run e)
+  (define run (expansion-run e))
+  (if (eq? run 'later) (earned-run! e) run))
+
+(define (earned-run! e)
+  (define rs (expansion-list e))
+  (set-recurrences-runs! rs (+ 1 (recurrences-runs rs)))
+  (and (> (recurrences-runs rs) runs-that-pay)
+       (let ([code (code-of-order rs (expansion-order e))])
+         (set-expansion-run! e (and code (on-tape e code)))
+         (expansion-run e))))
+
+(define (code-of-order rs order)
+  (define-fields recurrences rs states slopes starts ending endless follow? codes)
+  (define (make) (expansion-code states slopes starts ending endless order latest-end follow?))
+  (define code (hash-ref codes order make))
+  (set-recurrences-codes! rs (hash-set codes order code))
+  code)
+
+;; The tape begins with the constants among the inputs.
+(define (on-tape e code)
+  (define-fields expansion e rows order states slopes)
+  (define tape (make-flvector (* (vector-length rows) (+ order 1))))
+  (for ([row (in-vector rows)] [k (in-naturals)]) (put! tape (* k (+ order 1)) (at row 0)))
+  (define given (list->vector (append (vector->list states) (vector->list slopes))))
+  (lambda (h) (code h given tape)))
+
+;; ---------------------------------------------------------------------------
+;; Sums
 
 ;; Of each state, its row c and s = Σ c_j u^(j − first), j from `first` on, for what is done with
 ;; these at its index i.

@@ -3,302 +3,301 @@
 ;;
 ;; The code of a recurrence is one loop over orders, the convolution, between straight lines; it
 ;; does the operations of its kernel (kernels.rkt) in the same order, so that the coefficients are
-;; the same to the last bit.  All of it stands in a loop over the orders of the expansion.
-;;
-;; The procedure is given the vector of rows, and finds each row by its number.  The last entry of
-;; that vector is the order: in memory a fixnum is eight times the number, as is the distance in
-;; bytes to the coefficient of that order.
+;; the same to the last bit.  Recurrences that do not wait for each other share a loop, for the
+;; processor works on several sums at once.  All of it stands in a loop over the orders of the
+;; expansion.
 
 (require racket/list
-         "recurrence.rkt" "convolution-code.rkt"
+         "recurrence.rkt" "recurrence-groups.rkt" "convolution-code.rkt"
          "../machine/assembler.rkt" "../machine/executable.rkt" "../machine/instruction-code.rkt")
 
-(provide (protect-out motion-code follow-code))
+(provide (protect-out expansion-code))
 
 ;; starts, endless : recurrences; ending : list of (last order . recurrence)
-;; states, slopes : lists of rows
-;; -> (h rows -> void), which solves y' = f(y) in the unit h; or #f where there is no such code
-(define (motion-code states slopes starts ending endless latest-end count)
-  (define-values (moving others)
-    (partition (lambda (p) (not (ends? (car p)))) (map cons states slopes)))
-  (define (write-next! a)
-    (for ([p (in-list moving)]) (write-next-coefficient! a p))
-    (unless (null? others)
-      (only-up-to a latest-end
-                  (for ([p (in-list others)]) (write-next-coefficient! a p)))))
-  (code starts ending endless count write-next! #f))
-
-;; The same for rows that are known already: (unused rows -> void)
-(define (follow-code starts ending endless count)
-  (code starts ending endless count void #t))
-
-(define (code starts ending endless count write-next! to-the-end?)
+;; inputs, outputs : lists of rows
+;; follow? : are the inputs known?  Else they are the solution of y' = f(y), f being the outputs.
+;; ends : to which order inputs are found that end
+;; -> (h flvectors tape -> void); or #f where there is no such code.  flvectors : vector, rows of
+;; inputs and outputs; tape : of all rows
+(define (expansion-code inputs outputs starts ending endless order ends follow?)
   (define all (append starts (map cdr ending) endless))
   (and (machine?)
        (andmap coded? all)
        (let ([a (make-assembly)])
-         (write-procedure! a starts ending endless count write-next! to-the-end?)
-         (define procedures (machine-procedures (assembly->bytes a) '((0 flonum vector))))
+         (write-procedure! (tape a (+ order 1)) inputs outputs starts ending
+                           (recurrence-groups endless) order ends follow?)
+         (define procedures
+           (machine-procedures (assembly->bytes a) '((0 flonum vector flvector))))
          (and procedures (car procedures)))))
 
 (define (coded? r)
   (case (recurrence-kind r)
     [(system) #f]
-    [(value) (start-function r)]
+    [(value) (and (start-function r) #t)]
     [else #t]))
 
 ;; ---------------------------------------------------------------------------
 ;; The procedure
 
-;; Registers that a function of C keeps: rbx, the rows; r12, the order, in bytes; r13, the last one
-(define kept (list rbx rbp r12 r13 r14 r15))
+;; Registers that a function of C keeps: rbx, the tape; rbp, the vector of flvectors; r12, the
+;; order; two for loops
+(define kept (list rbx rbp r12 r13 r14))
 
-(define (write-procedure! a starts ending endless count write-next! to-the-end?)
+(define (write-procedure! c inputs outputs starts ending groups last ends follow?)
+  (define a (tape-a c))
   (define-values (again done) (values (make-label) (make-label)))
   (for ([r (in-list kept)]) (push! a r))
-  (add! a rsp -24)
+  (add! a rsp -16)
   (store-sd! a (behind rsp 0) 0)
-  (mov! a rbx rdi)
-  (mov! a r13 (behind rbx (+ flvector-data (* 8 count))))
+  (mov! a rbp rdi)
+  (mov! a rbx rsi)
   (mov-number! a r12 0)
-  (for ([r (in-list starts)]) (write-recurrence! a r))
+  (write-taking! c inputs)
+  (for ([r (in-list starts)]) (write-group! c (list r)))
+  (write-giving! c inputs outputs)
   (movsd! a unit (behind rsp 0))
+  (unpcklpd! a unit unit)
   (xorpd! a order order)
   (label-here! a again)
-  (compare! a r12 r13)
-  (jump! a 'not-less done)
   (add! a r12 8)
-  (addsd! a order (constant 1.0))
-  (write-next! a)
-  (unless to-the-end?
-    (compare! a r12 r13)
-    (jump! a 'not-less done))
+  (addpd! a order (constant 1.0))
+  (if follow? (write-taking! c inputs) (write-next! c inputs outputs ends))
+  (compare-number! a r12 (* 8 last))
+  (jump! a (if follow? 'greater 'not-less) done)
   (for ([e (in-list ending)])
-    (only-up-to a (car e) (write-recurrence! a (cdr e))))
-  (for ([r (in-list endless)]) (write-recurrence! a r))
+    (only-up-to c (car e) (write-group! c (list (cdr e)))))
+  (for ([g (in-list groups)]) (write-group! c g))
+  (write-giving! c inputs outputs)
   (jump! a 'always again)
   (label-here! a done)
-  (add! a rsp 24)
+  (add! a rsp 16)
   (for ([r (in-list (reverse kept))]) (pop! a r))
   (ret! a))
 
-(define-syntax-rule (only-up-to a last body ...)
-  (let ([beyond (make-label)])
+(define-syntax-rule (only-up-to c last body ...)
+  (let ([beyond (make-label)] [a (tape-a c)])
     (compare-number! a r12 (* 8 last))
     (jump! a 'greater beyond)
     body ...
     (label-here! a beyond)))
 
+;; The coefficient of the present order in the flvector of such a number
+(define (in-flvector! c k)
+  (mov! (tape-a c) rax (behind rbp (+ flvector-data (* 8 k))))
+  (behind rax flvector-data r12))
+
+;; Takes coefficients from flvectors, and gives them there.
+(define (write-taking! c rows)
+  (for ([r (in-list rows)] [k (in-naturals)])
+    (movsd! (tape-a c) 0 (in-flvector! c k))
+    (store-sd! (tape-a c) (now c r) 0)))
+
+(define (write-giving! c inputs outputs)
+  (for ([r (in-list outputs)] [k (in-naturals (length inputs))]  #:unless (among? r inputs))
+    (movsd! (tape-a c) 0 (now c r))
+    (store-sd! (tape-a c) (in-flvector! c k) 0)))
+
 ;; y_k = h f_{k-1} / k
-(define (write-next-coefficient! a p)
-  (define c (load-rows! a (list (car p) (cdr p))))
-  (movsd! a 0 (before c (cdr p)))
-  (mulsd! a 0 unit)
-  (divsd! a 0 order)
-  (store-sd! a (now c (car p)) 0))
+(define (write-next! c inputs outputs ends)
+  (define-values (endless others)
+    (partition (lambda (x) (not (ends? (first x))))
+               (for/list ([y (in-list inputs)] [f (in-list outputs)] [k (in-naturals)])
+                 (list y f k))))
+  ;; coordinates, whose rates are inputs, do not wait for the other rates
+  (define-values (coordinates rest)
+    (partition (lambda (x) (among? (second x) inputs)) endless))
+  (write-next-pairs! c coordinates)
+  (write-next-pairs! c rest)
+  (unless (null? others) (only-up-to c ends (write-next-pairs! c others))))
+
+(define (among? r rows) (memv (row-index r) (map row-index rows)))
+
+;; Two at a time.
+(define (write-next-pairs! c all)
+  (define a (tape-a c))
+  (unless (null? all)
+    (define-values (x y) (values (car all) (if (null? (cdr all)) (car all) (cadr all))))
+    (movsd! a 0 (before c (second x)))
+    (load-high! a 0 (before c (second y)))
+    (mulpd! a 0 unit)
+    (divpd! a 0 order)
+    (for ([state (in-list (list x y))] [store! (in-list (list store-sd! store-high!))])
+      (store! a (now c (first state)) 0)
+      (store! a (in-flvector! c (third state)) 0))
+    (write-next-pairs! c (if (null? (cdr all)) '() (cddr all)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Recurrences
 
-(define (write-recurrence! a r)
+;; Recurrences of one loop, and then each in its own straight lines: (end! c s operand ...), its
+;; sums being in the registers from s on
+(define (write-group! c group)
+  (write-loop! c group)
+  (for/fold ([s 0]) ([r (in-list group)])
+    (apply (hash-ref ends-of-loops (recurrence-kind r)) c s (recurrence-operands r))
+    (+ s (length (recurrence-terms r))))
+  (void))
+
+(define (write-loop! c group)
+  (define r (car group))
+  (define terms (append-map recurrence-terms group))
   (define operands (recurrence-operands r))
-  (apply (hash-ref writers (recurrence-kind r)) (load-rows! a (rows-in operands)) operands))
+  (define (convolve-from! first last)
+    (convolve! c first terms (single-sum? r) #:last last))
+  (case (recurrence-kind r)
+    [(products shared-products) (convolve-from! 0 #f)]
+    [(differential pair leading) (convolve-from! 1 (recurrence-last r))]
+    [(reciprocal) (convolve! c 1 terms #t)]
+    [(differential-leading) (convolve! c 1 terms #t #:before-end? #t)]
+    [(squares) (convolve-halves! c 0 (map car terms))]
+    [(root) (convolve-halves! c 1 (map car terms))]
+    [(power) (add-weighted-terms! c terms (map (lambda (r) (third (recurrence-operands r))) group))]
+    [(ending-product) (apply convolve-ending! c (cdddr operands))]
+    [else (void)]))
 
-(define (rows-in x)
-  (cond [(row? x) (list x)]
-        [(weighed? x) (list (weighed-row x))]
-        [(pair? x) (append-map rows-in x)]
-        [else '()]))
-
-;; Stores base + Σ weight s, of the sums in the registers from 0 on.
-(define (store-sum! c r base weights)
-  (define a (rows-at-assembly c))
-  (define (weigh! s w) (unless (eqv? w 1.0) (mulsd! a s (constant w))))
-  (for ([w (in-list weights)] [s (in-naturals)]) (weigh! s w))
-  (define total (if base 5 0))
+;; Stores base + Σ weight s, of the sums in the registers from s on.
+(define (end-sum! c s r base weights)
+  (define a (tape-a c))
+  (define (weigh! x w) (unless (eqv? w 1.0) (mulsd! a x (constant w))))
+  (for ([w (in-list weights)] [x (in-naturals s)]) (weigh! x w))
+  (define total (if base most-sums s))
   (when base
     (movsd! a total (now c (weighed-row base)))
     (weigh! total (weighed-weight base)))
-  (for ([_ (in-list (if base weights (cdr weights)))] [s (in-naturals (if base 0 1))])
-    (addsd! a total s))
+  (for ([x (in-range (if base s (+ s 1)) (+ s (length weights)))]) (addsd! a total x))
   (store-sd! a (now c r) total))
 
-;; A list of the parts of things, those of all things in turn -> n lists
-(define (parts things n)
-  (define size (quotient (length things) n))
-  (let loop ([things things])
-    (if (null? things) '() (cons (take things size) (loop (drop things size))))))
+(define (end-plain-sum! c s r base . terms)
+  (define-values (weights rows) (apply values (equal-parts terms 2)))
+  (for ([x (in-list rows)] [t (in-naturals s)]) (movsd! (tape-a c) t (now c x)))
+  (end-sum! c s r base weights))
 
-(define (write-sums! c r base . terms)
-  (define-values (weights rows) (apply values (parts terms 2)))
-  (for ([x (in-list rows)] [s (in-naturals)]) (movsd! (rows-at-assembly c) s (now c x)))
-  (store-sum! c r base weights))
+(define ((end-sum-of parts) c s r base . terms)
+  (end-sum! c s r base (first (equal-parts terms parts))))
 
-(define (write-products! c r base . terms)
-  (define-values (weights as bs) (apply values (parts terms 3)))
-  (convolve! c 0 as bs)
-  (store-sum! c r base weights))
+(define (end-ending-product! c s r base w . _) (end-sum! c s r base (list w)))
+(define (end-differential! c s r base w . _) (end-sum! c s r base (list w)))
 
-(define (write-squares! c r base . terms)
-  (define-values (weights rows) (apply values (parts terms 2)))
-  (convolve-halves! c 0 rows)
-  (store-sum! c r base weights))
-
-(define (write-ending-product! c r base w a la b lb)
-  (convolve-ending! c a la b lb)
-  (store-sum! c r base (list w)))
-
-(define (write-shared-products! c b . targets)
-  (define-values (rows as) (apply values (parts targets 2)))
-  (convolve! c 0 as (map (lambda (_) b) as))
-  (for ([r (in-list rows)] [s (in-naturals)]) (store-sd! (rows-at-assembly c) (now c r) s)))
+(define (end-shared-products! c s b . targets)
+  (for ([r (in-list (first (equal-parts targets 2)))] [t (in-naturals s)])
+    (store-sd! (tape-a c) (now c r) t)))
 
 ;; ---------------------------------------------------------------------------
 ;; Differential equations
 
-(define (write-derivative! c d r)
-  (define a (rows-at-assembly c))
+(define (end-derivative! c s d r)
+  (define a (tape-a c))
   (movapd! a 0 order)
   (mulsd! a 0 (now c r))
   (store-sd! a (now c d) 0))
 
-(define (write-integral! c r d)
-  (define a (rows-at-assembly c))
+(define (end-integral! c s r d)
+  (define a (tape-a c))
   (movsd! a 0 (now c d))
   (divsd! a 0 order)
   (store-sd! a (now c r) 0))
 
-(define (write-differential! c r base w d last b)
-  (convolve! c 1 (list d) (list b) #:last last)
-  (store-sum! c r base (list w)))
+(define (end-pair! c s r u p v d last)
+  (define a (tape-a c))
+  (for ([row (in-list (list r p))] [w (in-list (list u v))] [t (in-naturals s)])
+    (mulsd! a t (constant w))
+    (divsd! a t order)
+    (store-sd! a (now c row) t)))
 
-(define (write-pair! c r u p v d last)
-  (define a (rows-at-assembly c))
-  (convolve! c 1 (list d d) (list p r) #:last last)
-  (for ([row (in-list (list r p))] [w (in-list (list u v))] [s (in-naturals)])
-    (mulsd! a s (constant w))
-    (divsd! a s order)
-    (store-sd! a (now c row) s)))
-
-(define (write-turning! c r u p v d)
-  (define a (rows-at-assembly c))
-  (for ([w (in-list (list u v))] [other (in-list (list p r))] [s (in-naturals)])
-    (movsd! a s (constant w))
-    (mulsd! a s (early c d 1))
-    (mulsd! a s (before c other))
-    (divsd! a s order))
-  (for ([row (in-list (list r p))] [s (in-naturals)]) (store-sd! a (now c row) s)))
+(define (end-turning! c s r u p v d)
+  (define a (tape-a c))
+  (for ([w (in-list (list u v))] [other (in-list (list p r))] [t (in-naturals)])
+    (movsd! a t (constant w))
+    (mulsd! a t (early c d 1))
+    (mulsd! a t (before c other))
+    (divsd! a t order))
+  (for ([row (in-list (list r p))] [t (in-naturals)]) (store-sd! a (now c row) t)))
 
 ;; ---------------------------------------------------------------------------
 ;; Equations
 
-;; r_k becomes (r_k - s) / divisor
-(define (write-rest! c r from divisor)
-  (define a (rows-at-assembly c))
-  (movsd! a 1 (now c from))
-  (subsd! a 1 0)
-  (divsd! a 1 divisor)
-  (store-sd! a (now c r) 1))
+;; r_k becomes (x_k - s) / divisor
+(define (end-equation! c s r x divisor)
+  (define a (tape-a c))
+  (movsd! a most-sums (now c x))
+  (subsd! a most-sums s)
+  (divsd! a most-sums divisor)
+  (store-sd! a (now c r) most-sums))
 
-(define (write-leading! c r l last)
-  (convolve! c 1 (list l) (list r) #:last last)
-  (write-rest! c r r (early c l 0)))
+(define (end-leading! c s r l last) (end-equation! c s r r (early c l 0)))
+(define (end-differential-leading! c s d l) (end-equation! c s d d (early c l 0)))
 
-(define (write-differential-leading! c d l)
-  (convolve! c 1 (list d) (list l) #:before-end? #t)
-  (write-rest! c d d (early c l 0)))
+(define (end-root! c s r x)
+  (define-values (a twice) (values (tape-a c) (+ 1 most-sums)))
+  (movsd! a twice (constant 2.0))
+  (mulsd! a twice (early c r 0))
+  (end-equation! c s r x twice))
 
-(define (write-root! c r x)
-  (define a (rows-at-assembly c))
-  (convolve-halves! c 1 (list r))
-  (movsd! a 2 (constant 2.0))
-  (mulsd! a 2 (early c r 0))
-  (write-rest! c r x 2))
+(define (end-reciprocal! c s r b)
+  (define a (tape-a c))
+  (xorpd! a most-sums most-sums)
+  (subsd! a most-sums s)
+  (divsd! a most-sums (early c b 0))
+  (store-sd! a (now c r) most-sums))
 
-(define (write-reciprocal! c r b)
-  (define a (rows-at-assembly c))
-  (convolve! c 1 (list b) (list r))
-  (xorpd! a 1 1)
-  (subsd! a 1 0)
-  (divsd! a 1 (early c b 0))
-  (store-sd! a (now c r) 1))
-
-;; Register 0 : the sum; 1 : the weight, which rises by register 2
-(define (write-power! c r b n)
-  (define a (rows-at-assembly c))
-  (define rise (+ n 1.0))
-  (movsd! a 2 (constant rise))
-  (movapd! a 1 2)
-  (subsd! a 1 order)
-  (xorpd! a 0 0)
-  (for-each-term! c 1
-                  (lambda ()
-                    (movsd! a 3 (rising c b 0))
-                    (mulsd! a 3 (falling c r 0))
-                    (mulsd! a 3 1)
-                    (addsd! a 0 3)
-                    (addsd! a 1 2)))
-  (movapd! a 1 order)
-  (mulsd! a 1 (early c b 0))
-  (divsd! a 0 1)
-  (store-sd! a (now c r) 0))
+(define (end-power! c s r b n)
+  (define a (tape-a c))
+  (movapd! a most-sums order)
+  (mulsd! a most-sums (early c b 0))
+  (divsd! a s most-sums)
+  (store-sd! a (now c r) s))
 
 ;; ---------------------------------------------------------------------------
 ;; Order 0
 
-(define (write-constant! c r x)
-  (movsd! (rows-at-assembly c) 0 (constant x))
+(define (store-start! c r) (store-sd! (tape-a c) (early c r 0) 0))
+
+(define (end-constant! c s r x)
+  (movsd! (tape-a c) 0 (constant x))
   (store-start! c r))
 
-(define (store-start! c r) (store-sd! (rows-at-assembly c) (early c r 0) 0))
-
-(define (write-ratio! c r x y)
-  (define a (rows-at-assembly c))
-  (movsd! a 0 (early c x 0))
-  (divsd! a 0 (early c y 0))
+(define (end-ratio! c s r x y)
+  (movsd! (tape-a c) 0 (early c x 0))
+  (divsd! (tape-a c) 0 (early c y 0))
   (store-start! c r))
 
-(define (write-power-value! c r b n)
-  (define a (rows-at-assembly c))
+(define (end-power-value! c s r b n)
+  (define a (tape-a c))
   (define-values (whole half?) (whole-and-half n))
-  (define (load-b! k) (movsd! a k (early c b 0)))
   (cond [whole
          (if half? (sqrtsd! a 0 (early c b 0)) (movsd! a 0 (constant 1.0)))
          (for ([_ (in-range whole)]) (mulsd! a 0 (early c b 0)))
          (when (< n 0)
-           (movsd! a 1 (constant 1.0))
-           (divsd! a 1 0)
-           (movapd! a 0 1))
-         (store-start! c r)]
+           (movapd! a 1 0)
+           (movsd! a 0 (constant 1.0))
+           (divsd! a 0 1))]
         [else
-         (load-b! 0)
+         (movsd! a 0 (early c b 0))
          (movsd! a 1 (constant (real->double-flonum n)))
-         (call-address! a (C-function 'pow))
-         (store-start! (load-rows! a (list r)) r)]))
+         (call-address! a (C-function 'pow))])
+  (store-start! c r))
 
-;; A function of C changes the registers where rows are.
-(define (write-value! c r name f . xs)
-  (define a (rows-at-assembly c))
-  (cond [(eq? name 'sqrt) (sqrtsd! a 0 (early c (car xs) 0))
-                          (store-start! c r)]
+(define (end-value! c s r name f . xs)
+  (define a (tape-a c))
+  (cond [(eq? name 'sqrt) (sqrtsd! a 0 (early c (car xs) 0))]
         [else
          (for ([x (in-list xs)] [k (in-naturals)]) (movsd! a k (early c x 0)))
-         (call-address! a (operation-C-function name (length xs)))
-         (store-start! (load-rows! a (list r)) r)]))
+         (call-address! a (operation-C-function name (length xs)))])
+  (store-start! c r))
 
 (define (start-function r)
-  (define operands (recurrence-operands r))
-  (define name (second operands))
-  (or (eq? name 'sqrt) (operation-C-function name (length (cdddr operands)))))
+  (define-values (name xs)
+    (values (second (recurrence-operands r)) (cdddr (recurrence-operands r))))
+  (or (eq? name 'sqrt) (operation-C-function name (length xs))))
 
 ;; ---------------------------------------------------------------------------
 
-(define writers
-  (hasheq 'sums write-sums! 'products write-products! 'squares write-squares!
-          'ending-product write-ending-product! 'shared-products write-shared-products!
-          'derivative write-derivative! 'integral write-integral!
-          'differential write-differential! 'pair write-pair! 'turning write-turning!
-          'leading write-leading! 'differential-leading write-differential-leading!
-          'root write-root! 'reciprocal write-reciprocal! 'power write-power!
-          'value write-value! 'constant write-constant! 'ratio write-ratio!
-          'power-value write-power-value!))
+(define ends-of-loops
+  (hasheq 'sums end-plain-sum! 'products (end-sum-of 3) 'squares (end-sum-of 2)
+          'ending-product end-ending-product! 'shared-products end-shared-products!
+          'derivative end-derivative! 'integral end-integral!
+          'differential end-differential! 'pair end-pair! 'turning end-turning!
+          'leading end-leading! 'differential-leading end-differential-leading!
+          'root end-root! 'reciprocal end-reciprocal! 'power end-power!
+          'value end-value! 'constant end-constant! 'ratio end-ratio!
+          'power-value end-power-value!))

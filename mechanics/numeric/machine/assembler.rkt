@@ -13,7 +13,7 @@
  rax rcx rdx rbx rsp rbp rsi rdi r8 r9 r10 r11 r12 r13 r14 r15
  behind memory? (struct-out constant) sign all-but-sign
  ;; flonums
- movsd! movupd! movapd! store-sd! store-pd!
+ movsd! movupd! movapd! load-high! store-sd! store-high! store-pd!
  addsd! subsd! mulsd! divsd! sqrtsd! maxsd! ucomisd!
  addpd! subpd! mulpd! divpd! sqrtpd! maxpd!
  andpd! xorpd! unpcklpd!
@@ -125,6 +125,10 @@
   [addpd! #x66 #x58] [subpd! #x66 #x5C] [mulpd! #x66 #x59] [divpd! #x66 #x5E]
   [sqrtpd! #x66 #x51] [maxpd! #x66 #x5F]
   [andpd! #x66 #x54] [xorpd! #x66 #x57] [unpcklpd! #x66 #x14])
+
+;; The second of two, from memory and to it
+(define (load-high! a x from) (instruction! a #x66 #f '(#x0F #x16) x from))
+(define (store-high! a to x) (instruction! a #x66 #f '(#x0F #x17) x to))
 
 (define (store-sd! a to x) (instruction! a #xF2 #f '(#x0F #x11) x to))
 (define (store-pd! a to x) (instruction! a #x66 #f '(#x0F #x11) x to))
