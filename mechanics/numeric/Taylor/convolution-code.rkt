@@ -10,7 +10,7 @@
          "../machine/assembler.rkt" "../machine/executable.rkt")
 
 (provide (struct-out tape) unit order most-sums
-         now before early
+         now before early rising
          convolve! convolve-ending! convolve-halves! add-weighted-terms!)
 
 ;; a : assembly; stride : how many coefficients a row has

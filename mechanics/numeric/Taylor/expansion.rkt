@@ -10,14 +10,14 @@
 (require racket/fixnum racket/flonum
          racket/list
          racket/unsafe/ops
-         "../record-fields.rkt" "../flvector.rkt" "../unboxed-loop.rkt"
-         "convolution.rkt" "kernels.rkt" "recurrence.rkt" "recurrence-code.rkt")
+         "kernels.rkt" "motion-code.rkt" "recurrence.rkt"
+         "../record-fields.rkt" "../unboxed-loop.rkt")
 
 (provide (struct-out expander) (struct-out work) work-of-order
-         make-recurrences recurrences->expansion expansion-list (struct-out recurrences)
+         make-recurrences recurrences->expansion
          expansion-order expansion-states expansion-slopes expansion-lasts
-         expand! follow! coefficient-row
-         for-each-sum for-each-rate value-at! coefficients-finite?)
+         expansion-machine machine-advance machine-value machine-rates machine-tape machine-sizes
+         expand! follow! coefficient-row)
 
 ;; What makes expansions.  make : order -> expansion; work : what one of them takes;
 ;; branches? : may they go on where f takes another branch, as that of √x² = x does where x < 0?
@@ -48,16 +48,20 @@
 (define (make-recurrences count states slopes starts ending endless follow?)
   (recurrences count states slopes starts ending endless follow? 0 (hasheqv)))
 
-;; list    : recurrences; rows : vector of all rows; run : unit -> void, machine code, or #f where
-;; there is none, or 'later until it was earned
+;; list    : recurrences; rows : vector of all rows, flvectors
 ;; order   : the last one; states, slopes : vectors of flvectors
 ;; lasts   : fxvector, where the rows of the states end
 ;; moving  : vector, state and slope in turn, of those that do not end
 ;; starts  : vector of kernels, for order 0; ending : list of those below; kernels : vector of those
 ;; whose rows do not end
+;; machine : machine code, #f where there is none, 'later until it was earned
 (struct expansion (list rows order states slopes lasts moving starts ending kernels
-                   [run #:mutable])
+                   [machine #:mutable])
   #:authentic)
+
+;; expand, advance, value, rates : procedures (motion-code.rkt), of which those that follow known
+;; rows have the first alone; given : vector of the flvectors of states and slopes; tape; sizes
+(struct machine (expand advance value rates given tape sizes) #:authentic)
 
 ;; A kernel of rows that are 0 beyond an order.
 (struct ending (last kernel) #:authentic)
@@ -70,9 +74,8 @@
   (define-fields recurrences rs states slopes starts endless)
   (define kernels (make-hasheq))
   (define (kernel r) (hash-ref! kernels r (lambda () (recurrence->kernel r rows))))
-  (define (last r) (if (< (row-degree r) order) (row-degree r) order))
   (expansion rs rows order (list->vector (flvectors states)) (list->vector (flvectors slopes))
-             (for/fxvector ([s (in-list states)]) (max 1 (last s)))
+             (for/fxvector ([s (in-list states)]) (max 1 (min order (last-index s))))
              (list->vector
               (append* (for/list ([s (in-list states)] [slope (in-list slopes)] #:unless (ends? s))
                          (flvectors (list s slope)))))
@@ -87,8 +90,8 @@
 (define (expand! e y h)
   (define states (expansion-states e))
   (each (i 0 (vector-length states)) (put! (unsafe-vector-ref states i) 0 (at y i)))
-  (define run (machine-run e))
-  (if run (run h) (expand-by-kernels! e h)))
+  (define m (machine-of e))
+  (if m (run-machine! m h) (expand-by-kernels! e h)))
 
 (define (expand-by-kernels! e h)
   (define-fields expansion e states slopes moving order kernels ending)
@@ -118,8 +121,8 @@
 
 ;; Coefficients of what depends on rows that are known already, up to the order.
 (define (follow! e)
-  (define run (machine-run e))
-  (if run (run 1.0) (follow-by-kernels! e)))
+  (define m (machine-of e))
+  (if m (run-machine! m 1.0) (follow-by-kernels! e)))
 
 (define (follow-by-kernels! e)
   (run-all! (expansion-starts e) 0)
@@ -141,68 +144,42 @@
 ;; About so many expansions take as much less time by machine code as it takes to write.
 (define runs-that-pay 500)
 
-(define (machine-run e)
-  (define run (expansion-run e))
-  (if (eq? run 'later) (earned-run! e) run))
+(define (run-machine! m h)
+  ((machine-expand m) h (machine-given m) (machine-tape m) (machine-sizes m)))
 
-(define (earned-run! e)
+(define (machine-of e)
+  (define m (expansion-machine e))
+  (if (eq? m 'later) (earned-machine! e) m))
+
+(define (earned-machine! e)
   (define rs (expansion-list e))
   (set-recurrences-runs! rs (+ 1 (recurrences-runs rs)))
   (and (> (recurrences-runs rs) runs-that-pay)
        (let ([code (code-of-order rs (expansion-order e))])
-         (set-expansion-run! e (and code (on-tape e code)))
-         (expansion-run e))))
+         (set-expansion-machine! e (and code (make-machine e code)))
+         (expansion-machine e))))
 
 (define (code-of-order rs order)
-  (define-fields recurrences rs states slopes starts ending endless follow? codes)
-  (define (make) (expansion-code states slopes starts ending endless order latest-end follow?))
-  (define code (hash-ref codes order make))
+  (define codes (recurrences-codes rs))
+  (define code (hash-ref codes order (lambda () (make-code rs order))))
   (set-recurrences-codes! rs (hash-set codes order code))
   code)
 
+(define (make-code rs order)
+  (define-fields recurrences rs states slopes starts ending endless follow?)
+  (and (code-for? (append starts (map cdr ending) endless))
+       ((if follow? follow-code motion-code)
+        states slopes starts ending endless order latest-end)))
+
 ;; The tape begins with the constants among the inputs.
-(define (on-tape e code)
+(define (make-machine e code)
   (define-fields expansion e rows order states slopes)
   (define tape (make-flvector (* (vector-length rows) (+ order 1))))
   (for ([row (in-vector rows)] [k (in-naturals)]) (put! tape (* k (+ order 1)) (at row 0)))
-  (define given (list->vector (append (vector->list states) (vector->list slopes))))
-  (lambda (h) (code h given tape)))
-
-;; ---------------------------------------------------------------------------
-;; Sums
-
-;; Of each state, its row c and s = Σ c_j u^(j − first), j from `first` on, for what is done with
-;; these at its index i.
-(define-syntax-rule (for-each-sum e u first (i c s) do)
-  (for-each-row-sum (expansion-states e) (expansion-lasts e) 0 u first (i c s) do))
-
-;; The same of the rates of the states, all terms that are known.
-(define-syntax-rule (for-each-rate e u (i c s) do)
-  (for-each-row-sum (expansion-slopes e) (expansion-lasts e) 1 u 0 (i c s) do))
-
-;; Rows that end so much before the given indices.  Two at a time, for the processor works on both
-;; at once.
-(define-syntax-rule (for-each-row-sum all lasts before u first (i c s) do)
-  (let* ([rows all]
-         [ends lasts]
-         [end (unsafe-fx- (vector-length rows) 1)])
-    (define-syntax-rule (row k) (unsafe-vector-ref rows k))
-    (define-syntax-rule (last k) (unsafe-fx- (unsafe-fxvector-ref ends k) before))
-    (let loop ([i 0])
-      (cond [(unsafe-fx> i end) (void)]
-            [(and (unsafe-fx< i end) (unsafe-fx= (last i) (last (unsafe-fx+ i 1))))
-             (let* ([c (row i)] [next (unsafe-fx+ i 1)] [d (row next)])
-               (polynomials u first (last i) ([s odd c] [t other-odd d])
-                            (begin do
-                                   (let ([i next] [c d] [s t]) do)))
-               (loop (unsafe-fx+ i 2)))]
-            [else
-             (let ([c (row i)]) (polynomials u first (last i) ([s odd c]) do))
-             (loop (unsafe-fx+ i 1))]))))
-
-;; Stores in `out` the state at the time u, in units of that of the coefficients.
-(define (value-at! e u out)
-  (for-each-sum e u 0 (i c s) (put! out i s)))
-
-(define (coefficients-finite? e)
-  (for/and ([row (in-vector (expansion-states e))]) (flvector-finite? row)))
+  (define-values (expand advance value rates)
+    (if (recurrences-follow? (expansion-list e))
+        (values (car code) #f #f #f)
+        (apply values code)))
+  (machine expand advance value rates
+           (list->vector (append (vector->list states) (vector->list slopes)))
+           tape (make-flvector 4)))

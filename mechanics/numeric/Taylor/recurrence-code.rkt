@@ -9,28 +9,13 @@
 
 (require racket/list
          "recurrence.rkt" "recurrence-groups.rkt" "convolution-code.rkt"
-         "../machine/assembler.rkt" "../machine/executable.rkt" "../machine/instruction-code.rkt")
+         "../machine/assembler.rkt" "../machine/executable.rkt"
+         "../machine/instruction-code.rkt")
 
-(provide (protect-out expansion-code))
+(provide write-expansion! coded-recurrence?)
 
-;; starts, endless : recurrences; ending : list of (last order . recurrence)
-;; inputs, outputs : lists of rows
-;; follow? : are the inputs known?  Else they are the solution of y' = f(y), f being the outputs.
-;; ends : to which order inputs are found that end
-;; -> (h flvectors tape -> void); or #f where there is no such code.  flvectors : vector, rows of
-;; inputs and outputs; tape : of all rows
-(define (expansion-code inputs outputs starts ending endless order ends follow?)
-  (define all (append starts (map cdr ending) endless))
-  (and (machine?)
-       (andmap coded? all)
-       (let ([a (make-assembly)])
-         (write-procedure! (tape a (+ order 1)) inputs outputs starts ending
-                           (recurrence-groups endless) order ends follow?)
-         (define procedures
-           (machine-procedures (assembly->bytes a) '((0 flonum vector flvector))))
-         (and procedures (car procedures)))))
-
-(define (coded? r)
+;; Is there code for it?
+(define (coded-recurrence? r)
   (case (recurrence-kind r)
     [(system) #f]
     [(value) (and (start-function r) #t)]
@@ -40,21 +25,29 @@
 ;; The procedure
 
 ;; Registers that a function of C keeps: rbx, the tape; rbp, the vector of flvectors; r12, the
-;; order; two for loops
-(define kept (list rbx rbp r12 r13 r14))
+;; order; two for loops; the further argument
+(define kept (list rbx rbp r12 r13 r14 r15))
 
-(define (write-procedure! c inputs outputs starts ending groups last ends follow?)
-  (define a (tape-a c))
+;; starts, endless : recurrences; ending : list of (last order . recurrence)
+;; inputs, outputs : lists of rows
+;; follow? : are the inputs known?  Else they are the solution of y' = f(y), f being the outputs,
+;; and (write-end!) writes the end of the code.  ends : to which order inputs are found that end
+;; Writes a procedure of the unit h; flvectors, a vector of those of inputs and outputs; the tape of
+;; all rows; and a further argument in rdx, which is in r15 at the end.
+(define (write-expansion! c inputs outputs starts ending endless ends follow? write-end!)
+  (define-values (a last groups)
+    (values (tape-a c) (- (tape-stride c) 1) (recurrence-groups endless)))
   (define-values (again done) (values (make-label) (make-label)))
   (for ([r (in-list kept)]) (push! a r))
-  (add! a rsp -16)
+  (add! a rsp -24)
   (store-sd! a (behind rsp 0) 0)
   (mov! a rbp rdi)
   (mov! a rbx rsi)
+  (mov! a r15 rdx)
   (mov-number! a r12 0)
   (write-taking! c inputs)
   (for ([r (in-list starts)]) (write-group! c (list r)))
-  (write-giving! c inputs outputs)
+  (when follow? (write-giving! c inputs outputs))
   (movsd! a unit (behind rsp 0))
   (unpcklpd! a unit unit)
   (xorpd! a order order)
@@ -67,10 +60,11 @@
   (for ([e (in-list ending)])
     (only-up-to c (car e) (write-group! c (list (cdr e)))))
   (for ([g (in-list groups)]) (write-group! c g))
-  (write-giving! c inputs outputs)
+  (when follow? (write-giving! c inputs outputs))
   (jump! a 'always again)
   (label-here! a done)
-  (add! a rsp 16)
+  (write-end!)
+  (add! a rsp 24)
   (for ([r (in-list (reverse kept))]) (pop! a r))
   (ret! a))
 

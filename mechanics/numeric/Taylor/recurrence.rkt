@@ -34,7 +34,7 @@
 (require racket/list)
 
 (provide (struct-out recurrence) make-recurrence (struct-out row) (struct-out weighed)
-         (struct-out product) (struct-out target) itself ends?
+         (struct-out product) (struct-out target) itself ends? last-index
          sum-recurrences product-recurrences square-recurrences shared-product-recurrences
          differential-recurrence pair-recurrence leading-recurrence whole-and-half)
 

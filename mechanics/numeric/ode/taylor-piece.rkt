@@ -6,7 +6,7 @@
 
 (require racket/flonum
          "right-hand-side.rkt" "taylor-run.rkt"
-         "../Taylor/expansion.rkt")
+         "../Taylor/coefficient-sums.rkt" "../Taylor/expansion.rkt")
 
 (provide make-piece taylor-piece? taylor-piece-span call-with-coefficients)
 

@@ -11,9 +11,9 @@
          "right-hand-side.rkt" "vector-formulas.rkt"
          (only-in "../constants.rkt" rounding) "../record-fields.rkt" "../flvector.rkt"
          "../unboxed-loop.rkt"
-         "../Taylor/expansion.rkt")
+         "../Taylor/coefficient-sums.rkt" "../Taylor/expansion.rkt")
 
-(provide (struct-out run) make-run begin-at! forget! limit-of size term-tolerance)
+(provide (struct-out run) make-run begin-at! forget! limit-of term-tolerance)
 
 ;; f!, n     : the right-hand side, of how many variables; e : its expansion
 ;; tolerance : of the error of a step; order : of the expansion; share : ln q
@@ -141,27 +141,16 @@
   (if (fl< 0.0 rate +inf.0) (power-of-2 (fl/ 0.1 rate)) 1.0))
 
 (define (length-in-units r)
-  (define-fields run r n e y order share)
-  (define a (size e y n order))
-  (define b (size e y n (- order 1)))
+  (define-fields run r e order share)
+  (define-values (a b) (values (last-size e 0) (last-size e 1)))
   (cond [(and (fl< a +inf.0) (fl< b +inf.0))
          (flmin (flexp (fl- share
                             (flmax (fl/ (fllog a) (->fl order))
                                    (fl/ (fllog b) (->fl (- order 1))))))
-                (flmax (falling (size e y n (- order 2)) a) (falling (size e y n (- order 3)) b)))]
+                (flmax (falling (last-size e 2) a) (falling (last-size e 3) b)))]
         [else +nan.0]))
 
 ;; Terms as small as they may be tell nothing as long as they grow: half the distance at which
 ;; two of them, of orders that differ by 2, are equal.
 (define (falling earlier later)
   (if (or (fl= later 0.0) (fl= earlier 0.0)) +inf.0 (fl* 0.5 (flsqrt (fl/ earlier later)))))
-
-;; ‖y_k‖; not less than infinite if one is not a number
-(define (size e y n k)
-  (let loop ([i 0] [greatest 0.0])
-    (if (unsafe-fx= i n)
-        (unboxed greatest)
-        (let ([x (unsafe-fl/ (unsafe-flabs (at (coefficient-row e i) k))
-                             (unsafe-fl+ 1.0 (unsafe-flabs (unsafe-flvector-ref y i))))])
-          (loop (unsafe-fx+ i 1)
-                (if (unsafe-fl< x +inf.0) (unsafe-flmax greatest x) +inf.0))))))

@@ -16,7 +16,7 @@
          racket/unsafe/ops
          "right-hand-side.rkt" "stepper.rkt" "taylor-piece.rkt" "taylor-run.rkt"
          "../record-fields.rkt" "../flvector.rkt" "../unboxed-loop.rkt"
-         "../Taylor/expansion.rkt")
+         "../Taylor/coefficient-sums.rkt" "../Taylor/expansion.rkt")
 
 (provide taylor outlook-from (struct-out outlook))
 
@@ -51,9 +51,9 @@
 ;; An integration from y0 by f! begins with what was computed.
 (define (outlook-from f! y0 tolerated)
   (define r (run-from-start f! y0 tolerated))
-  (define-fields run r n e y order)
+  (define-fields run r e order)
   (define step (limit-of r))
-  (define (rate k) (fl/ (flexpt (size e y n k) (fl/ 1.0 (->fl k))) (run-unit r)))
+  (define (rate k) (fl/ (flexpt (coefficient-size e k) (fl/ 1.0 (->fl k))) (run-unit r)))
   (rest! f!)
   (outlook step
            (work-of-order (expander-work (expandable-expand f!)) order)
@@ -67,7 +67,7 @@
   (define-fields run r e y lost z rest unit last branches?)
   (limit-of r)
   (set-run-tried! r h)
-  (advance-all! e (fl/ h unit) y lost z rest)
+  (motion-end! e (fl/ h unit) y lost z rest)
   (cond [(not (flvector-finite? z)) +nan.0]
         [(fl> (flabs h) (fl* growth last)) (fl* 0.01 (greatest-defect r h))]
         [branches?
@@ -83,22 +83,6 @@
 
 ;; A defect of no more may be rounding's.
 (define no-branch 1e-11)
-
-;; z + rest = y + lost + Σ c_k u^k, k from 1, where rounding loses nothing that is not in `rest`
-(define (advance-all! e u y lost z rest)
-  (for-each-sum e u 1 (i c sum)
-    (add-exactly! i (unsafe-fl+ (unsafe-fl* u sum) (at lost i)) y z rest)))
-
-;; z + rest = y + d (Knuth)
-(define-syntax-rule (add-exactly! i d-form y z rest)
-  (let* ([d d-form]
-         [x (at y i)]
-         [sum (unsafe-fl+ x d)]
-         [back (unsafe-fl- sum x)])
-    (unsafe-flvector-set! z i sum)
-    (unsafe-flvector-set! rest i
-                          (unsafe-fl+ (unsafe-fl- x (unsafe-fl- sum back))
-                                      (unsafe-fl- d back)))))
 
 ;; +nan.0 is worse than any.
 (define-syntax-rule (worse x y)
@@ -117,7 +101,7 @@
 (define (defect-at r h u y)
   (define-fields run r f! n e slope rate)
   (f! y slope)
-  (for-each-rate e u (i c sum) (put! rate i sum))
+  (rates-at! e u rate)
   (let loop ([i 0] [greatest 0.0])
     (if (unsafe-fx= i n)
         (unboxed greatest)
