@@ -56,7 +56,7 @@
   (define other
     (flmin (fl* 1.9 (flexpt (fl/ tolerance (outlook-eighth o)) 0.125)) (fl* 2.0 step)))
   (define other-work
-    (+ 300.0 (* 30.0 (system-size s)) (* 16.0 (or (system-operations s) 0))))
+    (+ 80.0 (* 12.0 (system-size s)) (* 6.0 (or (system-operations s) 0))))
   (and (fl> tolerance rounding)
        (> (* other (outlook-work o)) (* 1.25 step other-work))))
 

@@ -25,7 +25,7 @@
          (define degrees (if follow? (node-degrees g #f) (node-degrees g (graph-outputs g))))
          (define rs (graph->recurrences g degrees follow?))
          (expansion-maker (lambda (order inputs) (recurrences->expansion rs order inputs))
-                          (graph-work g degrees) (branches? p))]))
+                          (graph-work g degrees (recurrences-coded? rs)) (branches? p))]))
 
 ;; make : order flvector -> expansion, given the values of all inputs, of which those beyond
 ;; stay; work : what it takes; branches? : as in numeric/Taylor/expansion.rkt

@@ -46,21 +46,21 @@
 (define (value-at! e u out)
   (define m (expansion-machine e))
   (if (on-tape? m)
-      ((machine-value m) u (machine-tape m) out)
+      ((tape-run-value m) u (tape-run-tape m) out)
       (for-each-sum e u 0 (i c s) (put! out i s))))
 
 ;; The same of its rates.
 (define (rates-at! e u out)
   (define m (expansion-machine e))
   (if (on-tape? m)
-      ((machine-rates m) u (machine-tape m) out)
+      ((tape-run-rates m) u (tape-run-tape m) out)
       (for-each-rate e u (i c s) (put! out i s))))
 
 ;; z + rest = y + lost + Σ c_k u^k, k from 1, where rounding loses nothing that is not in `rest`
 (define (motion-end! e u y lost z rest)
   (define m (expansion-machine e))
   (if (on-tape? m)
-      ((machine-advance m) u (machine-tape m) y lost z rest)
+      ((tape-run-advance m) u (tape-run-tape m) y lost z rest)
       (for-each-sum e u 1 (i c sum)
         (add-exactly! i (unsafe-fl+ (unsafe-fl* u sum) (at lost i)) y z rest))))
 
@@ -93,6 +93,6 @@
 (define (last-size e before)
   (define m (expansion-machine e))
   (if (on-tape? m)
-      (let ([x (at (machine-sizes m) (unsafe-fx- 3 before))])
+      (let ([x (at (tape-run-sizes m) (unsafe-fx- 3 before))])
         (if (unsafe-fl< x +inf.0) (unboxed x) +inf.0))
       (coefficient-size e (unsafe-fx- (expansion-order e) before))))

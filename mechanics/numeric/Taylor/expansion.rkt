@@ -10,13 +10,14 @@
 (require racket/fixnum racket/flonum
          racket/list
          racket/unsafe/ops
-         "kernels.rkt" "motion-code.rkt" "recurrence.rkt"
+         "kernels.rkt" "motion-code.rkt" "recurrence.rkt" "recurrence-code.rkt"
+         (only-in "../machine/executable.rkt" machine?)
          "../record-fields.rkt" "../unboxed-loop.rkt")
 
 (provide (struct-out expander) (struct-out work) work-of-order
-         make-recurrences recurrences->expansion
+         make-recurrences recurrences-coded? recurrences->expansion
          expansion-order expansion-states expansion-slopes expansion-lasts
-         expansion-machine machine-advance machine-value machine-rates machine-tape machine-sizes
+         expansion-machine tape-run-advance tape-run-value tape-run-rates tape-run-tape tape-run-sizes
          expand! follow! coefficient-row)
 
 ;; What makes expansions.  make : order -> expansion; work : what one of them takes;
@@ -25,14 +26,17 @@
   #:authentic
   #:property prop:procedure 0)
 
-;; How many nodes there are, rows that do not end, and convolutions for each order.
-(struct work (nodes rows convolutions) #:authentic)
+;; How many nodes there are, rows that do not end, and convolutions for each order; is there machine
+;; code for them on processors that have any?
+(struct work (nodes rows convolutions coded?) #:authentic)
 
-;; Nanoseconds or so, of an expansion of order n and the step it is made for, as measured.
+;; Nanoseconds or so, of an expansion of order n and the step it is made for, as measured: the same
+;; on all processors, so that they take the same steps.
 (define (work-of-order w n)
-  (+ 300 (* 12 (work-nodes w))
-     (* n (+ 4 (* 1.8 (work-rows w))))
-     (* n n 0.45 (work-convolutions w))))
+  (* (if (work-coded? w) 1.0 2.8)
+     (+ 180 (* 2 (work-nodes w))
+        (* n (+ 9 (* 0.4 (work-rows w))))
+        (* n n 0.13 (work-convolutions w)))))
 
 ;; count  : of rows, of which the first are those of the inputs
 ;; states, slopes : lists of rows, y and f(y)
@@ -61,7 +65,7 @@
 
 ;; expand, advance, value, rates : procedures (motion-code.rkt), of which those that follow known
 ;; rows have the first alone; given : vector of the flvectors of states and slopes; tape; sizes
-(struct machine (expand advance value rates given tape sizes) #:authentic)
+(struct tape-run (expand advance value rates given tape sizes) #:authentic)
 
 ;; A kernel of rows that are 0 beyond an order.
 (struct ending (last kernel) #:authentic)
@@ -145,7 +149,7 @@
 (define runs-that-pay 500)
 
 (define (run-machine! m h)
-  ((machine-expand m) h (machine-given m) (machine-tape m) (machine-sizes m)))
+  ((tape-run-expand m) h (tape-run-given m) (tape-run-tape m) (tape-run-sizes m)))
 
 (define (machine-of e)
   (define m (expansion-machine e))
@@ -167,9 +171,16 @@
 
 (define (make-code rs order)
   (define-fields recurrences rs states slopes starts ending endless follow?)
-  (and (code-for? (append starts (map cdr ending) endless))
+  (and (machine?)
+       (recurrences-coded? rs)
        ((if follow? follow-code motion-code)
         states slopes starts ending endless order latest-end)))
+
+;; Is there machine code for all, if for any?
+(define (recurrences-coded? rs)
+  (define-fields recurrences rs starts ending endless)
+  (define (coded? rs) (andmap coded-recurrence? rs))
+  (and (coded? starts) (coded? (map cdr ending)) (coded? endless)))
 
 ;; The tape begins with the constants among the inputs.
 (define (make-machine e code)
@@ -180,6 +191,6 @@
     (if (recurrences-follow? (expansion-list e))
         (values (car code) #f #f #f)
         (apply values code)))
-  (machine expand advance value rates
+  (tape-run expand advance value rates
            (list->vector (append (vector->list states) (vector->list slopes)))
            tape (make-flvector 4)))

@@ -5,10 +5,7 @@
 (require "convolution-code.rkt" "polynomial-code.rkt" "recurrence.rkt" "recurrence-code.rkt"
          "../machine/assembler.rkt" "../machine/executable.rkt")
 
-(provide (protect-out motion-code follow-code) code-for?)
-
-;; all : recurrences -> is there code for them here?
-(define (code-for? all) (and (machine?) (andmap coded-recurrence? all)))
+(provide (protect-out motion-code follow-code))
 
 ;; states, slopes : lists of rows; starts, endless : recurrences; ending : list of (last order .
 ;; recurrence); ends : the greatest order of a row that ends
