@@ -53,12 +53,15 @@
 ;; degrees : of the nodes; coded? : is there machine code for them?  Constants take nothing.
 (define (graph-work g degrees coded?)
   (define (endless? id) (= +inf.0 (vector-ref degrees id)))
-  (for/fold ([w (work 0 0 0 coded?)])
+  (for/fold ([w (work 0 0 0 0 coded?)])
             ([n (in-vector (graph-nodes g))] [id (in-naturals)]
              #:unless (eqv? 0 (vector-ref degrees id)))
     (define-values (rows convolutions)
       (if (endless? id) (values (rows-of n) (convolutions-of n endless?)) (values 0 0)))
-    (work (+ 1 (work-nodes w)) (+ rows (work-rows w)) (+ convolutions (work-convolutions w)) coded?)))
+    (define functions (if (eq? 'law (node-kind n)) 1 0))
+    (work (+ 1 (work-nodes w)) (+ functions (work-functions w))
+          (+ rows (work-rows w)) (+ convolutions (work-convolutions w))
+          coded?)))
 
 (define (rows-of n) (if (eq? 'system (node-kind n)) (length (node-operands n)) 1))
 

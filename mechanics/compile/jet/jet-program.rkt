@@ -2,13 +2,14 @@
 ;; From programs to what computes Taylor coefficients of the motions they are the rates of.
 ;;
 ;; The nodes of a graph (jet-graph.rkt) become rows of coefficients, and recurrences
-;; (numeric/Taylor) that compute them.  A node that is a polynomial in the time, as the time is itself, ends: beyond its
-;; degree nothing is computed, so that cos ωt costs one multiplication for an order.
+;; (numeric/Taylor) that compute them.  A node that is a polynomial in the time, as the time is
+;; itself, ends: beyond its degree nothing is computed, so that cos ωt costs one multiplication for
+;; an order.
 
 (require racket/list
          "jet-coefficient-rows.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-nodes.rkt"
-         "jet-operation-kernels.rkt"
-         "jet-sum-kernels.rkt" "../program.rkt"
+         "jet-operation-recurrences.rkt"
+         "jet-sum-recurrences.rkt" "../program.rkt"
          "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/recurrence.rkt"
          "../../operation/operation-column.rkt")
 
@@ -69,7 +70,8 @@
     [(product) (emit-product! r nodes id shared)]
     [(power) (emit-power! r id (car operands) (cadr operands))]
     [(quotient)
-     (define-values (x a b) (apply values (for/list ([id (in-list (cons id operands))]) (row-of r id))))
+     (define-values (x a b)
+       (apply values (for/list ([k (in-list (cons id operands))]) (row-of r k))))
      (emit-start! r (make-recurrence 'ratio x a b))
      (apply emit! r id (sum-recurrences x (list (weighed 1.0 a)) #f))
      (emit! r id (leading-recurrence x b))]

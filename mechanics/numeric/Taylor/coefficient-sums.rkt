@@ -5,11 +5,9 @@
 ;; By machine code (polynomial-code.rkt) where the coefficients come from such, else by loops that
 ;; do the same operations in the same order.
 
-(require racket/fixnum
-         racket/flonum
-         racket/unsafe/ops
+(require racket/unsafe/ops
          "convolution.rkt" "expansion.rkt"
-         "../record-fields.rkt" "../unboxed-loop.rkt")
+         "../unboxed-loop.rkt")
 
 (provide motion-end! value-at! rates-at! coefficient-size last-size)
 
@@ -85,7 +83,8 @@
     (if (unsafe-fx= i (vector-length states))
         (unboxed greatest)
         (let* ([row (unsafe-vector-ref states i)]
-               [x (unsafe-fl/ (unsafe-flabs (at row k)) (unsafe-fl+ 1.0 (unsafe-flabs (at row 0))))])
+               [scale (unsafe-fl+ 1.0 (unsafe-flabs (at row 0)))]
+               [x (unsafe-fl/ (unsafe-flabs (at row k)) scale)])
           (loop (unsafe-fx+ i 1)
                 (if (unsafe-fl< x +inf.0) (unsafe-flmax greatest x) +inf.0))))))
 

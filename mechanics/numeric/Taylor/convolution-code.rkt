@@ -38,8 +38,8 @@
 (define falling (coefficient rcx))
 
 ;; ---------------------------------------------------------------------------
-;; Sums Σ a_j b_{k−j} of each (a . b), j from `first` to `last`, to k, or to k − 1.  alone? : is each
-;; a sum by itself, in two parts?  There are twice as many registers then.
+;; Sums Σ a_j b_{k−j} of each (a . b), j from `first` to `last`, to k, or to k − 1.  alone? : is
+;; each a sum by itself, in two parts?  There are twice as many registers then.
 
 (define (convolve! c first pairs alone? #:last [last #f] #:before-end? [before-end? #f])
   (define a (tape-a c))

@@ -17,7 +17,8 @@
 (provide (struct-out expander) (struct-out work) work-of-order
          make-recurrences recurrences-coded? recurrences->expansion
          expansion-order expansion-states expansion-slopes expansion-lasts
-         expansion-machine tape-run-advance tape-run-value tape-run-rates tape-run-tape tape-run-sizes
+         expansion-machine
+         tape-run-advance tape-run-value tape-run-rates tape-run-tape tape-run-sizes
          expand! follow! coefficient-row)
 
 ;; What makes expansions.  make : order -> expansion; work : what one of them takes;
@@ -26,15 +27,15 @@
   #:authentic
   #:property prop:procedure 0)
 
-;; How many nodes there are, rows that do not end, and convolutions for each order; is there machine
-;; code for them on processors that have any?
-(struct work (nodes rows convolutions coded?) #:authentic)
+;; How many nodes there are, functions among them, rows that do not end, and convolutions for each
+;; order; is there machine code for them on processors that have any?
+(struct work (nodes functions rows convolutions coded?) #:authentic)
 
 ;; Nanoseconds or so, of an expansion of order n and the step it is made for, as measured: the same
 ;; on all processors, so that they take the same steps.
 (define (work-of-order w n)
   (* (if (work-coded? w) 1.0 2.8)
-     (+ 180 (* 2 (work-nodes w))
+     (+ 180 (* 2 (work-nodes w)) (* 30 (work-functions w))
         (* n (+ 9 (* 0.4 (work-rows w))))
         (* n n 0.13 (work-convolutions w)))))
 

@@ -2,11 +2,11 @@
 ;; Sums of Taylor coefficients in machine code: the state where a step ends, or within it, and its
 ;; rates; and the sizes of the last coefficients.
 ;;
-;; Sums are those of convolution.rkt, even and odd terms apart, of four rows at a time: each addition
-;; waits for the one before, and the processor works on eight meanwhile.
+;; Sums are those of convolution.rkt, even and odd terms apart, of four rows at a time: each
+;; addition waits for the one before, and the processor works on eight meanwhile.
 
 (require racket/list
-         "convolution-code.rkt" "recurrence.rkt"
+         "convolution-code.rkt"
          "../machine/assembler.rkt" "../machine/executable.rkt")
 
 (provide write-advance! write-sums! write-sizes!)

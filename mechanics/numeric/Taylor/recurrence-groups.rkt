@@ -79,7 +79,8 @@
      (define-values (_ as bs) (apply values (equal-parts (cddr operands) 3)))
      (map cons as bs)]
     [(squares) (for/list ([a (in-list (second (equal-parts (cddr operands) 2)))]) (cons a a))]
-    [(shared-products) (for/list ([a (in-list (second (equal-parts (cdr operands) 2)))]) (cons a x))]
+    [(shared-products)
+     (for/list ([a (in-list (second (equal-parts (cdr operands) 2)))]) (cons a x))]
     [(ending-product) (list (cons (fourth operands) (sixth operands)))]
     [(differential) (list (cons (fourth operands) (sixth operands)))]
     [(pair) (list (cons (fifth operands) (third operands)) (cons (fifth operands) x))]

@@ -7,7 +7,6 @@
 
 (require racket/flonum
          (only-in racket/list argmin range)
-         racket/unsafe/ops
          "right-hand-side.rkt" "vector-formulas.rkt"
          (only-in "../constants.rkt" rounding) "../record-fields.rkt" "../flvector.rkt"
          "../unboxed-loop.rkt"

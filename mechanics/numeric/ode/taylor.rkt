@@ -44,9 +44,10 @@
 (define taylor (adaptive-method 'Taylor #f start #:asks 'expansion))
 
 ;; What there is to be seen of a motion where it begins.  step : the length of the first step, or
-;; not a positive number; work : what one takes (numeric/Taylor/expansion.rkt); eighth : ‖y_8‖, or
-;; ‖y_9‖^(8/9) if that is more: of a motion that begins at rest every other term may be nothing
-(struct outlook (step work eighth) #:authentic)
+;; not a positive number; work : what one takes (numeric/Taylor/expansion.rkt); functions : how many
+;; of these the rates have; eighth : ‖y_8‖, or ‖y_9‖^(8/9) if that is more: of a motion that begins
+;; at rest every other term may be nothing
+(struct outlook (step work functions eighth) #:authentic)
 
 ;; An integration from y0 by f! begins with what was computed.
 (define (outlook-from f! y0 tolerated)
@@ -55,8 +56,8 @@
   (define step (limit-of r))
   (define (rate k) (fl/ (flexpt (coefficient-size e k) (fl/ 1.0 (->fl k))) (run-unit r)))
   (rest! f!)
-  (outlook step
-           (work-of-order (expander-work (expandable-expand f!)) order)
+  (define work (expander-work (expandable-expand f!)))
+  (outlook step (work-of-order work order) (work-functions work)
            (flexpt (flmax (rate (min 8 order)) (rate (min 9 order))) 8.0)))
 
 ;; ---------------------------------------------------------------------------

@@ -7,7 +7,7 @@
          mechanics/numeric/machine/executable
          mechanics/numeric/Taylor/kernels
          mechanics/numeric/Taylor/recurrence
-         mechanics/numeric/Taylor/recurrence-code
+         mechanics/numeric/Taylor/motion-code
          "../../support/checks.rkt" "../../support/random.rkt" "../../support/skip.rkt")
 
 (define order 13)
@@ -97,8 +97,8 @@
   (define count (vector-length rows))
   (define (rows-between from end) (for/list ([k (in-range from end)]) (row k +inf.0)))
   (define run
-    (expansion-code (rows-between 0 given) (rows-between given count) starts '() steps order 5 #t))
-  (run 1.0 rows (make-flvector (* count (+ order 1)))))
+    (car (follow-code (rows-between 0 given) (rows-between given count) starts '() steps order 5)))
+  (run 1.0 rows (make-flvector (* count (+ order 1))) (make-flvector 4)))
 
 (define (copied rows) (for/vector ([r (in-vector rows)]) (flvector-copy r)))
 
