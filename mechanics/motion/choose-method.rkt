@@ -50,7 +50,7 @@
 
 ;; Does the Taylor method take longer, by more than the model's uncertainty?  (It makes the other
 ;; method's steps up to 1.6 times too long.)  Not asked where the tolerance leaves only rounding, of
-;; which the Taylor method loses less.  The work of both is nanoseconds of machine code, as measured.
+;; which the Taylor method loses less.  The work of both is nanoseconds of machine code, measured.
 (define (slower? o p s)
   (define tolerance (step-tolerance (plan-tolerance p)))
   (define step (outlook-step o))

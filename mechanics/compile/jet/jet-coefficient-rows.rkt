@@ -45,11 +45,11 @@
   (emit-start! r recurrence)
   (emit! r id recurrence))
 
-;; states, slopes : ids
-(define (rows->recurrences r states slopes follow?)
+;; kept : as make-recurrences has it; states, slopes : ids
+(define (rows->recurrences kept r states slopes follow?)
   (define steps (reverse (rows-steps r)))
   (define (rows-of ids) (for/list ([id (in-list ids)]) (row-of r id)))
-  (make-recurrences (row-count r) (rows-of states) (rows-of slopes) (reverse (rows-starts r))
+  (make-recurrences kept (row-count r) (rows-of states) (rows-of slopes) (reverse (rows-starts r))
                     (for/list ([s (in-list steps)] #:when (< (car s) +inf.0)) s)
                     (for/list ([s (in-list steps)] #:when (= (car s) +inf.0)) (cdr s))
                     follow?))

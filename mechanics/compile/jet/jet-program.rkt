@@ -9,7 +9,7 @@
 (require racket/list
          "jet-coefficient-rows.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-nodes.rkt"
          "jet-operation-recurrences.rkt"
-         "jet-sum-recurrences.rkt" "../program.rkt"
+         "jet-sum-recurrences.rkt" "../cache.rkt" "../program.rkt"
          "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/recurrence.rkt"
          "../../operation/operation-column.rkt")
 
@@ -24,7 +24,8 @@
   (cond [(string? g) g]
         [else
          (define degrees (if follow? (node-degrees g #f) (node-degrees g (graph-outputs g))))
-         (define rs (graph->recurrences g degrees follow?))
+         (define kept (made-of-program p 'Taylor-codes (lambda () (box (hash)))))
+         (define rs (graph->recurrences kept g degrees follow?))
          (expansion-maker (lambda (order inputs) (recurrences->expansion rs order inputs))
                           (graph-work g degrees (recurrences-coded? rs)) (branches? p))]))
 
@@ -47,7 +48,7 @@
 (define of-one-branch
   (append '(add subtract multiply divide negate solve component log) (operation-names meromorphic)))
 
-(define (graph->recurrences g degrees follow?)
+(define (graph->recurrences kept g degrees follow?)
   (define nodes (graph-nodes g))
   (define r (make-rows degrees))
   (define uses (sole-uses g))
@@ -55,7 +56,7 @@
   (for ([n (in-vector nodes)] [id (in-naturals)])
     (unless (eq? 'sum (vector-ref uses id))
       (emit-node! r nodes id uses shared)))
-  (rows->recurrences r (range (graph-varying g)) (vector->list (graph-outputs g)) follow?))
+  (rows->recurrences kept r (range (graph-varying g)) (vector->list (graph-outputs g)) follow?))
 
 ;; ---------------------------------------------------------------------------
 ;; Nodes

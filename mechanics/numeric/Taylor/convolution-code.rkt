@@ -9,12 +9,18 @@
 (require "recurrence.rkt"
          "../machine/assembler.rkt" "../machine/executable.rkt")
 
-(provide (struct-out tape) unit order most-sums
+(provide (struct-out tape) unit order most-sums factor
          now before early rising
          convolve! convolve-ending! convolve-halves! add-weighted-terms!)
 
-;; a : assembly; stride : how many coefficients a row has
-(struct tape (a stride) #:authentic)
+;; a : assembly; stride : how many coefficients a row has; count : how many rows there are
+(struct tape (a stride count) #:authentic)
+
+;; A number of a recurrence: numbers are on the tape, behind all rows.
+(define (factor c x)
+  (if (slot? x)
+      (behind rbx (+ flvector-data (* 8 (+ (slot-index x) (* (tape-stride c) (tape-count c))))))
+      (constant x)))
 
 ;; Registers of the unit of time and of the present order, each twice side by side
 (define-values (unit order) (values 15 14))

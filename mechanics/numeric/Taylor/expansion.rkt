@@ -11,6 +11,7 @@
          racket/list
          racket/unsafe/ops
          "kernels.rkt" "motion-code.rkt" "recurrence.rkt" "recurrence-code.rkt"
+         "recurrence-shape.rkt"
          (only-in "../machine/executable.rkt" machine?)
          "../record-fields.rkt" "../unboxed-loop.rkt")
 
@@ -44,14 +45,35 @@
 ;; starts : recurrences of order 0; ending, endless : of the others, those of rows that end, each
 ;; behind its last order, and those of rows that do not
 ;; follow? : are the inputs known, or a solution of y' = f(y)?
-;; runs : so many times kernels were run, by all expansions; threads may lose some
-;; codes : order -> machine code, or #f where there is none
-(struct recurrences (count states slopes starts ending endless follow?
-                     [runs #:mutable] [codes #:mutable])
-  #:authentic)
+;; numbers : those that code takes from the tape, a list; codes : tape-codes, or #f where there are
+;; none
+(struct recurrences (count states slopes starts ending endless follow? numbers codes) #:authentic)
 
-(define (make-recurrences count states slopes starts ending endless follow?)
-  (recurrences count states slopes starts ending endless follow? 0 (hasheqv)))
+;; Machine code of all recurrences that differ in numbers only.  list : these, without numbers
+;; runs : so many times kernels were run, by all expansions; threads may lose some
+;; of-order : order -> list of procedures, or #f where there is no memory for them
+(struct tape-codes (list [runs #:mutable] [of-order #:mutable]) #:authentic)
+
+;; kept : box of a hash, what recurrences of one program share; threads may lose an entry
+(define (make-recurrences kept count states slopes starts ending endless follow?)
+  (define coded? (andmap coded-recurrence? (append starts (map cdr ending) endless)))
+  (define-values (abstract numbers)
+    (if coded? (without-numbers (list starts ending endless)) (values #f '())))
+  (recurrences count states slopes starts ending endless follow? numbers
+               (and coded? (kept-codes kept (list* follow? states slopes abstract) abstract))))
+
+(define (kept-codes kept key abstract)
+  (define all (unbox kept))
+  (define (make-and-keep)
+    (define new (tape-codes abstract 0 (hasheqv)))
+    (set-box! kept (hash-set (if (< (hash-count all) most-kept) all (hash)) key new))
+    new)
+  (hash-ref all key make-and-keep))
+
+(define most-kept 50)
+
+;; Is there machine code for them, if for any?
+(define (recurrences-coded? rs) (and (recurrences-codes rs) #t))
 
 ;; list    : recurrences; rows : vector of all rows, flvectors
 ;; order   : the last one; states, slopes : vectors of flvectors
@@ -157,37 +179,36 @@
   (if (eq? m 'later) (earned-machine! e) m))
 
 (define (earned-machine! e)
-  (define rs (expansion-list e))
-  (set-recurrences-runs! rs (+ 1 (recurrences-runs rs)))
-  (and (> (recurrences-runs rs) runs-that-pay)
-       (let ([code (code-of-order rs (expansion-order e))])
-         (set-expansion-machine! e (and code (make-machine e code)))
-         (expansion-machine e))))
+  (define codes (recurrences-codes (expansion-list e)))
+  (and codes
+       (let ([runs (+ 1 (tape-codes-runs codes))])
+         (set-tape-codes-runs! codes runs)
+         (and (> runs runs-that-pay)
+              (let ([code (code-of-order (expansion-list e) codes (expansion-order e))])
+                (set-expansion-machine! e (and code (make-machine e code)))
+                (expansion-machine e))))))
 
-(define (code-of-order rs order)
-  (define codes (recurrences-codes rs))
-  (define code (hash-ref codes order (lambda () (make-code rs order))))
-  (set-recurrences-codes! rs (hash-set codes order code))
+(define (code-of-order rs codes order)
+  (define known (tape-codes-of-order codes))
+  (define code (hash-ref known order (lambda () (make-code rs (tape-codes-list codes) order))))
+  (set-tape-codes-of-order! codes (hash-set known order code))
   code)
 
-(define (make-code rs order)
-  (define-fields recurrences rs states slopes starts ending endless follow?)
+(define (make-code rs abstract order)
+  (define-fields recurrences rs count states slopes follow?)
+  (define-values (starts ending endless) (apply values abstract))
   (and (machine?)
-       (recurrences-coded? rs)
        ((if follow? follow-code motion-code)
-        states slopes starts ending endless order latest-end)))
+        count states slopes starts ending endless order latest-end)))
 
-;; Is there machine code for all, if for any?
-(define (recurrences-coded? rs)
-  (define-fields recurrences rs starts ending endless)
-  (define (coded? rs) (andmap coded-recurrence? rs))
-  (and (coded? starts) (coded? (map cdr ending)) (coded? endless)))
-
-;; The tape begins with the constants among the inputs.
+;; The tape begins with the constants among the inputs, and ends with numbers.
 (define (make-machine e code)
   (define-fields expansion e rows order states slopes)
-  (define tape (make-flvector (* (vector-length rows) (+ order 1))))
+  (define numbers (recurrences-numbers (expansion-list e)))
+  (define end (* (vector-length rows) (+ order 1)))
+  (define tape (make-flvector (+ end (length numbers))))
   (for ([row (in-vector rows)] [k (in-naturals)]) (put! tape (* k (+ order 1)) (at row 0)))
+  (for ([x (in-list numbers)] [k (in-naturals end)]) (put! tape k x))
   (define-values (expand advance value rates)
     (if (recurrences-follow? (expansion-list e))
         (values (car code) #f #f #f)

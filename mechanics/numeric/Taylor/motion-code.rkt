@@ -7,16 +7,16 @@
 
 (provide (protect-out motion-code follow-code))
 
-;; states, slopes : lists of rows; starts, endless : recurrences; ending : list of (last order .
-;; recurrence); ends : the greatest order of a row that ends
+;; count : of all rows; states, slopes : lists of rows; starts, endless : recurrences; ending : list
+;; of (last order . recurrence); ends : the greatest order of a row that ends
 ;; -> list of procedures; or #f where there is no memory for them
 ;;     h flvectors tape sizes     the expansion in the unit h (recurrence-code.rkt)
 ;;     u tape y lost z rest       the state at the time u (polynomial-code.rkt)
 ;;     u tape out                 the same, rounded
 ;;     u tape out                 its rates
-(define (motion-code states slopes starts ending endless order ends)
+(define (motion-code count states slopes starts ending endless order ends)
   (define lasts (for/list ([y (in-list states)]) (max 1 (min order (last-index y)))))
-  (define c (tape (make-assembly) (+ order 1)))
+  (define c (tape (make-assembly) (+ order 1) count))
   (define (entry write! . types)
     (define l (make-label))
     (label-here! (tape-a c) l)
@@ -36,7 +36,7 @@
 
 ;; The same of rows that are known: (h flvectors tape sizes -> void) alone, where h and sizes do not
 ;; matter
-(define (follow-code inputs outputs starts ending endless order ends)
-  (define c (tape (make-assembly) (+ order 1)))
+(define (follow-code count inputs outputs starts ending endless order ends)
+  (define c (tape (make-assembly) (+ order 1) count))
   (write-expansion! c inputs outputs starts ending endless ends #t void)
   (machine-procedures (assembly->bytes (tape-a c)) '((0 flonum vector flvector flvector))))

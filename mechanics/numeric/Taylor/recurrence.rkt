@@ -34,22 +34,27 @@
 (require racket/list)
 
 (provide (struct-out recurrence) make-recurrence (struct-out row) (struct-out weighed)
-         (struct-out product) (struct-out target) itself ends? last-index
+         (struct-out product) (struct-out target) (struct-out slot)
+         itself ends? last-index
          sum-recurrences product-recurrences square-recurrences shared-product-recurrences
          differential-recurrence pair-recurrence leading-recurrence whole-and-half)
 
 ;; kind : symbol; operands : list
-(struct recurrence (kind operands) #:authentic)
+(struct recurrence (kind operands) #:authentic #:transparent)
 (define (make-recurrence kind . operands) (recurrence kind operands))
 
 ;; degree : an exact integer, or +inf.0 for a row that does not end
-(struct row (index degree) #:authentic)
+(struct row (index degree) #:authentic #:transparent)
 
 ;; weight times a row; weight times a product of rows; a row that becomes the product of `a` and
 ;; another
-(struct weighed (weight row) #:authentic)
+(struct weighed (weight row) #:authentic #:transparent)
 (struct product (weight a b) #:authentic)
 (struct target (row a) #:authentic)
+
+;; A number that is not known when code is made: it will be the one of that index among those on the
+;; tape (recurrence-shape.rkt).
+(struct slot (index) #:authentic #:transparent)
 
 ;; The base of what adds to the row.
 (define (itself r) (weighed 1.0 r))

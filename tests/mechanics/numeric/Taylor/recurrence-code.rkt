@@ -96,9 +96,9 @@
 (define (by-code! starts steps rows)
   (define count (vector-length rows))
   (define (rows-between from end) (for/list ([k (in-range from end)]) (row k +inf.0)))
-  (define run
-    (car (follow-code (rows-between 0 given) (rows-between given count) starts '() steps order 5)))
-  (run 1.0 rows (make-flvector (* count (+ order 1))) (make-flvector 4)))
+  (define code
+    (follow-code count (rows-between 0 given) (rows-between given count) starts '() steps order 5))
+  ((car code) 1.0 rows (make-flvector (* count (+ order 1))) (make-flvector 4)))
 
 (define (copied rows) (for/vector ([r (in-vector rows)]) (flvector-copy r)))
 
