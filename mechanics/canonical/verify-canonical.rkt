@@ -58,7 +58,8 @@
   (check-question who state C)
   (judged state (list C) (lambda () ((residual C) state))
           (lambda (change) (verify-brackets who (change C) state residual))
-          (lambda () (remarks-on-brackets C state))))
+          (lambda () (remarks-on-brackets C state))
+          (canonical-claim C state)))
 
 ;; The brackets do not depend on the rate of the old time: where it differs from that of the new
 ;; time, the difference is judged as well.
@@ -74,7 +75,7 @@
 
 ;; about : the transformation, and Hamiltonians; find-residual : -> the residual, called while the
 ;; kinks that derivatives pass over are noted
-(define (judged state about find-residual again [remarks (lambda () '())])
+(define (judged state about find-residual again [remarks (lambda () '())] [subject #f])
   (define (domain) (values-at about state))
   (define-values (residual survey)
     (survey-derivatives find-residual (scalars state) #:domain domain #:functions domain))
@@ -82,7 +83,7 @@
   (define v
     (decimals-as-written
      (prove-zero residual #:variables (scalars state) #:surveys (list survey)
-                 #:domain domain #:meaning meaning #:again again)))
+                 #:domain domain #:meaning meaning #:again again #:about subject)))
   (if (refuted? v)
       (for/fold ([v v]) ([text (in-list (append (remarks)
                                                 (remark-on-exponents v residual state meaning)))])

@@ -8,8 +8,8 @@
          "../algebra/expression/operation.rkt" "../algebra/expression/symbols.rkt"
          "../scale/export/variable-names.rkt")
 
-(provide make-names names-without name-of names-symbols names-functions names-texts
-         function-type function-of flat-arguments
+(provide make-names names-without names-called name-of names-symbols names-functions names-texts
+         function-type function-of function-order flat-arguments
          (struct-out unknown-function))
 
 ;; table : symbol or unknown-function -> string
@@ -25,7 +25,7 @@
 (define (make-names es [taken '()])
   (define symbols (remove-duplicates (append-map symbols-in es) eq?))
   (define functions
-    (sort (remove-duplicates (append-map functions-in es)) < #:key derivatives))
+    (sort (remove-duplicates (append-map functions-in es)) < #:key function-order))
   (define texts
     (identifiers (append symbols (map function-symbol functions))
                  (append taken words-of-Coq (lemmas-in-file) numbered-names)))
@@ -37,6 +37,13 @@
 (define (names-without ns symbols)
   (struct-copy names ns [symbols (remq* symbols (names-symbols ns))]))
 
+;; With other texts for some symbols: ((symbol . text) ...)
+(define (names-called ns texts)
+  (struct-copy names ns
+               [table (for/fold ([table (names-table ns)]) ([t (in-list texts)])
+                        (hash-set table (car t) (cdr t)))]
+               [texts (make-hash)]))
+
 (define (name-of ns x) (hash-ref (names-table ns) x))
 
 (define (functions-in e)
@@ -47,7 +54,7 @@
   (define h (node-head n))
   (unknown-function (literal-head-name h) (literal-head-index h) (length (flat-arguments n))))
 
-(define (derivatives f) (apply + (map cdr (unknown-function-index f))))
+(define (function-order f) (apply + (map cdr (unknown-function-index f))))
 
 ;; The real numbers among the arguments of n, those of tuples one after the other.
 (define (flat-arguments n)
@@ -86,9 +93,9 @@
 
 ;; The names that proof-tactics.v defines
 (define (lemmas-in-file)
-  (map cadr (regexp-match* #px"(?m:^(?:Lemma|Ltac|with) (\\w+))" (proof-tactics)
+  (map cadr (regexp-match* #px"(?m:^(?:Lemma|Ltac|with) (\\w+))" (string-append (proof-tactics) (derivative-tactics))
                            #:match-select values)))
 
 ;; Names of hypotheses and of facts in proofs
 (define numbered-names
-  (for*/list ([k (in-range 1 200)] [base (in-list '("given" "kernel"))]) (format "~a_~a" base k)))
+  (for*/list ([k (in-range 1 200)] [base (in-list '("given" "kernel" "law" "moves" "rate" "equation" "place" "speed"))]) (format "~a_~a" base k)))

@@ -165,4 +165,7 @@
     [(<=) (between "<=" left right)]
     [(<>) (between "<>" left right)]
     [(=) (between "=" left right)]
+    [(is-derivative)
+     (format "is_derive ~a ~a ~a" (function-name left ns)
+             (term (car (flat-arguments left)) ns atom) (term right ns atom))]
     [else (give-up "it rests on ~a" (value->text d))]))

@@ -2,7 +2,7 @@
 ;; Certificates: a proved verdict as a theorem that the proof assistant Coq checks.
 
 (require racket/list racket/path racket/string
-         "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt"
+         "conserved-theorem.rkt" "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt"
          "proof-tactics.rkt" "theorem-text.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
@@ -56,21 +56,24 @@
 ;; v : a proved verdict -> certificate, or a string that says why there is none yet
 (define (certificate-or-reason v)
   (with-handlers ([no-certificate? no-certificate-reason])
-    (or (motion-certificate v) (identity-certificate v))))
+    (or (derivative-certificate v) (identity-certificate v))))
 
 ;; -> certificate of level 2, or #f where there is none
-(define (motion-certificate v)
-  (define m (claim-subject (verdict-claim v)))
-  (define th
-    (and (motion-claim? m)
-         (null? (verdict-readings v))   ; the procedures hold the decimals themselves
-         (with-handlers ([no-certificate? (lambda (_) #f)])
-           (motion-theorem m (verdict-assumptions v)))))
-  (and th
-       (proof-certificate
-        2
-        (words "the path is a motion of the Lagrangian" th "by Coq's own derivatives")
-        (theorem-file th #t))))
+(define (derivative-certificate v)
+  (define c (claim-subject (verdict-claim v)))
+  (define (certified make text)
+    (define th
+      (and (null? (verdict-readings v)) ; the procedures hold the decimals themselves
+           (with-handlers ([no-certificate? (lambda (_) #f)])
+             (make c (verdict-assumptions v)))))
+    (and th
+         (proof-certificate 2 (words text th "by Coq's own derivatives") (theorem-file th #t))))
+  (cond [(motion-claim? c) (certified motion-theorem "the path is a motion of the Lagrangian")]
+        [(conserved-claim? c)
+         (certified conserved-theorem
+                    (format "the quantity is conserved along the motions of the ~a"
+                            (if (conserved-claim-Hamiltonian? c) "Hamiltonian" "Lagrangian")))]
+        [else #f]))
 
 (define (identity-certificate v)
   (define c (verdict-claim v))
@@ -135,5 +138,5 @@
    "Require Import Reals Lra Psatz Nsatz.\n"
    (if derivatives? "From Coquelicot Require Import Coquelicot.\n" "")
    "Open Scope R_scope.\n\n"
-   (proof-tactics) "\n" (theorem-text th)
+   (proof-tactics) "\n" (if derivatives? (derivative-tactics) "") "\n" (theorem-text th)
    "Print Assumptions claim.\nPrint Assumptions not_vacuous.\n"))

@@ -1,11 +1,12 @@
 #lang racket/base
 ;; A point where all hypotheses of a claim hold, so that the claim is not empty: numbers for its
-;; symbols, constant functions for its unknown functions.
+;; symbols, and for its unknown functions constants; or polynomials, where they are each other's
+;; derivatives.
 ;;
 ;; The numbers are between 1 and 3/2, where sines and cosines are positive; or, if none of these
 ;; will do, others.
 
-(require racket/list
+(require racket/list racket/string
          "Coq-names.rkt" "Coq-term.rkt"
          (only-in "../algebra/assumption/reference-point.rkt" real-value)
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
@@ -13,17 +14,22 @@
          "../algebra/expression/read.rkt" "../algebra/expression/substitute.rkt"
          "../value/algebra.rkt")
 
-(provide example-values put-numbers)
+(provide example-values put-numbers value-text)
 
-;; relations : ((sign left right) ...); ns : names -> alist: symbol or function -> number
+;; relations : ((sign left right) ...); ns : names
+;; -> alist: symbol -> number, or function -> expression in `argument`
 (define (example-values relations ns)
   (define unknowns (append (names-symbols ns) (names-functions ns)))
+  (define differentiable
+    (for/list ([d (in-list relations)] #:when (eq? (car d) 'is-derivative))
+      (function-of (caddr d))))
+  (define (at k) (with-polynomials (place unknowns k) differentiable))
   (define angles (append-map angles-in (append-map cdr relations)))
   (define (found good?)
     (for/first ([k (in-range most-tries)]
-                #:when (let ([values (place unknowns k)])
+                #:when (let ([values (at k)])
                          (and (good? values) (all-hold? relations values))))
-      (place unknowns k)))
+      (at k)))
   (define (all-acute? values) (andmap (lambda (a) (acute? a values)) angles))
   (or (found (lambda (values)
                (and (all-acute? values)
@@ -71,6 +77,35 @@
 (define (place unknowns k)
   (for/list ([u (in-list unknowns)] [i (in-naturals)]) (cons u (coordinate i k))))
 
+;; Functions that are derivatives of others with polynomials as values: r (1 + x + x²/2 ...), which
+;; ends where it is differentiated no more.  derivatives : functions
+(define (with-polynomials values derivatives)
+  (define (same? f g) (and (unknown-function? f) (eq? (unknown-function-name f)
+                                                      (unknown-function-name g))))
+  (for/list ([v (in-list values)])
+    (define above (filter (lambda (g) (same? (car v) g)) derivatives))
+    (if (null? above)
+        v
+        (let ([r (cdr (findf (lambda (w) (same? (car w) (car above))) values))]
+              [last-order (apply max (map function-order above))])
+          (cons (car v) (polynomial r (- last-order (function-order (car v)))))))))
+
+(define argument (string->uninterned-symbol "s"))
+
+;; r + r x + (r / 2) x² ..., up to the power n
+(define (polynomial r n)
+  (for/fold ([sum r] [c r] #:result sum) ([k (in-range 1 (+ n 1))])
+    (define next (/ c k))
+    (values (make-node op:+ (list sum (make-node op:* (cons next (make-list k argument))))) next)))
+
+;; As a term; of a function, of what it makes of its arguments
+(define (value-text u x ns)
+  (if (unknown-function? u)
+      (format "(fun ~a => ~a)"
+              (if (number? x) (string-join (make-list (unknown-function-arity u) "_")) "s")
+              (term x (names-called ns (list (cons argument "s")))))
+      (format "(~a)" (term x ns))))
+
 ;; The i-th number of the k-th place
 (define (coordinate i k)
   (define (pick xs) (list-ref xs (modulo (+ i (* k (+ i 1)) (quotient k (+ i 2))) (length xs))))
@@ -85,6 +120,9 @@
   (for/and ([d (in-list relations)]) (holds? d values)))
 
 (define (holds? d values)
+  (or (eq? (car d) 'is-derivative) (compare d values)))
+
+(define (compare d values)
   (define (side x) (value-at (if (expression? x) x (datum->expression x)) values))
   (define a (side (cadr d)))
   (define b (side (caddr d)))
@@ -102,7 +140,19 @@
 (define (value-at e values) (real-value e (lambda (leaf _) (value leaf values))))
 
 (define (value leaf values)
-  (cdr (or (assoc leaf values) (assoc (function-of leaf) values))))
+  (define known (assoc leaf values))
+  (define x (cdr (or known (assoc (function-of leaf) values))))
+  (if (number? x) x (value-at (applied x leaf) values)))
+
+;; The polynomial x at the argument of n
+(define (applied x n)
+  (in-place x (list (cons argument (car (flat-arguments n))))))
+
+;; e with other leaves for some, nothing evaluated
+(define (in-place e leaves)
+  (node-fold e
+             (lambda (leaf) (let ([known (assq leaf leaves)]) (if known (cdr known) leaf)))
+             (lambda (n parts) (make-node (node-head n) parts))))
 
 ;; e with numbers for its symbols and for its unknown functions applied, nothing evaluated
 (define (put-numbers e values)
@@ -110,5 +160,5 @@
              (lambda (leaf) (let ([known (assoc leaf values)]) (if known (cdr known) leaf)))
              (lambda (n parts)
                (if (literal-head? (node-head n))
-                   (cdr (assoc (function-of n) values))
+                   (applied (cdr (assoc (function-of n) values)) (make-node (node-head n) parts))
                    (make-node (node-head n) parts)))))

@@ -172,5 +172,3 @@ Ltac at_numbers :=
           first [ lra | positive | nonnegative | nonzero
                 | know_roots; first [ nra | intro; nra ] ] ].
 
-(* What the derivative of a function asks for. *)
-Ltac conditions := repeat split; first [ exact I | positive | nonzero ].

@@ -11,7 +11,8 @@
          (only-in "../algebra/assumption/assumption-set.rkt" no-assumptions))
 
 (provide (struct-out theorem) relation-sides relations->assumptions
-         hypotheses-text hypothesis-texts example-text given-pattern
+         hypotheses-text hypothesis-texts given-pattern
+         example-text witness-texts example-steps
          binders all-names symbol-names for-all wrapped)
 
 ;; text       : Coq's, without what all certificates have in common
@@ -30,7 +31,7 @@
   (define sides (map expression->datum (relation-sides d)))
   (case (car d)
     [(<>) (and (eqv? 0 (cadr sides)) (list '> (list 'abs (car sides)) 0))]
-    [(= ) #f]
+    [(= is-derivative) #f]
     [else (cons (car d) sides)]))
 
 ;; ---------------------------------------------------------------------------
@@ -83,20 +84,23 @@
 ;; There are numbers for which the hypotheses hold.
 (define (example-text hypotheses ns)
   (define values (example-values hypotheses ns))
-  (define (text-of u) (term (cdr (assoc u values)) ns))
-  (define witnesses
-    (append (for/list ([s (in-list (names-symbols ns))]) (format "(~a)" (text-of s)))
-            (for/list ([f (in-list (names-functions ns))])
-              (format "(fun ~a => ~a)"
-                      (string-join (for/list ([_ (in-range (unknown-function-arity f))]) "_") " ")
-                      (text-of f)))))
+  (define witnesses (witness-texts values ns))
   (define b (binders ns))
-  (format "~a\nProof.\n  ~aunfold hypotheses.\n~aQed.\n\n"
+  (format "~a\nProof.\n  ~aunfold hypotheses. cbv beta.\n~aQed.\n\n"
           (wrapped (format "Theorem not_vacuous : ~ahypotheses ~a."
                            (if (string=? b "") "" (format "exists ~a, " b))
                            (string-join (all-names ns) " ")))
           (if (null? witnesses) "" (format "exists ~a. " (string-join witnesses ", ")))
-          (steps-text (for/list ([d (in-list hypotheses)]) (at-numbers d values ns)))))
+          (example-steps hypotheses values ns)))
+
+;; The values of symbols and functions, in the order of the names
+(define (witness-texts values ns)
+  (for/list ([u (in-list (append (names-symbols ns) (names-functions ns)))])
+    (value-text u (cdr (assoc u values)) ns)))
+
+;; Proofs of the hypotheses there
+(define (example-steps hypotheses values ns)
+  (steps-text (for/list ([d (in-list hypotheses)]) (at-numbers d values ns))))
 
 ;; steps : the proofs of the hypotheses, each by those before
 (define (steps-text steps)
@@ -113,6 +117,9 @@
 ;; A hypothesis about what simplifies there is proved by the identity, and of the simpler
 ;; expression.
 (define (at-numbers d values ns)
+  (if (eq? (car d) 'is-derivative) "polynomial_derivative." (relation-at-numbers d values ns)))
+
+(define (relation-at-numbers d values ns)
   (define side (car (relation-sides d)))
   (define left (put-numbers (if (headed? side op:abs) (car (node-args side)) side) values))
   (define simple (simplify-expression left))

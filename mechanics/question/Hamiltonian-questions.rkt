@@ -71,6 +71,7 @@
                         #:functions (lambda () (values-at (list H Q) state))
                         #:remarks (lambda () (remarks-on-quantity Q state))
                         #:meaning (lambda () (meaning-of-quantity-in-phase-space H Q state))
+                        #:about (conserved-claim H Q state F #t)
                         #:again (lambda (change)
                                   (conserved-by-Hamiltonian who (change H) (change Q) state
                                                             (and F (change F)))))))

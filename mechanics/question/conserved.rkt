@@ -36,7 +36,9 @@
          "../verdict/question-domain.rkt"
          "../verdict/verdict.rkt")
 
-(provide rate-of-change verify-conserved)
+(provide rate-of-change verify-conserved
+         ;; for certificates
+         multipliers-of)
 
 ;; Does Q keep its value along every motion?  A verdict on its rate of change at a
 ;; local tuple (up t q v) of symbols, or at a state (up t q p) if L is a Hamiltonian.
@@ -69,6 +71,7 @@
                                               (remarks-on-kind L Q)
                                               (remarks-on-order L Q state)))
                  #:meaning (lambda () (meaning-of-quantity L Q state force))
+                 #:about (conserved-claim L Q state outside #f)
                  #:again (lambda (change)
                            (verify-conserved (change L) (change Q) local
                                              #:force (and force (change force)))))))

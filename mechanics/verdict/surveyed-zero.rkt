@@ -15,9 +15,10 @@
                              #:domain [domain (lambda () '())] #:within [within domain]
                              #:functions [functions within] #:order [order 2]
                              #:remarks [remarks (lambda () '())] #:meaning [meaning #f]
-                             #:again [again #f])
+                             #:again [again #f] #:about [subject #f])
   (define-values (residual survey)
     (survey-derivatives find-residual names
                         #:domain within #:functions functions #:order order))
   (prove-zero residual #:variables names #:surveys (append surveys (list survey))
-              #:domain domain #:remarks remarks #:meaning meaning #:again again))
+              #:domain domain #:remarks remarks #:meaning meaning #:again again
+              #:about subject))

@@ -15,7 +15,8 @@
          verdict-question verdict-given with-remark with-readings
          ;; for certificates
          verdict-claim verdict-tests
-         (struct-out claim) (struct-out equality-claim) (struct-out motion-claim))
+         (struct-out claim) (struct-out equality-claim) (struct-out motion-claim)
+         (struct-out conserved-claim) (struct-out canonical-claim))
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
@@ -58,6 +59,11 @@
 (struct equality-claim (left right) #:authentic)
 ;; The path q is a motion of the Lagrangian L under a force outside L, or #f.
 (struct motion-claim (L q force) #:authentic)
+;; The quantity Q, a function of the state, a tuple of symbols, keeps its value along the motions of
+;; the Lagrangian or Hamiltonian under a force outside it, or #f.
+(struct conserved-claim (system Q state force Hamiltonian?) #:authentic)
+;; The transformation C keeps Poisson brackets at the state, a tuple of symbols.
+(struct canonical-claim (C state) #:authentic)
 
 ;; The verdict with one more remark, before the others.
 (define (with-remark v text)

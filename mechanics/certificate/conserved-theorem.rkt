@@ -1,0 +1,363 @@
+#lang racket/base
+;; A conserved quantity as a theorem: along every motion its derivative by the time is 0.
+;;
+;; The file defines what a motion is, for functions path and velocity of the time that are not
+;; known: velocity is the derivative of path, and Lagrange's equations hold at t; or, of functions
+;; coordinate and momentum, Hamilton's.  With E = 0 for these equations the rate of the quantity
+;; is Σ w E, with multipliers w that are found here and checked there.
+
+(require racket/list racket/string
+         "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "derivative-theorem.rkt"
+         "example-point.rkt" "theorem-text.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
+         "../algebra/expression/operation.rkt"
+         "../calculus/derivative.rkt"
+         "../generic/arithmetic.rkt" "../generic/up-down.rkt"
+         "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
+         "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
+         "../question/conserved.rkt"
+         "../value/matrix/linear-algebra.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         "../verdict/verdict.rkt")
+
+(provide conserved-theorem)
+
+;; t, xs, ys   : the symbols of the state
+;; as          : symbols for the rates of ys
+;; base        : 'L or 'H
+;; function    : the expression of L or H
+;; bys, byx    : its derivatives, by ys and by xs
+;; Fs          : forces outside, or zeros
+;; Qs          : quantities
+;; laws        : of a Lagrangian, the rates of its derivatives by ys
+;; multipliers : of each quantity, those of the laws; of a Hamiltonian none
+;; rates       : expressions that the rates of the quantities hold, for what stands in them
+;; accelerated : the rates along motions of ys; of a Hamiltonian, of xs and ys
+(struct flow (Hamiltonian? t xs ys as function by-ys by-xs Fs Qs laws multipliers rates accelerated)
+  #:authentic)
+
+;; c : conserved-claim; assumed : datums of relations
+(define (conserved-theorem c assumed)
+  (define M (if (conserved-claim-Hamiltonian? c) (Hamiltonian-flow c) (Lagrangian-flow c)))
+  (define stated
+    (append (list (flow-function M)) (flow-by-ys M) (flow-by-xs M) (flow-Fs M) (flow-Qs M)))
+  (define proved (append stated (flow-laws M) (append* (flow-multipliers M)) (flow-rates M)))
+  (define domain
+    (open-relations (append stated (append* (flow-multipliers M)))
+                    (append (list (flow-function M)) (flow-Qs M)
+                            (if (flow-Hamiltonian? M) '() (flow-by-ys M)))))
+  (define relations (remove-duplicates (append assumed domain)))
+  (define ns
+    (make-names (append stated (append-map relation-sides relations) (state-symbols M))
+                (append (list "s" "motion" "path" "velocity") (names-defined M))))
+  (define along (names-along M ns))
+  (theorem (string-append (hypotheses-text assumed domain ns)
+                          (definitions M ns)
+                          (statement M ns along)
+                          (proof M stated proved relations ns along)
+                          (example M relations ns along))
+           (hypothesis-texts relations ns)))
+
+(define (state-symbols M) (cons (flow-t M) (append (flow-xs M) (flow-ys M))))
+
+;; ---------------------------------------------------------------------------
+;; Expressions
+
+(define (Lagrangian-flow c)
+  (define-values (L Q state force)
+    (values (conserved-claim-system c) (conserved-claim-Q c) (conserved-claim-state c)
+            (conserved-claim-force c)))
+  (define v (velocity state))
+  (define a (s:map/r (lambda (_) (string->uninterned-symbol "a")) v))
+  (define (number state) (car (scalars (L state))))
+  (define P ((partial 2) number))
+  (define (rates f) (along-flow f state v a))
+  (define fs (scalars (((partial 1) number) state)))
+  (define Fs (forces force state fs))
+  (define n (length (scalars (Q state))))
+  (flow #f (time state) (scalars (coordinate state)) (scalars v) (scalars a)
+        (number state) (scalars (P state)) fs Fs (scalars (Q state))
+        (rates P)
+        (for/list ([k (in-range n)])
+          (laws-multipliers number (lambda (s) (list-ref (scalars (Q s)) k)) state))
+        (append (rates P) (rates Q))
+        (scalars ((Lagrangian->acceleration L #:force force) state))))
+
+(define (Hamiltonian-flow c)
+  (define-values (H Q state force)
+    (values (conserved-claim-system c) (conserved-claim-Q c) (conserved-claim-state c)
+            (conserved-claim-force c)))
+  (define number (number-valued 'verify-conserved H))
+  (define by-ps (((partial 2) number) state))
+  (define by-qs (((partial 1) number) state))
+  (define Fs (forces force state (scalars by-qs)))
+  (define-values (q-rates p-rates) ((flow-direction 'verify-conserved H force) state))
+  (flow #t (time state) (scalars (coordinate state)) (scalars (velocity state)) '()
+        (number state) (scalars by-ps) (scalars by-qs) Fs (scalars (Q state)) '() '()
+        (along-flow Q state q-rates p-rates)
+        (append (scalars q-rates) (scalars p-rates))))
+
+(define (forces force state like)
+  (if force (scalars (force state)) (map (lambda (_) 0) like)))
+
+(define (along-flow f state x-rate y-rate)
+  (define-values (_ rate) (value-and-derivative-along f state (up 1 x-rate y-rate)))
+  (scalars rate))
+
+;; w with ∂₂Q = w ∂₂∂₂L: a simple one, or by the inverse
+(define (laws-multipliers L Q state)
+  (define slope (((partial 2) Q) state))
+  (define simple (multipliers-of L slope state))
+  (map simplify
+       (scalars (if (pair? simple)
+                    (last simple)
+                    (solve-linear-left (((partial 2) ((partial 2) L)) state) slope)))))
+
+;; ---------------------------------------------------------------------------
+;; Names
+
+(define (names-like M base) (numbered base (length (flow-xs M))))
+(define (quantity-names M) (numbered "quantity" (length (flow-Qs M))))
+(define (base M) (if (flow-Hamiltonian? M) "H" "L"))
+(define (by-ys-names M) (names-like M (if (flow-Hamiltonian? M) "rate" "momentum")))
+(define (by-xs-names M) (names-like M "slope"))
+(define (force-names M) (names-like M "force"))
+(define (forced? M) (not (andmap (lambda (F) (eqv? F 0)) (flow-Fs M))))
+
+;; The functions of the time that a motion is
+(define (x-paths M) (names-like M (if (flow-Hamiltonian? M) "coordinate" "path")))
+(define (y-paths M) (names-like M (if (flow-Hamiltonian? M) "momentum" "velocity")))
+(define (accelerations M) (numbered "acceleration" (length (flow-as M))))
+
+(define (names-defined M)
+  (append (list (base M)) (by-ys-names M) (by-xs-names M) (force-names M) (quantity-names M)
+          (x-paths M) (y-paths M) (accelerations M)))
+
+;; The names of functions that the file defines and that proofs unfold
+(define (to-unfold M)
+  (append (list (base M)) (by-ys-names M) (by-xs-names M) (if (forced? M) (force-names M) '())
+          (quantity-names M)))
+
+;; Along a motion x is (path t).
+(define (names-along M ns)
+  (define t (name-of ns (flow-t M)))
+  (names-called ns (append (map cons (flow-xs M) (at (x-paths M) t))
+                           (map cons (flow-ys M) (at (y-paths M) t))
+                           (map cons (flow-as M) (accelerations M)))))
+
+;; ---------------------------------------------------------------------------
+;; The statement
+
+(define (definitions M ns)
+  (define arguments (state-symbols M))
+  (define (each comment names es)
+    (cons (format "(* ~a *)" comment)
+          (for/list ([name (in-list names)] [e (in-list es)])
+            (definition-text name arguments e ns))))
+  (define H? (flow-Hamiltonian? M))
+  (string-join
+   (append
+    (list "Section system." (parameters-text ns arguments))
+    (each (if H? "The Hamiltonian" "The Lagrangian") (list (base M)) (list (flow-function M)))
+    (each (format "Its derivatives, the theorem says, by the ~a and by the coordinates"
+                  (if H? "momenta" "velocities"))
+          (append (by-ys-names M) (by-xs-names M)) (append (flow-by-ys M) (flow-by-xs M)))
+    (if (forced? M)
+        (each (format "The force outside the ~a" (if H? "Hamiltonian" "Lagrangian"))
+              (force-names M) (flow-Fs M))
+        '())
+    (each "The quantity" (quantity-names M) (flow-Qs M))
+    (list "(* What a motion does at the time t *)"
+          (format "Definition motion (~a : R -> R) (t : R) : Prop :=\n  ~a.\n\n"
+                  (string-join (append (x-paths M) (y-paths M)) " ")
+                  (conjunction (motion-parts M)))))
+   "\n"))
+
+;; (f t (x t) (y t))
+(define (value-along M f t)
+  (format "(~a)" (string-join (list* f t (at (append (x-paths M) (y-paths M)) t)) " ")))
+
+(define (motion-parts M)
+  (define (there f) (value-along M f "t"))
+  (define (with-force text F) (if (forced? M) (format "~a + ~a" text (there F)) text))
+  (define (is f d) (format "is_derive ~a t (~a)" f d))
+  (if (flow-Hamiltonian? M)
+      (append (map (lambda (x v) (format "is_derive ~a t ~a" x (there v)))
+                   (x-paths M) (by-ys-names M))
+              (map (lambda (y f F) (is y (with-force (format "- ~a" (there f)) F)))
+                   (y-paths M) (by-xs-names M) (force-names M)))
+      (append (map (lambda (x v) (is x (format "~a t" v))) (x-paths M) (y-paths M))
+              (map (lambda (v) (format "ex_derive ~a t" v)) (y-paths M))
+              (map (lambda (p f F) (is (format "(fun s => ~a)" (value-along M p "s"))
+                                       (with-force (there f) F)))
+                   (by-ys-names M) (by-xs-names M) (force-names M)))))
+
+;; The derivatives of L or H
+(define (derivatives M ns)
+  (define arguments (for/list ([s (in-list (state-symbols M))]) (name-of ns s)))
+  (define n (length (flow-xs M)))
+  (define (each names first-place)
+    (for/list ([name (in-list names)] [k (in-naturals first-place)])
+      (derivative-text (base M) arguments k (string-join (cons name arguments) " "))))
+  (append (each (by-ys-names M) (+ n 1)) (each (by-xs-names M) 1)))
+
+(define (conserved M t)
+  (for/list ([Q (in-list (quantity-names M))])
+    (format "is_derive (fun s => ~a) ~a 0" (value-along M Q "s") t)))
+
+(define (statement M ns along)
+  (define t (name-of ns (flow-t M)))
+  (define paths (string-join (append (x-paths M) (y-paths M)) " "))
+  (string-append
+   (format "Theorem claim :\n  (forall ~a : R, hypotheses ~a ->\n    ~a) /\\\n"
+           (string-join (map (lambda (s) (name-of ns s)) (state-symbols M)) " ")
+           (string-join (all-names ns) " ")
+           (conjunction (derivatives M ns) "    "))
+   (format "  (forall (~a : R -> R) (~a : R),\n    hypotheses ~a ->\n    motion ~a ~a ->\n    ~a).\n"
+           paths t (wrapped (string-join (all-names along) " ")) paths t
+           (conjunction (conserved M t) "    "))))
+
+;; ---------------------------------------------------------------------------
+;; The proof
+
+(define (proof M stated proved relations ns along)
+  (define unfold (string-join (to-unfold M) ", "))
+  (define given (given-pattern (length relations)))
+  (define-values (lines tactic) (known-lines stated relations ns))
+  (define-values (lines-along tactic-along) (known-lines proved relations along))
+  (define t (name-of ns (flow-t M)))
+  (string-append
+   "Proof.\n  split.\n  { unfold hypotheses. intros "
+   (string-join (map (lambda (s) (name-of ns s)) (state-symbols M)) " ") " " given ".\n"
+   lines
+   (format "  unfold ~a.\n  ~a;\n  ~a. }\n" unfold
+           (refine-text (* 2 (length (flow-xs M)))) (derivative-proof tactic))
+   (format "  unfold hypotheses, motion. intros ~a ~a ~a ~a.\n"
+           (string-join (append (x-paths M) (y-paths M)) " ") t given (motion-pattern M))
+   (format "  unfold ~a in *.\n" unfold)
+   lines-along
+   (string-append* (map (lambda (E k) (law-text E k tactic-along))
+                        (law-texts M along) (range 1 (+ 1 (length (flow-laws M))))))
+   (format "  ~a.\n" (refine-text (length (flow-Qs M))))
+   (string-append* (map (lambda (k) (quantity-proof M k along tactic-along))
+                        (range (length (flow-Qs M)))))
+   "Qed.\nEnd system.\n\n"))
+
+;; The parts of a motion, taken apart
+(define (motion-pattern M)
+  (define n (length (flow-xs M)))
+  (define (names base) (for/list ([i (in-range 1 (+ n 1))]) (format "~a_~a" base i)))
+  (pattern-of
+   (if (flow-Hamiltonian? M)
+       (append (names "moves") (names "law"))
+       (append (names "moves")
+               (map (lambda (a r) (format "(~a & ~a)" a r)) (accelerations M) (names "rate"))
+               (names "law")))))
+
+;; Lagrange's equations: differences that are 0
+(define (law-texts M along)
+  (define (in-parentheses e) (format "(~a)" (term e along)))
+  (for/list ([p (in-list (flow-laws M))] [f (in-list (flow-by-xs M))] [F (in-list (flow-Fs M))])
+    (wrapped (if (forced? M)
+                 (format "~a - (~a + ~a)" (in-parentheses p) (in-parentheses f) (in-parentheses F))
+                 (format "~a - ~a" (in-parentheses p) (in-parentheses f))))))
+
+;; By derivatives of unknown functions
+(define (law-text E k tactic)
+  (format "  assert (equation_~a : ~a = 0).\n  { ~a.\n    ~a. }\n" k E
+          (format "refine (same_derivative _ _ _ _ _ law_~a)" k)
+          (derivative-proof tactic)))
+
+(define (quantity-proof M k along tactic)
+  (cond [(flow-Hamiltonian? M) (format "  ~a.\n" (derivative-proof tactic))]
+        [else
+         (define ws (list-ref (flow-multipliers M) k))
+         (define terms
+           (for/list ([w (in-list ws)] [E (in-list (law-texts M along))] [k (in-naturals 1)]
+                      #:unless (eqv? w 0))
+             (cons (format "(~a) * (~a)" (term w along) E) k)))
+         (format "  { auto_derive; [conditions | derivatives_known].\n    transitivity (~a).\n    ~a\n    ~a }\n"
+                 (wrapped (if (null? terms) "0" (string-join (map car terms) " + ")))
+                 (format "{ first [~a | unfold Rminus, Rdiv in *; ~a]. }" tactic tactic)
+                 (format "~a ring."
+                         (string-append* (for/list ([t (in-list terms)])
+                                           (format "rewrite equation_~a. " (cdr t))))))]))
+
+;; ---------------------------------------------------------------------------
+;; An example: a motion at a point where the hypotheses hold
+
+(define (example M relations ns along)
+  (define values
+    (example-values (append relations (domain-relations (flow-accelerated M))) ns))
+  (define t (name-of ns (flow-t M)))
+  (define own (names-without ns (cdr (state-symbols M))))
+  (define paths (append (x-paths M) (y-paths M)))
+  (format (string-append
+           "Theorem not_vacuous : exists ~a (~a : R -> R),\n"
+           "  ~a /\\\n  ~a.\n"
+           "Proof.\n~a  exists ~a, ~a.\n"
+           "  split.\n  { ~a. unfold hypotheses. cbv beta.\n~a  }\n"
+           "  ~a\nQed.\n\n")
+          (binders own) (string-join paths " ")
+          (wrapped (format "hypotheses ~a" (string-join (all-names along) " ")))
+          (wrapped (string-join (append (list "motion") (motion-parameters M ns) paths (list t)) " "))
+          (through-text M values ns)
+          (wrapped (string-join (witness-texts values own) ", ")) (string-join paths ", ")
+          (placed M) (example-steps relations values ns)
+          (motion-at-numbers M)))
+
+;; Paths through the point, as hypotheses about them
+(define (through-text M values ns)
+  (define (number s) (value-text s (cdr (assoc s values)) ns))
+  (define t (number (flow-t M)))
+  (define (at-point e) (format "(~a)" (term (put-numbers e values) ns)))
+  (define (path . parts) (string-join parts " & "))
+  (string-append*
+   (if (flow-Hamiltonian? M)
+       (map (lambda (z name rate k)
+              (format "  destruct (path_through ~a ~a 0 ~a) as (~a & speed_~a & place_~a & _ & moves_~a & _).\n"
+                      (number z) rate t name k k k))
+            (append (flow-xs M) (flow-ys M)) (append (x-paths M) (y-paths M))
+            (map at-point (flow-accelerated M))
+            (range 1 (+ 1 (* 2 (length (flow-xs M))))))
+       (map (lambda (x v a p q k)
+              (format "  destruct (path_through ~a ~a ~a ~a) as (~a & ~a & place_~a & speed_~a & moves_~a & rate_~a).\n"
+                      (number x) (number v) (at-point a) t p q k k k k))
+            (flow-xs M) (flow-ys M) (flow-accelerated M) (x-paths M) (y-paths M)
+            (range 1 (+ 1 (length (flow-xs M))))))))
+
+;; Puts the point in place of the paths.
+(define (placed M)
+  (define n (length (flow-xs M)))
+  (define (names base n) (for/list ([k (in-range 1 (+ n 1))]) (format "?~a_~a" base k)))
+  (format "rewrite ~a"
+          (string-join (if (flow-Hamiltonian? M)
+                           (names "place" (* 2 n))
+                           (append (names "place" n) (names "speed" n)))
+                       ", ")))
+
+(define (motion-at-numbers M)
+  (define unfold
+    (remove* (quantity-names M) (cons "motion" (remove (base M) (to-unfold M)))))
+  (define place (placed M))
+  (format "unfold ~a. ~a;\n  ~a."
+          (string-join unfold ", ") (refine-text (length (motion-parts M)))
+          (wrapped
+           (format (string-append
+                    "first [ derivative_there "
+                    "| match goal with H : is_derive ?f ?x _ |- is_derive ?f ?x _ => "
+                    "refine (derivative_as _ _ _ _ H _) end; ~a; numbers_equal "
+                    "| auto_derive; [ ~a; conditions_at_numbers "
+                    "| derivatives_known; ~a; numbers_equal ] ]")
+                   place place place))))
+
+;; The parameters that the definition of a motion speaks of, as Coq takes them out of the section
+(define (motion-parameters M ns)
+  (define es (append (flow-by-ys M) (flow-by-xs M) (flow-Fs M)))
+  (define inner (make-names es))
+  (define state (state-symbols M))
+  (append
+   (for/list ([s (in-list (names-symbols ns))]
+              #:when (and (memq s (names-symbols inner)) (not (memq s state))))
+     (name-of ns s))
+   (for/list ([f (in-list (names-functions ns))] #:when (member f (names-functions inner)))
+     (name-of ns f))))

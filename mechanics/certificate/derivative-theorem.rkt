@@ -1,0 +1,102 @@
+#lang racket/base
+;; What theorems with derivatives have in common: definitions of functions of the real numbers, the
+;; statements that one of them is the derivative of another, and their proofs.
+;;
+;; `is_derive f x d` says that f has a derivative at x and that it is d; `Derive f x` alone would be
+;; a number of which nothing is known where there is no derivative.  So of an unknown function U the
+;; hypotheses are is_derive U x (DU x), at the places where the claim speaks of it.
+
+(require racket/list racket/string
+         "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "kernel-facts.rkt" "proof-script.rkt"
+         "theorem-text.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
+         "../algebra/expression/operation.rkt")
+
+(provide open-relations numbered
+         parameters-text definition-text derivative-text at
+         conjunction pattern-of refine-text
+         known-lines derivative-proof)
+
+;; Where all parts of es have values and derivatives; differentiated : those of es of which
+;; derivatives are taken.  All relations hold around the point as well: a radicand is positive.
+(define (open-relations es differentiated)
+  (remove-duplicates
+   (append (append-map unknown-derivatives (append-map nodes-in differentiated))
+           (map strict (domain-relations es)))))
+
+(define (strict d)
+  (case (car d)
+    [(>=) (cons '> (cdr d))]
+    [(<=) (cons '< (cdr d))]
+    [else d]))
+
+;; n : a node -> of an unknown function that it has the derivative it is said to have
+(define (unknown-derivatives n)
+  (define h (node-head n))
+  (cond [(not (literal-head? h)) '()]
+        [(pair? (cdr (flat-arguments n)))
+         (give-up "it takes derivatives of an unknown function of several variables")]
+        [else (list (list 'is-derivative n (derivative-of-node n)))]))
+
+(define (derivative-of-node n)
+  (make-node (literal-head-derivative (node-head n) '()) (node-args n)))
+
+;; ---------------------------------------------------------------------------
+;; Texts
+
+;; base if there is one of them, else base_0, base_1 ...
+(define (numbered base n)
+  (if (= n 1) (list base) (for/list ([i (in-range n)]) (format "~a_~a" base i))))
+
+;; The parameters of all definitions, without those symbols that are their arguments
+(define (parameters-text ns arguments)
+  (define own (names-without ns arguments))
+  (string-append*
+   (append
+    (if (null? (names-symbols own))
+        '()
+        (list (wrapped (format "Variables ~a : R." (string-join (symbol-names own) " "))) "\n"))
+    (for/list ([f (in-list (names-functions own))])
+      (format "Variable ~a : ~a.\n" (name-of ns f) (function-type f))))))
+
+(define (definition-text name arguments e ns)
+  (wrapped
+   (format "Definition ~a (~a : R) : R := ~a." name
+           (string-join (for/list ([a (in-list arguments)]) (name-of ns a)) " ")
+           (term e ns))))
+
+;; f, of the arguments (texts), has by the one of place k the derivative d.
+(define (derivative-text f arguments k d)
+  (format "is_derive (fun s => ~a ~a) ~a (~a)" f (string-join (list-set arguments k "s") " ")
+          (list-ref arguments k) d))
+
+;; (f t), of each
+(define (at fs t) (for/list ([f (in-list fs)]) (format "(~a ~a)" f t)))
+
+(define (conjunction texts [indent "  "])
+  (string-join (map wrapped texts) (format " /\\\n~a" indent)))
+
+;; (a & b & c)
+(define (pattern-of names)
+  (if (null? (cdr names)) (car names) (format "(~a)" (string-join names " & "))))
+
+(define (refine-text n)
+  (format "refine ~a"
+          (for/fold ([text "_"]) ([_ (in-range (- n 1))]) (format "(conj _ ~a)" text))))
+
+;; ---------------------------------------------------------------------------
+;; Proofs
+
+;; -> lines with the facts about kernels in es, and the tactic that proves equalities by them
+(define (known-lines es relations ns)
+  (define-values (lines tactic)
+    (proof-lines (kernel-facts (append es (append-map relation-sides relations))
+                               (relations->assumptions relations) ns)
+                 ns))
+  (values (string-append* (for/list ([l (in-list lines)]) (format "  ~a\n" (wrapped l))))
+          (wrapped tactic)))
+
+;; auto_derive writes x - y as x + - y, and x / y as x * / y.
+(define (derivative-proof tactic)
+  (format "(auto_derive; [conditions | derivatives_known; ~a])"
+          (format "first [~a | unfold Rminus, Rdiv in *; ~a]" tactic tactic)))
