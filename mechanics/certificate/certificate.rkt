@@ -2,7 +2,7 @@
 ;; Certificates: a proved verdict as a theorem that the proof assistant Coq checks.
 
 (require racket/list racket/path racket/string
-         "conserved-theorem.rkt" "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt"
+         "bracket-theorem.rkt" "conserved-theorem.rkt" "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt"
          "proof-tactics.rkt" "theorem-text.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
@@ -73,6 +73,8 @@
          (certified conserved-theorem
                     (format "the quantity is conserved along the motions of the ~a"
                             (if (conserved-claim-Hamiltonian? c) "Hamiltonian" "Lagrangian")))]
+        [(canonical-claim? c)
+         (certified bracket-theorem "the transformation keeps all Poisson brackets")]
         [else #f]))
 
 (define (identity-certificate v)
