@@ -12,18 +12,20 @@
          "../verdict/verdict.rkt")
 
 (provide certificate write-certificate certificate-or-reason certificate?
-         certificate-text certificate-level
+         certificate-text certificate-level certificate-gap
          ;; for tests
          theorem-file)
 
 ;; level : 1, the identity alone, or 2, the claim with its derivatives
 ;; text  : of the file
-(value-struct proof-certificate (level words text)
+;; gap   : of level 1, why a question that level 2 is for has none; else #f
+(value-struct proof-certificate (level words text gap)
   #:text (lambda (c) (proof-certificate-words c)))
 
 (define certificate? proof-certificate?)
 (define certificate-level proof-certificate-level)
 (define certificate-text proof-certificate-text)
+(define certificate-gap proof-certificate-gap)
 
 (define (certificate v)
   (check-proved 'certificate v)
@@ -56,28 +58,30 @@
 ;; v : a proved verdict -> certificate, or a string that says why there is none yet
 (define (certificate-or-reason v)
   (with-handlers ([no-certificate? no-certificate-reason])
-    (or (derivative-certificate v) (identity-certificate v))))
+    (define c (derivative-certificate v))
+    (if (certificate? c) c (identity-certificate v c))))
 
-;; -> certificate of level 2, or #f where there is none
+;; -> certificate of level 2; or #f for another question, or a string: why there is none yet
 (define (derivative-certificate v)
   (define c (claim-subject (verdict-claim v)))
   (define (certified make text)
-    (define th
-      (and (null? (verdict-readings v)) ; the procedures hold the decimals themselves
-           (with-handlers ([no-certificate? (lambda (_) #f)])
-             (make c (verdict-assumptions v)))))
-    (and th
-         (proof-certificate 2 (words text th "by Coq's own derivatives") (theorem-file th #t))))
-  (cond [(motion-claim? c) (certified motion-theorem "the path is a motion of the Lagrangian")]
-        [(conserved-claim? c)
-         (certified conserved-theorem
-                    (format "the quantity is conserved along the motions of the ~a"
-                            (if (conserved-claim-Hamiltonian? c) "Hamiltonian" "Lagrangian")))]
-        [(canonical-claim? c)
-         (certified bracket-theorem "the transformation keeps all Poisson brackets")]
-        [else #f]))
+    (cond [(pair? (verdict-readings v)) "the procedures hold the decimals themselves"]
+          [else
+           (define th (make c (verdict-assumptions v)))
+           (proof-certificate 2 (words text th "by Coq's own derivatives")
+                              (theorem-file th #t) #f)]))
+  (with-handlers ([no-certificate? no-certificate-reason])
+    (cond [(motion-claim? c) (certified motion-theorem "the path is a motion of the Lagrangian")]
+          [(conserved-claim? c)
+           (certified conserved-theorem
+                      (format "the quantity is conserved along the motions of the ~a"
+                              (if (conserved-claim-Hamiltonian? c) "Hamiltonian" "Lagrangian")))]
+          [(canonical-claim? c)
+           (certified bracket-theorem "the transformation keeps all Poisson brackets")]
+          [else #f])))
 
-(define (identity-certificate v)
+;; gap : why there is none of level 2, or #f
+(define (identity-certificate v gap)
   (define c (verdict-claim v))
   (define readings (append-map zero-test-decimals (verdict-tests v)))
   (define equations (filter (lambda (q) (not (equal? q '(0 . 0)))) (equations-of v)))
@@ -96,7 +100,8 @@
           (string-append "the derivatives are ours"
                          (readings-text (verdict-readings v) "; reading" value->text)))
    (theorem-file th #f (readings-text (verdict-readings v) "Decimals are read as exact numbers:"
-                                      constant-text))))
+                                      constant-text))
+   gap))
 
 ;; all : ((decimal expression) ...); write : expression -> string
 (define (readings-text all before write)

@@ -4,56 +4,60 @@
 ;;
 ;; The theorem gives for each coordinate q four functions of the time or numbers that are what they
 ;; are called: v is the derivative of q, p the derivative of L by its velocity, f by its coordinate,
-;; and the derivative of p is f and the force. What has to have a value is a hypothesis, its
+;; and the derivative of p is f and the force; with constraints, and
+;; the forces of these, multipliers times their derivatives. What has to have a value is a hypothesis, its
 ;; relations strict, so that it holds at times around t as well.
 
 (require racket/list racket/string
-         "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "kernel-facts.rkt" "proof-script.rkt"
+         "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "derivative-theorem.rkt"
          "theorem-text.rkt"
          "../algebra/expression/substitute.rkt"
          "../calculus/derivative.rkt"
-         "../generic/up-down.rkt"
+         "../constraint/constraint.rkt" "../constraint/constraint-jacobian.rkt"
+         "../generic/arithmetic.rkt" "../generic/up-down.rkt"
          "../lagrangian/local-tuple.rkt"
-         "../value/shape.rkt"
-         (only-in "../verdict/verdict.rkt" motion-claim-L motion-claim-q motion-claim-force))
+         "../value/matrix/linear-algebra.rkt" "../value/shape.rkt" "../value/simplify.rkt"
+         (only-in "../value/structure.rkt" list->down)
+         "../verdict/verdict.rkt")
 
 (provide motion-theorem)
 
 ;; The expressions of a motion: t, and those of each coordinate, in the order of the coordinates.
 ;; q, v, p, f, Q : expressions in t; L : in t and the symbols x and w of coordinates and velocities
-(struct motion (t L xs ws qs vs ps fs Qs) #:authentic)
+;; ties : of the constraints
+(struct motion (t L xs ws qs vs ps fs Qs ties) #:authentic)
+
+;; G       : the constraint, in t, x and w
+;; first   : the place, among t, x and w, of the first by which it is differentiated
+;; normals : these derivatives along the path
+;; multiplier : expression in t
+(struct tie (G first normals multiplier) #:authentic)
 
 ;; m : motion-claim; assumed : datums of relations
 (define (motion-theorem m assumed)
   (define M (expressions-of m))
-  (define along (append (motion-qs M) (motion-vs M) (motion-ps M) (motion-fs M) (motion-Qs M)
-                        (list (L-along M))))
-  (define domain (map strict (domain-relations along)))
+  (define ties (motion-ties M))
+  (define differentiated
+    (append (motion-qs M) (motion-ps M)
+            (map (lambda (e) (along-path M e)) (cons (motion-L M) (map tie-G ties)))))
+  (define along
+    (append differentiated (motion-vs M) (motion-fs M) (motion-Qs M)
+            (map tie-multiplier ties) (append-map tie-normals ties)))
+  (define domain (open-relations along differentiated))
   (define relations (remove-duplicates (append assumed domain)))
   (define dummies (append (motion-xs M) (motion-ws M)))
   (define ns
-    (names-without (make-names (append along (append-map relation-sides assumed)
-                                       (list (motion-L M) (motion-t M)) dummies)
-                               (names-defined M))
+    (names-without (make-names (append along (append-map relation-sides relations)
+                                       (list* (motion-L M) (motion-t M) (map tie-G ties)) dummies)
+                               (cons "s" (names-defined M)))
                    dummies))
-  (unless (null? (names-functions ns)) (give-up "it speaks of unknown functions"))
-  (define facts
-    (kernel-facts (append along (append-map relation-sides relations))
-                  (relations->assumptions relations) ns))
-  (define-values (lines tactic) (proof-lines facts ns))
+  (define-values (lines tactic) (known-lines along relations ns))
   (theorem (string-append (hypotheses-text assumed domain ns)
                           (definitions M ns)
                           (statement M ns)
                           (proof M (length relations) ns lines tactic)
                           (example-text relations ns))
            (hypothesis-texts relations ns)))
-
-;; A radicand along a motion has a derivative where it is positive.
-(define (strict d)
-  (case (car d)
-    [(>=) (cons '> (cdr d))]
-    [(<=) (cons '< (cdr d))]
-    [else d]))
 
 ;; ---------------------------------------------------------------------------
 ;; Expressions
@@ -65,13 +69,46 @@
   (define local ((Gamma q) t))
   (define state (up t (symbols-for (coordinate local) "q") (symbols-for (velocity local) "v")))
   (define-values (xs ws) (values (scalars (coordinate state)) (scalars (velocity state))))
-  (define here
-    (append (map cons xs (scalars (coordinate local))) (map cons ws (scalars (velocity local)))))
-  (define (along x) (for/list ([e (in-list (scalars x))]) (in-place-of here e)))
-  (motion t (L state) xs ws
-          (scalars (coordinate local)) (scalars (velocity local))
-          (along (((partial 2) L) state)) (along (((partial 1) L) state))
-          (if force (along (force state)) (map (lambda (_) 0) xs))))
+  (define-values (qs vs) (values (scalars (coordinate local)) (scalars (velocity local))))
+  (define (along x)
+    (for/list ([e (in-list (scalars x))])
+      (in-place-of (append (map cons xs qs) (map cons ws vs)) e)))
+  (define (momentum t) (((partial 2) L) ((Gamma q) t)))
+  (define fs (along (((partial 1) L) state)))
+  (define Qs (if force (along (force state)) (map (lambda (_) 0) xs)))
+  (define (residual)
+    (for/list ([p (in-list (scalars (derivative-at momentum t)))] [f (in-list fs)] [Q (in-list Qs)])
+      (g:- p (g:+ f Q))))
+  (motion t (L state) xs ws qs vs (along (((partial 2) L) state)) fs Qs
+          (ties-of L (motion-claim-constraints m) (motion-claim-multipliers m) local state residual)))
+
+;; find-residual : -> what the forces of constraints have to be, where no multipliers are given
+(define (ties-of L constraints multipliers local state find-residual)
+  (define cs (if constraints (constraint-set-parts (gather-with 'certificate L constraints)) '()))
+  (define (values-at c state)
+    (scalars (value-of 'certificate c (time state) (coordinate state) (velocity state))))
+  (define rows
+    (if constraints
+        (map vector->list
+             (jacobian-rows 'certificate (gather-with 'certificate L constraints) local))
+        '()))
+  (define lambdas
+    (if multipliers (scalars (multipliers (time local))) (multipliers-by rows find-residual)))
+  (define n (shape-length (coordinate local)))
+  (for/list ([G (in-list (append-map (lambda (c) (values-at c state)) cs))]
+             [c (in-list (append-map (lambda (c) (map (lambda (_) c) (values-at c state))) cs))]
+             [row (in-list rows)] [multiplier (in-list lambdas)])
+    (tie G (if (holonomic? c) 1 (+ n 1)) row multiplier)))
+
+;; λ with J Jᵀ λ = J r
+(define (multipliers-by rows find-residual)
+  (define (dot a b) (apply g:+ (map g:* a b)))
+  (cond [(null? rows) '()]
+        [else
+         (define r (find-residual))
+         (define J-J (list->down (for/list ([a (in-list rows)])
+                                   (list->down (for/list ([b (in-list rows)]) (dot a b))))))
+         (scalars (simplify (solve-linear-left J-J (list->down (map (lambda (a) (dot a r)) rows)))))]))
 
 ;; Symbols that the user cannot have, in the shape of x
 (define (symbols-for x name)
@@ -79,85 +116,97 @@
       (scalars->structure x (lambda (_) (string->uninterned-symbol name)))
       (symbols-like x (string-append name "_"))))
 
-(define (L-along M)
+(define (along-path M e)
   (in-place-of (append (map cons (motion-xs M) (motion-qs M))
                        (map cons (motion-ws M) (motion-vs M)))
-               (motion-L M)))
+               e))
 
 ;; ---------------------------------------------------------------------------
 ;; The text
 
 ;; The names of the functions of all coordinates: path, or path_0, path_1 ...
-(define (names-like base M)
-  (define n (length (motion-qs M)))
-  (if (= n 1) (list base) (for/list ([i (in-range n)]) (format "~a_~a" base i))))
+(define (names-like base M) (numbered base (length (motion-qs M))))
+
+(define (names-tied base M)
+  (if (null? (motion-ties M)) '() (numbered base (length (motion-ties M)))))
+;; Of each constraint, of the functions of all coordinates
+(define (normal-names M)
+  (for/list ([name (in-list (names-tied "normal" M))]) (names-like name M)))
 
 ;; The names that the file defines, whether or not there is a force
 (define (names-defined M)
-  (cons "L" (append-map (lambda (base) (names-like base M))
-                        '("path" "velocity" "momentum" "slope" "force"))))
+  (append (list "L") (append-map (lambda (base) (names-like base M))
+                                 '("path" "velocity" "momentum" "slope" "force"))
+          (names-tied "constraint" M) (names-tied "multiplier" M) (append* (normal-names M))))
+
+(define (forced? M) (not (andmap (lambda (Q) (eqv? Q 0)) (motion-Qs M))))
 
 (define (definitions M ns)
-  (define (of-time base es)
-    (for/list ([name (in-list (names-like base M))] [e (in-list es)])
-      (wrapped (format "Definition ~a (~a : R) : R := ~a." name (name-of ns (motion-t M))
-                       (term e ns)))))
-  (define ps (symbol-names (names-without ns (list (motion-t M)))))
+  (define state (cons (motion-t M) (append (motion-xs M) (motion-ws M))))
+  (define (defined names arguments es)
+    (for/list ([name (in-list names)] [e (in-list es)]) (definition-text name arguments e ns)))
+  (define (of-time base es) (defined (names-like base M) (list (motion-t M)) es))
+  (define ties (motion-ties M))
   (string-join
    (append
-    (list "Section motion.")
-    (if (null? ps) '() (list (format "Variables ~a : R." (string-join ps " "))))
-    (list "" "(* The Lagrangian, of the time, the coordinates and the velocities *)"
-          (wrapped (format "Definition L (~a ~a : R) : R := ~a." (name-of ns (motion-t M))
-                           (string-join (map (lambda (s) (name-of ns s))
-                                             (append (motion-xs M) (motion-ws M)))
-                                        " ")
-                           (term (motion-L M) ns)))
-          "(* The path and, the theorem says, its velocity *)")
+    (list "Section motion." (parameters-text ns (list (motion-t M)))
+          "(* The Lagrangian, of the time, the coordinates and the velocities *)")
+    (defined '("L") state (list (motion-L M)))
+    (list "(* The path and, the theorem says, its velocity *)")
     (of-time "path" (motion-qs M)) (of-time "velocity" (motion-vs M))
     (list "(* The derivatives of L along it, by the velocities and by the coordinates *)")
     (of-time "momentum" (motion-ps M)) (of-time "slope" (motion-fs M))
     (if (forced? M)
         (cons "(* The force outside the Lagrangian *)" (of-time "force" (motion-Qs M)))
         '())
+    (if (null? ties) '() (list "(* The constraints, their derivatives and multipliers *)"))
+    (defined (names-tied "constraint" M) state (map tie-G ties))
+    (defined (append* (normal-names M)) (list (motion-t M)) (append-map tie-normals ties))
+    (defined (names-tied "multiplier" M) (list (motion-t M)) (map tie-multiplier ties))
     '("" ""))
    "\n"))
 
-(define (forced? M) (not (andmap (lambda (Q) (eqv? Q 0)) (motion-Qs M))))
-
 (define (claims M ns)
   (define t (name-of ns (motion-t M)))
-  (define (at names) (map (lambda (name) (format "(~a ~a)" name t)) names))
   (define-values (qs vs) (values (names-like "path" M) (names-like "velocity" M)))
-  (define (L-by k first?)               ; L as a function of one of its arguments
-    (define arguments (append (at qs) (at vs)))
-    (format "(fun x => L ~a ~a)" t
-            (string-join (list-set arguments (+ k (if first? 0 (length qs))) "x") " ")))
-  (append*
-   (for/list ([q (in-list qs)] [v (in-list vs)] [p (in-list (names-like "momentum" M))]
-              [f (in-list (names-like "slope" M))] [Q (in-list (names-like "force" M))]
-              [k (in-naturals)])
-     (list (format "is_derive ~a ~a (~a ~a)" q t v t)
-           (format "is_derive ~a (~a ~a) (~a ~a)" (L-by k #f) v t p t)
-           (format "is_derive ~a (~a ~a) (~a ~a)" (L-by k #t) q t f t)
-           (format "is_derive ~a ~a (~a ~a~a)" p t f t
-                   (if (forced? M) (format " + ~a ~a" Q t) ""))))))
+  (define state (cons t (append (at qs t) (at vs t))))
+  (define n (length qs))
+  (append
+   (append*
+    (for/list ([q (in-list qs)] [v (in-list vs)] [p (in-list (names-like "momentum" M))]
+               [f (in-list (names-like "slope" M))] [Q (in-list (names-like "force" M))]
+               [k (in-naturals)])
+      (list (format "is_derive ~a ~a (~a ~a)" q t v t)
+            (derivative-text "L" state (+ 1 n k) (format "~a ~a" p t))
+            (derivative-text "L" state (+ 1 k) (format "~a ~a" f t))
+            (format "is_derive ~a ~a (~a ~a~a)" p t f t
+                    (string-append (if (forced? M) (format " + ~a ~a" Q t) "")
+                                   (constraint-force M k t))))))
+   (for/list ([name (in-list (names-tied "constraint" M))])
+     (format "~a ~a = 0" name (string-join state " ")))
+   (for*/list ([(G normals name) (in-parallel (motion-ties M) (normal-names M)
+                                              (names-tied "constraint" M))]
+               [(normal k) (in-parallel normals (in-naturals (tie-first G)))])
+     (derivative-text name state k (format "~a ~a" normal t)))))
+
+;; Multipliers times the derivatives by the k-th coordinate
+(define (constraint-force M k t)
+  (string-append*
+   (for/list ([normals (in-list (normal-names M))] [factor (in-list (names-tied "multiplier" M))])
+     (format " + ~a ~a * ~a ~a" factor t (list-ref normals k) t))))
 
 (define (statement M ns)
   (format "Theorem claim : forall ~a : R, hypotheses ~a ->\n  ~a.\n"
-          (name-of ns (motion-t M)) (string-join (symbol-names ns) " ")
-          (string-join (claims M ns) " /\\\n  ")))
+          (name-of ns (motion-t M)) (wrapped (string-join (all-names ns) " "))
+          (conjunction (claims M ns))))
 
 (define (proof M count ns lines tactic)
-  (define n (length (claims M ns)))
   (define all (if (forced? M) (names-defined M) (remove* (names-like "force" M) (names-defined M))))
-  (string-append
-   (format "Proof.\n  intro ~a. unfold hypotheses. intros ~a.\n" (name-of ns (motion-t M))
-           (given-pattern count))
-   (string-append* (for/list ([l (in-list lines)]) (format "  ~a\n" (wrapped l))))
-   (format "  unfold ~a.\n" (string-join all ", "))
-   (format "  refine ~a;\n"
-           (for/fold ([text "_"]) ([_ (in-range (- n 1))]) (format "(conj _ ~a)" text)))
-   ;; auto_derive writes x - y as x + - y, and x / y as x * / y.
-   (format "  (auto_derive; [conditions | ~a]).\nQed.\nEnd motion.\n\n"
-           (wrapped (format "first [~a | unfold Rminus, Rdiv in *; ~a]" tactic tactic)))))
+  (format "Proof.\n  intro ~a. unfold hypotheses. intros ~a.\n~a  unfold ~a.\n  ~a;\n  ~a.\n~a"
+          (name-of ns (motion-t M)) (given-pattern count) lines
+          (wrapped (string-join all ", "))
+          (refine-text (length (claims M ns)))
+          (if (null? (motion-ties M))
+              (derivative-proof tactic)
+              (format "first [~a | ~a]" (derivative-proof tactic) tactic))
+          "Qed.\nEnd motion.\n\n"))
