@@ -49,7 +49,7 @@
   (define ns
     (make-names (append stated (append-map relation-sides relations) (state-symbols M))
                 (append (list "s" "motion" "path" "velocity") (names-defined M))))
-  (define along (names-along M ns))
+  (define along (names-along M ns relations stated))
   (theorem (string-append (hypotheses-text assumed domain ns)
                           (definitions M ns)
                           (statement M ns along)
@@ -137,12 +137,17 @@
   (append (list (base M)) (by-ys-names M) (by-xs-names M) (if (forced? M) (force-names M) '())
           (quantity-names M)))
 
-;; Along a motion x is (path t).
-(define (names-along M ns)
+;; Along a motion x is (path t).  Of equal nodes, b + a and a + b, that text is to be found which the
+;; definitions have: they are written first, in their order.
+(define (names-along M ns relations stated)
   (define t (name-of ns (flow-t M)))
-  (names-called ns (append (map cons (flow-xs M) (at (x-paths M) t))
-                           (map cons (flow-ys M) (at (y-paths M) t))
-                           (map cons (flow-as M) (accelerations M)))))
+  (define along
+    (names-called ns (append (map cons (flow-xs M) (at (x-paths M) t))
+                             (map cons (flow-ys M) (at (y-paths M) t))
+                             (map cons (flow-as M) (accelerations M)))))
+  (hypothesis-texts relations along)
+  (for ([e (in-list stated)]) (term e along))
+  along)
 
 ;; ---------------------------------------------------------------------------
 ;; The statement

@@ -14,7 +14,7 @@
          ;; for those who ask again
          verdict-question verdict-given with-remark with-readings
          ;; for certificates
-         verdict-claim verdict-tests
+         verdict-claim verdict-tests verdict-printed
          (struct-out claim) (struct-out equality-claim) (struct-out motion-claim)
          (struct-out conserved-claim) (struct-out canonical-claim))
 
@@ -35,6 +35,9 @@
   #:text (lambda (v) (report->text (verdict-lines v)))
   #:notation (lambda (v see) (report-notation (verdict-lines v)))
   #:property prop:no-truth-value "a verdict is neither true nor false; ask (proved? v)")
+
+;; Called with each verdict that is printed; for those who run a program and look at what it shows
+(define verdict-printed (make-parameter void))
 
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end
 ;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
@@ -179,6 +182,7 @@
 
 ;; The lines of its report (report.rkt).
 (define (verdict-lines v)
+  ((verdict-printed) v)
   (append
    (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v))
                    (verdict-given v) (verdict-assumptions v) (verdict-kinks-found v)

@@ -2,7 +2,7 @@
 ;; `raco mechanics certify FILE`: a certificate for each proved verdict that a program shows, and
 ;; what Coq says of it.
 
-(require racket/file racket/path racket/string
+(require racket/file (only-in racket/list count) racket/path racket/string
          "program-verdicts.rkt" "written-files.rkt"
          "../../certificate/certificate.rkt" "../../certificate/Coq-check.rkt"
          "../../error/message-words.rkt"
@@ -23,7 +23,7 @@
   (define coqc (and (not (option "--write")) (find-Coq)))
   (when problem (eprintf "certify: ~a did not run to its end:\n~a\n" file problem))
   (define good (certify-all proved folder (identifier-of path) coqc))
-  (print-sum (length proved) good (length all) coqc (option "--write"))
+  (print-sum (map shown-verdict-verdict all) good coqc (option "--write"))
   (if (or problem (not (= good (length proved)))) 1 0))
 
 ;; A file of Coq is named by letters, digits and underscores.
@@ -58,10 +58,16 @@
   (define text (value->text form))
   (if (> (string-length text) 90) (string-append (substring text 0 87) "...") text))
 
-(define (print-sum proved good all coqc only-written?)
-  (printf "~a shown, ~a proved, ~a ~a\n" (counted all "verdict") proved good
-          (if coqc "accepted by Coq" "with a certificate"))
-  (when (= all 0)
-    (printf "a verdict that is shown, on a line of its own, gets a certificate\n"))
+(define (print-sum all good coqc only-written?)
+  (define (having status) (count (lambda (v) (eq? status (verdict-status v))) all))
+  (define (others status) (if (= 0 (having status)) "" (format ", ~a ~a" (having status) status)))
+  (define proved (having 'proved))
+  (printf "~a shown, ~a proved, ~a ~a~a~a\n" (counted (length all) "verdict") proved good
+          (if coqc "accepted by Coq" "with a certificate") (others 'refuted) (others 'undecided))
+  (when (> proved good)
+    (printf "~a proved and not ~a; above stands why\n" (- proved good)
+            (if coqc "accepted" "certified")))
+  (when (null? all)
+    (printf "a verdict that is shown, as a result or by printing it, gets a certificate\n"))
   (unless (or coqc only-written?)
     (printf "Coq is not there to check them: on Debian, apt-get install coq libcoq-coquelicot\n")))

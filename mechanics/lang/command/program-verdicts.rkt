@@ -1,9 +1,11 @@
 #lang racket/base
-;; The verdicts that a program shows, each with the form that it is the result of.
+;; The verdicts that a program shows, as results, within them or by printing, each once and with the
+;; form that showed it first.
 
-(require "run-program.rkt" "watch.rkt"
+(require racket/list
+         "run-program.rkt" "watch.rkt"
          "../program-file.rkt"
-         "../../show/document/document-piece.rkt"
+         "../../value/structure.rkt"
          "../../verdict/verdict.rkt")
 
 (provide program-verdicts (struct-out shown-verdict))
@@ -16,11 +18,24 @@
 (define (program-verdicts who file name)
   (check-program who name file)
   (define stx (call-with-program file (lambda (port) (read-whole-program who name file port))))
-  (define o (run-program stx file #:shown values))
+  (define-values (number found) (values 0 '()))
+  (define (note! v) (set! found (cons (cons number v) found)))
+  (define o
+    (parameterize ([verdict-printed note!])
+      (run-program stx file #:begins (lambda (n) (set! number n))
+                   #:shown (lambda (x) (for-each note! (verdicts-in x))))))
   (define end (outcome-end o))
-  (values (for*/list ([(form number) (in-parallel (module-forms stx)
-                                                  (in-range (vector-length (outcome-found o))))]
-                      [x (in-list (vector-ref (outcome-found o) number))]
-                      #:when (and (result? x) (verdict? (result-shown x))))
-            (shown-verdict (syntax->datum form) (result-shown x)))
+  (define forms (list->vector (map syntax->datum (module-forms stx))))
+  (values (for/list ([f (in-list (remove-duplicates (reverse found) eq? #:key cdr))])
+            (shown-verdict (vector-ref forms (car f)) (cdr f)))
           (and end (early-end-message end))))
+
+;; Those in lists and other values as well
+(define (verdicts-in x)
+  (cond [(verdict? x) (list x)]
+        [(pair? x) (append (verdicts-in (car x)) (verdicts-in (cdr x)))]
+        [(vector? x) (verdicts-in (vector->list x))]
+        [(box? x) (verdicts-in (unbox x))]
+        [(hash? x) (verdicts-in (hash-values x))]
+        [(tuple? x) (verdicts-in (structure->list x))]
+        [else '()]))

@@ -25,15 +25,15 @@
 (struct early-end (number running? message))
 
 ;; stx : of a module; file : where it was read -> outcome
-;; shown : result -> its form in the outcome
-(define (run-program stx file #:shown [shown value->shown])
+;; shown : result -> its form in the outcome; begins : called with the number of each form
+(define (run-program stx file #:shown [shown value->shown] #:begins [begins void])
   (define custodian (make-custodian))
   (define o #f)
   (dynamic-wind
    void
    (lambda ()
      (parameterize ([current-custodian custodian])
-       (sync (thread (lambda () (set! o (run stx file shown)))))))
+       (sync (thread (lambda () (set! o (run stx file shown begins)))))))
    (lambda () (custodian-shutdown-all custodian)))
   o)
 
@@ -44,7 +44,7 @@
 ;; items : its outputs and results, latest first
 (struct recorder (found printed shown module [number #:mutable] [items #:mutable]) #:authentic)
 
-(define (run stx file shown)
+(define (run stx file shown form-begins)
   (define found (make-vector (length (module-forms stx)) '()))
   (define name (string->uninterned-symbol (path->string (file-name-from-path file))))
   (define r
@@ -56,12 +56,12 @@
         (with-handlers ([raised? (lambda (e)
                                    (define running? (and (recorder-number r) #t))
                                    (early-end (place-of e stx r) running? (message e)))])
-          (evaluate stx file r)
+          (evaluate stx file r form-begins)
           #f))))
   (finish-form! r)
   (outcome (recorder-found r) ended))
 
-(define (evaluate stx file r)
+(define (evaluate stx file r form-begins)
   (define printed (recorder-printed r))
   (define (receive x)
     (unless (void? x)
@@ -69,7 +69,8 @@
       (add-item! r (result ((recorder-shown r) x)))))
   (define (begins number)
     (finish-form! r)
-    (set-recorder-number! r number))
+    (set-recorder-number! r number)
+    (form-begins number))
   (define module (recorder-module r))
   (parameterize ([current-namespace (namespace-anchor->empty-namespace here)]
                  [current-load-relative-directory (path-only file)]

@@ -73,8 +73,8 @@
   (check-regexp-match
    (regexp-quote
     (string-append "is_derive path t (velocity t) /\\ "
-                   "is_derive (fun x => L t (path t) x) (velocity t) (momentum t) /\\ "
-                   "is_derive (fun x => L t x (velocity t)) (path t) (slope t) /\\ "
+                   "is_derive (fun s => L t (path t) s) (velocity t) (momentum t) /\\ "
+                   "is_derive (fun s => L t s (velocity t)) (path t) (slope t) /\\ "
                    "is_derive momentum t (slope t)."))
    text))
 

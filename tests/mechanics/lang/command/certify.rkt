@@ -42,7 +42,8 @@
           "(verify-equal (* 2 (atan (quote y) (quote x))) (+ (atan (quote y) (quote x)) "
           "(atan (quo...\n"
           "    no certificate yet: Coq's library has no atan\n"
-          "3 verdicts shown, 2 proved, 1 with a certificate\n")))
+          "3 verdicts shown, 2 proved, 1 with a certificate, 1 refuted\n"
+          "1 proved and not certified; above stands why\n")))
   (check-true (wrote? "two-springs-certificates" "two_springs_1.v")))
 
 (test-case "the folder is chosen by -o; a program that shows no verdict has nothing to certify"
@@ -53,8 +54,20 @@
   (check-equal? (answer "none.rkt" "--write")
                 (list 0 (string-append
                          "0 verdicts shown, 0 proved, 0 with a certificate\n"
-                         "a verdict that is shown, on a line of its own, gets a certificate\n")))
+                         "a verdict that is shown, as a result or by printing it, "
+                         "gets a certificate\n")))
   (check-false (directory-exists? (build-path folder "none-certificates"))))
+
+(test-case "verdicts that are printed, or stand in lists, are certified as well, each once"
+  (program "printed.rkt"
+           "(define sum (verify-equal (* 2 'x) (+ 'x 'x)))"
+           "(displayln sum)"
+           "(list sum (verify-equal (* 3 'x) (+ 'x 'x 'x)) (up 1 (verify-equal 'x 'y)))"
+           "(printf \"~a\\n\" (verify-equal (* 4 'x) (+ (* 3 'x) 'x)))")
+  (define told (answer "printed.rkt" "--write"))
+  (check-regexp-match #rx"^.displayln sum.\n" (cadr told))
+  (check-regexp-match #rx"4 verdicts shown, 3 proved, 3 with a certificate, 1 refuted\n$"
+                      (cadr told)))
 
 (test-case "a program that ends early is told; what it showed before has its certificates"
   (program "early.rkt" "(verify-equal (* 2 'x) (+ 'x 'x))" "(car '())")
