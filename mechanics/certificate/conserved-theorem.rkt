@@ -9,8 +9,7 @@
 (require racket/list racket/string
          "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "derivative-theorem.rkt"
          "example-point.rkt" "theorem-text.rkt"
-         "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../algebra/expression/operation.rkt"
+         "../algebra/expression/substitute.rkt"
          "../calculus/derivative.rkt"
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
@@ -80,7 +79,7 @@
         (for/list ([k (in-range n)])
           (laws-multipliers number (lambda (s) (list-ref (scalars (Q s)) k)) state))
         (append (rates P) (rates Q))
-        (scalars ((Lagrangian->acceleration L #:force force) state))))
+        (scalars (simplify ((Lagrangian->acceleration L #:force force) state)))))
 
 (define (Hamiltonian-flow c)
   (define-values (H Q state force)
@@ -300,15 +299,15 @@
            "Theorem not_vacuous : exists ~a (~a : R -> R),\n"
            "  ~a /\\\n  ~a.\n"
            "Proof.\n~a  exists ~a, ~a.\n"
-           "  split.\n  { ~a. unfold hypotheses. cbv beta.\n~a  }\n"
-           "  ~a\nQed.\n\n")
+           "  split.\n  { ~a. unfold hypotheses. cbv beta.\n~a  }\n~a"
+           "Qed.\n\n")
           (binders own) (string-join paths " ")
           (wrapped (format "hypotheses ~a" (string-join (all-names along) " ")))
           (wrapped (string-join (append (list "motion") (motion-parameters M ns) paths (list t)) " "))
           (through-text M values ns)
           (wrapped (string-join (witness-texts values own) ", ")) (string-join paths ", ")
           (placed M) (example-steps relations values ns)
-          (motion-at-numbers M)))
+          (motion-at-numbers M values ns)))
 
 ;; Paths through the point, as hypotheses about them
 (define (through-text M values ns)
@@ -340,20 +339,29 @@
                            (append (names "place" n) (names "speed" n)))
                        ", ")))
 
-(define (motion-at-numbers M)
+(define (motion-at-numbers M values ns)
+  (define rates (map cons (flow-as M) (if (flow-Hamiltonian? M) '() (flow-accelerated M))))
+  (define es
+    (for/list ([e (in-list (append (flow-laws M) (flow-by-xs M) (flow-by-ys M) (flow-Fs M)
+                                   (flow-accelerated M)))])
+      (put-numbers (in-place-of rates e) values)))
+  (define-values (lines tactic) (known-lines es '() ns))
   (define unfold
     (remove* (quantity-names M) (cons "motion" (remove (base M) (to-unfold M)))))
-  (define place (placed M))
-  (format "unfold ~a. ~a;\n  ~a."
+  (define here (string-append (placed M) "; cbv beta"))
+  (define equal
+    (format "first [numbers_equal | ~a]"
+            (string-replace tactic "nonzero" "first [nonzero | at_numbers]")))
+  (format "~a  unfold ~a. ~a;\n  ~a.\n" lines
           (string-join unfold ", ") (refine-text (length (motion-parts M)))
           (wrapped
            (format (string-append
                     "first [ derivative_there "
                     "| match goal with H : is_derive ?f ?x _ |- is_derive ?f ?x _ => "
-                    "refine (derivative_as _ _ _ _ H _) end; ~a; numbers_equal "
+                    "refine (derivative_as _ _ _ _ H _) end; ~a; ~a "
                     "| auto_derive; [ ~a; conditions_at_numbers "
-                    "| derivatives_known; ~a; numbers_equal ] ]")
-                   place place place))))
+                    "| derivatives_known; ~a; ~a ] ]")
+                   here equal here here equal))))
 
 ;; The parameters that the definition of a motion speaks of, as Coq takes them out of the section
 (define (motion-parameters M ns)
