@@ -91,7 +91,7 @@
 (define (known-lines es relations ns)
   (define-values (lines tactic)
     (proof-lines (kernel-facts (append es (append-map relation-sides relations))
-                               (relations->assumptions relations) ns)
+                               (relations->assumptions relations) ns (divisors-in relations))
                  ns))
   (values (string-append* (for/list ([l (in-list lines)]) (format "  ~a\n" (wrapped l))))
           (wrapped tactic)))

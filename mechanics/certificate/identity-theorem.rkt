@@ -17,7 +17,7 @@
   (define hypotheses (remove-duplicates (append assumed domain)))
   (define facts
     (kernel-facts (append sides (append-map relation-sides hypotheses))
-                  (relations->assumptions hypotheses) ns))
+                  (relations->assumptions hypotheses) ns (divisors-in hypotheses)))
   (define-values (lines tactic) (proof-lines facts ns))
   (theorem (string-append
             (hypotheses-text assumed domain ns)

@@ -10,7 +10,10 @@
          "Coq-term.rkt" "linear-terms.rkt" "root-parts.rkt"
          "../algebra/expression/exact-numbers.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/nodes.rkt" "../algebra/expression/operation.rkt"
-         "../algebra/expression/pi.rkt" "../algebra/expression/substitute.rkt"
+         "../algebra/expression/pi.rkt" "../algebra/expression/size.rkt"
+         "../algebra/expression/substitute.rkt"
+         (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
+         "../algebra/rewriting/factor.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
 (provide kernel-facts (struct-out fact))
@@ -28,15 +31,61 @@
                                [exponents #:mutable] [applied #:mutable])
   #:authentic)
 
-;; es : expressions; A : assumptions; ns : names of all in them -> facts
-(define (kernel-facts es A ns)
+;; es : expressions; A : assumptions; ns : names of all in them; divisors : expressions that are not
+;; 0 -> facts
+(define (kernel-facts es A ns [divisors '()])
   (define c (collector A ns (make-hash) '() '() '() '()))
   (for ([e (in-list es)]) (visit-all! c e))
+  (define simpler
+    (for*/list ([d (in-list divisors)] [e (in-value (simpler-divisor d A))] #:when e) (cons d e)))
+  (for ([s (in-list simpler)]) (visit-all! c (cdr s)))
   (define circles (settle-angles! c))
   (define exponentials (settle-exponents! c))
   (append circles
           exponentials
-          (append-map (lambda (n) (facts-of c n)) (reverse (collector-met c)))))
+          (append-map (lambda (n) (facts-of c n)) (reverse (collector-met c)))
+          (append-map (lambda (s) (divisor-facts c (car s) (cdr s)))
+                      (append simpler
+                              (for*/list ([d (in-list divisors)] #:unless (assoc d simpler)
+                                          [e (in-value (resolved-divisor c d))] #:when e)
+                                (cons d e))))))
+
+;; ---------------------------------------------------------------------------
+;; Divisors: simpler forms of them, so that `field` asks for little, and their factors
+
+;; d as a product, if that is smaller; else #f
+(define (simpler-divisor d A)
+  (define-values (e _) (factored-expression d (with-automatic-assumptions A #f)))
+  (and (node? d) (< (expression-size e) (expression-size d)) e))
+
+;; d as a product of kernels, if what stands for its parts are others, and known; else #f
+(define (resolved-divisor c d)
+  (define A (collector-assumptions c))
+  (define r (resolved c d))
+  (define-values (e _)
+    (if (equal? r d) (values #f #f) (factored-expression r (with-automatic-assumptions A #f))))
+  (and e
+       (for/and ([n (in-list (nodes-in e))])
+         (or (arithmetic-node? n) (hash-has-key? (collector-plans c) n)))
+       e))
+
+(define (divisor-facts c d e)
+  (define ns (collector-names c))
+  (cons (fact 'value d e '(identity "."))
+        (for/list ([f (in-list (product-factors e))])
+          (fact 'known f (cons '<> 0)
+                (list (format "intro Z; assert (G : ~a <> 0) by assumption; apply G; transitivity (~a); ["
+                              (term d ns 2) (term e ns))
+                      'identity "| rewrite Z; unfold Rdiv; ring].")))))
+
+;; Of the numerator, without numbers and powers
+(define (product-factors e)
+  (define args (if (node? e) (node-args e) '()))
+  (cond [(number? e) '()]
+        [(headed? e op:*) (append-map product-factors args)]
+        [(headed? e op:/) (product-factors (car args))]
+        [(and (node? e) (integer-power? e)) (product-factors (car args))]
+        [else (list e)]))
 
 (define (visit-all! c e) (for ([n (in-list (nodes-in e))]) (visit! c n)))
 

@@ -102,6 +102,12 @@ with nonzero_factor :=
           | |- Rabs _ <> 0 => apply Rabs_no_R0; nonzero_factor
           | |- - _ <> 0 => apply Ropp_neq_0_compat; nonzero_factor
           end
+        | match goal with
+          | H : ?d <> 0 |- ?x <> 0 =>
+              let Z := fresh "Z" in
+              intro Z; apply H; solve [ transitivity x; [ring | exact Z]
+                                      | transitivity (- x); [ring | rewrite Z; ring] ]
+          end
         | apply not_eq_sym, Rlt_not_eq; positive
         | match goal with
           | H : ?d <> 0 |- ?x <> 0 =>

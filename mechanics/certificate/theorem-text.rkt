@@ -10,7 +10,7 @@
          "../value/algebra.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt" no-assumptions))
 
-(provide (struct-out theorem) relation-sides relations->assumptions
+(provide (struct-out theorem) relation-sides divisors-in relations->assumptions
          hypotheses-text hypothesis-texts given-pattern
          example-text witness-texts example-steps
          binders all-names symbol-names for-all wrapped)
@@ -25,6 +25,11 @@
 
 (define (relation-sides d)
   (for/list ([x (in-list (cdr d))]) (if (expression? x) x (datum->expression x))))
+
+;; The expressions that are not 0
+(define (divisors-in ds)
+  (for/list ([d (in-list ds)] #:when (and (eq? (car d) '<>) (eqv? 0 (caddr d))))
+    (car (relation-sides d))))
 
 ;; The relation as assumptions know it
 (define (declarable d)
