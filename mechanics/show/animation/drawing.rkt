@@ -17,7 +17,9 @@
          drawing-axes drawing-sample
          check-state drawing-trail drawn-place trail-points
          sketch diagram
-         check-drawing-library)
+         check-drawing-library
+         ;; for tests
+         drawing-shapes drawing-marks)
 
 ;; datum  : what it prints as
 ;; bounds : (list x-min x-max y-min y-max); width : pixels
