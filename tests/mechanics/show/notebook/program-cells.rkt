@@ -61,6 +61,13 @@
      (raw "(module+ test\n\n (f 4))")
      (raw "(provide f)"))))
 
+(test-case "a comment between forms ends where it is closed, with those within it"
+  (for ([comment '("#| c |#" "#| c #| d |# \n\n e |#" "#|\n\n#| d |#\n#| e |#\n\n|#")])
+    (define program (format "#lang mechanics\n\n~a\n\n; x\n\n(f)\n" comment))
+    (check-equal? (kinds+sources (cells-of program))
+                  `((code ,comment) (markdown "x") (code "(f)"))
+                  comment)))
+
 ;; ---------------------------------------------------------------------------
 ;; Notebook to program and back
 
@@ -100,6 +107,42 @@
     (bytes->notebook
      'program "x" #"{\"cells\":[{\"cell_type\":\"code\",\"source\":[\"(f\\n\",\" 1)\"]}]}"))
   (check-equal? (kinds+sources cells) '((code "(f\n 1)"))))
+
+(define (cells-in notebook #:attachments? [attachments? #t])
+  (define-values (header cells)
+    (bytes->notebook 'program "x" notebook #:attachments? attachments?))
+  (kinds+sources cells))
+
+(define no-notebook "program: x is no notebook of Jupyter, in its format 4: ")
+
+(test-case "an attachment is left out, or refused"
+  (define (notebook attached)
+    (bytes-append #"{\"cells\":[{\"cell_type\":\"markdown\",\"source\":\"a\",\"attachments\":"
+                  attached #"}]}"))
+  (define-values (picture none) (values (notebook #"{\"a.png\":{}}") (notebook #"{}")))
+  (check-equal? (cells-in picture) '((markdown "a")))
+  (check-equal? (cells-in none #:attachments? #f) '((markdown "a")))
+  (define-values (_ cells) (bytes->notebook 'program "x" picture))
+  (check-equal? (kinds+sources cells) '((markdown "a")))
+  (check-message
+   (string-append "program: a cell holds an attachment, such as a picture that was pasted, "
+                  "which is not read; take it out")
+   (cells-in picture #:attachments? #f)))
+
+(test-case "a key stands once in an object, whichever way it is written"
+  (check-equal? (cells-in #"{\"cells\":[], \"a\":{\"b\":1}, \"b\":[{\"a\":1},{\"a\":1}]}") '())
+  (for ([again '(#"cells" #"ce\\u006cls")])
+    (check-message (string-append no-notebook
+                                  "the key \"cells\" stands twice in one object of its JSON")
+                   (cells-in (bytes-append #"{\"cells\":[],\"a\":1,\"" again #"\":[]}")))))
+
+;; An object, its two lists and n numbers in one of them, of which a comma tells each next one
+(test-case "a notebook holds 200000 values, and no more"
+  (define (notebook n)
+    (bytes-append #"{\"cells\":[],\"x\":[1" (apply bytes-append (make-list (- n 1) #",1")) #"]}"))
+  (check-equal? (cells-in (notebook 199997)) '())
+  (check-message (string-append no-notebook "its JSON holds more than 200000 values")
+                 (cells-in (notebook 199998))))
 
 (test-case "metadata bring no code that no cell shows, and no text loads what it names"
   (define-values (header cells)
