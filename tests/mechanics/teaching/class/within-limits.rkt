@@ -50,7 +50,8 @@
 
 (define (submission-of id answer)
   (submission id id
-              (format "#lang mechanics\n(define first '~a)\n(define-values (second third) (values '~a '~a))\n"
+              (format (string-append "#lang mechanics\n(define first '~a)\n"
+                                     "(define-values (second third) (values '~a '~a))\n")
                       answer id id)
               #f #f #f))
 
@@ -73,7 +74,8 @@
     (define end (+ (milliseconds) (* 750 seconds)))
     (let loop () (or (> (milliseconds) end) (loop))))
   (define works
-    (make-worksheet "Works" #f "works" (list (make-exercise 'first 'expects "?" `((expects ,look))))))
+    (make-worksheet "Works" #f "works"
+                    (list (make-exercise 'first 'expects "?" `((expects ,look))))))
   (define (status-of program)
     (define text (format "#lang mechanics\n~s\n(define first 1)\n" program))
     (define r (grade-class works (list (submission "s" "s" text #f #f #f)) #:seconds seconds))
