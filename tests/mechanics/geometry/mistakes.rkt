@@ -211,6 +211,7 @@
 (test-case "how sums of fields, charts and unit vectors print"
   (check-equal? (format "~a" (+ (* x dx) dy (* y dx)))
                 "(+ (* x dx) dy (* y dx))")
+  (check-equal? (format "~a" (make-manifold-type 'torus 'everywhere 'upper)) "torus")
   (check-equal? (format "~a" (coordinate-system-at 'stereographic 'south-pole S2))
                 "(coordinate-system-at stereographic south-pole S2)")
   (check-equal? (format "~a" (ref (orthonormalize (down d/dx d/dy) g R2-rect) 1))

@@ -88,3 +88,7 @@
  "#f #f '()))"
  "#f #t '()))"
  "a drawing without marks has no diagram: nobody asks for its sample")
+("question/question-meaning.rkt"
+ "(define (meaning-of-Hamiltonian H state) (about H state #f #f '() '()))"
+ "(define (meaning-of-Hamiltonian H state) (about H state #f #t '() '()))"
+ "a force that cannot be called has no expressions, as none has")
