@@ -220,11 +220,8 @@
     (for/sum ([one (in-vector steps 1)]
               #:break (between? (stretch-start s) end (step-from one)))
       1))
-  (define last-one (vector-ref steps count))
-  (if (and (= end (step-to last-one)) (= (+ 1 count) (vector-length steps)))
-      steps
-      (vector-append (vector-take steps count)
-                     (vector (struct-copy step last-one [to end])))))
+  (vector-append (vector-take steps count)
+                 (vector (struct-copy step (vector-ref steps count) [to end]))))
 
 ;; ---------------------------------------------------------------------------
 ;; What is given
