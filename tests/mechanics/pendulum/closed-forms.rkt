@@ -145,6 +145,8 @@
   "pendulum-frequency: the energy is to be a number; given the symbol E"]
  [(pendulum-frequency 1 -1 0)
   "pendulum-frequency: beta is positive; given the number -1"]
+ [((pendulum-advance -1 9.8) (up 0 0.5 1))
+  "pendulum-advance: alpha is positive; given the number -1"]
  [(pendulum-oscillating-action 1 9.8 20)
   "pendulum-oscillating-action: with an energy of more than beta the pendulum turns; given 20, "
   "with beta = 9.8"]

@@ -163,6 +163,9 @@
   (check-message
       "program: x.ipynb is no notebook of Jupyter, in its format 4: its JSON has a mistake"
     (bytes->notebook 'program "x.ipynb" #"{]"))
+  (check-message (string-append no-notebook "its JSON has a mistake") (cells-in #"{\"cells\": \"a"))
+  (check-exn #rx"^notebook: the program cannot be read: .*end of file in"
+             (lambda () (cells-of "#lang mechanics\n\n(f)\n\n#| open")))
   (check-message "program: x.ipynb is no notebook of Jupyter, in its format 4"
     (bytes->notebook 'program "x.ipynb" #"{\"cells\": 1}"))
   (check-message "program: a cell of an unknown kind: \"heading\""

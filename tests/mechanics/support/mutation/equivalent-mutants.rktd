@@ -92,3 +92,7 @@
  "(define (meaning-of-Hamiltonian H state) (about H state #f #f '() '()))"
  "(define (meaning-of-Hamiltonian H state) (about H state #f #t '() '()))"
  "a force that cannot be called has no expressions, as none has")
+("show/typesetting/break.rkt"
+ "(continuation sign (fitted right (- width 4) wide))))))"
+ "(continuation sign (fitted right (- width 5) wide))))))"
+ "the right side of a relation is cut a column earlier")
