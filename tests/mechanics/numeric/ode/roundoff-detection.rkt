@@ -105,3 +105,20 @@
   (check-true (rounding-exceeds? passing! near 1e-6 1e-16))
   (check-false (rounding-exceeds? passing! near 1e-6 1e-9))
   (check-false (rounding-exceeds? passing! start 1e-6 1e-16)))
+
+;; y' = 1/(π − y)³: one unit in the last place of y counts where π − y is small.
+(test-case "a state of too few digits is told when the steps get longer again"
+  (define (steep! y dy) (flvector-set! dy 0 (expt (- (acos -1.0) (flvector-ref y 0)) -3.0)))
+  (define (asked distance tolerated . lengths)
+    (define c (make-crawl))
+    (define y (flvector (- (acos -1.0) distance)))
+    (crawls? c 1.0)
+    (for/last ([h (in-list lengths)] [t (in-naturals)])
+      (define found (state-too-coarse c steep! t y h tolerated))
+      (and found (list (car found) (equal? (cdr found) y)))))
+  (check-equal? (asked 1e-4 1e-12 1e-4 1e-5 5e-5) '(1 #t))      ; where they were the shortest
+  (check-equal? (asked 1e-4 1e-12 1e-5 3e-5) #f)                ; not four times as long yet
+  (check-equal? (asked 1e-4 1e-12 1e-5 1e-6) #f)
+  (check-equal? (asked 0.1 1e-12 1e-5 1e-3 1e-2) #f)            ; digits enough
+  (check-equal? (asked 1e-4 1e-5 1e-5 5e-5) #f)                 ; for this tolerance
+  (check-equal? (asked 1e-4 1e-12 1e-2 1e-1) #f))               ; no short steps

@@ -69,6 +69,13 @@
                (lambda () (integral (lambda (x) ((tail c) (- x))) -inf.0 -1))))
   (check-integral (tail 0.0) 1 +inf.0 2.0))
 
+;; ∫ cos(ax)/(1 + x²) = π/2 e^(−a); the first zero is at 40 units, and each next at 80 more.
+(test-case "waves that begin slowly"
+  (define a (/ pi 80.0))
+  (define-values (value bound)
+    (oscillating-quadrature (lambda (x) (/ (cos (* a x)) (+ 1.0 (* x x)))) 1.0 1e-10))
+  (check-= value (* 0.5 pi (exp (- a))) 1e-10))
+
 ;; The parts met tell +, the rule −: to extrapolate would be wrong by 2e-3.
 (test-case "what is left near an end must have the sign that the rule tells"
   (define (f x) (/ (if (< x (- 3.0 3e-7)) 1.0 -1.0) (sqrt (- 3.0 x))))

@@ -96,3 +96,7 @@
  "(continuation sign (fitted right (- width 4) wide))))))"
  "(continuation sign (fitted right (- width 5) wide))))))"
  "the right side of a relation is cut a column earlier")
+("numeric/special/Bessel-recurrences.rkt"
+ "(define side* (if (fl< d* 0.0) (fl- 0.0 side) side))"
+ "(define side* (if (fl<= d* 0.0) (fl- 0.0 side) side))"
+ "the reciprocal of a finite number is not 0")
