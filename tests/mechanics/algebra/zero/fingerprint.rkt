@@ -179,3 +179,12 @@
                              (for/last ([_ (in-range 20)]) (map fingerprint expressions)))))))
   (for-each thread-wait threads)
   (for ([r (in-vector results)]) (check-equal? r expected)))
+
+;; Half of the residues are no squares: of each there is a cube root all the same.
+(test-case "odd roots, however many, have residues"
+  (define roots
+    (for/list ([i (in-range 16)])
+      (define u `(+ y ,(string->symbol (format "x~a" i))))
+      `(- (* (expt ,u 1/3) (expt ,u 2/3)) ,u)))
+  (check-eq? (judge `(+ ,@roots)) 'zero)
+  (check-eq? (judge `(+ z ,@roots)) 'nonzero?))

@@ -19,6 +19,14 @@
   (check-equal? (status '(- 1 (expt (sin (x t)) 2) (expt (cos (x t)) 2))) 'proved)
   (check-equal? (status 0) 'proved))
 
+(test-case "sums of arcs are angles"
+  (for ([d (in-list '((- (+ (atan 1/2) (atan 1/3)) (* 1/4 :pi))
+                      (- (* 4 (atan 1/5)) (atan 1/239) (* 1/4 :pi))
+                      (- (+ (asin x) (acos x)) (* 1/2 :pi))
+                      (- (atan x) (asin (/ x (sqrt (+ 1 (* x x))))))))])
+    (check-equal? (status d) 'proved (format "~s" d)))
+  (check-equal? (status '(- (* 4 (atan 1/5)) (atan 1/240) (* 1/4 :pi))) 'refuted))
+
 (test-case "a refutation carries a point that a person can check"
   (for ([d (in-list '((+ (* m (((expt D 2) x) t)) (* k (x t)))
                       (- (* a k (cos (+ (* omega t) phi)))
