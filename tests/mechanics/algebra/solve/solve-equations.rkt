@@ -2,10 +2,8 @@
 ;; Equations solved by factors: known ones, and every solution put back.
 
 (require (only-in mechanics
-                  + - * / expt square sin cos acos asin pi expression simplify
-
-
-                               substitute proved? prove-zero)
+                  + - * / expt square sin cos acos asin exp cosh sinh pi expression simplify
+                  substitute proved? prove-zero)
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/solve/solve-equations
          "../../support/checks.rkt" "../../support/random.rkt")
@@ -45,6 +43,18 @@
   (check-equal? (solutions (list (- (* 2 (sin 'x)) 3)) '(x)) '())
   (check-equal? (solutions (list (- (* 'a (sin 'x)) (* 'b (cos 'x)))) '(x))
                 '((((x (atan (/ b a))))) (((x (+ :pi (atan (/ b a)))))))))
+
+(test-case "exponentials, which are positive, and hyperbolic functions"
+  (define (roots e) (map cadaar (solutions (list e) '(x))))
+  (define log-2 0.6931471805599453)
+  (check-within (roots (- (exp 'x) 2)) (list log-2) 1e-15)
+  (check-equal? (roots (+ (exp 'x) 1)) '())
+  (check-within (roots (+ (exp (* 2 'x)) (* -3 (exp 'x)) 2)) (list log-2 0) 1e-15)
+  (check-within (roots (- (exp (* 2 'x)) (exp 'x) 2)) (list log-2) 1e-15)
+  (check-within (roots (- (sinh 'x) 3/4)) (list log-2) 1e-15)
+  (check-within (roots (- (cosh 'x) 5/4)) (list log-2 (- log-2)) 1e-15)
+  (check-equal? (solutions (list (- (exp (+ (* 'a 'x) 'b)) 'c)) '(x))
+                '((((x (/ (- (log c) b) a))) (>= c 0)))))
 
 (test-case "angles are exact where their sines are, and where the equations are"
   (define (angles e) (map cadaar (solutions (list e) '(x))))
