@@ -98,12 +98,17 @@
   (define repulsion
     (for/fold ([sum 0.0]) ([other (in-vector zs)] [j (in-naturals)] #:unless (= i j))
       (define d (- here (exact->inexact other)))
-      (if (= d 0.0) sum (+ sum (/ 1.0 d)))))
+      (if (= d 0.0) sum (+ sum (reciprocal d)))))
   (define quotient (- 1.0 (* N repulsion)))
   (define step (* turn (if (= quotient 0.0) N (/ N quotient))))
   (define finite? (< (magnitude step) +inf.0))
   (when finite? (vector-set! zs i (shortened (- z (inexact->exact step)))))
   (not (and finite? (<= (magnitude step) (* enough (magnitude here))))))
+
+;; Of numbers, too, whose squares are too small for a flonum
+(define (reciprocal d)
+  (define size (magnitude d))
+  (/ (conjugate (/ d size)) size))
 
 (define (newton-in-flonums p)
   (define coefficients (map exact->inexact p))
@@ -122,14 +127,15 @@
       (* 1e-3+1e-3i (exact->inexact z))
       (/ (quotient-of P D) (expt 2.0 s))))
 
-;; P/D as flonums
+;; P/D as flonums, of the first 500 bits of each: products of such do not overflow
 (define (quotient-of P D)
-  (define (size z) (max (integer-length (real-part z)) (integer-length (imag-part z))))
-  (define back (- (max 0 (- (size D) 500))))
-  (define (short z)
-    (exact->inexact (make-rectangular (arithmetic-shift (real-part z) back)
-                                      (arithmetic-shift (imag-part z) back))))
-  (/ (short P) (short D)))
+  (define (beyond z)
+    (max 0 (- (integer-length (real-part z)) 500) (- (integer-length (imag-part z)) 500)))
+  (define (short z back)
+    (exact->inexact (make-rectangular (arithmetic-shift (real-part z) (- back))
+                                      (arithmetic-shift (imag-part z) (- back)))))
+  (define-values (above below) (values (beyond P) (beyond D)))
+  (* (/ (short P above) (short D below)) (expt 2.0 (- above below))))
 
 ;; More than a flonum has, and few enough for products with fixnums, which are fast.
 (define bits 58)

@@ -42,6 +42,12 @@
   (define apart '(1/100000000 -1/1000000 1 1000000000000 3+4i 3-4i))
   (check-zeros (product apart) apart))
 
+(test-case "so far out, or so near 0, that their squares are no flonums"
+  (for ([k '(150 200 -150 -200)])
+    (define z (expt 10 k))
+    (check-zeros (list (* z z) 0 1) (list (* +i z) (* -i z)) 1e-15)
+    (check-zeros (product (list z (* -3 z) (* 2 z))) (list z (* -3 z) (* 2 z)) 1e-15)))
+
 (test-case "of unit size: the roots of 1, and Chebyshev's, of degree 30"
   (check-zeros (append '(-1) (make-list 29 0) '(1))
                (for/list ([k 30]) (make-polar 1.0 (* 1/15 pi k))) 1e-15)
