@@ -95,11 +95,8 @@
         [else 1]))
 
 (define (compare-numbers a b)
-  (cond [(eqv? a b) 0]
-        [(and (real? a) (real? b)) (compare-reals a b)]
-        [else
-         (define k (compare-reals (real-part a) (real-part b)))
-         (if (eq? k 0) (compare-reals (imag-part a) (imag-part b)) k)]))
+  (define k (compare-reals (real-part a) (real-part b)))
+  (if (eqv? k 0) (compare-reals (imag-part a) (imag-part b)) k))
 
 (define (compare-reals a b)
   (cond [(eqv? a b) 0]

@@ -35,3 +35,9 @@
   (define es (map datum->expression '(x (x t) ((D x) t) (((expt D 2) x) t))))
   (check-equal? (map derivative-order es)
                 '(0 0 1 2)))
+
+(test-case "numbers by value, exact ones first, then by imaginary parts"
+  (define numbers (list -inf.0 -1 0 -0.0 0.0 1/2 0.5 1-2i 1 1+2i 1.0 1.0+2.0i +inf.0 +nan.0))
+  (for* ([(a i) (in-parallel numbers (in-naturals))] [(b j) (in-parallel numbers (in-naturals))])
+    (define sign (cond [(= i j) 0] [(< i j) -1] [else 1]))
+    (check-equal? (expression-compare a b) sign (format "~a ~a" a b))))

@@ -100,3 +100,7 @@
  "(define side* (if (fl< d* 0.0) (fl- 0.0 side) side))"
  "(define side* (if (fl<= d* 0.0) (fl- 0.0 side) side))"
  "the reciprocal of a finite number is not 0")
+("algebra/assumption/emptiness.rkt"
+ "(not (find-reference expressions (assumptions concerned (hash) '() #t #f '())"
+ "(not (find-reference expressions (assumptions concerned (hash) '() #f #f '())"
+ "the search for a point asks for relations and domain alone")
