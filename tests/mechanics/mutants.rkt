@@ -42,12 +42,17 @@
   (check-equal? (remove-duplicates (map car some)) '("pendulum/")))
 
 ;; The fixed sample of what `make mutants` does in the large
-(test-case "a changed sign is noticed by the tests of its room, and no change is not"
+(test-case "a changed sign is noticed, no change is not, and a test that always fails does not count"
   (define file "pendulum/phase.rkt")
   (define tests
-    (list (path->string (full-path "../tests/mechanics/pendulum/closed-forms.rkt"))))
+    (list (list (path->string (full-path "../tests/mechanics/pendulum/closed-forms.rkt")) 5)))
   (define source (file->string (full-path file)))
   (define (first-of kind)
     (findf (lambda (m) (eq? kind (mutation-kind m))) (mutations-of source file)))
   (check-equal? (car (try file (first-of 'exchanged) tests)) 'killed)
-  (check-equal? (try file (mutation 'none 1 0 0 "") tests) '(survived)))
+  (check-equal? (try file (mutation 'none 1 0 0 "") tests) '(survived))
+  (define failing (make-temporary-file "failing-~a.rkt"))
+  (display-to-file "#lang racket/base\n(error \"always\")\n" failing #:exists 'truncate)
+  (check-equal? (try file (first-of 'exchanged) (list (list (path->string failing) 1)))
+                '(untested))
+  (delete-file failing))

@@ -59,6 +59,9 @@
 
 (test-case "squares of sums are squares"
   (check-forms
+   [(+ x (/ 1 x) -2) (/ (expt (- x 1) 2) x)]
+   [(+ (f t) (* m (/ (expt p 2) x)) (* m x (expt q 2)) (* -2 m p q))
+    (+ (/ (* m (expt (- p (* q x)) 2)) x) (f t))]
    [(* k (expt (- x y) 2)) (* k (expt (- x y) 2))]
    [(+ (expt x 2) (* -2 x y) (expt y 2) (* m z)) (+ (* m z) (expt (- x y) 2))]
    [(+ (* 1/2 m (expt v 2)) (* 1/2 k (expt (- x l) 2)))

@@ -102,9 +102,11 @@
 ;; Does a test that noticed a mutant pass without one?  Asked once of each.
 (define passing (make-hash))
 (define (passes? test file text)
-  (hash-ref! passing (car test) (lambda () (equal? '(survived) (verdict-on file text (list test))))))
+  (hash-ref! passing (car test)
+             (lambda () (equal? '(survived) (verdict-on file text (list test))))))
 
-(define patience 1200)           ; seconds of the clock; try-mutant.rkt counts those of the processor
+;; Seconds of the clock; try-mutant.rkt counts those of the processor.
+(define patience 1200)
 
 (define (verdict-on file text tests)
   (define-values (process out in err)
