@@ -42,7 +42,7 @@
   (check-equal? (remove-duplicates (map car some)) '("pendulum/")))
 
 ;; The fixed sample of what `make mutants` does in the large
-(test-case "a changed sign is noticed, no change is not, and a test that always fails does not count"
+(test-case "a changed sign is noticed, no change is not, and a test that always fails counts not"
   (define file "pendulum/phase.rkt")
   (define tests
     (list (list (path->string (full-path "../tests/mechanics/pendulum/closed-forms.rkt")) 5)))
