@@ -93,3 +93,8 @@
   (command-line
    #:args ([count "10000"])
    (printf "~a values compared\n" (check-many (string->number count) (random 1000000)))))
+
+(test-case "what is said of a sign is written as a relation to 0"
+  (for ([d (in-list '((positive m) (negative x) (nonnegative (+ x 1)) (nonpositive x)))]
+        [text (in-list '("m > 0" "x < 0" "x + 1 ≥ 0" "x ≤ 0"))])
+    (check-equal? (tree->line (plain-datum->tree d)) text)))

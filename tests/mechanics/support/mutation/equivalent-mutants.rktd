@@ -104,3 +104,7 @@
  "(not (find-reference expressions (assumptions concerned (hash) '() #t #f '())"
  "(not (find-reference expressions (assumptions concerned (hash) '() #f #f '())"
  "the search for a point asks for relations and domain alone")
+("numeric/machine/assembler.rkt"
+ "[movsd! #xF2 #x10] [movupd! #x66 #x10] [movapd! #x66 #x28] [ucomisd! #x66 #x2E]"
+ "[movsd! #xF2 #x10] [movupd! #x66 #x10] [movapd! #x66 #x28] [ucomisd! #x66 47]"
+ "comisd sets the same flags; the exception in which it differs is masked")
