@@ -44,4 +44,16 @@
     (check-true (< (/ (cadddr counts) (cadr counts)) 12) (format "~a" counts)))
 
   (test-case "backwards"
-    (check-true (> (run 30 -7) 27))))
+    (check-true (> (run 30 -7) 27)))
+
+  ;; x' = 1/(1 + 10⁴ (t − 1)²): x(2) = atan(100)/50
+  (test-case "a narrow peak after long steps: a step that finds it is taken again, shorter"
+    (parameterize ([bf-precision 200])
+      (define (peak y)
+        (define s (bf* (bf 100) (bf- (vector-ref y 0) (bf 1))))
+        (vector (bf 1) (bf/ (bf 1) (bf+ (bf 1) (bf* s s)))))
+      (define advance
+        (make-integrator peak (vector (bf 0) (bf 0)) (bf 0) (bf 1e-20) 20 #:clock 0 #:stuck void))
+      (define-values (t y) (advance (bf 2) void))
+      (check-true (bf< (bfabs (bf- (vector-ref y 1) (bf/ (bfatan (bf 100)) (bf 50))))
+                       (bf 1e-17))))))
