@@ -78,7 +78,9 @@
 (test-case "circles that have broken up are told"
   (check-exn (lambda (e) (and (exn:fail:mechanics:not-convergent? e)
                               (regexp-match? #rx"it may have broken up" (exn-message e))))
-             (lambda () (invariant-circle (standard-map 1.1) golden #:most-modes 256))))
+             (lambda () (invariant-circle (standard-map 1.1) golden #:most-modes 256)))
+  (check-exn #rx"with so many terms; it may have broken up\n  rotation number: 0.381"
+             (lambda () (invariant-circle (standard-map 0.9) golden #:most-modes 8))))
 
 (test-case "of a motion that is chaotic there it is told before long, with the reason"
   (define T (driven-pendulum-map 1 1 9.8 0.1 (* 2 (sqrt 9.8))))

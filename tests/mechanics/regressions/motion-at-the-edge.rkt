@@ -23,6 +23,8 @@
   (define ((gears slow) s) (up (if (< (ref s 0) 5) slow 2) 0))
   (check-exn #rx"was taken for the time, but its derivative varies"
              (lambda () ((state-advancer gears 1) (up 0 0) 10)))
+  (check-exn #rx"\n  at the start: 1\n  now: 2\n"
+             (lambda () ((state-advancer gears 1) (up 0 0) 10 1e-10 #:precision 60)))
   (check-= (ref ((state-advancer gears 1.0) (up 0 0) 10) 0) 15 1e-6))
 
 (test-case "it is where the derivative is 1.0 throughout"

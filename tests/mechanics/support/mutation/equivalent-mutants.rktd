@@ -108,3 +108,11 @@
  "[movsd! #xF2 #x10] [movupd! #x66 #x10] [movapd! #x66 #x28] [ucomisd! #x66 #x2E]"
  "[movsd! #xF2 #x10] [movupd! #x66 #x10] [movapd! #x66 #x28] [ucomisd! #x66 47]"
  "comisd sets the same flags; the exception in which it differs is masked")
+("motion/path-action.rkt"
+ "(sample-at n (fl+ middle (fl* width (flvector-ref us k))) (fl* width (flvector-ref ws k))"
+ "(sample-at n (fl- middle (fl* width (flvector-ref us k))) (fl* width (flvector-ref ws k))"
+ "the nodes of Gauss and Legendre lie as far on either side, with equal weights")
+("dynamics/map/fixed-points.rkt"
+ "(define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 1e-13])"
+ "(define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 2e-13])"
+ "Newton's method doubles its digits: it ends as far below either tolerance")
