@@ -28,6 +28,12 @@
   (check-close (fixed-point-multipliers (found (standard-map 1.4) (up 0 0)))
                '(3.07477270848675 .325227291513248) 1e-13))
 
+(test-case "multipliers of maps that are linear, the greatest first"
+  (define (turning-over x y return fail) (return (* -2 x) (* -1/2 y)))
+  (check-close (fixed-point-multipliers (found turning-over (up 0.1 0.1))) '(-2 -1/2) 1e-9)
+  (define (of-three s) (up (ref s 0) (up (* 2 (ref s 1 0)) (* 1/2 (ref s 1 1))) (* -3 (ref s 2))))
+  (check-close (fixed-point-multipliers (found of-three (up 0 (up 0.1 0.1) 0.1))) '(-3 2 1/2) 1e-9))
+
 (test-case "beyond K = 4 the center is a saddle that turns over"
   (check-equal? (fixed-point-kind (found (standard-map 5.0) (up 3.1 0))) 'reflection-hyperbolic)
   (check-equal? (fixed-point-kind (found (standard-map 4) (up :pi 0))) 'parabolic))

@@ -53,18 +53,21 @@
     (check-equal? (file-size file) whole)))
 
 (test-case "a run that goes on says how much is done"
-  (with-file file
-    (follow #:jobs 1 #:checkpoint file #:starts (take starts 32))
-    (define said (open-output-string))
-    (define (in-session)
-      (start-session-of-notes!)
-      (follow #:jobs 1 #:checkpoint file))
-    (parameterize ([current-error-port said])
-      (thread-wait (thread in-session)))
-    (check-equal? (get-output-string said)
-                  (format (string-append "; evolve-ensemble: goes on from a checkpoint, where 32 "
-                                         "starts are followed already\n;   file: ~a\n")
-                          file))))
+  (define (check-said done again text)
+    (with-file file
+      (follow #:jobs 1 #:checkpoint file #:starts (take starts done))
+      (define said (open-output-string))
+      (define (in-session)
+        (start-session-of-notes!)
+        (follow #:jobs 1 #:checkpoint file #:starts again))
+      (parameterize ([current-error-port said])
+        (thread-wait (thread in-session)))
+      (check-equal? (get-output-string said)
+                    (format (string-append "; evolve-ensemble: goes on from a checkpoint, where ~a "
+                                           "followed already\n;   file: ~a\n")
+                            text file))))
+  (check-said 32 starts "32 starts are")
+  (check-said 1 (take starts 1) "1 start is"))
 
 (test-case "a worker whose parent has died ends in the middle of a batch, without a word"
   (define-values (t _shape)
