@@ -76,8 +76,9 @@
     (check-exn (says "expected a real number\n  given: .*up tuple of 2")
                (lambda () (method (lambda (x) (up x x)) 0 1)))
     (check-exn (says "the function is not finite") (lambda () (method (lambda (x) +nan.0) 0 1)))
-    (check-exn (says "expected a finite real number as end")
-               (lambda () (method g:cos 0 +inf.0))))
+    (for ([low '(0 -inf.0)] [high '(+inf.0 0)])
+      (check-exn (says "expected a finite real number as end")
+                 (lambda () (method g:cos low high)))))
   (check-exn #rx"^golden-section-min: expected a positive tolerance"
              (lambda () (golden-section-min g:cos 0 1 'close)))
   (check-exn #rx"^golden-section-min: no minimum found\n  steps: 200"
