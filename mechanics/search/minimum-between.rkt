@@ -20,9 +20,8 @@
 (struct found (x y kind steps evaluations) #:authentic)
 
 ;; method : f low high -> (list argument value steps)
-;; f : flonum -> real; low, high : real numbers
+;; f : flonum -> real; low, high : real numbers, which the method checks
 (define (minimum-between who f low high method)
-  (check-interval who low high)
   (define s (make-survey who f))
   (define (search a b) (apply judged s low high (method (survey-function s) a b)))
   (define m (search low high))

@@ -116,3 +116,15 @@
  "(define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 1e-13])"
  "(define-plain (find-fixed-point map guess #:period [period 1] #:tolerance [tolerance 2e-13])"
  "Newton's method doubles its digits: it ends as far below either tolerance")
+("dynamics/continuation/branch.rkt"
+ "(define share (/ (- bound one) (- other one)))"
+ "(define share (/ (- bound one) (+ other one)))"
+ "where Newton's method begins, which ends on the curve at the bound")
+("dynamics/continuation/special-point.rkt"
+ "(if (< (* (test p) (test a)) 0.0)"
+ "(if (<= (* (test p) (test a)) 0.0)"
+ "a place where the test is 0 is an end of the interval on either side")
+("scale/ensemble/evolve-ensemble.rkt"
+ "(define perform (once (lambda () (performer who t))))"
+ "(define perform (once (lambda () (performer t t))))"
+ "method and tolerance were checked before: the plan has nothing to complain of")
