@@ -128,3 +128,7 @@
  "(define perform (once (lambda () (performer who t))))"
  "(define perform (once (lambda () (performer t t))))"
  "method and tolerance were checked before: the plan has nothing to complain of")
+("calculus/infinitesimal-part.rkt"
+ "(cond [(constant? x) x]"
+ "(cond"
+ "what holds no number stays as it is by the other clauses, too: speed, which benches of D watch")
