@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Rows of coefficients for the nodes of a graph, and the recurrences that fill them, in order.
 
-(require "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/recurrence.rkt")
+(require "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/recurrence-list.rkt")
 
 (provide make-rows row-of spare-row degree derivative-row emit! emit-always! emit-start!
          rows->recurrences)

@@ -3,7 +3,7 @@
 
 (require "../flonum-functions.rkt" "jet-coefficient-rows.rkt"
          "../../generic/operation-equations.rkt"
-         "../../numeric/Taylor/recurrence.rkt")
+         "../../numeric/Taylor/recurrence-list.rkt")
 
 (provide emit-law! emit-integral! emit-value!)
 

@@ -10,7 +10,7 @@
          "jet-coefficient-rows.rkt" "jet-degrees.rkt" "jet-graph.rkt" "jet-nodes.rkt"
          "jet-operation-recurrences.rkt"
          "jet-sum-recurrences.rkt" "../cache.rkt" "../program.rkt"
-         "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/recurrence.rkt"
+         "../../numeric/Taylor/expansion.rkt" "../../numeric/Taylor/recurrence-list.rkt"
          "../../operation/operation-column.rkt")
 
 (provide program->expansion-maker maker->expander expansion-maker-branches?)

@@ -5,7 +5,7 @@
 (require racket/flonum
          racket/list
          "jet-graph.rkt" "jet-nodes.rkt" "jet-coefficient-rows.rkt"
-         "../../numeric/Taylor/recurrence.rkt")
+         "../../numeric/Taylor/recurrence-list.rkt")
 
 (provide sole-uses factor-groups emit-sum! emit-product!)
 

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What a step of the Taylor method asks of coefficients: the state at its end and within it, its
-;; rates there, and how great the last coefficients are.
+;; Sums of coefficients for a step of the Taylor method: the state at its end and within it, and its
+;; rates there; and the sizes of the last coefficients.
 ;;
 ;; By machine code (polynomial-code.rkt) where the coefficients come from such, else by loops that
 ;; do the same operations in the same order.

@@ -6,7 +6,7 @@
 ;; so that their sum is the present order; r13 and r14 bound rax.  Sums are in the registers for
 ;; flonums from 0 on, the latest of them for terms, so that many are added up in one loop.
 
-(require "recurrence.rkt"
+(require "recurrence-list.rkt"
          "../machine/assembler.rkt" "../machine/executable.rkt")
 
 (provide (struct-out tape) unit order most-sums factor
@@ -110,11 +110,9 @@
 (define (write-in-parts! c pairs end)
   (define a (tape-a c))
   (define n (length pairs))
-  (define-values (again few two one out)
-    (values (make-label) (make-label) (make-label) (make-label) (make-label)))
+  (define-values (again few) (values (make-label) (make-label)))
   (define (for-each-sum add! k) (for ([p (in-list pairs)] [s (in-naturals)]) (add! c s p k)))
   (define (for-each-part add! k) (for ([p (in-list pairs)] [s (in-naturals n)]) (add! c s p k)))
-  (define (add-parts!) (for ([s (in-range n)]) (addsd! a s (+ n s))))
   (clear-sums! a (* 2 n))
   (lea! a r14 (behind end -16))
   (compare! a rax r14)
@@ -126,8 +124,15 @@
   (compare! a rax r14)
   (jump! a 'less again)
   (label-here! a few)
+  (write-last-terms! a end for-each-sum for-each-part
+                     (lambda () (for ([s (in-range n)]) (addsd! a s (+ n s))))))
+
+;; Up to three terms, and both parts added up; rax has just been compared with r14, 16 less than
+;; the end.
+(define (write-last-terms! a end for-each-sum for-each-part add-parts!)
+  (define-values (two one out) (values (make-label) (make-label) (make-label)))
   (jump! a 'greater two)
-  (for-each-sum add-two! 0)             ; three are left
+  (for-each-sum add-two! 0)
   (for-each-part add-one! 2)
   (add-parts!)
   (jump! a 'always out)

@@ -1,16 +1,19 @@
 #lang racket/base
 ;; Taylor coefficients of a motion: y' = f(y) solved as a power series, order by order.
 ;;
-;; The coefficients of f up to order k follow from those of y by kernels (kernels.rkt), and
-;; y_{k+1} = f_k / (k + 1).  They are those of t/h, for a unit h of time near the length of
+;; The coefficients of f up to order k follow from those of y by recurrences (recurrence-list.rkt),
+;; and y_{k+1} = f_k / (k + 1).  They are those of t/h, for a unit h of time near the length of
 ;; a step, so that none overflows whatever the system's own units: y_{k+1} = h f_k / (k + 1).
 ;; It is divided by k + 1: a factor 1/(k + 1) would be rounded in the same direction at every
 ;; step, and a long run drift.
+;;
+;; Recurrences are closures at first (kernels.rkt), and machine code (motion-code.rkt) once enough
+;; expansions have paid for it, where the processor is known; both give the same bits.
 
 (require racket/fixnum racket/flonum
          racket/list
          racket/unsafe/ops
-         "kernels.rkt" "motion-code.rkt" "recurrence.rkt" "recurrence-code.rkt"
+         "kernels.rkt" "motion-code.rkt" "recurrence-list.rkt" "recurrence-code.rkt"
          "recurrence-shape.rkt"
          (only-in "../machine/executable.rkt" machine?)
          "../record-fields.rkt" "../unboxed-loop.rkt")

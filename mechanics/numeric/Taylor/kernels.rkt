@@ -5,7 +5,7 @@
 
 (require racket/flonum
          racket/unsafe/ops
-         "convolution.rkt" "linear-system.rkt" "recurrence.rkt"
+         "convolution.rkt" "linear-system.rkt" "recurrence-list.rkt"
          "../unboxed-loop.rkt" "../vector-map.rkt")
 
 (provide recurrence->kernel)

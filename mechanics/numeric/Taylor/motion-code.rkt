@@ -1,8 +1,7 @@
 #lang racket/base
-;; Machine code for motions and what follows from them: all that a step of the Taylor method does
-;; with coefficients.
+;; Machine code for motions and their steps: their coefficients, and the sums of these.
 
-(require "convolution-code.rkt" "polynomial-code.rkt" "recurrence.rkt" "recurrence-code.rkt"
+(require "convolution-code.rkt" "polynomial-code.rkt" "recurrence-list.rkt" "recurrence-code.rkt"
          "../machine/assembler.rkt" "../machine/executable.rkt")
 
 (provide (protect-out motion-code follow-code))

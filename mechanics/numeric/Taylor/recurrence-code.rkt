@@ -8,7 +8,7 @@
 ;; expansion.
 
 (require racket/list
-         "recurrence.rkt" "recurrence-groups.rkt" "convolution-code.rkt"
+         "recurrence-list.rkt" "recurrence-groups.rkt" "convolution-code.rkt"
          "../machine/assembler.rkt" "../machine/executable.rkt"
          "../machine/instruction-code.rkt")
 
@@ -175,8 +175,7 @@
 (define ((end-sum-of parts) c s r base . terms)
   (end-sum! c s r base (first (equal-parts terms parts))))
 
-(define (end-ending-product! c s r base w . _) (end-sum! c s r base (list w)))
-(define (end-differential! c s r base w . _) (end-sum! c s r base (list w)))
+(define (end-one-product! c s r base w . _) (end-sum! c s r base (list w)))
 
 (define (end-shared-products! c s b . targets)
   (for ([r (in-list (first (equal-parts targets 2)))] [t (in-naturals s)])
@@ -294,9 +293,9 @@
 
 (define ends-of-loops
   (hasheq 'sums end-plain-sum! 'products (end-sum-of 3) 'squares (end-sum-of 2)
-          'ending-product end-ending-product! 'shared-products end-shared-products!
+          'ending-product end-one-product! 'shared-products end-shared-products!
           'derivative end-derivative! 'integral end-integral!
-          'differential end-differential! 'pair end-pair! 'turning end-turning!
+          'differential end-one-product! 'pair end-pair! 'turning end-turning!
           'leading end-leading! 'differential-leading end-differential-leading!
           'root end-root! 'reciprocal end-reciprocal! 'power end-power!
           'value end-value! 'constant end-constant! 'ratio end-ratio!

@@ -1,12 +1,12 @@
 #lang racket/base
-;; Which recurrences go together: those of one kind whose sums run over the same terms, and which do
-;; not wait for each other.
+;; Groups of recurrences that share a loop: of one kind, with sums over the same terms, and not
+;; waiting for each other.
 ;;
 ;; A recurrence waits for those before it that make rows which it reads, or that read or make the
 ;; row which it makes.  Its *level* is one more than the greatest of theirs.
 
 (require racket/list
-         "convolution-code.rkt" "recurrence.rkt")
+         "convolution-code.rkt" "recurrence-list.rkt")
 
 (provide recurrence-groups recurrence-terms recurrence-last single-sum? equal-parts)
 

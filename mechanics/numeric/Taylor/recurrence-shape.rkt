@@ -5,7 +5,7 @@
 ;; Machine code takes these from the tape, so that one code does for all members.  Numbers that code
 ;; is made by, as 1 or an exponent, stay.
 
-(require "recurrence.rkt")
+(require "recurrence-list.rkt")
 
 (provide without-numbers)
 

@@ -1,5 +1,6 @@
 #lang racket/base
-;; The Taylor method beside heyoka's (github.com/bluescarni/heyoka), on the same operations.
+;; The Taylor method beside heyoka's (github.com/bluescarni/heyoka): on the same operations, and on
+;; the system as heyoka's user writes it.
 ;;
 ;; heyoka compiles a system by LLVM, which takes most of a tenth of a second; that is counted
 ;; apart.  Events are crossings of x = 0 with growing x.
@@ -11,35 +12,44 @@
          (only-in mechanics/motion/evolve-trajectory evolve-trajectory)
          (only-in mechanics/value/shape structure->flvector)
          (only-in mechanics ref)
-         "clock.rkt" "motion-systems.rkt" "program-text.rkt" "python.rkt" "table.rkt")
+         "clock.rkt" "heyoka-systems.rkt" "motion-systems.rkt"
+         "program-text.rkt" "python.rkt" "table.rkt")
 
 (provide Taylor-heading Taylor-rows)
 
 (define Taylor-heading
-  '("Taylor method, CPU ms" "ours" "by DOP853" "heyoka" "ours : heyoka"
-    "heyoka compiles" "ours, first run"))
+  '("Taylor method, CPU ms" "ours" "by DOP853" "heyoka, by hand" "ours : that"
+    "heyoka, our operations" "ours : that" "heyoka compiles" "ours, first run"))
 
 (define repetitions 9)
 
 (define (Taylor-rows)
-  (append (for/list ([s (in-list (motions))]) (row (motion-name s) (advancing s) (heyoka s)))
-          (list (let ([s (Henon-Heiles-long)])
-                  (row (motion-name s) (crossing s) (heyoka s #:events? #t))))))
+  (append (for/list ([s (in-list (motions))]) (row s (advancing s) #f))
+          (list (let ([s (Henon-Heiles-long)]) (row s (crossing s) #t)))))
 
 (define (Henon-Heiles-long)
   (motion "Hénon–Heiles to 60 000 with its crossings" Henon-Heiles
           (Henon-Heiles-start 1/12 0.1 0.0) 60000.0 1e-12 0.0 #f))
 
-;; run : method -> thunk that integrates, which has compiled what it needs after one call;
-;; peer : list of milliseconds and those of compilation, or a string
-(define (row name run peer)
+;; run : method -> thunk that integrates, which has compiled what it needs after one call
+(define (row s run events?)
   (define-values (first ours) (times (run 'Taylor)))
   (define-values (_ other) (times (run 'Dormand-Prince-853)))
-  (list name (milliseconds ours) (milliseconds other)
-        (if (pair? peer) (milliseconds (car peer)) peer)
-        (if (pair? peer) (ratio ours (car peer)) "–")
-        (if (pair? peer) (milliseconds (cadr peer)) "–")
-        (milliseconds first)))
+  (define by-hand (heyoka-by-user s events?))
+  (define of-ours (heyoka-of-operations s events?))
+  (append (list (motion-name s) (milliseconds ours) (milliseconds other))
+          (beside ours by-hand)
+          (beside ours of-ours)
+          (list (cond [(pair? by-hand) (milliseconds (cadr by-hand))]
+                      [(pair? of-ours) (milliseconds (cadr of-ours))]
+                      [else "–"])
+                (milliseconds first))))
+
+;; peer : list of milliseconds and those of compilation, or a string
+(define (beside ours peer)
+  (if (pair? peer)
+      (list (milliseconds (car peer)) (ratio ours (car peer)))
+      (list peer "–")))
 
 (define (times thunk)
   (define-values (_ first) (call/cpu thunk))
@@ -68,49 +78,64 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; -> (milliseconds milliseconds-to-compile), or why there are none
-(define (heyoka s #:events? [events? #f])
+;; Both -> (milliseconds milliseconds-to-compile), or why there are none
+
+(define (heyoka-by-user s events?)
+  (define text (heyoka-by-hand (motion-name s)))
+  (if text (heyoka s text events?) "–"))
+
+(define (heyoka-of-operations s events?)
   (define-values (program _) (trace 'bench (motion-derivative s) (motion-start s)))
-  (define y (structure->flvector (motion-start s) values))
   (define text (program->Python program))
+  (define y (structure->flvector (motion-start s) values))
   (if (string-contains? text "solve(")
       "–"
-      (numbers-of (python/text (heyoka-program text y s events?)))))
+      (heyoka s (operations-program text y) events?)))
 
-(define (heyoka-program text y s events?)
+(define (heyoka s text events?) (numbers-of (python/text (heyoka-program text s events?))))
+
+(define (operations-program text y)
+  (format #<<PYTHON
+n = ~a
+y = [hy.time] + list(hy.make_vars(*["y%d" % k for k in range(1, n)]))
+def system():
+    dy = [0.0]*n
+~a    return [(y[k], hy.expression(0.0) + dy[k]) for k in range(1, n)]
+equations = system()
+start = [~a][1:]
+
+PYTHON
+          (flvector-length y) text
+          (string-join (for/list ([x (in-flvector y)]) (number->string x)) ", ")))
+
+;; text : defines the equations, a list of pairs, and the start, without the time
+(define (heyoka-program text s events?)
   (format #<<PYTHON
 import time
 import heyoka as hy
 import numpy as np
 from heyoka import sin, cos, tan, exp, log, sqrt
-n = ~a
-end = ~a
+~aend = ~a
 outputs = ~a
-y = [hy.time] + list(hy.make_vars(*["y%d" % k for k in range(1, n)]))
-def system():
-    dy = [0.0]*n
-~a    return [(y[k], hy.expression(0.0) + dy[k]) for k in range(1, n)]
-start = [~a]
 crossings = []
 def crossed(integrator, t, *sign):
     crossings.append(t)
 before = time.process_time()
-events = [hy.nt_event(y[1], crossed, direction=hy.event_direction.positive)] if ~a else []
-ta = hy.taylor_adaptive(system(), start[1:], tol=~a, nt_events=events)
+rising = hy.event_direction.positive
+events = [hy.nt_event(equations[0][0], crossed, direction=rising)] if ~a else []
+ta = hy.taylor_adaptive(equations, start, tol=~a, nt_events=events)
 compiled = time.process_time() - before
 best = 1e9
 for _ in range(~a):
     ta.time = 0.0
-    ta.state[:] = start[1:]
+    ta.state[:] = start
     before = time.process_time()
     if outputs: ta.propagate_grid(np.linspace(0.0, end, outputs + 1))
     else: ta.propagate_until(end)
     best = min(best, time.process_time() - before)
 print("%.4f %.4f" % (1e3*best, 1e3*compiled))
 PYTHON
-          (flvector-length y) (motion-end s) (output-count s) text
-          (string-join (for/list ([x (in-flvector y)]) (number->string x)) ", ")
-          (if events? "True" "False")
+          text (motion-end s) (output-count s) (if events? "True" "False")
           (motion-tolerance s) repetitions))
 
 (define (output-count s)

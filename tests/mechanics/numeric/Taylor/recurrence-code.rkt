@@ -6,7 +6,7 @@
          racket/list
          mechanics/numeric/machine/executable
          mechanics/numeric/Taylor/kernels
-         mechanics/numeric/Taylor/recurrence
+         mechanics/numeric/Taylor/recurrence-list
          mechanics/numeric/Taylor/motion-code
          "../../support/checks.rkt" "../../support/random.rkt" "../../support/skip.rkt")
 
