@@ -321,9 +321,9 @@ makes its steps as long as the tolerance allows:
 @item{@racket['auto], the one to begin with: @racket['Taylor] where it can be, and
 @racket['Dormand-Prince-853] for the rest: state derivatives that have no recurrences, and
 those for which that is faster, by what is counted of their operations and by how long the
-steps of both are where the motion begins. Mostly these are long ones, as of double
-pendulums and rigid bodies; below a tolerance of about 1e-14 @racket['Taylor] is taken all
-the same, for it loses less to rounding. Which it was, @racket[trajectory-method] tells. Where a
+steps of both are where the motion begins. Mostly these are long ones, as of chains
+and rigid bodies, and greater tolerances; below a tolerance of about 1e-14 @racket['Taylor] is
+taken all the same, for it loses less to rounding. Which it was, @racket[trajectory-method] tells. Where a
 formula is 0/0, as that of a top upright, and its
 coefficients lose their digits, @racket['Dormand-Prince-853] bridges the gap. With a tolerance
 that leaves no room for what is lost there, as 1e-13 for a top in Euler angles that passes
@@ -339,7 +339,9 @@ is released and followed for a second in a third of a second, derivation include
 recurrences for the operations that the state derivative is made of (Jorba and Zou 2005;
 Biscani and Izzo 2021). The order follows from the tolerance ε, from ⌈1 − ½ ln ε⌉ to twice
 that: the one for which the motion takes least time, higher the shorter the state derivative
-is. The step follows from the last two coefficients. The state is summed with what rounding loses
+is. After some hundred steps the coefficients come from machine code, where there is any (not for
+linear systems that are left in the state derivative), with the same bits. The step follows from
+the last two coefficients. The state is summed with what rounding loses
 of it, so that the
 error of long runs grows as the root of the time. Between the ends of steps the motion is
 that polynomial, and events are its zeros, of which none is missed. No step goes over a place
