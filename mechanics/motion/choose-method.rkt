@@ -48,9 +48,9 @@
                                  (step-tolerance (plan-tolerance p))))
          (if (fl> (outlook-step o) 0.0) o "its coefficients are not finite at the start")]))
 
-;; Does the Taylor method take longer, by more than the model's uncertainty?  (It makes the other
-;; method's steps up to 1.6 times too long.)  Not asked where the tolerance leaves only rounding, of
-;; which the Taylor method loses less.  The work of both is nanoseconds of machine code, measured.
+;; Does the Taylor method take longer, by more than the model's uncertainty?  Not asked where the
+;; tolerance leaves only rounding, of which the Taylor method loses less.  The work of both is
+;; nanoseconds of machine code, as measured.
 (define (slower? o p s)
   (define tolerance (step-tolerance (plan-tolerance p)))
   (define step (outlook-step o))
@@ -60,7 +60,7 @@
     (+ 80.0 (* 12.0 (system-size s))
        (* 6.0 (or (system-operations s) 0)) (* 60.0 (outlook-functions o))))
   (and (fl> tolerance rounding)
-       (> (* other (outlook-work o)) (* 1.6 step other-work))))
+       (> (* other (outlook-work o)) (* 1.25 step other-work))))
 
 (define (raise-not-suited who reason)
   (complain who

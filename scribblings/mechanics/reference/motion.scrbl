@@ -323,8 +323,8 @@ makes its steps as long as the tolerance allows:
 those for which that is faster, by what is counted of their operations and by how long the
 steps of both are where the motion begins. Mostly these are long ones, as of chains
 and rigid bodies, and greater tolerances; below a tolerance of about 1e-14 @racket['Taylor] is
-taken all the same, for it loses less to rounding. Which it was, @racket[trajectory-method] tells. Where a
-formula is 0/0, as that of a top upright, and its
+taken all the same, for it loses less to rounding. Which it was, @racket[trajectory-method] tells.
+Where a formula is 0/0, as that of a top upright, and its
 coefficients lose their digits, @racket['Dormand-Prince-853] bridges the gap. With a tolerance
 that leaves no room for what is lost there, as 1e-13 for a top in Euler angles that passes
 through the vertical, the motion ends in a message that names the coordinate. So does one that

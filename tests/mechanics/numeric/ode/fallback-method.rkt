@@ -19,6 +19,8 @@
   (define p (* 1.1 critical))
   (define start (up 0 (up 0.01 0.0 0.0) (down 0.0 p p)))
   (define tr (evolve-trajectory (system) start 2))
+  ;; by the faster method; the next case is bridged
+  (check-eq? (trajectory-method tr) 'Dormand-Prince-853)
   (define H (Lagrangian->Hamiltonian (L-top 6.96e-4 1.32e-4 .112)))
   (check-= (H (tr 2)) (H start) 1e-10))
 
