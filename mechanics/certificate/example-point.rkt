@@ -70,7 +70,7 @@
 
 (define (acute? angle values)
   (define x (value-at angle values))
-  (and x (< 0 x 3/2)))
+  (and x (<= 0 x) (< x 3/2)))
 
 (define most-tries 400)
 

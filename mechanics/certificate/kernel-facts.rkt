@@ -18,7 +18,8 @@
 
 (provide kernel-facts (struct-out fact))
 
-;; sort   : 'value, left = right replaces left; 'relation, a power of a kernel; 'known, anything
+;; sort   : 'value, left = right replaces left; 'relation, a power of a kernel; 'known, anything;
+;;          'divisor and 'factor, as 'value and 'known, where a proof may do without
 ;; left   : expression; right : expression, or of what is known a relation sign with expressions
 ;; script : its proof in parts; 'identity stands for the proof of an equality by the facts before
 (struct fact (sort left right script) #:authentic)
@@ -53,30 +54,36 @@
 ;; ---------------------------------------------------------------------------
 ;; Divisors: simpler forms of them, so that `field` asks for little, and their factors
 
-;; d as a product, if that is smaller; else #f
+;; d, a sum, as a product, if that is smaller; else #f
 (define (simpler-divisor d A)
-  (define-values (e _) (factored-expression d (with-automatic-assumptions A #f)))
-  (and (node? d) (< (expression-size e) (expression-size d)) e))
+  (define-values (e _)
+    (if (sum? d) (factored-expression d (with-automatic-assumptions A #f)) (values d #f)))
+  (and (< (expression-size e) (expression-size d)) e))
 
-;; d as a product of kernels, if what stands for its parts are others, and known; else #f
+;; d as a product of exponentials, if these stand for its parts; else #f
 (define (resolved-divisor c d)
   (define A (collector-assumptions c))
   (define r (resolved c d))
   (define-values (e _)
-    (if (equal? r d) (values #f #f) (factored-expression r (with-automatic-assumptions A #f))))
+    (if (or (equal? r d) (not (some-node? (lambda (n) (headed? n op:exp)) r)))
+        (values #f #f)
+        (factored-expression r (with-automatic-assumptions A #f))))
   (and e
+       (not (equal? e d))
        (for/and ([n (in-list (nodes-in e))])
          (or (arithmetic-node? n) (hash-has-key? (collector-plans c) n)))
        e))
 
 (define (divisor-facts c d e)
   (define ns (collector-names c))
-  (cons (fact 'value d e '(identity "."))
+  (cons (fact 'divisor d e '(identity))
         (for/list ([f (in-list (product-factors e))])
-          (fact 'known f (cons '<> 0)
-                (list (format "intro Z; assert (G : ~a <> 0) by assumption; apply G; transitivity (~a); ["
+          (fact 'factor f (cons '<> 0)
+                (list (format (string-append
+                               "let Z := fresh in let G := fresh in intro Z; "
+                               "assert (G : ~a <> 0) by assumption; apply G; transitivity (~a); [")
                               (term d ns 2) (term e ns))
-                      'identity "| rewrite Z; unfold Rdiv; ring].")))))
+                      'identity "| rewrite Z; unfold Rdiv; ring]")))))
 
 ;; Of the numerator, without numbers and powers
 (define (product-factors e)

@@ -16,7 +16,11 @@
   (for/fold ([lines '()] [known '()] #:result (values (reverse lines) (equality-tactic known)))
             ([f (in-list facts)] [i (in-naturals 1)])
     (define name (format "kernel_~a" i))
-    (values (cons (format "assert (~a : ~a). { ~a }" name (fact-text f ns) (script-text f known))
+    (define-values (claim script) (values (fact-text f ns) (script-text f known)))
+    (values (cons (if (memq (fact-sort f) '(divisor factor))
+                      (format "first [assert (~a : ~a) by (~a) | assert (~a : True) by exact I]."
+                              name claim script name)
+                      (format "assert (~a : ~a). { ~a }" name claim script))
                   lines)
             (cons (cons name (fact-sort f)) known))))
 
@@ -33,8 +37,8 @@
 
 ;; known : ((name . sort) ...), the last first
 (define (equality-tactic known)
-  (define (of-sort sort) (for/list ([k (in-list known)] #:when (eq? (cdr k) sort)) (car k)))
-  (define values (of-sort 'value))
+  (define (of-sort . sorts) (for/list ([k (in-list known)] #:when (memq (cdr k) sorts)) (car k)))
+  (define values (of-sort 'value 'divisor))
   (define relations (of-sort 'relation))
   (define ring
     (if (null? relations) "ring" (format "ring [~a]" (string-join relations " "))))

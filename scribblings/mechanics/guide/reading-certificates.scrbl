@@ -50,7 +50,9 @@ first, for a theorem is only as good as its hypotheses are weak.
 Section motion.
 Variables a w m : R.
 
+(* The Lagrangian, of the time, the coordinates and the velocities *)
 Definition L (t q v : R) : R := 1 / 2 * m * v * v - 1 / 2 * m * w * w * q * q.
+(* The path and, the theorem says, its velocity *)
 Definition path (t : R) : R := a * cos (w * t).
 }|
 
@@ -69,8 +71,8 @@ Three more functions. Their names are names, and say nothing yet; the theorem sa
 @verbatim[#:indent 2]|{
 Theorem claim : forall t : R, hypotheses a t w m ->
   is_derive path t (velocity t) /\
-  is_derive (fun x => L t (path t) x) (velocity t) (momentum t) /\
-  is_derive (fun x => L t x (velocity t)) (path t) (slope t) /\
+  is_derive (fun s => L t (path t) s) (velocity t) (momentum t) /\
+  is_derive (fun s => L t s (velocity t)) (path t) (slope t) /\
   is_derive momentum t (slope t).
 }|
 
@@ -117,9 +119,38 @@ Theorem claim : forall (x y : R),
   (x * x - y * y) / (x - y) = x + y.
 }|
 
-This certificate is of the first level: the identity as it was asked. Of a conserved quantity such
-an identity says that its rate is zero, where the rate was found by our derivatives; and it says so
-in its words. What has a certificate of which level is in the table of
+This certificate is of the first level: the identity as it was asked. Where derivatives stand in
+such an identity, they are ours, and it says so in its words.
+
+@section{All motions}
+
+That a quantity is conserved is said of every motion, and nobody knows these as formulas. So the file
+defines what a motion is, for any functions of the time:
+
+@examples[#:eval session #:label #f
+(define L (L-harmonic 'm 'k))
+(certificate (verify-conserved L (Lagrangian->energy L) (up 't 'x 'v)))]
+
+@verbatim[#:indent 2]|{
+Definition motion (path velocity : R -> R) (t : R) : Prop :=
+  is_derive path t (velocity t) /\
+  ex_derive velocity t /\
+  is_derive (fun s => momentum s (path s) (velocity s)) t (slope t (path t) (velocity t)).
+}|
+
+The velocity is the derivative of the path, it has one itself (@tt{ex_derive}), and Lagrange's
+equation holds at the time t. Beside what @tt{momentum} and @tt{slope} are, the theorem says:
+
+@verbatim[#:indent 2]|{
+  (forall (path velocity : R -> R) (t : R),
+    hypotheses k m (velocity t) (path t) t ->
+    motion path velocity t ->
+    is_derive (fun s => quantity s (path s) (velocity s)) t 0).
+}|
+
+And @tt{not_vacuous} proves that there is such a motion.
+
+What has a certificate of which level is in the table of
 @secref["reference-verdicts"].
 
 @section{A program with many verdicts}

@@ -303,8 +303,12 @@ levels:
 @item{@emph{The identity}: both sides, or the residual and 0, are equal as the question states them,
 for all real values of the symbols. The derivatives in it are ours. A literal function and its
 derivatives are any functions.}
-@item{@emph{The motion}, of @racket[verify-solution]: the Lagrangian and the path are functions, and
-Lagrange's equations hold by Coq's own derivatives.}]
+@item{@emph{The claim itself}, by Coq's own derivatives. Of @racket[verify-solution]: the Lagrangian
+and the path are functions, and Lagrange's equations hold, constraints with their multipliers
+included. Of @racket[verify-conserved]: along every motion, which is defined there, the derivative of
+the quantity by the time is 0. Of @racket[verify-canonical] and @racket[verify-symplectic]: all
+Poisson brackets are what they are to be. That a literal function has the derivative it is said to
+have is a hypothesis.}]
 
 What the verdict assumes is a hypothesis, and so is each divisor, radicand and argument of a
 logarithm: Coq's functions have values everywhere, 1/0 is 0 there. Each file proves that its
@@ -327,18 +331,22 @@ gives at once, such as 1 for x/x, is that of the certificate.
 (eval:error (certificate (verify-equal 'x 'y)))]
 
 @exec{raco mechanics certify FILE.rkt} writes a certificate for each proved verdict that a program
-shows, has Coq check it, and says which are accepted, in how many seconds, and what has none and
-why.
+shows, as a result, in a list or by printing it, has Coq check it, and says which are accepted, in how
+many seconds, and what has none and why.
 
 @tabular[#:sep @hspace[2] #:row-properties '(bottom-border top)
 (list
  (list @bold{Verdict} @bold{Certificate})
- (list @elem{@racket[verify-solution] of an explicit path, forces included}
-       @elem{the motion})
- (list @elem{with constraints, or of higher order; paths or Lagrangians with literal functions}
-       @elem{the identity})
- (list @elem{@racket[verify-equal], @racket[prove-zero], @racket[verify-conserved],
-             @racket[verify-Hamiltonian-solution] and all other questions}
+ (list @elem{@racket[verify-solution], with forces, constraints, literal functions of one variable}
+       @elem{the claim})
+ (list @elem{@racket[verify-conserved], of Lagrangians and Hamiltonians, with forces}
+       @elem{the claim})
+ (list @elem{@racket[verify-canonical] and @racket[verify-symplectic] of a transformation that keeps
+             the time} @elem{the claim})
+ (list @elem{these with Lagrangians of higher order, literal functions of several variables, decimals
+             that the proof reads as exact numbers} @elem{the identity})
+ (list @elem{@racket[verify-equal], @racket[prove-zero], @racket[verify-Hamiltonian-solution],
+             @racket[verify-total-time-derivative] and all other questions}
        @elem{the identity})
  (list @elem{with the angle of two arguments, erf, acosh, atanh, sgn, or complex numbers}
        @elem{none: Coq's library has no such function})

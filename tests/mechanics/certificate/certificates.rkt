@@ -5,7 +5,7 @@
 (require racket/file racket/string
          mechanics mechanics/book
          (only-in mechanics/certificate/certificate
-                  certificate-level certificate-or-reason certificate-text)
+                  certificate-gap certificate-level certificate-or-reason certificate-text)
          "../support/checks.rkt" "../support/messages.rkt")
 
 ;; The text from the definition of hypotheses to the proof of the claim, spaces aside
@@ -77,6 +77,67 @@
                    "is_derive (fun s => L t s (velocity t)) (path t) (slope t) /\\ "
                    "is_derive momentum t (slope t)."))
    text))
+
+(define ((L-falling m g) local)
+  (- (* 1/2 m (square (velocity local))) (* m g (coordinate local))))
+
+(test-case "a conserved quantity: of every motion, whose equations are hypotheses"
+  (define L (L-falling 'm 'g))
+  (define text (statement (verify-conserved L (Lagrangian->energy L) (up 't 'z 'zdot))))
+  (check-regexp-match
+   (regexp-quote
+    (string-append
+     "Definition motion (path velocity : R -> R) (t : R) : Prop := "
+     "is_derive path t (velocity t) /\\ ex_derive velocity t /\\ "
+     "is_derive (fun s => momentum s (path s) (velocity s)) t "
+     "(slope t (path t) (velocity t))."))
+   text)
+  (check-regexp-match
+   (regexp-quote
+    (string-append
+     "(forall t z zdot : R, hypotheses g m z zdot t -> "
+     "is_derive (fun s => L t z s) zdot (momentum t z zdot) /\\ "
+     "is_derive (fun s => L t s zdot) z (slope t z zdot)) /\\ "
+     "(forall (path velocity : R -> R) (t : R), "
+     "hypotheses g m (path t) (velocity t) t -> motion path velocity t -> "
+     "is_derive (fun s => quantity s (path s) (velocity s)) t 0)."))
+   text))
+
+(test-case "a canonical transformation: the derivatives, and all brackets of these"
+  (define (turned state)
+    (up (time state) (momentum state) (- (coordinate state))))
+  (check-regexp-match
+   (regexp-quote "D1_coordinate t q p * D2_momentum t q p - D2_coordinate t q p * D1_momentum t q p = 1")
+   (statement (verify-canonical turned (up 't 'q 'p)))))
+
+(test-case "constraints: they hold along the path, and multipliers make their forces"
+  (define (L local) (* 1/2 'm (square (velocity local))))
+  (define (circle t) (up (* 'l (cos (* 'w t))) (* 'l (sin (* 'w t)))))
+  (define text
+    (statement (verify-solution L circle
+                                #:constraints (holonomic (lambda (t q) (- (square q) (* 'l 'l)))))))
+  (check-regexp-match (regexp-quote "is_derive momentum_0 t (slope_0 t + multiplier t * normal_0 t)")
+                      text)
+  (check-regexp-match
+   (regexp-quote "constraint t (path_0 t) (path_1 t) (velocity_0 t) (velocity_1 t) = 0") text))
+
+(test-case "a literal function has its derivatives as hypotheses, where the claim speaks of it"
+  (define L (lambda (s) (- (* 1/2 'm (square (velocity s)))
+                           ((literal-function 'V) (coordinate s)))))
+  (define v (verify-conserved L (Lagrangian->energy L) (up 't 'x 'v)))
+  (check-regexp-match (regexp-quote "is_derive V x (DV x)") (statement v))
+  (check-equal? (certificate-level (certificate v)) 2)
+  (check-regexp-match (regexp-quote "(fun s => 1 + 1 * s)") (certificate-text (certificate v))))
+
+(test-case "a question of level 2 that has a certificate of level 1 only knows why"
+  (define V (literal-function 'V (-> (X Real Real) Real)))
+  (define (L s)
+    (- (* 1/2 'm (square (velocity s))) (V (ref (coordinate s) 0) (ref (coordinate s) 1))))
+  (define c (certificate (verify-conserved L (Lagrangian->energy L)
+                                           (up 't (up 'x 'y) (up 'vx 'vy)))))
+  (check-equal? (certificate-level c) 1)
+  (check-equal? (certificate-gap c)
+                "it takes derivatives of an unknown function of several variables"))
 
 (test-case "every file shows that its hypotheses hold together, and what it rests on"
   (define text (certificate-text (certificate (verify-equal (/ (square 'x) 'x) 'x))))

@@ -16,7 +16,7 @@
 
 (define few
   '(rationalized root-of-quotient symbolic-power oscillator oscillator-from-a-time
-    oscillating-circuit central-energy))
+    oscillating-circuit central-energy turned-phase-space circle-on-a-string))
 
 (test-case "certificates are accepted: sines, roots, powers, a motion, a conserved quantity"
   (skip-unless coqc without-Coq
@@ -41,8 +41,9 @@
   (skip-unless coqc without-Coq
     (define all
       (append (false-neighbours (proved-claims '(rationalized)) 1)
-              (take (neighbours-by-hypotheses (proved-claims '(square-root))) 3)))
-    (check-equal? (length all) 4)
+              (take (neighbours-by-hypotheses (proved-claims '(square-root))) 3)
+              (neighbours-by-definitions (proved-claims '(central-energy)) 2)))
+    (check-equal? (length all) 6)
     (for ([n (in-list all)]) (check-false (accepted? (neighbour-text n)) (neighbour-name n)))))
 
 (test-case "each claim of the table is proved; false neighbours are written of most of them"

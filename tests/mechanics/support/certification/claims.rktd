@@ -213,3 +213,33 @@
 (arc-cosine (verify-equal (cos (acos 'x)) 'x))
 (sine-of-arc-cosine (verify-equal (square (sin (acos 'x))) (- 1 (square 'x))))
 (arc-tangent (verify-equal (tan (atan 'x)) 'x))
+
+;; ---- Constraints, transformations, forces with unknown functions
+(circle-on-a-string
+ (verify-solution (L-free-particle 'm)
+                  (lambda (t) (up (* 'l (cos (* 'w t))) (* 'l (sin (* 'w t)))))
+                  #:constraints (holonomic (lambda (t q) (- (square q) (* 'l 'l))))))
+(tension
+ (verify-solution (L-free-particle 'm)
+                  (lambda (t) (up (* 'l (cos (* 'w t))) (* 'l (sin (* 'w t)))))
+                  #:constraints (holonomic (lambda (t q) (- (square q) (* 'l 'l))))
+                  #:multipliers (lambda (t) (* -1/2 'm 'w 'w))))
+(turned-phase-space
+ (verify-canonical (lambda (s) (up (time s) (momentum s) (- (coordinate s)))) (up 't 'q 'p)))
+(polar-transformation (verify-canonical (polar-canonical 'alpha) (up 't 'theta 'I)))
+(polar-coordinates
+ (verify-canonical (F->CT (lambda (s) (let ((r (ref (coordinate s) 0)) (phi (ref (coordinate s) 1)))
+                                        (up (* r (cos phi)) (* r (sin phi))))))
+                   (up 't (up 'r 'phi) (down 'p_r 'p_phi))))
+(force-on-an-unknown-path
+ (let ((x (literal-function 'x)))
+   (verify-solution (L-free-particle 'm) x
+                    #:force (lambda (s) (* 'm (((expt D 2) x) (time s)))))))
+(friction-and-energy
+ (let ((L (L-free-particle 'm)))
+   (verify-conserved L (lambda (s) (+ (* 'm (velocity s)) (* 'c (coordinate s)))) (up 't 'x 'v)
+                     #:force (lambda (s) (* -1 'c (velocity s))))))
+(phase-space-energy
+ (let ((H (make-Hamiltonian (lambda (s) (+ (/ (square (momentum s)) (* 2 'm))
+                                           (* 'm 'g 'l (- 1 (cos (coordinate s)))))))))
+   (verify-conserved H H (up 't 'theta 'p))))

@@ -14,7 +14,8 @@
          mechanics/verdict/verdict
          "proved-claims.rkt")
 
-(provide false-neighbours neighbours-by-hypotheses (struct-out neighbour))
+(provide false-neighbours neighbours-by-hypotheses neighbours-by-definitions
+         (struct-out neighbour))
 
 ;; name : string; text : of the file
 (struct neighbour (name text) #:authentic)
@@ -132,3 +133,28 @@
 
 (define (pattern-of names)
   (if (null? (cdr names)) (car names) (format "(~a)" (string-join names " & "))))
+
+;; ---------------------------------------------------------------------------
+;; Changed definitions
+
+;; Of certificates by Coq's derivatives, at most `most` of each: functions with one more term, so
+;; that what is said of their derivatives, or of the quantity along motions, does not hold any more.
+(define (neighbours-by-definitions claims most)
+  (for*/list ([c (in-list claims)]
+              [x (in-value (certificate-or-reason (asked-verdict c)))]
+              #:when (and (certificate? x) (eqv? 2 (certificate-level x)))
+              [names (in-value (in-some-order (functions-defined (certificate-text x))))]
+              [name (in-list (take names (min most (length names))))])
+    (neighbour (format "~a, another ~a" (asked-name c) name)
+               (with-one-more-term (certificate-text x) name))))
+
+(define (functions-defined text)
+  (filter (lambda (name) (not (member name '("hypotheses" "motion"))))
+          (map cadr (regexp-match* #px"Definition (\\w+) " text #:match-select values))))
+
+;; The first coordinate is added, or of a function of the time alone the time.
+(define (with-one-more-term text name)
+  (regexp-replace (pregexp (format "(Definition ~a \\(([^:]*) : R\\) : R := )" name)) text
+                  (lambda (_ start arguments)
+                    (define all (string-split arguments))
+                    (format "~a~a + " start (if (null? (cdr all)) (car all) (cadr all))))))
