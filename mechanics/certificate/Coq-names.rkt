@@ -91,11 +91,14 @@
     "IZR Rgt_not_eq ln_exp exp_ln exp_pos f_equal sqrt_lem_1 sqrt_sqrt Coquelicot "
     "given hypotheses claim not_vacuous is_derive locally auto_derive")))
 
-;; The names that proof-tactics.v defines
+;; The names that proof-tactics.v and derivative-tactics.v define
 (define (lemmas-in-file)
-  (map cadr (regexp-match* #px"(?m:^(?:Lemma|Ltac|with) (\\w+))" (string-append (proof-tactics) (derivative-tactics))
+  (map cadr (regexp-match* #px"(?m:^(?:Lemma|Ltac|with) (\\w+))"
+                           (string-append (proof-tactics) (derivative-tactics))
                            #:match-select values)))
 
 ;; Names of hypotheses and of facts in proofs
 (define numbered-names
-  (for*/list ([k (in-range 1 200)] [base (in-list '("given" "kernel" "law" "moves" "rate" "equation" "place" "speed"))]) (format "~a_~a" base k)))
+  (for*/list ([k (in-range 1 200)]
+              [base (in-list '("given" "kernel" "law" "moves" "rate" "equation" "place" "speed"))])
+    (format "~a_~a" base k)))

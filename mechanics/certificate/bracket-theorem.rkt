@@ -107,7 +107,8 @@
           (conjunction (claims M ns))))
 
 (define (proof M ns lines tactic given)
-  (format "Proof.\n  unfold hypotheses. intros ~a ~a.\n~a  unfold ~a.\n  ~a;\n  first [~a | ~a].\n~a"
+  (format (string-append "Proof.\n  unfold hypotheses. intros ~a ~a.\n~a  unfold ~a.\n"
+                         "  ~a;\n  first [~a | ~a].\n~a")
           (arguments-text M ns) given lines
           (wrapped (string-join (names-defined M) ", "))
           (refine-text (length (claims M ns)))

@@ -2,7 +2,8 @@
 ;; Certificates: a proved verdict as a theorem that the proof assistant Coq checks.
 
 (require racket/list racket/path racket/string
-         "bracket-theorem.rkt" "conserved-theorem.rkt" "Coq-names.rkt" "Coq-term.rkt" "identity-theorem.rkt" "motion-theorem.rkt"
+         "bracket-theorem.rkt" "conserved-theorem.rkt" "Coq-names.rkt" "Coq-term.rkt"
+         "identity-theorem.rkt" "motion-theorem.rkt"
          "proof-tactics.rkt" "theorem-text.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"

@@ -136,8 +136,8 @@
   (append (list (base M)) (by-ys-names M) (by-xs-names M) (if (forced? M) (force-names M) '())
           (quantity-names M)))
 
-;; Along a motion x is (path t).  Of equal nodes, b + a and a + b, that text is to be found which the
-;; definitions have: they are written first, in their order.
+;; Along a motion x is (path t).  Of equal nodes, b + a and a + b, the text is to be that of the
+;; definitions: they are written first, in their order.
 (define (names-along M ns relations stated)
   (define t (name-of ns (flow-t M)))
   (define along
@@ -216,7 +216,8 @@
            (string-join (map (lambda (s) (name-of ns s)) (state-symbols M)) " ")
            (string-join (all-names ns) " ")
            (conjunction (derivatives M ns) "    "))
-   (format "  (forall (~a : R -> R) (~a : R),\n    hypotheses ~a ->\n    motion ~a ~a ->\n    ~a).\n"
+   (format (string-append "  (forall (~a : R -> R) (~a : R),\n    hypotheses ~a ->\n"
+                          "    motion ~a ~a ->\n    ~a).\n")
            paths t (wrapped (string-join (all-names along) " ")) paths t
            (conjunction (conserved M t) "    "))))
 
@@ -279,7 +280,8 @@
            (for/list ([w (in-list ws)] [E (in-list (law-texts M along))] [k (in-naturals 1)]
                       #:unless (eqv? w 0))
              (cons (format "(~a) * (~a)" (term w along) E) k)))
-         (format "  { auto_derive; [conditions | derivatives_known].\n    transitivity (~a).\n    ~a\n    ~a }\n"
+         (format (string-append "  { auto_derive; [conditions | derivatives_known].\n"
+                                "    transitivity (~a).\n    ~a\n    ~a }\n")
                  (wrapped (if (null? terms) "0" (string-join (map car terms) " + ")))
                  (format "{ first [~a | unfold Rminus, Rdiv in *; ~a]. }" tactic tactic)
                  (format "~a ring."
@@ -303,7 +305,7 @@
            "Qed.\n\n")
           (binders own) (string-join paths " ")
           (wrapped (format "hypotheses ~a" (string-join (all-names along) " ")))
-          (wrapped (string-join (append (list "motion") (motion-parameters M ns) paths (list t)) " "))
+          (wrapped (string-join (append '("motion") (motion-parameters M ns) paths (list t)) " "))
           (through-text M values ns)
           (wrapped (string-join (witness-texts values own) ", ")) (string-join paths ", ")
           (placed M) (example-steps relations values ns)
@@ -312,22 +314,22 @@
 ;; Paths through the point, as hypotheses about them
 (define (through-text M values ns)
   (define (number s) (value-text s (cdr (assoc s values)) ns))
-  (define t (number (flow-t M)))
   (define (at-point e) (format "(~a)" (term (put-numbers e values) ns)))
-  (define (path . parts) (string-join parts " & "))
+  (define (through k x rate second path . names)
+    (format "  destruct (path_through ~a ~a ~a ~a) as (~a & ~a).\n" x rate second
+            (number (flow-t M)) path
+            (string-replace (string-join names " & ") "~a" (number->string k))))
+  (define xs (map number (flow-xs M)))
+  (define ys (map number (flow-ys M)))
+  (define rates (map at-point (flow-accelerated M)))
   (string-append*
    (if (flow-Hamiltonian? M)
-       (map (lambda (z name rate k)
-              (format "  destruct (path_through ~a ~a 0 ~a) as (~a & speed_~a & place_~a & _ & moves_~a & _).\n"
-                      (number z) rate t name k k k))
-            (append (flow-xs M) (flow-ys M)) (append (x-paths M) (y-paths M))
-            (map at-point (flow-accelerated M))
-            (range 1 (+ 1 (* 2 (length (flow-xs M))))))
-       (map (lambda (x v a p q k)
-              (format "  destruct (path_through ~a ~a ~a ~a) as (~a & ~a & place_~a & speed_~a & moves_~a & rate_~a).\n"
-                      (number x) (number v) (at-point a) t p q k k k k))
-            (flow-xs M) (flow-ys M) (flow-accelerated M) (x-paths M) (y-paths M)
-            (range 1 (+ 1 (length (flow-xs M))))))))
+       (for/list ([z (in-list (append xs ys))] [rate (in-list rates)] [k (in-naturals 1)]
+                  [path (in-list (append (x-paths M) (y-paths M)))])
+         (through k z rate 0 path "speed_~a" "place_~a" "_" "moves_~a" "_"))
+       (for/list ([x (in-list xs)] [y (in-list ys)] [rate (in-list rates)] [k (in-naturals 1)]
+                  [path (in-list (x-paths M))] [velocity (in-list (y-paths M))])
+         (through k x y rate path velocity "place_~a" "speed_~a" "moves_~a" "rate_~a")))))
 
 ;; Puts the point in place of the paths.
 (define (placed M)

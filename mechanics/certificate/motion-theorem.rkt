@@ -4,9 +4,9 @@
 ;;
 ;; The theorem gives for each coordinate q four functions of the time or numbers that are what they
 ;; are called: v is the derivative of q, p the derivative of L by its velocity, f by its coordinate,
-;; and the derivative of p is f and the force; with constraints, and
-;; the forces of these, multipliers times their derivatives. What has to have a value is a hypothesis, its
-;; relations strict, so that it holds at times around t as well.
+;; and the derivative of p is f and the force, with those of constraints: multipliers times their
+;; derivatives. What has to have a value is a hypothesis, its relations strict, so that it holds at
+;; times around t as well.
 
 (require racket/list racket/string
          "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "derivative-theorem.rkt"
@@ -80,10 +80,12 @@
     (for/list ([p (in-list (scalars (derivative-at momentum t)))] [f (in-list fs)] [Q (in-list Qs)])
       (g:- p (g:+ f Q))))
   (motion t (L state) xs ws qs vs (along (((partial 2) L) state)) fs Qs
-          (ties-of L (motion-claim-constraints m) (motion-claim-multipliers m) local state residual)))
+          (ties-of m local state residual)))
 
 ;; find-residual : -> what the forces of constraints have to be, where no multipliers are given
-(define (ties-of L constraints multipliers local state find-residual)
+(define (ties-of m local state find-residual)
+  (define-values (L constraints multipliers)
+    (values (motion-claim-L m) (motion-claim-constraints m) (motion-claim-multipliers m)))
   (define cs (if constraints (constraint-set-parts (gather-with 'certificate L constraints)) '()))
   (define (values-at c state)
     (scalars (value-of 'certificate c (time state) (coordinate state) (velocity state))))
@@ -108,7 +110,8 @@
          (define r (find-residual))
          (define J-J (list->down (for/list ([a (in-list rows)])
                                    (list->down (for/list ([b (in-list rows)]) (dot a b))))))
-         (scalars (simplify (solve-linear-left J-J (list->down (map (lambda (a) (dot a r)) rows)))))]))
+         (define J-r (list->down (map (lambda (a) (dot a r)) rows)))
+         (scalars (simplify (solve-linear-left J-J J-r)))]))
 
 ;; Symbols that the user cannot have, in the shape of x
 (define (symbols-for x name)

@@ -60,8 +60,8 @@
 (struct claim (value domain subject) #:authentic)
 ;; left and right are equal.
 (struct equality-claim (left right) #:authentic)
-;; The path q is a motion of the Lagrangian L under a force outside L, or #f, and constraints, or #f;
-;; multipliers : of these, a function of the time, or #f
+;; The path q is a motion of the Lagrangian L under a force outside L, or #f, and constraints, or
+;; #f; multipliers : of these, a function of the time, or #f
 (struct motion-claim (L q force constraints multipliers) #:authentic)
 ;; The quantity Q, a function of the state, a tuple of symbols, keeps its value along the motions of
 ;; the Lagrangian or Hamiltonian under a force outside it, or #f.

@@ -124,8 +124,8 @@ such an identity, they are ours, and it says so in its words.
 
 @section{All motions}
 
-That a quantity is conserved is said of every motion, and nobody knows these as formulas. So the file
-defines what a motion is, for any functions of the time:
+That a quantity is conserved is said of every motion, and nobody knows these as formulas. So the
+file defines what a motion is, for any functions of the time:
 
 @examples[#:eval session #:label #f
 (define L (L-harmonic 'm 'k))

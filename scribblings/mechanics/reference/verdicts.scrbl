@@ -305,8 +305,8 @@ for all real values of the symbols. The derivatives in it are ours. A literal fu
 derivatives are any functions.}
 @item{@emph{The claim itself}, by Coq's own derivatives. Of @racket[verify-solution]: the Lagrangian
 and the path are functions, and Lagrange's equations hold, constraints with their multipliers
-included. Of @racket[verify-conserved]: along every motion, which is defined there, the derivative of
-the quantity by the time is 0. Of @racket[verify-canonical] and @racket[verify-symplectic]: all
+included. Of @racket[verify-conserved]: along every motion, which is defined there, the derivative
+of the quantity by the time is 0. Of @racket[verify-canonical] and @racket[verify-symplectic]: all
 Poisson brackets are what they are to be. That a literal function has the derivative it is said to
 have is a hypothesis.}]
 
@@ -331,8 +331,8 @@ gives at once, such as 1 for x/x, is that of the certificate.
 (eval:error (certificate (verify-equal 'x 'y)))]
 
 @exec{raco mechanics certify FILE.rkt} writes a certificate for each proved verdict that a program
-shows, as a result, in a list or by printing it, has Coq check it, and says which are accepted, in how
-many seconds, and what has none and why.
+shows, as a result, in a list or by printing it, has Coq check it, and says which are accepted, in
+how many seconds, and what has none and why.
 
 @tabular[#:sep @hspace[2] #:row-properties '(bottom-border top)
 (list
@@ -343,8 +343,8 @@ many seconds, and what has none and why.
        @elem{the claim})
  (list @elem{@racket[verify-canonical] and @racket[verify-symplectic] of a transformation that keeps
              the time} @elem{the claim})
- (list @elem{these with Lagrangians of higher order, literal functions of several variables, decimals
-             that the proof reads as exact numbers} @elem{the identity})
+ (list @elem{these with Lagrangians of higher order, literal functions of several variables,
+             decimals that the proof reads as exact numbers} @elem{the identity})
  (list @elem{@racket[verify-equal], @racket[prove-zero], @racket[verify-Hamiltonian-solution],
              @racket[verify-total-time-derivative] and all other questions}
        @elem{the identity})

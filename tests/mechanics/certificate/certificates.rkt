@@ -107,7 +107,8 @@
   (define (turned state)
     (up (time state) (momentum state) (- (coordinate state))))
   (check-regexp-match
-   (regexp-quote "D1_coordinate t q p * D2_momentum t q p - D2_coordinate t q p * D1_momentum t q p = 1")
+   (regexp-quote (string-append "D1_coordinate t q p * D2_momentum t q p - "
+                                "D2_coordinate t q p * D1_momentum t q p = 1"))
    (statement (verify-canonical turned (up 't 'q 'p)))))
 
 (test-case "constraints: they hold along the path, and multipliers make their forces"
@@ -116,8 +117,8 @@
   (define text
     (statement (verify-solution L circle
                                 #:constraints (holonomic (lambda (t q) (- (square q) (* 'l 'l)))))))
-  (check-regexp-match (regexp-quote "is_derive momentum_0 t (slope_0 t + multiplier t * normal_0 t)")
-                      text)
+  (check-regexp-match
+   (regexp-quote "is_derive momentum_0 t (slope_0 t + multiplier t * normal_0 t)") text)
   (check-regexp-match
    (regexp-quote "constraint t (path_0 t) (path_1 t) (velocity_0 t) (velocity_1 t) = 0") text))
 

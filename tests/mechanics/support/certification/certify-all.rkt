@@ -131,7 +131,8 @@
 (define (summary title rows)
   (define levels (filter (lambda (r) (eqv? 2 (row-best r))) rows))
   (define by-Coq
-    (count (lambda (r) (and (eqv? 2 (row-level r)) (memq (row-outcome r) '(accepted slow)))) levels))
+    (for/sum ([r (in-list levels)])
+      (if (and (eqv? 2 (row-level r)) (memq (row-outcome r) '(accepted slow))) 1 0)))
   (format (string-append "~a: accepted ~a, rejected ~a, slower than ~a s ~a, "
                          "without certificate ~a; by Coq's derivatives ~a of ~a\n")
           title (share rows '(accepted slow)) (share rows '(rejected)) longest
