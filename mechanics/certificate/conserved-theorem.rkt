@@ -11,7 +11,7 @@
          "example-point.rkt" "theorem-text.rkt"
          "../algebra/expression/substitute.rkt"
          "../calculus/derivative.rkt"
-         "../generic/arithmetic.rkt" "../generic/up-down.rkt"
+         "../generic/up-down.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../lagrangian/local-tuple.rkt" "../lagrangian/state-derivative.rkt"
          "../question/conserved.rkt"

@@ -9,7 +9,7 @@
 ;; times around t as well.
 
 (require racket/list racket/string
-         "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "derivative-theorem.rkt"
+         "Coq-names.rkt" "derivative-theorem.rkt"
          "theorem-text.rkt"
          "../algebra/expression/substitute.rkt"
          "../calculus/derivative.rkt"

@@ -65,8 +65,7 @@
   (define v
     (decimals-as-written
      (prove-zero change #:variables (scalars local) #:domain domain
-                 #:surveys (list (survey-of-values (Q state)) survey)
-                 #:resting-on conditions
+                 #:surveys (list (survey-of-values (Q state)) survey) #:resting-on conditions
                  #:remarks (lambda () (append (remarks-on-quantity Q state)
                                               (remarks-on-kind L Q)
                                               (remarks-on-order L Q state)))
