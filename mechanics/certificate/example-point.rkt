@@ -54,11 +54,17 @@
     (define (put e)
       (if (node? e)
           (in-place-of (for*/list ([n (in-list (nodes-in e))]
-                                   #:when (memq (node-head n) (list op:sin op:cos)))
-                         (cons n (if (eq? op:sin (node-head n)) s c)))
+                                   [x (in-value (wave-value (node-head n) s c))] #:when x)
+                         (cons n x))
                        e)
           e))
     (cons (car d) (map put (cdr d)))))
+
+(define (wave-value head s c)
+  (cond [(eq? head op:sin) s]
+        [(eq? head op:cos) c]
+        [(eq? head op:tan) (/ s c)]
+        [else #f]))
 
 ;; Does it hold whatever the waves are in it, or in what its left side simplifies to?
 (define (easy? d values)
