@@ -54,11 +54,13 @@
 ;; ---------------------------------------------------------------------------
 ;; Divisors: simpler forms of them, so that `field` asks for little, and their factors
 
-;; d, a sum, as a product, if that is smaller; else #f
+;; d, a sum, as a product, if that is smaller, or if there are divisors in d; else #f
 (define (simpler-divisor d A)
   (define-values (e _)
     (if (sum? d) (factored-expression d (with-automatic-assumptions A #f)) (values d #f)))
-  (and (< (expression-size e) (expression-size d)) e))
+  (and (or (< (expression-size e) (expression-size d))
+           (and (not (equal? e d)) (some-node? (lambda (n) (headed? n op:/)) d)))
+       e))
 
 ;; d as a product of exponentials, if these stand for its parts; else #f
 (define (resolved-divisor c d)
