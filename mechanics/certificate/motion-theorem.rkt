@@ -11,7 +11,8 @@
 (require racket/list racket/string
          "Coq-names.rkt" "derivative-theorem.rkt"
          "theorem-text.rkt"
-         "../algebra/expression/substitute.rkt"
+         "Coq-term.rkt"
+         "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
          "../calculus/derivative.rkt"
          "../constraint/constraint.rkt" "../constraint/constraint-jacobian.rkt"
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
@@ -66,6 +67,7 @@
   (define-values (L q force)
     (values (motion-claim-L m) (motion-claim-q m) (motion-claim-force m)))
   (define t 't)
+  (when (parameter? t m) (give-up "the symbol ~a is a parameter, and the time as well" t))
   (define local ((Gamma q) t))
   (define state (up t (symbols-for (coordinate local) "q") (symbols-for (velocity local) "v")))
   (define-values (xs ws) (values (scalars (coordinate state)) (scalars (velocity state))))
@@ -81,6 +83,22 @@
       (g:- p (g:+ f Q))))
   (motion t (L state) xs ws qs vs (along (((partial 2) L) state)) fs Qs
           (ties-of m local state residual)))
+
+;; Does the symbol occur in what is asked, at another time?
+(define (parameter? name m)
+  (define local ((Gamma (motion-claim-q m)) (string->uninterned-symbol "t")))
+  (define-values (force constraints multipliers)
+    (values (motion-claim-force m) (motion-claim-constraints m) (motion-claim-multipliers m)))
+  (define all
+    (list local
+          ((motion-claim-L m) local)
+          (if force (force local) 0)
+          (if multipliers (multipliers (time local)) 0)
+          (if constraints
+              (constraint-values 'certificate
+                                 (gather-with 'certificate (motion-claim-L m) constraints) local)
+              0)))
+  (for*/or ([x (in-list all)] [e (in-list (scalars x))]) (occurs? name e)))
 
 ;; find-residual : -> what the forces of constraints have to be, where no multipliers are given
 (define (ties-of m local state find-residual)

@@ -130,6 +130,14 @@
   (check-equal? (certificate-level (certificate v)) 2)
   (check-regexp-match (regexp-quote "(fun s => 1 + 1 * s)") (certificate-text (certificate v))))
 
+(test-case "a parameter that is called t is not the time"
+  (define named-t (string->symbol "t"))
+  (define c
+    (certificate (verify-solution (L-harmonic 'm 'k)
+                                  (lambda (time) (* named-t (cos (* (sqrt (/ 'k 'm)) time)))))))
+  (check-equal? (certificate-level c) 1)
+  (check-equal? (certificate-gap c) "the symbol t is a parameter, and the time as well"))
+
 (test-case "a question of level 2 that has a certificate of level 1 only knows why"
   (define V (literal-function 'V (-> (X Real Real) Real)))
   (define (L s)
