@@ -35,9 +35,9 @@
 ;; order; is there machine code for them on processors that have any?
 (struct work (nodes functions rows convolutions coded?) #:authentic)
 
-;; Nanoseconds or so, of an expansion of order n and the step it is made for, as measured: by kernels,
-;; of which machine code takes 0.4.  They are the same on all processors, so that these take the same
-;; steps.
+;; Nanoseconds or so, of an expansion of order n and the step it is made for, as measured: by
+;; kernels, of which machine code takes 0.4.  They are the same on all processors, so that these
+;; take the same steps.
 (define (work-of-order w n)
   (* (if (work-coded? w) 0.4 1.0)
      (+ 300 (* 12 (work-nodes w))

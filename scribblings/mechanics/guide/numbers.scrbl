@@ -67,9 +67,9 @@ for, and three things follow from it.
 (Racket's compiler makes machine code of short functions. Longer ones, and whole steps of the
 methods of Dormand and Prince and of the Taylor method, the library writes itself where the
 processor is an x86-64 and the system Linux: within a millisecond or two, and about as fast as C
-that was compiled with @tt{-O2}. A run of a few hundred steps does not wait for that. Elsewhere Racket's
-compiler does it, or, for Taylor coefficients, closures that it has compiled before. The numbers are
-the same, to the last bit.)
+that was compiled with @tt{-O2}. A run of a few hundred steps does not wait for that. Elsewhere
+Racket's compiler does it, or, for Taylor coefficients, closures that it has compiled before. The
+numbers are the same, to the last bit.)
 
 @bold{Branches are safe.} A function that decides something by a number cannot be run on a
 placeholder to the end. The comparison notices that it is asked about a placeholder, and
