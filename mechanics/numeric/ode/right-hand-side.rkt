@@ -2,7 +2,7 @@
 ;; Right-hand sides of y' = f(y) with what methods make of them: Taylor coefficients of solutions,
 ;; and machine code of whole steps.
 
-(provide expandable expandable-expand expandable-work
+(provide expandable expandable-expand
          expandable-machine-rates expandable-parameters
          rates-code machine-rates-pay? step-taken! steps-that-pay
          machine-rates-inputs machine-rates-parameters machine-rates-instructions
