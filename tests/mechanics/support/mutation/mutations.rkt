@@ -30,6 +30,8 @@
     complain complain-showing complain-of-argument check-argument raise-syntax-error module module*
     require-on-demand provide-on-demand for-syntax struct value-struct))
 
+(define binders '(define define-values lambda λ))
+
 (define (found-in text form)
   (define (source s) (substring text (start s) (end s)))
   (define (make kind s new) (mutation kind (syntax-line s) (start s) (end s) new))
@@ -39,8 +41,18 @@
                 (memq (syntax-e (car parts)) unchanged)
                 (not (and (eq? (syntax-e (car parts)) 'module) (= (length parts) 4))))
            '()]
+          [(and parts (pair? parts) (memq (syntax-e (car parts)) binders) (pair? (cdr parts)))
+           (append (defaults-in (cadr parts)) (append-map walk (cddr parts)))]
           [(and parts (pair? parts)) (append (of-form s parts make source) (append-map walk parts))]
           [else (of-atom s make)]))
+  ;; Names that are bound stay as they are: the text would be no program.
+  (define (defaults-in header)
+    (for*/list ([part (in-list (or (syntax->list header) '()))]
+                [inner (in-value (syntax->list part))]
+                #:when (and inner (pair? inner))
+                [value (in-list (cdr inner))]
+                [m (in-list (walk value))])
+      m))
   (if (eq? (car (syntax->datum form)) 'module)
       (append-map walk (cdddr (syntax->list form)))
       '()))
