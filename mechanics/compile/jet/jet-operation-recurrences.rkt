@@ -34,7 +34,7 @@
 (define (value-recurrence x name . arguments)
   (apply make-recurrence 'value x name (flonum-body name (length arguments)) arguments))
 
-;; What the names in equations stand for.  derivatives : of r and p, name -> row
+;; Meanings of the names in equations.  derivatives : of r and p, name -> row
 (struct law (rows id arguments p derivatives) #:authentic)
 
 ;; The id of the argument of that name, or #f

@@ -25,7 +25,7 @@
          tape-run-advance tape-run-value tape-run-rates tape-run-tape tape-run-sizes
          expand! follow! coefficient-row)
 
-;; What makes expansions.  make : order -> expansion; work : what one of them takes;
+;; A maker of expansions.  make : order -> expansion; work : what one of them takes;
 ;; branches? : may they go on where f takes another branch, as that of √x² = x does where x < 0?
 (struct expander (make work branches?)
   #:authentic
@@ -55,7 +55,7 @@
 
 ;; Machine code of all recurrences that differ in numbers only.  list : these, without numbers
 ;; runs : so many times kernels were run, by all expansions; threads may lose some
-;; of-order : order -> list of procedures, or #f where there is no memory for them
+;; of-order : order -> list of procedures
 (struct tape-codes (list [runs #:mutable] [of-order #:mutable]) #:authentic)
 
 ;; kept : box of a hash, what recurrences of one program share; threads may lose an entry
@@ -64,8 +64,9 @@
   (define-values (abstract numbers)
     (if coded? (without-numbers (list starts ending endless)) (values #f '())))
   (recurrences count states slopes starts ending endless follow? numbers
-               (and coded? (kept-codes kept (list* follow? states slopes abstract) abstract))))
+               (and coded? (kept-codes kept (list* count follow? states slopes abstract) abstract))))
 
+;; Code finds numbers behind the last row: so it is that of so many rows.
 (define (kept-codes kept key abstract)
   (define all (unbox kept))
   (define (make-and-keep)
@@ -194,14 +195,20 @@
 
 (define (code-of-order rs codes order)
   (define known (tape-codes-of-order codes))
-  (define code (hash-ref known order (lambda () (make-code rs (tape-codes-list codes) order))))
-  (set-tape-codes-of-order! codes (hash-set known order code))
-  code)
+  (define (make-and-keep)
+    (define code (make-code rs (tape-codes-list codes) order))
+    (when code (set-tape-codes-of-order! codes (hash-set known order code)))
+    code)
+  (hash-ref known order make-and-keep))
 
+;; -> list of procedures, or #f where the processor is not known, there is no memory for them, or
+;; fewer coefficients than steps need
 (define (make-code rs abstract order)
   (define-fields recurrences rs count states slopes follow?)
   (define-values (starts ending endless) (apply values abstract))
   (and (machine?)
+       (>= order 3)
+       (andmap start-found? starts)
        ((if follow? follow-code motion-code)
         count states slopes starts ending endless order latest-end)))
 

@@ -12,14 +12,17 @@
          "../machine/assembler.rkt" "../machine/executable.rkt"
          "../machine/instruction-code.rkt")
 
-(provide write-expansion! coded-recurrence?)
+(provide write-expansion! coded-recurrence? start-found?)
 
-;; Is there code for it?
+;; Is there code for it, on processors that have any?
 (define (coded-recurrence? r)
   (case (recurrence-kind r)
     [(system) #f]
-    [(value) (and (start-function r) #t)]
+    [(value) (call-with-start r (lambda (name n) (or (eq? name 'sqrt) (C-operation? name n))))]
     [else #t]))
+
+;; Is the function that the row begins with in the library of C of this machine?
+(define (start-found? r) (or (not (eq? 'value (recurrence-kind r))) (and (start-function r) #t)))
 
 ;; ---------------------------------------------------------------------------
 ;; The procedure
@@ -284,10 +287,13 @@
          (call-address! a (operation-C-function name (length xs)))])
   (store-start! c r))
 
+;; -> the address of a function, or 'sqrt
 (define (start-function r)
-  (define-values (name xs)
-    (values (second (recurrence-operands r)) (cdddr (recurrence-operands r))))
-  (or (eq? name 'sqrt) (operation-C-function name (length xs))))
+  (call-with-start r (lambda (name n) (if (eq? name 'sqrt) name (operation-C-function name n)))))
+
+;; (use operation number-of-arguments)
+(define (call-with-start r use)
+  (use (second (recurrence-operands r)) (length (cdddr (recurrence-operands r)))))
 
 ;; ---------------------------------------------------------------------------
 

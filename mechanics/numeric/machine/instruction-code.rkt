@@ -10,7 +10,7 @@
          "straight-instruction.rkt"
          "../../operation/operation-column.rkt")
 
-(provide machine-instruction? operation-C-function
+(provide machine-instruction? operation-C-function C-operation?
          (struct-out context) write-instruction! load!)
 
 ;; Is there code for it?
@@ -32,8 +32,14 @@
 
 ;; -> the address of the function of so many arguments in the library of C; or #f
 (define (operation-C-function operation arguments)
-  (define name (hash-ref library-names (operation-key operation arguments) #f))
+  (define name (C-name operation arguments))
   (and name (C-function name)))
+
+;; Is there one, in any such library?
+(define (C-operation? operation arguments) (and (C-name operation arguments) #t))
+
+(define (C-name operation arguments)
+  (hash-ref library-names (operation-key operation arguments) #f))
 
 ;; The functions that Racket takes from there, too: values are the same to the last bit.
 (define-column library-names

@@ -3,6 +3,7 @@
 ;; runs have earned it: coefficients, and all that a step makes of them.
 
 (require racket/flonum
+         mechanics/compile/cache
          mechanics/compile/jet/jet-program
          mechanics/compile/program
          mechanics/numeric/Taylor/coefficient-sums
@@ -36,17 +37,18 @@
         (random-flonum))))
 
 (define unit 0.25)
-(define (room) (make-flvector states))
 
 ;; All that there is of the expansion at y
 (define (results e y)
+  (define n (flvector-length y))
+  (define (room) (make-flvector n))
   (define-values (lost z rest value rates)
-    (values (make-flvector states 1e-17) (room) (room) (room) (room)))
+    (values (make-flvector n 1e-17) (room) (room) (room) (room)))
   (expand! e y unit)
   (motion-end! e 0.7 y lost z rest)
   (value-at! e 0.3 value)
   (rates-at! e 0.3 rates)
-  (list (for/list ([k (in-range states)]) (flvector-copy (coefficient-row e k)))
+  (list (for/list ([k (in-range n)]) (flvector-copy (coefficient-row e k)))
         z rest value rates
         (for/list ([k (in-range 4)]) (last-size e k))))
 
@@ -88,12 +90,48 @@
     (check-true (by-machine? e))
     (check-equal? (functions) by-kernels)))
 
+;; Members of an ensemble differ in constants; of a program that is kept they share code, unless
+;; the constants leave other lists of recurrences, as 0 and 1 do.
+(define (check-members p y order members)
+  (define (expansions)
+    (for*/list ([constants (in-list members)]
+                [make (in-value (program->expansion-maker p (flvector-length y)
+                                                          #:constants constants))]
+                #:when (procedure? make))
+      (make order (apply flvector (append (for/list ([x (in-flvector y)]) x) constants)))))
+  (define by-kernels (for/list ([e (in-list (expansions))]) (results e y)))
+  (void (compiled-program p))
+  (for ([e (in-list (expansions))] [expected (in-list by-kernels)])
+    (earn! e y)
+    (check-true (by-machine? e))
+    (check-equal? (results e y) expected))
+  (clear-compiled-programs))
+
+(define (check-random-members)
+  (define (constant _) (random-choice 0.0 1.0 -1.0 2.0 (random-flonum)))
+  (check-members (random-program 10) (random-state 0.0) (random-integer 5 21)
+                 (for/list ([_ (in-range 6)]) (build-list parameters constant))))
+
+;; x' = v + a sin b x, v' = √(k x + 1.5): where a is 0 nobody needs the sine, which has another row
+;; if b is not 1.
+(define sine-that-is-not-needed
+  (program 5
+           (vector (list 'multiply (place 4) (place 0)) (list 'add (place 5) 1.5)
+                   (list 'sqrt (place 6)) (list 'multiply (place 3) (place 0))
+                   (list 'sin (place 8)) (list 'multiply (place 2) (place 9))
+                   (list 'add (place 1) (place 10)))
+           (vector (place 11) (place 7))))
+
 (define (check-bits)
   (test-case "random programs, short and long"
     (with-seeds 60 (check-program 8 0.0))
     (with-seeds 6 (check-program 80 0.0)))
   (test-case "functions of rows that are known"
     (with-seeds 60 (check-followed 10)))
+  (test-case "members that share code, or do not"
+    (with-seeds 40 (check-random-members))
+    (check-members sine-that-is-not-needed (flvector 0.5 0.3) 12
+                   '((0.0 2.0 0.7) (0.0 1.0 0.9) (0.0 2.0 0.9) (0.4 1.0 0.9))))
   (test-case "from states that are infinite, tiny, or missing"
     (with-seeds 60 (check-program 10 0.2))))
 
