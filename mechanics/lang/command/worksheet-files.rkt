@@ -83,8 +83,9 @@
 (define (check-apart class all names)
   (define twice (check-duplicates (map cons (map string-foldcase names) all) #:key car))
   (when twice
-    (complain 'worksheet "another student's files would have the same name\n  file: ~a\n  student: ~a"
-              class (participant-key (cdr twice)))))
+    (complain 'worksheet
+              "another student's files would have the same name\n  file: ~a\n  student: ~a" class
+              (participant-key (cdr twice)))))
 
 (define (base-name file)
   (path-replace-extension (file-name-from-path (simple-form-path file)) #""))

@@ -62,9 +62,10 @@
 (define (make-recurrences kept count states slopes starts ending endless follow?)
   (define coded? (andmap coded-recurrence? (append starts (map cdr ending) endless)))
   (define-values (abstract numbers)
-    (if coded? (without-numbers (list starts ending endless)) (values #f '())))
+    (if coded? (without-numbers (list starts ending endless)) (values '() '())))
+  (define key (list* count follow? states slopes abstract))
   (recurrences count states slopes starts ending endless follow? numbers
-               (and coded? (kept-codes kept (list* count follow? states slopes abstract) abstract))))
+               (and coded? (kept-codes kept key abstract))))
 
 ;; Code finds numbers behind the last row: so it is that of so many rows.
 (define (kept-codes kept key abstract)

@@ -104,8 +104,8 @@
 ;; Sizes
 
 ;; Stores in the flvector at the address in `to` the sizes ‖y_k‖ of the coefficients of the last
-;; four orders, of which there must be as many, the last one's last: the greatest |y_k| / (1 + |y_0|), not a number where one is
-;; not finite
+;; four orders, of which there must be as many, the last one's last: the greatest
+;; |y_k| / (1 + |y_0|), not a number where one is not finite
 (define (write-sizes! c rows to)
   (define a (tape-a c))
   (define last (- (tape-stride c) 1))

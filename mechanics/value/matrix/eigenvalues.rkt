@@ -4,8 +4,8 @@
 ;; Zeros first: rows and columns that reach one another form a block, and the
 ;; eigenvalues are those of the blocks.  A block of one row is its own; (a b; c d)
 ;; has (τ ± √((a - d)² + 4 b c))/2, with the trace τ; of exact numbers that is exact where it is
-;; real, of others it has all digits (surd.rkt).  Greater blocks lead to equations of higher degree: those of
-;; flonums are left to the algorithms of numeric/, others are refused.
+;; real, of others it has all digits (surd.rkt).  Greater blocks lead to equations of higher
+;; degree: those of flonums are left to the algorithms of numeric/, others are refused.
 ;;
 ;; How much roundings change eigenvalues, those of a neighbor tell: the transposed matrix, its
 ;; entries changed by a few roundings.

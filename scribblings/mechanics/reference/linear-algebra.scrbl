@@ -234,9 +234,10 @@ derivative there have magnitude 1 @sicm{4.1}.}
 For each eigenvalue a list: the eigenvalue, and after it its independent eigenvectors, as
 @racket[up] tuples. Of exact numbers, real eigenvalues and their vectors are exact; a complex one
 that is irrational is a decimal with all digits, and the greatest component of its vectors is 1.
-Those of flonums have unit length. If such a matrix is symmetric, each eigenvalue comes with one vector, orthogonal to all others; if it is not, eigenvalues that are
-the same but for roundings are one, with their mean as value. A note names vectors of which
-roundings leave fewer than half of the digits, since another eigenvalue is near.
+Those of flonums have unit length. If such a matrix is symmetric, each eigenvalue comes with one
+vector, orthogonal to all others; if it is not, eigenvalues that are the same but for
+roundings are one, with their mean as value. A note names vectors of which roundings leave fewer
+than half of the digits, since another eigenvalue is near.
 
 @examples[#:eval session
 (eigenvectors (matrix-by-rows '(a b) '(b a)))

@@ -409,8 +409,8 @@ are integrated beside it:
  opposite. It stays where the motion is regular, and falls to 0 within rounding where it is
  chaotic.}]
 
-A motion is followed to the @racket[tolerance], or to 1e-10.
-Of a map of the plane the state is a point and the duration a number of steps, and there is no tolerance; SALI falls as their
+A motion is followed to the @racket[tolerance], or to 1e-10. Of a map of the plane the state is a
+point and the duration a number of steps, without a tolerance; SALI falls as their
 inverse square then where the orbit is regular, and the indicator of an orbit that ends is
 @racket[+nan.0].
 

@@ -156,8 +156,8 @@
   (check-pred proved? (verify-rotation M))
   (check-identity (* (transpose M) (* I M))
                   (matrix-by-rows (list (+ 'a 'b) 0 0) (list 0 (- 'a 'b) 0) '(0 0 c)))
-  (check-equal? (map expression
-                     (structure->list (principal-moments (matrix-by-rows '(2 b 0) '(b 2 0) '(0 0 5)))))
+  (define coupled (matrix-by-rows '(2 b 0) '(b 2 0) '(0 0 5)))
+  (check-equal? (map expression (structure->list (principal-moments coupled)))
                 '((+ 2 b) (- 2 b) 5)))
 
 ;; ---------------------------------------------------------------------------
