@@ -68,7 +68,7 @@
        (cond [(symbolic? leaf)
               (define-values (e used) (rewrite leaf))
               (set! assumptions (cons used assumptions))
-              (constant->number e)]
+              e]
              [else leaf]))
      x))
   (value->datum value)                  ; a series gets the terms that are shown

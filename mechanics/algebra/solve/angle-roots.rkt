@@ -3,7 +3,8 @@
 ;; number, else those within a turn of u.  Multiples of :pi are exact.
 
 (require "angles-in.rkt" "root.rkt"
-         "../expression/expression.rkt" "../expression/operation.rkt" "../expression/pi.rkt"
+         "../expression/constant-value.rkt" "../expression/expression.rkt"
+         "../expression/operation.rkt" "../expression/pi.rkt"
          "../expression/substitute.rkt" "../expression/symbols.rkt"
          "../simplify/simplify-expression.rkt")
 
@@ -88,23 +89,25 @@
 
 ;; R cos(u − δ) = −C
 (define (cosine-from-direction a b c A)
-  (define R (simplify-expression (e:apply op:sqrt (e:+ (e:* a a) (e:* b b))) A))
+  (define R (simplify-expression (applied op:sqrt (e:+ (e:* a a) (e:* b b))) A))
   (define direction (simplify-expression (direction-of a b) A))
   (for/list ([t (in-list (cosine-is (ratio-of c R A) A))])
     (turn (e:+ direction (turn-angle t)) #f #f (turn-conditions t))))
 
 (define (inverse op x A)
-  (simplify-expression (if (flonum? x) (e:apply op x) (make-node op (list x))) A))
+  (simplify-expression (applied op x) A))
 
 ;; The angle of the point (a, b)
 (define (direction-of a b)
-  (define (of . arguments)
-    (if (ormap flonum? arguments) (apply e:apply op:atan arguments) (make-node op:atan arguments)))
-  (if (and (real? a) (positive? a)) (of (e:/ b a)) (of b a)))
+  (if (and (real? a) (positive? a)) (applied op:atan (e:/ b a)) (applied op:atan b a)))
 
 ;; The two of a sine or cosine x, that are one at the ends.
 (define (either x a b)
-  (cond [(or (not (real? x)) (< -1 x 1)) (list a b)]
-        [(= 1 (abs x)) (list a)]
+  (define n (number-of x))
+  (cond [(or (not n) (< -1 n 1)) (list a b)]
+        [(= 1 (abs n)) (list a)]
         [else '()]))
-(define (bound-on x) (if (real? x) '() (list (list '<= -1 x 1))))
+(define (bound-on x) (if (number-of x) '() (list (list '<= -1 x 1))))
+
+;; -> a number, or #f where there are unknowns
+(define (number-of x) (if (real? x) x (constant-value x)))

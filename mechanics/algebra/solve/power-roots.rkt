@@ -31,7 +31,7 @@
 (define (roots-of-square a b c x A)
   (define D (simplify-expression (e:- (e:expt (e:* 1/2 b) 2) (e:* a c)) A))
   (define (solution sign)
-    (quotient-of (e:- (e:* sign (e:apply op:sqrt D)) (e:* 1/2 b)) a A))
+    (quotient-of (e:- (e:* sign (applied op:sqrt D)) (e:* 1/2 b)) a A))
   (define-values (branch rest) (sign-and-rest D A))
   (define known? (number? rest))
   (define conditions
@@ -58,7 +58,7 @@
 
 ;; The real x with xⁿ = value: where n is even, those of a value that is not negative
 (define (nth-roots value conditions n x A)
-  (define (size v) (simplify-expression (e:expt v (/ 1 n)) A))
+  (define (size v) (simplify-expression (applied op:expt v (/ 1 n)) A))
   (define (roots xs condition)
     (for/list ([v (in-list xs)]) (root x v (append condition conditions) '())))
   (define sign (known-branch value A))

@@ -9,7 +9,7 @@
          "../../error/refusal.rkt")
 
 (provide (struct-out root) put zero-everywhere? known-branch sign-and-rest value-at line quotient-of
-         arguments-of)
+         applied arguments-of)
 
 ;; x = value, under conditions.  waves : what sine and cosine are there, an alist
 (struct root (x value conditions waves) #:authentic)
@@ -51,6 +51,9 @@
        there))
 
 (define (quotient-of a b A) (simplify-expression (e:/ a b) A))
+
+;; The value of an operation; of exact numbers exact, as √2 is
+(define (applied op . xs) (if (ormap flonum? xs) (apply e:apply op xs) (make-node op xs)))
 
 ;; Of operations of these heads, the arguments in which x occurs, each once
 (define (arguments-of f x heads)

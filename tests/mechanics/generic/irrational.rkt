@@ -114,7 +114,3 @@
   (check-equal? (solve-linear-left (matrix-by-rows (list root 1) (list 1 root)) (up 1 0))
                 (up root -1))
   (check-pred flonum? (determinant (matrix-by-rows (list root 2.5) (list 1 root)))))
-
-(test-case "a formula that comes down to a root is that number"
-  (check-equal? (simplify (- (+ 'a (sqrt 2)) 'a)) (sqrt 2))
-  (check-equal? (simplify (up (/ (* 'a (sqrt 8)) 'a) 'b)) (up (* 2 (sqrt 2)) 'b)))

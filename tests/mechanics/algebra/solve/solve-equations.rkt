@@ -28,6 +28,20 @@
   (check-equal? (solutions (list 'a) '(x)) '())
   (check-equal? (solutions (list 0) '(x)) '((()))))
 
+(test-case "roots of exact numbers stay exact"
+  (check-equal? (solutions (list (- (square 'x) 2)) '(x))
+                '((((x (sqrt 2)))) (((x (* -1 (sqrt 2)))))))
+  (check-equal? (solutions (list (- (expt 'x 3) 2)) '(x)) '((((x (expt 2 1/3))))))
+  ;; of 1 + √2 and 1 − √2 the second is no square
+  (define nested (solutions (list (- (expt 'x 4) (* 2 (square 'x)) 1)) '(x)))
+  (check-equal? nested '((((x (sqrt (+ 1 (sqrt 2)))))) (((x (* -1 (sqrt (+ 1 (sqrt 2)))))))))
+  (check-equal? (solutions (list (- (square 'x) 2) (- (* 'x 'y) 1)) '(x y))
+                '((((x (sqrt 2)) (y (* 1/2 (sqrt 2)))))
+                  (((x (* -1 (sqrt 2))) (y (* -1/2 (sqrt 2)))))))
+  ;; √2 cos(x − π/4) is no greater than √2
+  (check-equal? (solutions (list (+ (sin 'x) (cos 'x) -1)) '(x)) '((((x (* 1/2 :pi)))) (((x 0)))))
+  (check-equal? (solutions (list (+ (sin 'x) (cos 'x) -2)) '(x)) '()))
+
 (test-case "flonums stay what they are"
   (check-equal? (solutions (list (- (* 3.0 'x) 0.3)) '(x)) `((((x ,(/ 0.3 3.0))))))
   (check-equal? (solutions (list (* 2.0 (- 'x 0.1)) (* 4.0 (- 'x 0.1) 'y)) '(x y))
