@@ -148,6 +148,7 @@
 
 (define (momentum-at-center who H center orbit-at J)
   (define (action-at p)
+    (check-time-free who H (up 0 center p))
     (if (at-rest? H (up 0 center p))
         0.0
         (with-handlers ([exn:fail:mechanics:not-convergent? (lambda (e) +inf.0)])

@@ -17,7 +17,7 @@
          "../numeric/constants.rkt"
          "../value/shape.rkt" "../value/simplify.rkt")
 
-(provide (struct-out orbit) closed-orbit at-rest? longest-orbit check-options)
+(provide (struct-out orbit) closed-orbit at-rest? longest-orbit check-options check-time-free)
 
 (struct orbit (period action) #:authentic)
 
@@ -126,10 +126,10 @@
     (complain who "expected a state of one coordinate, in ~anumbers; given ~a"
               (if (and (real? q) (real? p)) "finite " "") (value->text state)))
   (check-numbers who H state)
-  (when (at-rest? H state)
-    (complain who "a state at rest has no period; given ~a" (value->text state)))
   (define start (up 0 (exact->inexact q) (exact->inexact p)))
   (check-time-free who H start)
+  (when (at-rest? H state)
+    (complain who "a state at rest has no period; given ~a" (value->text state)))
   start)
 
 ;; Degrees are easily given, and close no motion that radians do not.

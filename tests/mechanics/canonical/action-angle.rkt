@@ -85,6 +85,10 @@
   (define there ((state->action-angle unit-pendulum #:turn (* 2 pi)) state))
   (check-close ((action-angle->state unit-pendulum #:turn (* 2 pi)) there) state 1e-7))
 
+;; At rest everywhere when the time is 0, or, with the energy of an oscillator, at the origin
+(define ((growing oscillating) s)
+  (+ (* (time s) (momentum s)) (* oscillating ((oscillator 1 1) s))))
+
 (says
  [((state->action-angle unit-pendulum #:turn (* 2 pi)) (up 0 1 -3))
   "state->action-angle: the motion through (up 0 1 -3) turns backwards, and has no positive "
@@ -94,7 +98,13 @@
   "action 0.3; #:center names another"]
  [(action-of-orbit (lambda (s) (+ (square (momentum s)) (* (square (coordinate s)) (cos (time s)))))
                    (up 0 1 0))
-  "action-of-orbit: <function> depends on the time, and its motions have no action"])
+  "action-of-orbit: <function> depends on the time, and its motions have no action"]
+ [(action-of-orbit (growing 0) (up 0 1 1))
+  "action-of-orbit: growing depends on the time, and its motions have no action"]
+ [((action-angle->state (growing 0)) (up 0 0.3 1))
+  "action-angle->state: growing depends on the time, and its motions have no action"]
+ [((action-angle->state (growing 1)) (up 0 0.3 1))
+  "action-angle->state: growing depends on the time, and its motions have no action"])
 
 ;; H is known to a rounding; of the energy's distance from the separatrix that is a greater part.
 (test-case "next to a separatrix the frequency keeps its digits, or a note tells"
