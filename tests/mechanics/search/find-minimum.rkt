@@ -29,6 +29,10 @@
         [expected '(minimum degenerate flat kink end minimum kink)])
     (check-equal? (kind f -1 2.5) expected)))
 
+(test-case "no minimum: a pole on the right of a slope, found from its side"
+  (define (falling x) (if (> x 0.9985) (/ -1.0 (- x 0.9985)) (- 1.9985 x)))
+  (check-exn #rx"the function falls without bound, at a pole" (lambda () (kind falling 0 1))))
+
 (test-case "an end where there is no value is no minimum"
   (define m (find-minimum (lambda (x) (g:+ 1 (g:/ x (g:sin x)))) 0 1))
   (check-= (minimum-value m) 2 1e-9))
@@ -64,6 +68,15 @@
 (test-case "a smooth minimum is right to rounding"
   (check-= (place g:cos 2 4) (acos -1.0) 1e-15)
   (check-= (place g:cos 0.1) (acos -1.0) 1e-15))
+
+;; Three of Newton's steps on from x = 1e-3 the curvature of x⁴ + c x² is a tenth for c = 0.5e-6,
+;; and three tenths for c = 1.4e-6.
+(test-case "a search goes on where most of the curvature is gone within Newton's reach"
+  (define (more-than-one-evaluation? c)
+    (define (f x) (g:+ (g:expt x 4) (g:* c (g:square x))))
+    (> (minimum-evaluations (find-minimum f 1e-3)) 1))
+  (check-true (more-than-one-evaluation? 0.5e-6))
+  (check-false (more-than-one-evaluation? 1.4e-6)))
 
 (test-case "a saddle is left"
   (for ([start (list (up 1 0) (up 0 0))])

@@ -89,11 +89,12 @@
   (check-exn #rx"^show-derivation: a path is a function of time"
              (lambda () (show-derivation newton 'x))))
 
+(define (verdicts-of masses r F q)
+  (for/list ([s (derivation-steps (d-Alembert-equations masses r F) q)] #:when (verdict? (cdr s)))
+    (cdr s)))
+
 (test-case "each identity on the way to Lagrange's equations is proved, for any positions and force"
-  (define (verdicts masses r F q)
-    (for/list ([s (derivation-steps (d-Alembert-equations masses r F) q)]
-               #:when (verdict? (cdr s)))
-      (verdict-status (cdr s))))
+  (define (verdicts . system) (map verdict-status (apply verdicts-of system)))
   (define space '(UP Real Real Real))
   (define (position name) (literal-function name (-> (X Real (UP Real Real)) space)))
   (define (force shape) (literal-function 'F (-> (X Real shape shape) shape)))
@@ -104,6 +105,11 @@
   (check-equal? (verdicts '(m M) (lambda (t q) (up ((position 'r) t q) ((position 's) t q)))
                           (force (UP* space 2)) q)
                 all-proved))
+
+(test-case "where the roundings of a system's decimals stand in the way, the verdict tells them"
+  (define (wire t q) (up (* 0.1 (sin (* 1.7 q))) (* 0.1 (cos (* 1.7 q)))))
+  (for ([v (list-tail (verdicts-of 2.5 wire (lambda (t r v) (* -0.3 r)) x) 3)])
+    (check-regexp-match #rx"0.0425" (format "~a" v))))
 
 (test-case "they are printed with their verdicts"
   (define text

@@ -92,6 +92,15 @@
  ["[phi' (m r'' - m r phi'^2 + k r), r phi'' + 2 r' phi']" partly 3/4
   "it is true of every motion, but it also holds for φ̇ = 0"])
 
+;; A factor that vanishes on a small circle of states only
+(define ((oscillator-on-circle center) x)
+  (lambda (t)
+    (* (- (+ (square (- (x t) center)) (square (- ((D x) t) center))) 1/4)
+       (+ (* 'm ((D2 x) t)) (* 'k (x t))))))
+(judges (an-exercise equations ('coordinates 'x) ('of (L-harmonic 'm 'k)))
+ [(oscillator-on-circle 3/2) partly 1/2 "it is true of every motion, but it also holds where"]
+ [(oscillator-on-circle -3/2) partly 1/2 "it is true of every motion, but it also holds where"])
+
 (define (L-two (up t (up x y) (up vx vy)))
   (- (* 1/2 'm (+ (square vx) (square vy))) (* 1/2 'k (+ (square x) (* 4 (square y))))))
 (define two (an-exercise equations ('coordinates 'x 'y) ('of L-two)))
@@ -236,6 +245,12 @@
  [(up (* 2 'b) 'a) wrong 0 "the components are exchanged"])
 (judges (an-exercise expression ('key (down 'a (up 'b 'c) 'd)))
  [(down 'b (up 'd 'a) 'c) wrong 0 "the components are exchanged"])
+;; Orders of more than four components are not tried.
+(test-case "of five components that are exchanged no slip is told"
+  (define j (judgment-of (an-exercise expression ('key (up 'a 'b 'c 'd 'e)))
+                         (up 'b 'a 'c 'd 'e)))
+  (check-judgment j 'partly 3/5)
+  (check-false (member "the components are exchanged" (judgment-words j))))
 
 (define number (an-exercise number ('key 1.42) ('within 1/100)))
 (judges number
