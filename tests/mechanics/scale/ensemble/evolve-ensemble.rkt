@@ -73,7 +73,8 @@
     (check-pred ensemble-failure? failed)
     (check-equal? (ensemble-failure-index failed) 17)
     (check-= (ref (ensemble-failure-state failed) 0) (/ pi 2 (sqrt 2)) 1e-6)
-    (check-regexp-match #rx"cannot be followed any further" (ensemble-failure-message failed))
+    (check-regexp-match #rx"^evolve-ensemble: the motion cannot be followed any further"
+                        (ensemble-failure-message failed))
     (check-regexp-match #rx"^.ensemble-failure 17 " (format "~v" failed))
     (check-equal? (length (remove-duplicates (remove failed all))) 1)))
 

@@ -18,7 +18,7 @@
 (define-runtime-path top "../../../..")
 
 ;; ---------------------------------------------------------------------------
-;; What is claimed
+;; Claims
 
 ;; name : string; content : certificate, or why there is none
 (struct entry (name content) #:authentic)
@@ -67,7 +67,7 @@
              #:when (eq? 'code (cell-kind c)) #:unless (memq c (guide-page-failing p)))
     (cell-source c)))
 
-;; What stands there after a prompt
+;; The forms after its prompts
 (define (forms-of-README)
   (define text (file->string (build-path top "README.md")))
   (for/list ([place (in-list (regexp-match-positions* #rx"(?m:^    > )" text))])

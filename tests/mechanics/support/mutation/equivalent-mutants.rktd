@@ -97,11 +97,7 @@
  "(if (< (* (test p) (test a)) 0.0)"
  "(if (<= (* (test p) (test a)) 0.0)"
  "a place where the test is 0 is an end of the interval on either side")
-("scale/ensemble/evolve-ensemble.rkt"
- "(define perform (once (lambda () (performer who t))))"
- "(define perform (once (lambda () (performer t t))))"
- "method and tolerance were checked before: the plan has nothing to complain of")
 ("calculus/infinitesimal-part.rkt"
  "(cond [(constant? x) x]"
  "(cond"
- "what holds no number stays as it is by the other clauses, too: speed, which benches of D watch" limit)
+ "what holds no number stays as it is by the other clauses, too: speed, which benches of D watch")

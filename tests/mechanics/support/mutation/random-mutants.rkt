@@ -6,8 +6,8 @@
 ;; Draws mutants from a room's files, or N from each room's, and runs on each the tests that loaded
 ;; its file in the last run of `make test`, those of its room first, until one fails.  What is known
 ;; of a mutant is kept in build/mutants.rktd and not asked again while its file is as it was; a
-;; break loses nothing.  Mutants that change no behaviour are listed in equivalent-mutants.rktd:
-;; (file "the line as it was" "the line as it is" "reason").
+;; break loses nothing.  Mutants that no behaviour tells, or only a limit or a layout, are listed in
+;; equivalent-mutants.rktd: (file "the line as it was" "as it is" "reason" [limit or layout]).
 
 (require file/sha1
          racket/cmdline
@@ -71,14 +71,14 @@
                       (tests-in own)))
   (append new (within-seconds in-order)))
 
-;; Those that fit into the time
+;; The first tests that fit into the time
 (define (within-seconds tests)
   (for/fold ([chosen '()] [left most-seconds] #:result (reverse chosen)) ([t (in-list tests)])
     (if (> (cadr t) left)
         (values chosen left)
         (values (cons t chosen) (- left (cadr t))))))
 
-;; Those of the room, of which there may be new ones without a record
+;; Tests of the room; new ones have no record.
 (define (tests-in folder)
   (define path (from-top folder))
   (if (directory-exists? path)
@@ -157,7 +157,9 @@
 
 (define (marked? file m)
   (define-values (was is) (lines-of file m))
-  (for/or ([e (in-list equivalents)]) (equal? (list file was is) (take e 3))))
+  (for/or ([e (in-list equivalents)])
+    (match-define (list marked before after _ (or 'limit 'layout) ...) e)
+    (equal? (list marked before after) (list file was is))))
 
 ;; ---------------------------------------------------------------------------
 
