@@ -160,7 +160,10 @@
  [(limit-of standard-map golden 'low 0.6)
   "invariant-circle-limit: expected a real number as the parameter\n  given: the symbol low"]
  [(invariant-circle-limit standard-map golden 0.9 1.0 #:tolerance 0)
-  "invariant-circle-limit: expected a tolerance, a positive number\n  given: the number 0"])
+  "invariant-circle-limit: expected a tolerance, a positive number\n  given: the number 0"]
+ [(invariant-circle-modes 3)
+  "invariant-circle-modes: expected a circle, as invariant-circle finds one\n"
+  "  given: the number 3"])
 
 (define (hole x y return fail) (if (< x 3) (return (+ x 1) y) (fail)))
 
