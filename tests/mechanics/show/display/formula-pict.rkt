@@ -20,6 +20,11 @@
   (for/or ([y (in-range h)])
     (> (bytes-ref bitmap (* 4 (+ (* y w) (min (sub1 w) (inexact->exact (floor (* x w))))))) 0)))
 
+;; Is a point of the upper quarter painted?
+(define (top-painted? p)
+  (define bitmap ((of-pict 'pict->argb-pixels) p))
+  (for/or ([alpha (in-bytes bitmap 0 (quotient (bytes-length bitmap) 4) 4)]) (> alpha 0)))
+
 (skip-unless (not (why-not)) "nothing can be drawn here"
   (test-case "a quotient is taller than its parts, and its bar stands above the base line"
     (define f (->pict (/ 'a 'b)))
@@ -34,6 +39,14 @@
   (test-case "a dot over a letter makes no room beside it"
     (check-= (width (->pict 'theta)) (width (->pict 'thetadot)) 0.001)
     (check-true (> (height (->pict 'thetadot)) (- (height (->pict 'theta)) 0.001))))
+  (test-case "two dots are above their letter"
+    (define-values (plain dotted) (values (->pict 'x #:size 40) (->pict 'xdotdot #:size 40)))
+    (check-= (width dotted) (width plain) 0.001)
+    (check-true (top-painted? dotted))
+    (check-false (top-painted? plain)))
+  (test-case "factors are next to each other, less than half a letter apart"
+    (define (wide x) (width (->pict x #:size 40)))
+    (check-true (< 0 (- (wide (* 'a 'b)) (wide 'a) (wide 'b)) 20)))
   (test-case "a long sum is broken within its width"
     (define long (expand (expt (+ 'a 'b 'c) 7)))
     (check-true (< (width (->pict long #:width 40)) (/ (width (->pict long #:width #f)) 3)))
