@@ -101,3 +101,7 @@
  "(cond [(constant? x) x]"
  "(cond"
  "what holds no number stays as it is by the other clauses, too: speed, which benches of D watch")
+("show/typesetting/pict-parts.rkt"
+ "(define dots (apply hc-append (* 0.08 size) (for/list ([_ (in-range n)]) dot)))"
+ "(define dots (apply hc-append (* 0.16 size) (for/list ([_ (in-range n)]) dot)))"
+ "the dots are some pixels further apart" layout)
