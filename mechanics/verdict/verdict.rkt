@@ -14,7 +14,7 @@
          ;; for those who ask again
          verdict-question verdict-given with-remark with-readings
          ;; for certificates
-         verdict-claim verdict-tests verdict-printed
+         verdict-claim verdict-tests verdict-formatted
          (struct-out claim) (struct-out equality-claim) (struct-out motion-claim)
          (struct-out conserved-claim) (struct-out canonical-claim))
 
@@ -36,8 +36,9 @@
   #:notation (lambda (v see) (report-notation (verdict-lines v)))
   #:property prop:no-truth-value "a verdict is neither true nor false; ask (proved? v)")
 
-;; Called with each verdict that is printed; for those who run a program and look at what it shows
-(define verdict-printed (make-parameter void))
+;; Called with each verdict that is shown or formatted, be it as a string; for those who run a
+;; program and look at what it shows
+(define verdict-formatted (make-parameter void))
 
 ;; All is proved zero when every scalar is, and refuted when one is; what does not end
 ;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
@@ -182,7 +183,7 @@
 
 ;; The lines of its report (report.rkt).
 (define (verdict-lines v)
-  ((verdict-printed) v)
+  ((verdict-formatted) v)
   (append
    (verdict-report (verdict-status v) (verdict-tests v) (scalar-labels (verdict-residual v))
                    (verdict-given v) (verdict-assumptions v) (verdict-kinks-found v)

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The verdicts that a program shows, as results, within them or by printing, each once and with the
-;; form that showed it first.
+;; The verdicts that a program shows, as results, within them or by printing or formatting them,
+;; each once and with the form that showed it first.
 
 (require racket/list
          "run-program.rkt" "watch.rkt"
@@ -21,7 +21,7 @@
   (define-values (number found) (values 0 '()))
   (define (note! v) (set! found (cons (cons number v) found)))
   (define o
-    (parameterize ([verdict-printed note!])
+    (parameterize ([verdict-formatted note!])
       (run-program stx file #:begins (lambda (n) (set! number n))
                    #:shown (lambda (x) (for-each note! (verdicts-in x))))))
   (define end (outcome-end o))
@@ -30,7 +30,7 @@
             (shown-verdict (vector-ref forms (car f)) (cdr f)))
           (and end (early-end-message end))))
 
-;; Those in lists and other values as well
+;; Verdicts in lists and other values as well
 (define (verdicts-in x)
   (cond [(verdict? x) (list x)]
         [(pair? x) (append (verdicts-in (car x)) (verdicts-in (cdr x)))]

@@ -331,8 +331,8 @@ gives at once, such as 1 for x/x, is that of the certificate.
 (eval:error (certificate (verify-equal 'x 'y)))]
 
 @exec{raco mechanics certify FILE.rkt} writes a certificate for each proved verdict that a program
-shows, as a result, in a list or by printing it, has Coq check it, and says which are accepted, in
-how many seconds, and what has none and why.
+shows, as a result, in a list or by printing or formatting it, has Coq check it, and says which are
+accepted, in how many seconds, and what has none and why.
 
 @tabular[#:sep @hspace[2] #:row-properties '(bottom-border top)
 (list
