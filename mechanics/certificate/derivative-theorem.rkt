@@ -1,6 +1,6 @@
 #lang racket/base
-;; What theorems with derivatives have in common: definitions of functions of the real numbers, the
-;; statements that one of them is the derivative of another, and their proofs.
+;; Common to theorems with derivatives: definitions of functions of the real numbers, statements
+;; that one of them is the derivative of another, and their proofs.
 ;;
 ;; `is_derive f x d` says that f has a derivative at x and that it is d; `Derive f x` alone would be
 ;; a number of which nothing is known where there is no derivative.  So of an unknown function U the

@@ -346,9 +346,9 @@
         [else (list (circle-relation angle of))]))
 
 (define (circle-relation angle of)
-        (fact 'relation (make-node op:* (list (of op:sin) (of op:sin)))
-              (make-node op:- (list 1 (make-node op:* (list (of op:cos) (of op:cos)))))
-              '("apply sine_squared.")))
+  (fact 'relation (make-node op:* (list (of op:sin) (of op:sin)))
+        (make-node op:- (list 1 (make-node op:* (list (of op:cos) (of op:cos)))))
+        '("apply sine_squared.")))
 
 ;; The sine and cosine of a part of π
 (define (turn-facts unit)

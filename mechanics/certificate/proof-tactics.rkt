@@ -1,5 +1,5 @@
 #lang racket/base
-;; What all proofs have in common: tactics, and lemmas that are proved there.
+;; Common to all proofs: tactics, and lemmas that are proved there.
 
 (require racket/file racket/runtime-path)
 
