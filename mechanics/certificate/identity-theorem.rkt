@@ -8,19 +8,20 @@
 
 (provide identity-theorem)
 
-;; equations : ((left . right) ...) of expressions; beside : expressions that are to have values
-;; as well assumed : datums of relations
+;; equations : ((left . right) ...) of expressions
+;; beside    : expressions that are to have values as well
+;; assumed   : datums of relations
 (define (identity-theorem equations beside assumed)
   (define sides (append (map car equations) (map cdr equations)))
   (define domain (domain-relations (append sides beside)))
   (define ns (make-names (append sides beside (append-map relation-sides assumed))))
-  (define hypotheses (remove-duplicates (append assumed domain)))
+  (define hypotheses (all-hypotheses assumed domain))
   (define facts
     (kernel-facts (append sides (append-map relation-sides hypotheses))
                   (relations->assumptions hypotheses) ns (divisors-in hypotheses)))
   (define-values (lines tactic) (proof-lines facts ns))
   (theorem (string-append
-            (hypotheses-text assumed domain ns)
+            (hypotheses-text assumed hypotheses ns)
             (claim-text equations (length hypotheses) ns lines tactic)
             (example-text hypotheses ns))
            (hypothesis-texts hypotheses ns)))

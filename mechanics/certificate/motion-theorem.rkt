@@ -45,7 +45,7 @@
     (append differentiated (motion-vs M) (motion-fs M) (motion-Qs M)
             (map tie-multiplier ties) (append-map tie-normals ties)))
   (define domain (open-relations along differentiated))
-  (define relations (remove-duplicates (append assumed domain)))
+  (define relations (all-hypotheses assumed domain))
   (define dummies (append (motion-xs M) (motion-ws M)))
   (define ns
     (names-without (make-names (append along (append-map relation-sides relations)
@@ -53,7 +53,7 @@
                                (cons "s" (names-defined M)))
                    dummies))
   (define-values (lines tactic) (known-lines along relations ns))
-  (theorem (string-append (hypotheses-text assumed domain ns)
+  (theorem (string-append (hypotheses-text assumed relations ns)
                           (definitions M ns)
                           (statement M ns)
                           (proof M (length relations) ns lines tactic)
@@ -150,6 +150,7 @@
 
 (define (names-tied base M)
   (if (null? (motion-ties M)) '() (numbered base (length (motion-ties M)))))
+
 ;; Of each constraint, of the functions of all coordinates
 (define (normal-names M)
   (for/list ([name (in-list (names-tied "normal" M))]) (names-like name M)))

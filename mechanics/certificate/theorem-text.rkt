@@ -1,5 +1,5 @@
 #lang racket/base
-;; What the files of all theorems have in common: hypotheses as a definition, that they hold
+;; Common to the files of all theorems: hypotheses as a definition, that they hold
 ;; together at a point, names and lines.
 
 (require racket/list racket/string
@@ -11,7 +11,7 @@
          (only-in "../algebra/assumption/assumption-set.rkt" no-assumptions))
 
 (provide (struct-out theorem) relation-sides divisors-in relations->assumptions
-         hypotheses-text hypothesis-texts given-pattern
+         all-hypotheses hypotheses-text hypothesis-texts given-pattern
          example-text witness-texts example-steps
          binders all-names symbol-names for-all wrapped)
 
@@ -59,15 +59,26 @@
 (define (hypothesis-texts relations ns)
   (for/list ([d (in-list relations)]) (relation-text d ns)))
 
-(define (hypotheses-text assumed domain ns)
+;; assumed, domain : relations -> all of them, without x <> 0 of a symbol where its sign is one
+(define (all-hypotheses assumed domain)
+  (define all (remove-duplicates (append assumed domain)))
+  (define (implied? d)
+    (and (eq? (car d) '<>)
+         (symbol? (cadr d))
+         (for/or ([sign (in-list '(> <))]) (member (cons sign (cdr d)) all))))
+  (filter (lambda (d) (not (implied? d))) all))
+
+;; assumed : those of the relations that are not of the domain
+(define (hypotheses-text assumed relations ns)
+  (define (assumed? d) (member d assumed))
   (define (listed title ds)
     (if (null? ds)
         '()
         (list (cons (format "  (* ~a *)" title) (hypothesis-texts ds ns)))))
   (define groups
-    (append (listed "assumed" assumed)
+    (append (listed "assumed" (filter assumed? relations))
             (listed "domain: each part of the claim has a value"
-                    (filter (lambda (d) (not (member d assumed))) domain))))
+                    (filter (lambda (d) (not (assumed? d))) relations))))
   (format "Definition hypotheses ~a : Prop :=\n~a.\n\n" (binders ns)
           (if (null? groups)
               "  True"
