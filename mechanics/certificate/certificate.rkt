@@ -72,14 +72,24 @@
            (proof-certificate 2 (words text th "by Coq's own derivatives")
                               (theorem-file th #t) #f)]))
   (with-handlers ([no-certificate? no-certificate-reason])
-    (cond [(motion-claim? c) (certified motion-theorem "the path is a motion of the Lagrangian")]
+    (cond [(motion-claim? c)
+           (certified motion-theorem
+                      (string-append "the path is a motion of the Lagrangian"
+                                     (with-outside (motion-claim-force c)
+                                                   (motion-claim-constraints c))))]
           [(conserved-claim? c)
            (certified conserved-theorem
-                      (format "the quantity is conserved along the motions of the ~a"
-                              (if (conserved-claim-Hamiltonian? c) "Hamiltonian" "Lagrangian")))]
+                      (format "the quantity is conserved along the motions of the ~a~a"
+                              (if (conserved-claim-Hamiltonian? c) "Hamiltonian" "Lagrangian")
+                              (with-outside (conserved-claim-force c) #f)))]
           [(canonical-claim? c)
            (certified bracket-theorem "the transformation keeps all Poisson brackets")]
           [else #f])))
+
+;; Words for a force and constraints, each of them #f where there is none
+(define (with-outside force constraints)
+  (define all (append (if force '("the force") '()) (if constraints '("the constraints") '())))
+  (if (null? all) "" (format " with ~a" (string-join all " and "))))
 
 ;; gap : why there is none of level 2, or #f
 (define (identity-certificate v gap)

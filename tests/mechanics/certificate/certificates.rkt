@@ -122,6 +122,36 @@
   (check-regexp-match
    (regexp-quote "constraint t (path_0 t) (path_1 t) (velocity_0 t) (velocity_1 t) = 0") text))
 
+(test-case "words: a force and constraints are named, where there are any"
+  (define (free local) (* 1/2 'm (square (velocity local))))
+  (define (drag local) (* -1 'c (velocity local)))
+  (define (carried #:force [force #f] #:constraints [constraints #f] path)
+    (format "~a" (certificate (verify-solution free path #:force force
+                                               #:constraints constraints))))
+  (define resting (holonomic (lambda (t x) x)))
+  (define fading (lambda (t) (exp (* -1 (/ 'c 'm) t))))
+  (check-equal? (carried fading #:force drag)
+                (string-append "a theorem for Coq to check: the path is a motion of the Lagrangian "
+                               "with the force under m <> 0; by Coq's own derivatives"))
+  (check-regexp-match #rx"of the Lagrangian with the constraints;"
+                      (carried (lambda (t) 0) #:constraints resting))
+  (check-regexp-match #rx"of the Lagrangian with the force and the constraints;"
+                      (carried (lambda (t) 0) #:force drag #:constraints resting))
+  (define (slowing local) (+ (* 'm (velocity local)) (* 'c (coordinate local))))
+  (check-regexp-match
+   #rx"conserved along the motions of the Lagrangian with the force(;| under)"
+   (format "~a" (certificate (verify-conserved free slowing (up 't 'x 'v) #:force drag)))))
+
+(test-case "hypotheses: x <> 0 is none where the sign of x is one"
+  (define swing
+    (assuming ('(> m 0))
+      (verify-solution (L-harmonic 'm 'k) (lambda (t) (* 'a (cos (* (sqrt (/ 'k 'm)) t)))))))
+  (check-regexp-match #rx" under 0 < m, 0 < k / m;" (format "~a" (certificate swing)))
+  (check-false (regexp-match? #rx"m <> 0," (statement swing)))
+  (check-regexp-match
+   #rx" under y < 0, 0 <= y [*] y;"
+   (format "~a" (assuming ('(< y 0)) (certificate (verify-equal (/ (sqrt (square 'y)) 'y) -1))))))
+
 (test-case "a literal function has its derivatives as hypotheses, where the claim speaks of it"
   (define L (lambda (s) (- (* 1/2 'm (square (velocity s)))
                            ((literal-function 'V) (coordinate s)))))
