@@ -89,7 +89,7 @@
     "Set SProp then Type using where with by Axiom Definition Theorem Lemma Ltac Proof Qed Section "
     "True False not and or ex eq conj nat Rlt Rle Rgt Rge Rplus Rminus Rmult Rdiv Rinv Ropp pow "
     "IZR Rgt_not_eq ln_exp exp_ln exp_pos f_equal sqrt_lem_1 sqrt_sqrt Coquelicot "
-    "given hypotheses claim not_vacuous is_derive locally auto_derive")))
+    "I given hypotheses claim not_vacuous is_derive ex_derive Derive locally auto_derive")))
 
 ;; The names that proof-tactics.v and derivative-tactics.v define
 (define (lemmas-in-file)

@@ -62,7 +62,12 @@
     (statement (verify-solution (L-harmonic 'L 'path)
                                 (lambda (t) (* 'velocity (cos (* (sqrt (/ 'path 'L)) t)))))))
   (check-regexp-match #rx"Variables (L_|path_|velocity_) (L_|path_|velocity_) " text)
-  (check-regexp-match #rx"Definition path \\(t : R\\) : R := velocity_ \\* cos" text))
+  (check-regexp-match #rx"Definition path \\(t : R\\) : R := velocity_ \\* cos" text)
+  (define (energy-with m)
+    (define L (L-harmonic m 'k))
+    (statement (verify-conserved L (Lagrangian->energy L) (up 't 'x 'v))))
+  (for ([name (in-list '(ex_derive is_derive Derive I))])
+    (check-regexp-match (format "Variables (k )?~a_[ .]" name) (energy-with name))))
 
 (test-case "a motion: Lagrangian and path are functions, the equations derivatives of Coq"
   (define text

@@ -3,7 +3,9 @@
 ;; neighbours of them rejected; `make certify` tries many.
 
 (require racket/list
-         (only-in mechanics - + * / cos sqrt square verify-equal verify-solution) mechanics/book
+         (only-in mechanics - + * / cos sqrt square up
+                  verify-conserved verify-equal verify-solution Lagrangian->energy)
+         mechanics/book
          mechanics/certificate/certificate mechanics/certificate/Coq-check
          "../support/checks.rkt" "../support/skip.rkt"
          "../support/certification/false-neighbours.rkt"
@@ -24,14 +26,18 @@
       (check-true (accepted? (certificate-text (certificate-or-reason (asked-verdict c))))
                   (format "~a" (asked-name c))))))
 
-(test-case "symbols may be called as what the file defines"
+(test-case "symbols may be called as what the file defines, or as what Coq does"
   (skip-unless coqc without-Coq
-    (check-true
-     (accepted?
-      (certificate-text
-       (certificate
-        (verify-solution (L-harmonic 'L 'path)
-                         (lambda (t) (* 'q (cos (* (sqrt (/ 'path 'L)) t)))))))))
+    (for ([(m k) (in-parallel '(L ex_derive) '(path I))])
+      (check-true
+       (accepted?
+        (certificate-text
+         (certificate
+          (verify-solution (L-harmonic m k) (lambda (t) (* 'q (cos (* (sqrt (/ k m)) t)))))))))
+      (define L (L-harmonic m k))
+      (check-true
+       (accepted? (certificate-text
+                   (certificate (verify-conserved L (Lagrangian->energy L) (up 't 'x 'v)))))))
     (check-true
      (accepted? (certificate-text (certificate (verify-equal (- (square 'True) (square 'claim))
                                                              (* (+ 'True 'claim)
