@@ -119,8 +119,8 @@
     (make-node op:/ (list (make-node op (list (of op:exp a) (of op:exp (e:negate a)))) 2)))
   (define (by-exponentials name)
     (define ns (collector-names c))
-    (format "unfold ~a; replace (- (~a)) with (~a) by ring; reflexivity." name (term a ns)
-            (term (e:negate a) ns)))
+    (format "unfold ~a; replace (- (~a)) with (~a) by first [ring | field; nonzero]; reflexivity."
+            name (term a ns) (term (e:negate a) ns)))
   (cond [(memq head (list op:sin op:cos)) (set-collector-angles! c (cons n (collector-angles c)))]
         [(eq? head op:exp) (set-collector-exponents! c (cons n (collector-exponents c)))]
         [(eq? head op:tan) (plan! c n (e:/ (of op:sin a) (of op:cos a)) "reflexivity.")]

@@ -3,7 +3,7 @@
 ;; neighbours of them rejected; `make certify` tries many.
 
 (require racket/list
-         (only-in mechanics - + * / cos sqrt square up
+         (only-in mechanics - + * / cos cosh sinh sqrt square up
                   verify-conserved verify-equal verify-solution Lagrangian->energy)
          mechanics/book
          mechanics/certificate/certificate mechanics/certificate/Coq-check
@@ -25,6 +25,12 @@
     (for ([c (in-list (proved-claims few))])
       (check-true (accepted? (certificate-text (certificate-or-reason (asked-verdict c))))
                   (format "~a" (asked-name c))))))
+
+(test-case "hyperbolic functions may be divisors, also of half an angle"
+  (skip-unless coqc without-Coq
+    (for ([u (in-list (list (sinh 'x) (cosh (/ 'x 2))))])
+      (define v (verify-equal (* 2 (+ 'y (/ 1 u))) (+ (* 2 (/ 1 u)) (* 2 'y))))
+      (check-true (accepted? (certificate-text (certificate v)))))))
 
 (test-case "symbols may be called as what the file defines, or as what Coq does"
   (skip-unless coqc without-Coq
