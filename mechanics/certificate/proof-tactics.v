@@ -91,6 +91,9 @@ with nonnegative :=
           | H : 0 <= ?x / ?y |- 0 <= ?x =>
               replace x with (x / y * y) by (field; nonzero_factor);
               apply Rmult_le_pos; [exact H | nonnegative]
+          | H : 0 < ?x / ?y |- 0 <= ?x =>
+              replace x with (x / y * y) by (field; nonzero_factor);
+              apply Rmult_le_pos; [left; exact H | nonnegative]
           end
         | left; positive
         | nra ]

@@ -3,7 +3,7 @@
 ;; neighbours of them rejected; `make certify` tries many.
 
 (require racket/list
-         (only-in mechanics - + * / cos cosh sinh sqrt square up
+         (only-in mechanics - + * / assuming cos cosh sinh sqrt square up
                   verify-conserved verify-equal verify-solution Lagrangian->energy)
          mechanics/book
          mechanics/certificate/certificate mechanics/certificate/Coq-check
@@ -31,6 +31,14 @@
     (for ([u (in-list (list (sinh 'x) (cosh (/ 'x 2))))])
       (define v (verify-equal (* 2 (+ 'y (/ 1 u))) (+ (* 2 (/ 1 u)) (* 2 'y))))
       (check-true (accepted? (certificate-text (certificate v)))))))
+
+(test-case "where 0 < k / m and 0 < m, there is a root of k"
+  (skip-unless coqc without-Coq
+    (define swing
+      (assuming ('(> m 0))
+        (verify-solution (L-harmonic 'm 'k)
+                         (lambda (t) (* 'A (cos (+ (* (sqrt (/ 'k 'm)) t) 'phi)))))))
+    (check-true (accepted? (certificate-text (certificate swing))))))
 
 (test-case "symbols may be called as what the file defines, or as what Coq does"
   (skip-unless coqc without-Coq
