@@ -10,12 +10,17 @@
          "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "kernel-facts.rkt" "proof-script.rkt"
          "theorem-text.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
-         "../algebra/expression/operation.rkt")
+         "../algebra/expression/operation.rkt"
+         (only-in "../generic/irrational.rkt" irrational-as-expression)
+         (only-in "../value/shape.rkt" scalars))
 
-(provide open-relations numbered
+(provide scalars-in open-relations numbered
          parameters-text definition-text derivative-text at
          conjunction pattern-of refine-text
          known-lines derivative-proof)
+
+;; The scalars of a value, of which theorems speak as expressions
+(define (scalars-in x) (map irrational-as-expression (scalars x)))
 
 ;; Where all parts of es have values and derivatives; differentiated : those of es of which
 ;; derivatives are taken.  All relations hold around the point as well: a radicand is positive.

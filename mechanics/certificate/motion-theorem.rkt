@@ -70,16 +70,17 @@
   (when (parameter? t m) (give-up "the symbol ~a is a parameter, and the time as well" t))
   (define local ((Gamma q) t))
   (define state (up t (symbols-for (coordinate local) "q") (symbols-for (velocity local) "v")))
-  (define-values (xs ws) (values (scalars (coordinate state)) (scalars (velocity state))))
-  (define-values (qs vs) (values (scalars (coordinate local)) (scalars (velocity local))))
+  (define-values (xs ws) (values (scalars-in (coordinate state)) (scalars-in (velocity state))))
+  (define-values (qs vs) (values (scalars-in (coordinate local)) (scalars-in (velocity local))))
   (define (along x)
-    (for/list ([e (in-list (scalars x))])
+    (for/list ([e (in-list (scalars-in x))])
       (in-place-of (append (map cons xs qs) (map cons ws vs)) e)))
   (define (momentum t) (((partial 2) L) ((Gamma q) t)))
   (define fs (along (((partial 1) L) state)))
   (define Qs (if force (along (force state)) (map (lambda (_) 0) xs)))
   (define (residual)
-    (for/list ([p (in-list (scalars (derivative-at momentum t)))] [f (in-list fs)] [Q (in-list Qs)])
+    (define rates (scalars-in (derivative-at momentum t)))
+    (for/list ([p (in-list rates)] [f (in-list fs)] [Q (in-list Qs)])
       (g:- p (g:+ f Q))))
   (motion t (L state) xs ws qs vs (along (((partial 2) L) state)) fs Qs
           (ties-of m local state residual)))
@@ -98,7 +99,7 @@
               (constraint-values 'certificate
                                  (gather-with 'certificate (motion-claim-L m) constraints) local)
               0)))
-  (for*/or ([x (in-list all)] [e (in-list (scalars x))]) (occurs? name e)))
+  (for*/or ([x (in-list all)] [e (in-list (scalars-in x))]) (occurs? name e)))
 
 ;; find-residual : -> what the forces of constraints have to be, where no multipliers are given
 (define (ties-of m local state find-residual)
@@ -106,14 +107,14 @@
     (values (motion-claim-L m) (motion-claim-constraints m) (motion-claim-multipliers m)))
   (define cs (if constraints (constraint-set-parts (gather-with 'certificate L constraints)) '()))
   (define (values-at c state)
-    (scalars (value-of 'certificate c (time state) (coordinate state) (velocity state))))
+    (scalars-in (value-of 'certificate c (time state) (coordinate state) (velocity state))))
   (define rows
     (if constraints
         (map vector->list
              (jacobian-rows 'certificate (gather-with 'certificate L constraints) local))
         '()))
   (define lambdas
-    (if multipliers (scalars (multipliers (time local))) (multipliers-by rows find-residual)))
+    (if multipliers (scalars-in (multipliers (time local))) (multipliers-by rows find-residual)))
   (define n (shape-length (coordinate local)))
   (for/list ([G (in-list (append-map (lambda (c) (values-at c state)) cs))]
              [c (in-list (append-map (lambda (c) (map (lambda (_) c) (values-at c state))) cs))]
@@ -129,7 +130,7 @@
          (define J-J (list->down (for/list ([a (in-list rows)])
                                    (list->down (for/list ([b (in-list rows)]) (dot a b))))))
          (define J-r (list->down (map (lambda (a) (dot a r)) rows)))
-         (scalars (simplify (solve-linear-left J-J J-r)))]))
+         (scalars-in (simplify (solve-linear-left J-J J-r)))]))
 
 ;; Symbols that the user cannot have, in the shape of x
 (define (symbols-for x name)

@@ -36,14 +36,33 @@
 (define (certify-all proved folder name coqc)
   (when (pair? proved) (make-directory* folder))
   (for/sum ([s (in-list proved)] [k (in-naturals 1)])
-    (define c (certificate-or-reason (shown-verdict-verdict s)))
     (printf "~a\n" (brief (shown-verdict-form s)))
+    (flush-output)
+    (define c (certificate-in-time (shown-verdict-verdict s)))
     (cond [(string? c) (printf "    no certificate yet: ~a\n" c) 0]
           [else
            (define file (build-path folder (format "~a_~a.v" name k)))
            (write-certificate c file)
            (printf "    ~a: ~a\n" (short-path file) c)
            (if (or (not coqc) (accepted? coqc c)) 1 0)])))
+
+;; -> certificate, or the reason why there is none.  What fails with one verdict, or does not end,
+;; leaves the others theirs.
+(define (certificate-in-time v)
+  (define found (make-channel))
+  (define (find)
+    (channel-put found
+                 (with-handlers ([exn:fail? (lambda (e) (first-line (exn-message e)))])
+                   (certificate-or-reason v))))
+  (define finder (thread find))
+  (or (with-handlers ([exn:break? (lambda (e) (kill-thread finder) (raise e))])
+        (sync/timeout/enable-break most-seconds found))
+      (begin (kill-thread finder)
+             (format "it takes more than ~a seconds to write" most-seconds))))
+
+(define most-seconds 60)
+
+(define (first-line text) (car (string-split text "\n" #:trim? #f)))
 
 (define (accepted? coqc c)
   (define j (check-by-Coq coqc (certificate-text c)))

@@ -70,7 +70,7 @@
   (define (exactly x) (sure x 0))
   (cond [(= (vector-length block) 1) (list (exactly (entry block 0 0)))]
         [(flonums? block) (numeric-spectrum who m block)]
-        [(not (= (vector-length block) 2)) (raise-degree m (vector-length block))]
+        [(not (= (vector-length block) 2)) (raise-degree who m (vector-length block))]
         [(all-entries? rational? block)
          (for/list ([x (in-list (two-numbers block))])
            (exactly (or (and (all-entries? exact? block) (exact-value x)) (decimal who x))))]
@@ -84,7 +84,7 @@
      (case (vector-length block)
        [(1) (list (entry block 0 0))]
        [(2) (two-numbers block)]
-       [else (raise-degree m (vector-length block))]))))
+       [else (raise-degree who m (vector-length block))]))))
 
 (define (two-numbers block)
   (define-values (a b c d) (four-entries inexact->exact block))
@@ -169,11 +169,11 @@
   (raise-not-convergent 'eigenvalues (format "they do not separate\n  matrix: ~a" (value->text m))
                         m #f #:show? #f))
 
-(define (raise-degree m n)
-  (complain 'eigenvalues
+(define (raise-degree who m n)
+  (complain who
             (string-append
              "the zeros of the matrix leave a block of ~a rows; formulas are for 1 and 2\n"
              "  the eigenvalues are the zeros of (characteristic-polynomial m 'x);\n"
-             "  those of flonums are found: (eigenvalues (exact->inexact m))\n"
+             "  those of flonums are found: (~a (exact->inexact m))\n"
              "  matrix: ~a")
-            n (value->text m)))
+            n who (value->text m)))

@@ -296,8 +296,8 @@ one needs no Coq. @secref["reading-certificates"] reads one line by line.
               void?])]{
 
 The certificate of a proved verdict, which prints as its theorem in words; and the file, whose name
-is one that Coq takes: a letter, then letters, digits and _, then @filepath{.v}. There are two
-levels:
+is one that Coq takes: a letter, then letters, digits and _, then @filepath{.v}; a file of that name
+is replaced. There are two levels:
 
 @itemlist[
 @item{@emph{The identity}: both sides, or the residual and 0, are equal as the question states them,

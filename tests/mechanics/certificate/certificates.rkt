@@ -114,7 +114,12 @@
   (check-regexp-match
    (regexp-quote (string-append "D1_coordinate t q p * D2_momentum t q p - "
                                 "D2_coordinate t q p * D1_momentum t q p = 1"))
-   (statement (verify-canonical turned (up 't 'q 'p)))))
+   (statement (verify-canonical turned (up 't 'q 'p))))
+  ;; derivatives that are roots
+  (define (stretched state)
+    (up (time state) (* (sqrt 2) (coordinate state)) (/ (momentum state) (sqrt 2))))
+  (check-regexp-match #rx"Definition D1_coordinate .* := sqrt 2[.]"
+                      (statement (verify-canonical stretched (up 't 'q 'p)))))
 
 (test-case "constraints: they hold along the path, and multipliers make their forces"
   (define (L local) (* 1/2 'm (square (velocity local))))

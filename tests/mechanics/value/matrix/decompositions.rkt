@@ -111,3 +111,8 @@
   ;; a prime of 31 digits
   (define long (matrix-by-rows (list 0 1) (list (+ (expt 10 30) 57) 0)))
   (check-true (same? (apply up (eigenvalues long)) (up 1e15 -1e15) 1e-15)))
+
+(test-case "what has no formula is told by the name that was called"
+  (check-exn (pregexp (string-append "^eigenvectors: the zeros of the matrix leave a block"
+                                     ".*[(]eigenvectors [(]exact->"))
+             (lambda () (eigenvectors (matrix-by-rows '(1 2 3) '(4 5 6) '(7 8 9))))))
