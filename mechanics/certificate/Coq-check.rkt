@@ -20,17 +20,28 @@
      void
      (lambda ()
        (display-to-file text (build-path folder "certificate.v"))
-       (define out (open-output-string))
-       (define ok?
-         (parameterize ([current-directory folder] [current-output-port out]
-                        [current-error-port out] [current-input-port (open-input-string "")])
-           (system* coqc "-q" "-w" "none" "certificate.v")))
-       (values ok? (get-output-string out)))
+       (parameterize ([current-directory folder]) (run-Coq coqc "certificate.v")))
      (lambda () (delete-directory/files folder))))
   (define strange (if ok? (strange-axioms said) '()))
   (judgement (and ok? (null? strange))
              (/ (- (current-inexact-milliseconds) start) 1000.0)
              (if ok? (string-join strange "\n") said)))
+
+;; -> is it accepted, and the text that Coq prints
+(define (run-Coq coqc file)
+  (define out (open-output-string))
+  (define control
+    (list-ref (process*/ports out (open-input-string "") out coqc "-q" "-w" "none" file) 4))
+  (define waiter (thread (lambda () (control 'wait))))
+  (dynamic-wind
+   void
+   (lambda ()
+     (if (sync/timeout/enable-break most-seconds waiter)
+         (values (eq? 'done-ok (control 'status)) (get-output-string out))
+         (values #f (format "it takes more than ~a seconds" most-seconds))))
+   (lambda () (control 'kill))))
+
+(define most-seconds 300)
 
 ;; Axioms that are not those of Coq's real numbers, by the lines of Print Assumptions
 (define (strange-axioms said)

@@ -174,9 +174,9 @@
   (visit-all! c square)
   (define ns (collector-names c))
   (fact 'known 0 (cons '<= rest)
-        (list (format "first [solve [nonnegative] | replace (~a) with (~a); [nonnegative | "
+        (list (format "first [replace (~a) with (~a); [nonnegative | "
                       (term rest ns) (term (e:/ u square) ns))
-              'identity "]].")))
+              'identity "] | solve [nonnegative]].")))
 
 ;; log u as a sum, where u is a power of e, or a product of what is positive
 (define (plan-logarithm! c n u)
