@@ -108,8 +108,8 @@
   (define simple (multipliers-of L slope state))
   (map simplify
        (scalars-in (if (pair? simple)
-                    (last simple)
-                    (solve-linear-left (((partial 2) ((partial 2) L)) state) slope)))))
+                       (last simple)
+                       (solve-linear-left (((partial 2) ((partial 2) L)) state) slope)))))
 
 ;; ---------------------------------------------------------------------------
 ;; Names

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is known of the names in a formula, words cut into names, mgx as m, g, x, and functions as
+;; Knowledge of the names in a formula, words cut into names, mgx as m, g, x, and functions as
 ;; other programs call them.
 
 (require (only-in racket/list append-map range)

@@ -72,7 +72,7 @@
       fields
       (for/list ([f (in-list fields)]) (string-replace f "," "."))))
 
-;; What is between quotation marks separates nothing.
+;; Separators between quotation marks do not count.
 (define (separator-of-numbers in)
   (define line (read-line in 'any))
   (define plain (if (eof-object? line) "" (regexp-replace* #rx"\"[^\"]*\"" line "")))
@@ -186,7 +186,7 @@
     (complain who "the file is no text in UTF-8; save it as CSV UTF-8\n  file: ~a\n  line: ~a"
               file line)))
 
-;; What stands beyond the columns would be lost, and what is before it is perhaps misplaced.
+;; Fields beyond the columns would be lost, and those before them are perhaps misplaced.
 (define (check-width who file line fields n)
   (unless (for/and ([field (in-list fields)] [k (in-naturals)]) (or (< k n) (equal? field "")))
     (complain who

@@ -104,7 +104,7 @@
     [(state) (motion (of-each "momentum" "momenta" (momenta-of names)))]
     [else '()]))
 
-;; What to say of a v in an answer where velocities have other names; or #f
+;; Words about a v in an answer where velocities have other names; or #f
 (define (velocity-told e)
   (define names (exercise-coordinates e))
   (and (memq (arguments-of e) '(path local))

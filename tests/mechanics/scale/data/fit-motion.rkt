@@ -49,7 +49,7 @@
   (fit-motion pendulum (up 0 0.9 0) data #:parameters '((g 9.8) (l 1.1)) #:hold '(g)
               #:measured angle #:deviation deviation))
 
-;; What converges to 0 has no size of its own.
+;; A number that converges to 0 has no size of its own.
 (test-case "an unknown may be 0"
   (define ((oscillator w) s) (up 1 (ref s 2) (* -1 w w (ref s 1))))
   (for ([f (list cos sin)] [q '(1 0)] [v '(0 1.2)])

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What each mechanism is drawn with, its diagram's marks included, as it was found good by looking
+;; Shapes that each mechanism is drawn with, marks of its diagram included, as found good by looking
 ;; at it: drawn-mechanisms.rktd.
 ;;
 ;; `racket tests/mechanics/show/mechanism/drawn-mechanisms.rkt` writes the file anew; the changes
