@@ -50,7 +50,7 @@
   (if (null? es) A (struct-copy assumptions A [domain (append es (assumptions-domain A))])))
 
 ;; ---------------------------------------------------------------------------
-;; What is known
+;; Known signs
 
 (define (because-of signs) (known signs '()))
 (define unknown (because-of any-sign))
@@ -211,7 +211,7 @@
   (or (null? factors)
       (and (null? (cdr factors)) (eqv? 1 (cdar factors)))))
 
-;; What is not decided may be as a multiple of a relation and a rest.
+;; Signs of terms, seen as a multiple of a relation's sum and a rest.
 (define (from-sums A s ts limits)
   (define (add-up sum t)
     (define own (coefficient (cdr t) sum))

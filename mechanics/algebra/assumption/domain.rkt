@@ -4,7 +4,7 @@
 ;;
 ;; These relations hold wherever there is anything to say of the expression at all.  So
 ;; they may be used without being told: in √(1 - x) x is at most 1.  They have no datum.
-;; What holds everywhere, as x² + y² ≥ 0 does, says nothing, and is left out.
+;; A relation that holds everywhere, as x² + y² ≥ 0 does, says nothing, and is left out.
 
 (require racket/promise
          "assumption-set.rkt" "range.rkt" "signs.rkt"

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What relations say of the numbers that a symbol may be.
+;; Bounds of a symbol's values, from relations.
 ;;
 ;; A relation that is linear in a single symbol, or literal function applied,
 ;; bounds it from one side.  Where a point is looked for, numbers are chosen within; a proof asks

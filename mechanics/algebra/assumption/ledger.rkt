@@ -1,10 +1,10 @@
 #lang racket/base
-;; What one simplification rests on: the relations it used, the signs it took
+;; The grounds of one simplification: the relations it used, the signs it took
 ;; for granted, and those it had to leave open.
 ;;
 ;; A sign is known by declarations, by what real numbers are (cos x is less than 2), and by
-;; the question's domain: where √(1 - x) has a value, x is at most 1.  What is not known is
-;; the sign at the question's reference point (reference-point.rkt), if signs may be taken for
+;; the question's domain: where √(1 - x) has a value, x is at most 1.  A sign unknown so far
+;; is that at the question's reference point (reference-point.rkt), if signs may be taken for
 ;; granted.
 ;;
 ;; The assumptions are the same from beginning to end, so that the order in which
@@ -22,7 +22,7 @@
          decided-sign strict-sign sign-or-assumed sign-or-left-open taken-not-negative? known-real?
          simplifier-grounds simplifier-revision)
 
-;; What is asked about.
+;; The question.
 ;; expressions : all that is to have a value
 ;; domain : promise of the assumptions with the relations of its domain; or #f
 (struct question (expressions domain) #:authentic)
@@ -47,7 +47,7 @@
   (define point (assumptions-reference A))
   (and point (point)))
 
-;; What the result rests on, as datums such as (>= R 0), in the order they were needed.
+;; The grounds of the result, as datums such as (>= R 0), in the order they were needed.
 (define (simplifier-grounds s) (reverse (ledger-grounds (simplifier-ledger s))))
 
 ;; Relations of the domain have no datum.

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Adding relations to a set of assumptions.
 ;;
-;; What a relation says of an expression narrows down what signs its parts may
+;; A relation on an expression narrows down the signs that its parts may
 ;; have: m r > 0 and m > 0 give r > 0; v < c and v > 0 give c > 0.  All relations
 ;; are imposed again and again until the table of signs does not change; it only
 ;; gets narrower, so this ends, and the order of the relations makes no difference.

@@ -2,7 +2,7 @@
 ;; The range of an expression's real values, as far as its structure tells: cos x is from
 ;; -1 to 1, so cos x - 2 is negative and √((cos x - 2)²) is 2 - cos x.
 ;;
-;; What is dependent is taken for independent, so the range may be too wide, and never too
+;; Dependent parts are taken for independent, so the range may be too wide, and never too
 ;; narrow.
 
 (require "interval.rkt" "signs.rkt"

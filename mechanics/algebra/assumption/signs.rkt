@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The rule of signs.
 ;;
-;; What is known of the sign of a real number is a set: those of -, 0 and + that
+;; The sign of a real number is known as a set: those of -, 0 and + that
 ;; it may have, three bits.  A product may have the products of its factors'
 ;; signs, a sum the sums of its terms' signs, where - and + may sum to any.
 ;; Nothing known is the whole set; the empty set is a contradiction.
@@ -52,7 +52,7 @@
     (bitwise-ior s (sign-set (expt x (abs n))))))
 
 ;; ---------------------------------------------------------------------------
-;; What a value's sign says of its parts
+;; Signs of a value's parts
 
 ;; The signs x may have if xⁿ · y has one of `signs` and y one of `others`.
 (define (factor-signs signs n others)

@@ -17,7 +17,7 @@
 ;; The radius of b in units of 2^-w, rounded up.
 (define (fixed-radius b w) (shift-up (ball-radius b) (+ (ball-scale b) w)))
 
-;; What is known to within more than 1 only has no angle, and no exponential.
+;; A ball of radius 1 or more gives no angle, and no exponential.
 (define (check-radius b)
   (define r (ball-radius b))
   (unless (or (eqv? r 0) (<= (+ (integer-length r) (ball-scale b)) 0)) (raise unknown)))
@@ -25,7 +25,7 @@
 ;; A power of 2 above the ball's middle.
 (define (middle-magnitude b) (+ (integer-length (ball-middle b)) (ball-scale b)))
 
-;; At least p bits of what is about as small as b need this many behind the point.
+;; Bits behind the point that give at least p of a value about as small as b.
 (define (small-argument-precision b p)
   (define k (ball-magnitude b))
   (if (negative? k) (+ p (min (- k) (+ 512 (* 4 p)))) p))

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; The other elementary functions of balls, and powers, made of the few of ball-elementary.rkt.
 ;;
-;; What is composed of balls that hold their values holds its own.  Where a formula cancels for
-;; small arguments, it is used with as many more bits.
+;; A formula on balls that hold their values gives a ball that holds its own.  Where it cancels
+;; for small arguments, it is used with as many more bits.
 
 (require "ball.rkt" "ball-elementary.rkt" "fixed-point.rkt")
 
@@ -105,7 +105,7 @@
               [(even? n) (square (power (quotient n 2)) p)]
               [else (ball* x (power (- n 1)) p)]))))
 
-;; What the ball of the product has below 0 is no square.
+;; Values below 0 in the product's ball are no squares.
 (define (square x p) (ball-abs (ball* x x p)))
 
 ;; x^y = e^(y log x) for x > 0

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Operations on values that are exact rationals or balls.
 ;;
-;; What has exact values keeps them, as long as they are short; a function has one at a single
+;; Exact values stay exact, as long as they are short; a function has one at a single
 ;; point, as log at 1, if at all.
 
 (require "ball.rkt" "ball-elementary.rkt" "ball-functions.rkt" "fixed-point.rkt"
@@ -35,7 +35,7 @@
 (define (value->ball x p) (if (ball? x) x (exact->ball x p)))
 
 ;; ---------------------------------------------------------------------------
-;; What is known of a value
+;; Signs and overlap
 
 ;; The signs that it may have.
 (define (value-signs v)

@@ -1,7 +1,7 @@
 #lang racket/base
-;; What elimination tells about a matrix: determinant, solutions, rank, null
-;; space.  Entries are exact numbers, or expressions, of which what is zero is
-;; decided by their canonical form, under assumptions A.
+;; Results of elimination in a matrix: determinant, solutions, rank, null space.
+;; Entries are exact numbers, or expressions, whose canonical form under
+;; assumptions A decides which are zero.
 ;;
 ;; Every answer is #f where the attempt was given up as too large.
 

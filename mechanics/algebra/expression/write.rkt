@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Writing S-expressions within bounds.
 ;;
-;; What an expression prints as is an S-expression whose pairs may be shared;
+;; An expression prints as an S-expression whose pairs may be shared;
 ;; its text can be exponentially longer than it.  So the datum is cut after
 ;; `print-limit` atoms, and its text says how many were left out, counted on the
 ;; shared pairs.  Symbols are written without quotes or bars they do not need.

@@ -65,7 +65,7 @@
          (expt (poly-term-count c) (min e 20)))
       growth-limit))
 
-;; What h is to be multiplied by, or #f.
+;; The conjugate to multiply h by, or #f.
 (define (conjugate F r h)
   (define R (field-ring F))
   (define i (relation-index r))

@@ -32,7 +32,7 @@
   (begin0 (thunk)
           (set-fuel-nested?! tank outer)))
 
-;; What a step may cost and how many terms may be added up; in an argument; and
+;; Limits of a step's cost and of the terms in a sum: outside; in an argument; and
 ;; when the tank is empty.
 (struct limits (step sum) #:authentic)
 (define outer-limits (limits 1000000 200000))
@@ -50,7 +50,7 @@
 
 (define (end-steps! tank) (meter-allow-all! (fuel-meter tank)))
 
-;; What the thunk gives, or #f if it would cost more than a step of an argument may.
+;; The value of (thunk), or #f if it would cost more than a step of an argument may.
 (define (within-a-step tank thunk)
   (meter-allow! (fuel-meter tank) (limits-step inner-limits))
   (begin0 (with-handlers ([overspent? (lambda (x) #f)]) (thunk))

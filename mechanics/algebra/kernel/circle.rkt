@@ -11,7 +11,7 @@
 
 (provide signed-angle make-circle make-circles combine-circles! whole-kernel!)
 
-;; What make gives for u with 1, or for -u with -1 if u has a negative leading
+;; (make u) with 1, or (make -u) with -1 if u has a negative leading
 ;; term.
 (define (signed-angle s u make)
   (define simple (simplifier-simplify s u))

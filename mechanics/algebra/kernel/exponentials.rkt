@@ -164,7 +164,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Hyperbolic functions
 
-;; Those whose arguments depend on exponents become exponentials, all or none.
+;; Hyperbolics with arguments that depend on exponents become exponentials, all or none.
 (define (settle-hyperbolics! c)
   (define hyperbolic (angles-of c 'hyperbolic))
   (define exponents (angles-of c 'exponential))

@@ -23,7 +23,7 @@
          (struct-out circular) (struct-out surd) (struct-out exponential-power)
          (struct-out alias))
 
-;; What was found.  resolutions : node, symbol or odd number -> kernel, circular,
+;; The findings.  resolutions : node, symbol or odd number -> kernel, circular,
 ;; surd, exponential-power or alias.  tower : roots, and kernels of absolute
 ;; values, those within others after them.  doubled : circles of which twice the
 ;; angle occurred.  dependent? : were there angles that are not basic?
@@ -91,7 +91,7 @@
 (define inverse (operations-where arc))
 (define odd (cons op:atan (operations-where odd)))
 
-;; What a blocked node simplifies to stands for it; a sum as one kernel.
+;; A blocked node's simplified form stands for it; a sum as one kernel.
 (define (visit-blocked! c n)
   (define simple
     (if (eq? n (collector-root c))

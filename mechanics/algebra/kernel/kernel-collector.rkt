@@ -1,5 +1,5 @@
 #lang racket/base
-;; What finding kernels keeps, and what it finds.
+;; The state of a search for kernels, and its findings.
 
 (require "integer-lattice.rkt" "kernel.rkt"
          "../expression/exact-numbers.rkt" "../expression/expression.rkt"

@@ -50,14 +50,14 @@
 (define ((function-at u) op)
   (if (eqv? u 0) ((operation-numeric op) 0) (make-node op (list u))))
 
-;; Those of u and the angle of the wave.
+;; Values at u plus the angle of the wave.
 (define ((advanced-function u w) op)
   (define-values (s c) (values ((function-at u) op:sin) ((function-at u) op:cos)))
   (function-value op
                   (e:+ (e:* (wave-sine w) c) (e:* (wave-cosine w) s))
                   (e:- (e:* (wave-cosine w) c) (e:* (wave-sine w) s))))
 
-;; That of u + k π/2, by those of u.
+;; The value at u + k π/2, by values at u.
 (define (quarter-turned op k f)
   (cond [(eq? op op:tan) (if (odd? k) (e:/ -1 (f op:tan)) (f op:tan))]
         [else
@@ -123,7 +123,7 @@
 ;; A common denominator of the multiples that are known.
 (define parts 120)
 
-;; What is 0 if u, which is about the value of n, is it exactly.
+;; Zero if u, which is about the value of n, equals it exactly.
 (define (deviation n u)
   (define args (node-args n))
   (define (of op) (make-node op (list u)))

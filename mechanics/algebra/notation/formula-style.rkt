@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a reader may choose about the look of formulas.
+;; A reader's choices for the look of formulas.
 
 (require "../../error/complain.rkt")
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What the terms of a sum that was read make together: a number of two parts, a quaternion
+;; The terms of a sum that was read, as one datum: a number of two parts, a quaternion
 ;; a + b 𝐢 + c 𝐣, the power series x ↦ a + b x + c x².
 
 (require (only-in racket/list append-map))

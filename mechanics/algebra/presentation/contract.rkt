@@ -118,7 +118,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Finding pairs
 
-;; What becomes of two terms: rest · coefficient · function of the circle.
+;; A merge of two terms: rest · coefficient · function of the circle.
 (struct merge (keys rest coefficient function circle) #:authentic)
 
 (define (find-merges s width combine double?)

@@ -20,7 +20,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Terms that agree in everything but symbols
 
-;; Those become one term, a product with a sum in the symbols.
+;; Terms with equal kernels become one term, a product with a sum in the symbols.
 (define (group-by-kernels terms sum->term better?)
   (append*
    (for/list ([group (in-list (group-in-order kernel-part terms))])

@@ -43,7 +43,7 @@
           (present F (part-basis p)))))
 
 ;; ---------------------------------------------------------------------------
-;; What can be taken apart
+;; Separable fractions
 
 ;; A denominator may be of this degree and have so many terms.
 (define degree-bound 60)
@@ -57,7 +57,7 @@
        (<= terms term-bound)
        (<= (poly-term-count (fraction-numerator f)) term-bound)))
 
-;; Those with relations, then the others, by rank.
+;; Variables with relations, then the others, by rank.
 (define (variables-in-order F f)
   (define (rank i) (kernel-rank (field-kernel F i)))
   (define occurring

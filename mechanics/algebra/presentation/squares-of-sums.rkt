@@ -44,7 +44,7 @@
              (cons (cons (sum->kernel members) 2)
                    (divide-powers (divide-powers (term-powers content) below) below))))
 
-;; What clears the members of denominators by kernels that are no symbols.
+;; Powers that clear the members' denominators of kernels other than symbols.
 (define (denominators members)
   (define (clearing k m n) (if (symbol? (kernel-expression k)) 0 (max 0 m (- n))))
   (for/fold ([powers '()]) ([m (in-list members)])

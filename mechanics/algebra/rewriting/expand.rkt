@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Expanding: products and powers of sums multiplied out, to one sum of terms.
 ;;
-;; What is multiplied out is what stands there: sin² + cos² remains two terms.
+;; Only sums as written are multiplied out: sin² + cos² remains two terms.
 ;; So sines and cosines are veiled before the normal form is found, as functions
 ;; nobody knows anything of, and unveiled after.  A term keeps only those sums
 ;; below it that it needs.

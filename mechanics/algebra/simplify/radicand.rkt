@@ -6,7 +6,7 @@
 ;; contributes a whole power of g and g^(a/d) in lowest terms; factors with one d are
 ;; one root, so (4x²y)^(1/4) = √(2x) y^(1/4).
 ;;
-;; What is taken out, or to a lower root, must not be negative, but for an even
+;; A factor taken out, or to a lower root, must not be negative, but for an even
 ;; power.  The opposite of a factor known to be negative is put in its place, and a
 ;; minus sign under the root.  Where nothing is known and nothing may be assumed, an
 ;; even number of factors under an even root is one of |g|.  Of factors that are not real

@@ -63,7 +63,7 @@
         [(and (fuel-empty? (simplifier-fuel w)) (not (small? e))) e]
         [else (call-nested (simplifier-fuel w) (lambda () (simplify-anew w e)))]))
 
-;; What something simplifies to has its normal form.
+;; The simplified expression has the normal form of e.
 (define (simplify-anew w e)
   (define form (readable-form e (normal-of w e) w))
   (define simple (settle form w))

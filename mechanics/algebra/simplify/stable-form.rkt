@@ -10,7 +10,7 @@
 
 (provide settle)
 
-;; What a normal form is presented as.  Which angles are basic depends on those
+;; The expression for a normal form.  Which angles are basic depends on those
 ;; that occur, and so do the degrees of roots and what stands under them; a result in
 ;; others is simplified again until it stays as it is or is one that came before: the
 ;; least of those that keep coming back.

@@ -33,7 +33,7 @@
                 (e:- (item t k) (item t (car group)))))
       (values #f '())))
 
-;; What is not short is to be less than half as long as before.
+;; Tapes this long must lose more than half of their nodes.
 (define short 2000)
 
 (define (much-shorter? e t)

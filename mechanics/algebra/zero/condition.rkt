@@ -1,5 +1,5 @@
 #lang racket/base
-;; What makes a residual vanish: factor × core, and equations for parameters.
+;; Conditions for a residual to vanish: factor × core, and equations for parameters.
 ;;
 ;; Every factor of the numerator is not zero at a generic point; the *core* is
 ;; the one that can vanish by a choice of parameters: a relation between

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a decimal may have been meant to be.
+;; Exact numbers that a decimal may stand for.
 ;;
 ;; 1.4142135623730951 is √2, as far as flonums can tell, and 0.30000000000000004 is 3/10.  A
 ;; decimal is read as the simplest number within two units in its last place, of: a
@@ -25,7 +25,7 @@
 (provide read-decimal decimals-in read-decimals readings-as-written too-many-to-read?
          with-decimals-read all-different? (struct-out reading))
 
-;; What is exactly e, for the algebra.
+;; Exact e, for the algebra.
 (define exact-e (make-node op:exp '(1)))
 
 (define unit (expt 2 -52))
@@ -38,7 +38,7 @@
   (remove-duplicates
    (for/list ([e (in-vector (tape-items t))] #:when (and (number? e) (not (exact? e)))) e)))
 
-;; What each is read as; nothing where there are too many.
+;; A reading of each; without expressions where there are too many.
 (define (read-decimals xs)
   (define few? (not (too-many-to-read? (length xs))))
   (for/list ([x (in-list xs)]) (reading x (and few? (read-decimal x)))))

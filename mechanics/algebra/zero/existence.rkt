@@ -1,9 +1,9 @@
 #lang racket/base
 ;; Has an expression a value anywhere?
 ;;
-;; What is nowhere defined equals anything: 1/z with z = 0, however z is written, and
-;; log(-1 - x²).  So a proof asks for a point where every part of the expression as it was
-;; given has a value, and where what was declared holds.
+;; An expression without a value anywhere equals anything: 1/z with z = 0, however z is
+;; written, and log(-1 - x²).  So a proof asks for a point where every part of the expression
+;; as it was given has a value, and where what was declared holds.
 
 (require (only-in racket/list remove-duplicates)
          "assignment.rkt" "../ball/ball-tape.rkt" "point-value.rkt"

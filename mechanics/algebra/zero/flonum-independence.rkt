@@ -1,12 +1,12 @@
 #lang racket/base
-;; What holds whatever the flonums of an expression are.
+;; Proofs that hold whatever the flonums of an expression are.
 ;;
-;; A flonum may be the rounded result of others, so that an expression vanishes for
-;; the number it is tells little: 0.1 + 0.2 - 0.30000000000000004 does.  Hence each is
-;; replaced by an unknown, the same for a number and its negative.  What vanishes then
-;; vanishes for any g in place of 9.8, and rounding has no part in it.  What numbers
-;; alone make of each other, as 2 · 4.9 does of 9.8, is Racket's arithmetic and is done
-;; before an expression is made; so expressions without a symbol prove nothing.
+;; That an expression vanishes tells little: its flonums may be rounded results of others,
+;; as in 0.1 + 0.2 - 0.30000000000000004.  Hence each is replaced by an unknown, the same
+;; for a number and its negative.  If the expression vanishes then, it does for any g in
+;; place of 9.8, and rounding has no part in it.  Combinations of numbers alone, as 2 · 4.9
+;; makes 9.8, are Racket's arithmetic and done before an expression is made; so
+;; expressions without a symbol prove nothing.
 
 (require "decimal-readings.rkt" "proof.rkt"
          "../expression/expression.rkt" "../expression/flat-graph.rkt"

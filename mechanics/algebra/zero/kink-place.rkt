@@ -7,7 +7,7 @@
 
 (provide places-of wave?)
 
-;; What is longer is not solved.
+;; Longer equations are not solved.
 (define longest 60)
 
 ;; -> equations, '() if it cannot be solved, #f if there is no zero

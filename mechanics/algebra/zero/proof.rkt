@@ -16,11 +16,11 @@
 
 (provide prove-vanishing datum-mentions?)
 
-;; What the first attempt may cost.
+;; Fuel of the first attempt.
 (define brief-look 500000)
 
 ;; t : tape; A : assumptions
-;; -> what the proof rests on, as datums, or #f if there is none.
+;; -> the datums that the proof rests on, or #f if there is none.
 (define (prove-vanishing t [A no-assumptions])
   (define e (tape->expression t))
   (or (prove-directly e A (make-fuel brief-look))

@@ -105,7 +105,7 @@
 (define most-factored 60)
 
 ;; ---------------------------------------------------------------------------
-;; What moves
+;; Moving parts
 
 ;; The coefficients of p, seen as a polynomial in the kernels that are no parameters,
 ;; short ones first.

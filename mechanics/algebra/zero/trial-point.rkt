@@ -22,7 +22,7 @@
 ;; places : leaf -> the number that it is to be
 (struct try (numbers others places) #:authentic)
 
-;; What was found at a point: a table leaf -> (place in the list . number), and the values there.
+;; Findings at a point: a table leaf -> (place in the list . number), and the values there.
 (struct finding (leaves of-residual of-e) #:authentic)
 
 (define (make-question e residual place)
@@ -74,8 +74,8 @@
         [(and (agree? r v) (region-admits? place other-numbers p)) (finding listed r v)]
         [else 'no-value]))
 
-;; What the residual lacks is named as well if e may have no value for another number in its
-;; place: (y - y)/√x is refuted by no point that does not say what x is.
+;; Leaves that the residual lacks are named as well if e may have no value for another number:
+;; (y - y)/√x is refuted by no point that does not give x.
 (define (naming decisive numbers other-numbers)
   (if (hash-empty? decisive)
       other-numbers
@@ -83,7 +83,7 @@
         ((if (hash-ref decisive leaf #f) numbers other-numbers) leaf arguments))))
 
 ;; ---------------------------------------------------------------------------
-;; What a finding says
+;; Judgement of a finding
 
 (define (exact-number? v) (and (number? v) (exact? v)))
 

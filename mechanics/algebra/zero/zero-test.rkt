@@ -255,7 +255,7 @@
              #:when (ormap (lambda (s) (memq s symbols)) (symbols-in (relation-expression r))))
     (relation-datum r)))
 
-;; What is among the grounds without being in A.
+;; The relations among the grounds that A does not hold.
 (define (taken-relations A grounds)
   (define declared (map relation-datum (assumptions-relations A)))
   (for/list ([d (in-list grounds)] #:unless (member d declared)) (read-relation d)))
