@@ -41,7 +41,7 @@
   pixels)
 
 ;; ---------------------------------------------------------------------------
-;; What changes
+;; The part that changes
 
 ;; Finds the smallest rectangle, of one pixel at least, outside of which both are equal.
 ;; -> left, top, right, bottom; the last two are just beyond it

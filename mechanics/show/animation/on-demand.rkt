@@ -1,5 +1,5 @@
 #lang racket/base
-;; What needs the drawing library, loaded when the first picture is made.
+;; Parts that need the drawing library, loaded when the first picture is made.
 
 (require "../display/drawing-library.rkt"
          "../../generic/on-demand.rkt")

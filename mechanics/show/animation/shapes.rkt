@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a drawing consists of: lines, discs and labels in the plane, in the units of the
+;; Shapes of a drawing: lines, discs and labels in the plane, in the units of the
 ;; system that is drawn, x to the right and y up.  Widths of lines and sizes of letters are
 ;; in pixels.
 ;;

@@ -69,7 +69,7 @@
      (string-append (cond [(= i 0) "M"] [(= (vector-length p) 6) "C"] [else "L"])
                     (numbers (vector->list p))))))
 
-;; What is equal of elements that one path can draw: lines without an area, in one clip; or #f
+;; Properties shared by elements that one path can draw: lines without an area, in one clip; or #f
 (define (line-kind e)
   (define body (element-body e))
   (cond [(element? body)

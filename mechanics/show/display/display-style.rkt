@@ -26,7 +26,7 @@
               (string-join (for/list ([s (in-list styles)]) (format "'~a" s)) ", ")
               style)))
 
-;; What is to be written on the present output: a 'snip, a 'picture, 'text, 'infix, 'TeX,
+;; The form for the present output: a 'snip, a 'picture, 'text, 'infix, 'TeX,
 ;; 'MathML or an 'expression.
 (define (manner-here [style (display-style)])
   (case style

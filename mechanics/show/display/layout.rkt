@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Laying an S-expression out on lines.
 ;;
-;; What fits stays on one line.  What does not is broken after its head: a sum
+;; A datum stays on one line if it fits.  Else it is broken after its head: a sum
 ;; or a tuple gets a line for each component, a product or any other
 ;; application fills its lines.  The text is bounded like that of `write-datum`:
 ;; after `print-limit` atoms it says how many it left out.

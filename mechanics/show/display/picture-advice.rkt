@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a reader at a terminal may do with a value that a terminal cannot show, such as a
+;; Advice to a reader at a terminal about a value that a terminal cannot show, such as a
 ;; picture: a line that the prompt puts beneath it.
 
 (provide prop:advice advice)

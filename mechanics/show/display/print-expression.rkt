@@ -50,7 +50,7 @@
                     (layout (value->datum x) line-width 2)))
   (newline))
 
-;; What simplification took for granted and what it left unexpanded, a line each.
+;; The notes of a simplification, assumptions and parts left unexpanded, a line each.
 (define (print-assumptions notes)
   (for ([n (in-list notes)])
     (write-string (note->text n))

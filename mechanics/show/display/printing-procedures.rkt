@@ -4,7 +4,7 @@
 ;; Within the text of `format` and its kin a value is simplified, and stays on one line; as
 ;; nothing is told beneath, nothing is taken for granted.
 ;;
-;; What is not ours is Racket's affair, and so is `write`, whose text is for programs to read.
+;; Other values are Racket's affair, and so is `write`, whose text is for programs to read.
 
 (require "result.rkt"
          "../../algebra/expression/expression.rkt"
@@ -21,7 +21,7 @@
 
 (define line-width 79)
 
-;; What Racket is to print in place of x.
+;; The value that Racket is to print in place of x.
 (define (shown x) (if (plain? x) x (simplified-result x line-width)))
 
 ;; Nothing that could be simplified, at a glance.

@@ -45,7 +45,7 @@
   (define f (with-handlers ([exn:fail:read? (lambda (e) #f)]) (fasl->s-exp bytes)))
   (and (formula? f) (string? (formula-program f)) (string? (formula-text f)) f))
 
-;; What a formula in a program stands for: the one S-expression that its text is; if it is
+;; The syntax of a formula in a program: the one S-expression that its text is; if it is
 ;; words, these, in a string.
 (define (formula-syntax f location)
   (define program (formula-program f))

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What is told beneath a result: what its simplification took for granted, and what it left
-;; unexpanded, of which as much is told as makes it known.
+;; Notes beneath a result: assumptions of its simplification, and parts that it left
+;; unexpanded, of which as much is told as makes them known.
 
 (require (only-in "../../algebra/expression/simplifier.rkt" left-unexpanded?)
          "../../algebra/expression/write.rkt"

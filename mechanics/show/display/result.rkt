@@ -2,7 +2,7 @@
 ;; A value as a result is shown: simplified, unless another form was asked for, in
 ;; the book's notation, as an S-expression or in the style that is wanted.
 ;;
-;; What is ours becomes text that prints as itself, or a picture; what is not (strings, lists,
+;; Our values become text that prints as itself, or a picture; others (strings, lists,
 ;; pictures) stays as it is for Racket to print, its elements simplified.
 
 (require "picture-advice.rkt" "waiting-remark.rkt" "result-lines.rkt"
@@ -20,9 +20,9 @@
          ;; for documents
          shown-throughout seen-once)
 
-;; What to print in place of x; ours takes lines of at most `width` columns.  manner : one of
+;; The value to print in place of x; of ours in lines of at most `width` columns.  manner : one of
 ;; those of manner-here (display-style.rkt); a special (print-shown.rkt) where that is 'snip
-;; What contains itself is left to Racket.
+;; Cyclic data are left to Racket.
 ;; see : as seen-once gives it, where others show x as well
 (define (simplified-result x width [manner 'expression] [see (seen-once)])
   (cond [(cyclic? x) x]
@@ -53,7 +53,7 @@
         [(and (list? x) (ormap ours? x) (textual? x)) (list-result x width see)]
         [else (noted-result x width see)]))
 
-;; What was taken for granted within x is told beneath what is shown of it, if that is text.
+;; Assumptions made within x are told beneath its form, if that is text.
 (define (noted-result x width see)
   (define-values (shown notes) (shown-throughout x see width))
   (if (or (null? notes) (not (textual? x)))

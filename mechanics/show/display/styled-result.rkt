@@ -42,7 +42,7 @@
            (if (eq? manner 'snip) (special (formula->snip f)) (picture f))]
           [else (made (styled-text tree notes width manner))])))
 
-;; Those of an expression before its tree is cut at print-limit.
+;; The number of atoms of an expression before its tree is cut at print-limit.
 (define (atoms x)
   (if (or (symbolic? x) (has-kind? x)) ((make-sizer) (value->datum x)) 0))
 

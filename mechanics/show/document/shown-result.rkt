@@ -122,8 +122,8 @@
 (define (shown-picture-png p) ((shown-picture-drawn p) 'png-bytes))
 (define (shown-picture-pdf p) ((shown-picture-drawn p) 'pdf-bytes))
 
-;; What can draw itself later, as it is now, says so to the request 'picture-for-later with a
-;; procedure that takes a format; of others it is seen at once whether they can be drawn.
+;; A value that can draw itself later, as it is now, answers the request 'picture-for-later with a
+;; procedure that takes a format; others are tried at once.
 (define (picture x)
   (define later (convert x 'picture-for-later #f))
   (define drawn (once-each (or later (lambda (format) (convert x format #f)))))

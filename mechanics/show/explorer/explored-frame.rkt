@@ -101,7 +101,7 @@
           [else (sleep 0.01) (loop)])))
 
 ;; ---------------------------------------------------------------------------
-;; What is seen
+;; Text and picture
 
 (define (explored-text x)
   (or (explored-remark x) (exploration->text (explored-exploration x))))

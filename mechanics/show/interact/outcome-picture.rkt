@@ -1,5 +1,5 @@
 #lang racket/base
-;; What an interaction shows at some values of its controls, as a picture: frames and picts as
+;; The outcome of an interaction at some values of its controls, as a picture: frames and picts as
 ;; they are, formulas typeset, all else as text.
 
 (require file/convertible
@@ -44,7 +44,7 @@
 
 (define (drawn? x) (or (frame? x) (pict? x)))
 
-;; What is drawn of lines -> its width, its height and its elements (animation/svg.rkt) in a list;
+;; A line drawing -> its width, its height and its elements (animation/svg.rkt) in a list;
 ;; or #f.  Of many points an image has fewer bytes.
 (define (drawn-elements x)
   (define picture (and (drawn? x) (if (frame? x) (frame->pict x) x)))

@@ -58,7 +58,7 @@
                     (list (between from to 0.875) to))
             #:width 1.5 #:color color))
 
-;; What stands firm: a line with hatches to its left, as one goes from p to q.
+;; A firm support: a line with hatches to its left, as one goes from p to q.
 (define (wall p q #:depth [depth 0.08])
   (define who 'wall)
   (define from (point-of who "the first end" p))

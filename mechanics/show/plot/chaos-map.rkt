@@ -109,7 +109,7 @@
           (bytes-set! bytes (+ (* 4 k) i) c))))
   bytes)
 
-;; What the colours go from, regular, to, chaotic.  FLI is about log n for a regular orbit; three
+;; Colors go from regular to chaotic.  FLI is about log n for a regular orbit; three
 ;; times that is chaos beyond doubt.  MEGNO is 2 for a regular motion.  SALI, shown by its
 ;; logarithm, falls to nothing for a chaotic one; of a map of the plane it is about 1/n² for a
 ;; regular orbit.

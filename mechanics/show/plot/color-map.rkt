@@ -9,7 +9,7 @@
 
 (provide color-map-names color-between (struct-out color-bar))
 
-;; What colours mean: of the colour map of that name, with the values of its ends; label : string
+;; The meaning of colours: their map by name, with the values of its ends; label : string
 ;; Prefab, as a frame is written into files.
 (struct color-bar (colors from to label) #:prefab)
 

@@ -169,7 +169,7 @@
   (lambda (format [default #f]) (picture-bytes v layers format default)))
 
 ;; ---------------------------------------------------------------------------
-;; What the end of the program is to show (display/program-end.rkt)
+;; Frames to show at the end of the program (display/program-end.rkt)
 
 (define how-to-save "(graphics-save f \"picture.png\")")
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What pictures are drawn with on a device context of racket/draw: lines, rectangles, text.
+;; A canvas for pictures on a device context of racket/draw: lines, rectangles, text.
 
 (require (only-in racket/class new send send*)
          (only-in racket/draw dc-path% make-brush make-color make-font make-pen)
@@ -21,7 +21,7 @@
 ;; length and size
 (struct caught (string x y length size turned?) #:authentic)
 
-;; What is done with a text in place of drawing it, or #f; where the picture is on the page
+;; A procedure that takes a text in place of drawing it, or #f; where the picture is on the page
 (define catch (make-parameter #f))
 (define origin (make-parameter '(0 . 0)))
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a fit of a motion leaves of the data, over the time: points about a line at 0.
+;; Residuals of data after a fit of a motion, over the time: points about a line at 0.
 
 (require "draw.rkt" "frame.rkt" "points.rkt" "style.rkt"
          "../../generic/define-plain.rkt" "../../generic/wrong-argument.rkt"

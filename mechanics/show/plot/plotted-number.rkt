@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Numbers to be drawn, as flonums.
 ;;
-;; What has no place in the plane, as the logarithm of a negative number has none, is
-;; left out of the picture: it becomes a NaN.  What is no number is an error.
+;; A number without a place in the plane, as the logarithm of a negative number, is
+;; left out of the picture: it becomes a NaN.  Other values are errors.
 
 (require "../../algebra/expression/expression.rkt"
          "../../algebra/expression/symbols.rkt"

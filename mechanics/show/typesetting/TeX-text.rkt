@@ -46,7 +46,7 @@
                (string #\{ c #\})
                (character c)))))
 
-;; What TeX would make one sign of.
+;; Pairs that TeX would join to one sign.
 (define ligatures '("--" "''" "``" ",," "?`" "!`"))
 
 (define (character c)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What stands above, below and around picts of formulas.
+;; Marks above, below and around picts of formulas.
 
 (require (only-in pict blank filled-ellipse filled-rectangle hbl-append hc-append
                   pict pict-ascent pict-descent pict-height pict-width
