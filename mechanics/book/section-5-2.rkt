@@ -19,7 +19,7 @@
 
 (define (C-rotating Omega) (F->CH (rotating Omega)))
 
-;; What the Hamiltonian gets in turning coordinates: −Ω times the angular momentum (p. 349).
+;; Correction of the Hamiltonian in turning coordinates: −Ω times the angular momentum (p. 349).
 (define ((K-rotating Omega) (up t (up x y z) (down p_x p_y p_z)))
   (* -1 Omega (- (* x p_y) (* y p_x))))
 

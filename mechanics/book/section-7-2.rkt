@@ -14,7 +14,7 @@
 (define (H-pendulum-series alpha beta epsilon)
   (series (H0 alpha) (* epsilon (H1 beta))))
 
-;; What removes the first order (p. 462): {H0, W} + H1 = 0.
+;; The generator that removes the first order (p. 462): {H0, W} + H1 = 0.
 (define ((W alpha beta) (up t theta p))
   (/ (* -1 alpha beta (sin theta)) p))
 

@@ -47,7 +47,7 @@
        (choice-made c)))
 
 ;; 1.0 if the middle value is least, and less may lie between; −1.0 if it is greatest; or #f.
-;; What lies between differs by a few times what these do.
+;; Values in between differ by a few times as much as these.
 (define (turn a b c sign)
   (define swing (* 4.0 (max (abs (- a b)) (abs (- c b)))))
   (define near? (or (not sign) (<= (abs b) swing)))

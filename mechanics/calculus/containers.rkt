@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a value of Racket's own holds, changed throughout: boxes, hash tables,
+;; The contents of Racket's own containers, changed throughout: boxes, hash tables,
 ;; promises, parameters and structures of transparent types, which may carry a
 ;; function, and with it an ε, into another function.
 ;;

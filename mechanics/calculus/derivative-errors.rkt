@@ -1,5 +1,5 @@
 #lang racket/base
-;; What D and partial say when they are misused.
+;; Messages for misuse of D and partial.
 
 (require "literal-function.rkt"
          (only-in "../algebra/expression/expression.rkt" node?)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What gradient and its kin say when they are misused.
+;; Messages for misuse of gradient and its kin.
 
 (require "../error/complain.rkt" "../error/hint.rkt"
          "../generic/describe.rkt" "../generic/function.rkt" "../generic/scalar.rkt"

@@ -137,7 +137,7 @@
       (sweep-generally t blocks index factor size)))
 
 ;; -0.0 stands where nothing was added: it is neutral, and no sum below is -0.0.
-;; What the result does not depend on is passed over, be its slopes infinite.
+;; Places without effect on the result are passed over, be their slopes infinite.
 ;; (As `eqv?` would, but of a number in a register.)
 (define-syntax-rule (untouched? a) (and (fl= a 0.0) (fl< (fl/ 1.0 a) 0.0)))
 

@@ -323,7 +323,7 @@
               (list (path-low p) (path-high p))))
 
 ;; ---------------------------------------------------------------------------
-;; What F' = e rests on
+;; Grounds of F' = e
 
 (define (grounds-of F e p)
   (define-values (_ grounds)

@@ -13,7 +13,7 @@
          (struct-out parts) parts-of
          fresh-tag outermost innermost describe-perturbed)
 
-;; What code that works on perturbed values of every type knows of one:
+;; Access for code that works on perturbed values x of every type:
 ;; value : x -> the part without ε
 ;; map   : (part -> part) x -> the same with its parts changed, by a linear map
 ;; retag : tag (part -> part) x -> the same with another ε, whatever its tag

@@ -70,7 +70,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Arithmetic: the chain rule
 
-;; What a gradient costs beside its function is decided here, where a flonum's sum
+;; The cost of a gradient beside its function is decided here, where a flonum's sum
 ;; takes 2 ns.  So squares and the four operations on flonums, which most of a run
 ;; consists of, are computed in place, as their entries in the table say.
 (define (record-unary op r)

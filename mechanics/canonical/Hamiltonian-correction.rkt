@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a Hamiltonian gets from a canonical transformation that depends on the time (SICM 5.2.1).
+;; Corrections of Hamiltonians for canonical transformations that depend on the time (SICM 5.2.1).
 ;;
 ;; The old state z = C(t, z') moves by M ż' + ∂₀C, with M the derivatives of C by z'.  For
 ;; H' = H∘C + K that is to be the motion of H, which asks of K that M J ∇K + ∂₀C = 0 (5.42).  A
@@ -7,7 +7,7 @@
 ;;
 ;;     ∇K = Mᵀ J ∂₀C,     ∂K/∂x' = ∂q/∂x' ∂₀p − ∂p/∂x' ∂₀q:
 ;;
-;; no equations are solved; what is integrated is closed, as M is symplectic at all times.
+;; no equations are solved; the integrand is closed, as M is symplectic at all times.
 
 (require "canonical.rkt" "closed-differential.rkt"
          "symplectic-transformation.rkt" "transformation.rkt"

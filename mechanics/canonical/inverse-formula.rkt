@@ -67,8 +67,8 @@
   (and (headed? e op:atan)
        (= (length (node-args e)) 2)))
 
-;; What is squared has more solutions; those that lead back are solutions where signs are as
-;; there.
+;; Squaring adds solutions; those that lead back (leads-back?) are solutions where signs are
+;; as at its point.
 (define ((rootless unknowns) e)
   (define involved (filter (lambda (u) (occurs? u e)) unknowns))
   (and (pair? involved)

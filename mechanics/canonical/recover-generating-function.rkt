@@ -51,7 +51,7 @@
            (part new (other (type-new k))))))
 
 ;; ---------------------------------------------------------------------------
-;; What generates it
+;; The function
 
 ;; C, a state of symbols -> F(t, x, y), such that F and C pass verify-generating-function
 (define-plain (generating-function C state #:type [number 1])
@@ -80,7 +80,7 @@
   (define (name i) (string->uninterned-symbol (format "old_~a~a" (type-old k) (if (= n 1) "" i))))
   (values (scalars->structure x name) (part state (type-new k))))
 
-;; What is integrated is closed unless the contrary was shown: so the answer is put to the test.
+;; The integrand is closed unless the contrary was shown: so the answer is put to the test.
 ;; An angle that C gives has a jump, which is no fault of F.
 (define (check-generated who F C state number)
   (define v (verify-generating-function C F state #:type number))

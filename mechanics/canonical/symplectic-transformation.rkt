@@ -7,7 +7,7 @@
 ;;
 ;;     (M J Mᵀ)ᵢⱼ = Σ ∂zᵢ/∂q' ∂zⱼ/∂p' − ∂zᵢ/∂p' ∂zⱼ/∂q' = {zᵢ, zⱼ}.
 ;;
-;; Such a matrix is antisymmetric: n (2n − 1) brackets decide.
+;; J − M J Mᵀ is antisymmetric: n (2n − 1) brackets decide.
 
 (require (only-in racket/vector vector-drop)
          "transformation.rkt"

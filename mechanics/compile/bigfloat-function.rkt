@@ -73,7 +73,7 @@
           [(symbolic? x) (constant->bigfloat x fail)]
           [else (fail x)])))
 
-;; What holds no unknowns, as multiples of π do, by a program without inputs.
+;; A constant, such as a multiple of π, by a program without inputs.
 (define (constant->bigfloat x fail)
   (define p (expressions->program '() (list x) (lambda (e) (fail x)) #:constants exact))
   (vector-ref ((program->procedure p) (vector)) 0))

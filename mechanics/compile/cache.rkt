@@ -39,7 +39,7 @@
   (define kept (if (< (length old) capacity) old (take old (- capacity 1))))
   (unless (box-cas! cache old (cons e kept)) (remember e)))
 
-;; What (make) makes of a program, kept under a name as long as the program is.
+;; The value of (make) for a program, kept under a name as long as the program is.
 (define (made-of-program p name make)
   (define e (entry-of p))
   (define (make-and-keep)

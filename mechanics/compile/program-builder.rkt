@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Arithmetic on operands, written as instructions.
 ;;
-;; What can be known beforehand is not left to the program: numbers are combined, neutral
+;; Work that can be done beforehand is not left to the program: numbers are combined, neutral
 ;; elements dropped, whole powers multiplied out.  Signs move outwards, to become
 ;; subtractions or to meet others; opposite terms cancel.
 
@@ -55,7 +55,7 @@
 ;; sign : 1 or -1.  Transparent: equal ones cancel their opposites.
 (struct term (sign operand) #:transparent)
 
-;; Those of a value: of a sum or difference two.
+;; The terms of a value: two of a sum or difference.
 (define (terms b x)
   (define i (instruction-of b x))
   (case (and i (instruction-operation i))

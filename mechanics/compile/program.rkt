@@ -63,7 +63,7 @@
   (define outputs (translate b (expressions->tape es) leaves fail))
   (builder->program b (length inputs) outputs))
 
-;; What was written, as far as these operands need it.
+;; The instructions written, as far as these operands need them.
 (define (builder->program b inputs outputs)
   (prune (program inputs (written b) (list->vector outputs))))
 
@@ -110,7 +110,7 @@
         [(eq? head op:expt) (power! b (car operands) (cadr operands))]
         [else (apply do! b (operation-name head) operands)]))
 
-;; What an operation of the algebra is not defined for has no value.
+;; Operations of the algebra have no value outside their domain.
 (define (combine-numbers head operands e fail)
   (define value
     (if-raised exn:fail:contract? #f
@@ -135,7 +135,7 @@
               (if (= column n) (right row) (entry row column)))))
 
 ;; ---------------------------------------------------------------------------
-;; What outputs need
+;; Instructions that outputs need
 
 (define (prune p)
   (define n (program-inputs p))

@@ -48,7 +48,7 @@
 
 (define (next-id items) (for/fold ([next 0]) ([id (in-hash-keys items)]) (max next (+ id 1))))
 
-;; Those of two factors or more.
+;; Monomials of two factors or more.
 (define (monomials-of items sums)
   (for*/list ([s (in-list (append sums (append-map sums-of (hash-values items))))]
               [t (in-list s)]

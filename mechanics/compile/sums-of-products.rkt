@@ -70,7 +70,7 @@
              (list (cons (* c d) (foldl with-factor m n)))
              (opaque))]))
 
-;; What is a number over something else stays one quotient.
+;; A number over something else stays one quotient.
 (define (over! f s r)
   (define-values (c m) (split! f s))
   (define-values (d n) (split! f r))

@@ -51,7 +51,7 @@
 (define (factors-of w m)
   (if (or (null? m) (null? (cdr m))) m (hash-ref (writer-short w) m)))
 
-;; What divides does so at the end; c : the number that is divided where there is nothing else
+;; Divisors come at the end; c : the number that is divided where there is nothing else
 (define (write-factors! w ids [c 1])
   (define b (writer-b w))
   (define-values (divisors factors) (partition (lambda (id) (inverse? w id)) ids))

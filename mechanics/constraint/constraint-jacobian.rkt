@@ -1,5 +1,5 @@
 #lang racket/base
-;; What constraints demand of velocities and accelerations, and the forces that keep them.
+;; Demands of constraints on velocities and accelerations, and the forces that keep them.
 ;;
 ;; Along a motion with velocity v a constraint G(t, q) = 0 is kept if
 ;;

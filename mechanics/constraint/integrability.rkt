@@ -85,7 +85,7 @@
 ;; The component dω_ij of the derivative of a form.
 (struct component (i j value) #:authentic)
 
-;; Those with i < j that are not zero.
+;; Components with i < j that are not zero.
 (define (derivative-of-form w variables)
   (for*/list ([(x i) (in-indexed variables)] [(y j) (in-indexed variables)]
               #:when (< i j)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What to type instead, said at the end of a message, on a line of its own; "" where
+;; Hints, the text to type instead, on a line of its own at the end of a message; "" where
 ;; there is nothing to say.
 
 (require "../operation/operation-column.rkt")

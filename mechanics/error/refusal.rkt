@@ -1,5 +1,5 @@
 #lang racket/base
-;; What an exception says about the procedure that raised it, for those who try a
+;; Exceptions as refusals of the procedure that raised them, for those who try a
 ;; procedure of the user's on arguments that the user never gave it: placeholders, dual
 ;; numbers, points beside the one that was asked about.
 ;;

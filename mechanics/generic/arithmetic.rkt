@@ -11,7 +11,7 @@
          "dispatch.rkt" "function.rkt" "kind.rkt" "naming.rkt" "operation-record.rkt" "up-down.rkt"
          "../algebra/expression/expression.rkt")
 
-;; What is taken apart here has just been recognized, and the kind of a carrier is a
+;; Values taken apart here have just been recognized, and the kind of a carrier is a
 ;; kind: to test that again would take a fifth of a derivative's time.
 (#%declare #:unsafe)
 

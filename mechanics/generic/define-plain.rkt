@@ -7,8 +7,8 @@
 ;; that it is a macro, Racket instantiates all that the program needed when it was
 ;; compiled: some 40 ms at the first call.  What is defined here is a variable.
 ;;
-;; What loads a function on demand takes any keywords and any number of arguments.  So what
-;; a function defined here takes, it says itself.
+;; A module that loads a function on demand passes on any keywords and any number of arguments.
+;; So the function itself says which ones it takes.
 
 (require "former-arguments.rkt" "function.rkt"
          "../error/complain.rkt")

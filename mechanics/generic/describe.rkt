@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a value prints as, how messages name it, and how to reach its scalars.
+;; The datum and text of a value, its name in messages, and access to its scalars.
 
 (require "kind.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/pi.rkt"

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; The elementary functions, generic.
 ;;
-;; What each of them is stands in the table of operations; everything else
-;; follows from its entry there: numbers are computed, expressions built,
+;; Each is defined by its entry in the table of operations, from which everything
+;; else follows: numbers are computed, expressions built,
 ;; functions composed, and derivatives of any order taken.
 
 (require (for-syntax racket/base "../operation/operation-table.rkt")

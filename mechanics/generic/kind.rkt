@@ -113,7 +113,7 @@
 (define (other-number? x)
   (and (has-kind? x) (eqv? (kind-rank (kind-of x)) rank:number)))
 
-;; What comparisons look at: a dual number is compared by its value.
+;; The part that comparisons look at: of a dual number its value.
 (define (comparand x)
   (define look (and (has-kind? x) (kind-comparand (kind-of x))))
   (if look (comparand (look x)) x))

@@ -101,7 +101,7 @@
         [(= (numeric (+ low 3/4)) low) high]
         [else (* 1/2 (+ low high))]))
 
-;; What is made of numbers and π alone is simplified first, as 2 sin(π/6) is 1.  Else bounds of
+;; A constant of numbers and π is simplified first, as 2 sin(π/6) is 1.  Else bounds of
 ;; its value tell, unless it is nearer to a jump than they come.
 (define (rounded-constant who numeric e)
   (define simple (simplify-expression e))

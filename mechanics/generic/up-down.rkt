@@ -212,8 +212,8 @@
                [(and (almost-contractible? s t) (eq? (unequal-contraction) 'error)) (refuse s t)]
                [else (structure-map (lambda (y) (multiply s y)) t)])]))
 
-;; What the product of an up and a down tuple of scalars is when their lengths
-;; differ: 'outer-product, as in the book, or 'error, for it is rarely meant.
+;; The product of an up and a down tuple of scalars whose lengths differ:
+;; 'outer-product, as in the book, or 'error, for it is rarely meant.
 (define unequal-contraction
   (make-parameter 'outer-product
                   (lambda (choice)

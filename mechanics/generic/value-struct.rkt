@@ -14,7 +14,7 @@
 ;;     #:equal-by part        two are equal if (part value) is
 ;;     #:equality same? hash  (same? a b recur) tells, and (hash value recur)
 ;;
-;; What it prints as is the same under `print`, `write` and `display`.  The procedures may be
+;; Its text is the same under `print`, `write` and `display`.  The procedures may be
 ;; defined after the struct.
 
 (require (for-syntax racket/base)

@@ -174,7 +174,7 @@
                 (basis-of-vectors basis))
                basis))
 
-;; Those without torsion, in the same basis
+;; Symbols without torsion, in the same basis
 (define (symmetrize-Christoffel c)
   (Cartan->Christoffel (symmetrize-Cartan (Christoffel->Cartan c))))
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Functions on manifolds: values that know the chart they were given in.
 ;;
-;; Such a function is asked for the expression that it is in the symbols of a chart, once for each
+;; A function is asked for the expression that it is in the symbols of a chart, once for each
 ;; chart; its value at a point is that of the expression.  The names of the coordinates in its
 ;; home chart are those that a verdict on it speaks of.
 

@@ -174,7 +174,7 @@
                g:cos)
 
 ;; ---------------------------------------------------------------------------
-;; Those that have names
+;; Named manifolds
 
 (define-syntax-rule (define-manifold manifold (type n) [chart system patch] ...)
   (begin (define manifold (make-manifold type n 'manifold))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is said of a long run while it lasts.
+;; Reports on a long run while it lasts.
 
 (provide progress-text)
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What (help name) prints, as a front end takes it: the text, and elements of a page in which the
+;; The answer to (help name) for a front end: the text, and elements of a page in which the
 ;; results of the example are typeset.
 
 (require (only-in file/convertible convertible?)

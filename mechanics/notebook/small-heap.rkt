@@ -9,7 +9,7 @@
 
 (provide keep-heap-small!)
 
-;; What was loaded until now is collected at once.
+;; The garbage of loading is collected at once.
 (define (keep-heap-small!)
   (when (eq? (system-type 'vm) 'chez-scheme)
     (vm-eval '(heap-reserve-ratio 0.25))

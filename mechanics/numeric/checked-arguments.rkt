@@ -1,7 +1,7 @@
 #lang racket/base
-;; What a numerical method is given by the user: values of a function, ends of an
-;; interval, a tolerance.  Each is checked here, with a message that says what is
-;; wrong with it.
+;; A user's arguments to numerical methods: values of a function, ends of an interval,
+;; a tolerance.  Each is checked here, with a message that says why it is
+;; wrong.
 
 (require "finite-number.rkt"
          "../error/complain.rkt" "../error/failure.rkt")

@@ -2,7 +2,7 @@
 ;; Functions of an angle, as flvectors of their values at n equally distant angles, n a power of
 ;; two; what is done to them term by term in their Fourier series Σ cₖ exp(ikθ).
 ;;
-;; What makes real functions of real ones does so to two at once, as to the real and the imaginary
+;; Operations from real functions to real ones take two at once, as the real and the imaginary
 ;; part of one function: `both-...` takes half the time.
 
 (require racket/flonum

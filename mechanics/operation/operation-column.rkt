@@ -69,7 +69,7 @@
         (define name (entry-name e))
         (if (memq name names) names (cons name names)))))
 
-;; What prints as a quotient: ((name . function whose reciprocal it is) ...)
+;; Functions printed as quotients: ((name . function whose reciprocal it is) ...)
 (define-syntax (reciprocals stx)
   #`'#,(for/list ([r (in-list table:reciprocals)]) (cons (car r) (cadr r))))
 

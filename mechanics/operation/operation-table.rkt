@@ -105,7 +105,7 @@
     [negate (a) (g:negate a) ((-2.0 2.0)) -1 (called -)]
     [exact->inexact (x) x ((-2.0 2.0)) 1]))
 
-;; What prints as a quotient: its name, the function it is the reciprocal of, its value at x.
+;; Functions printed as quotients: name, the function it is the reciprocal of, its value at x.
 (define reciprocals
   '([sec cos (g:/ 1 (g:cos x))]
     [csc sin (g:/ 1 (g:sin x))]

@@ -136,7 +136,7 @@
                  (filter (lambda (f) (member f right)) (factors-above (cadr q))))
                equations)))
 
-;; Those of a numerator that are not constant, each once.
+;; Factors of a numerator that are not constant.
 (define (factors-above e)
   (define-values (factored grounds) (factored-expression e))
   (let factors ([e factored])

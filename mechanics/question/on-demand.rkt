@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is asked about a system, loaded when it is first asked.
+;; Questions about a system, loaded when the first is asked.
 
 (require "../generic/on-demand.rkt")
 

@@ -6,7 +6,7 @@
 ;;
 ;;     H_r(x, q_r, p_r) = −(the p_k with H = E).
 ;;
-;; What is left is the shape of the orbit.  Of two such momenta the greater one is taken, that of
+;; The shape of the orbit is left.  Of two such momenta the greater one is taken, that of
 ;; motion forwards where the kinetic energy is a square; or, asked for, the lesser.
 
 (require (only-in racket/list split-at)

@@ -6,7 +6,7 @@
 ;; and p alone and a part without them: both are constants then, and the second, with the
 ;; constant in place of the first, is an equation for the others.  So on until one is left.
 ;;
-;; What to multiply by: 1; the inverse of the coefficient of p² of a coordinate, as 2mr² for an
+;; Multipliers to try: 1; the inverse of the coefficient of p² of a coordinate, as 2mr² for an
 ;; angle; and the denominator of G, as ξ + η of parabolic coordinates.
 
 (require racket/list

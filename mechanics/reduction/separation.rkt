@@ -175,7 +175,7 @@
               #:variables (scalars (coordinate state))))
 
 ;; ---------------------------------------------------------------------------
-;; What does not separate
+;; Failure to separate
 
 (define (raise-not-separable who H u)
   (define found (map piece-q (unsplit-pieces u)))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is around a point where a search for a minimum ended.
+;; The surroundings of a point where a search for a minimum ended.
 ;;
 ;; The gradient may vanish at a saddle, at an inflection, on a plateau.  So second derivatives
 ;; are looked at, exact ones where the function can be differentiated twice; and in directions

@@ -30,7 +30,7 @@
       (least-between who f start high (brent who tolerance observe) progress? #:judge? #t)
       (least-near who f start method tolerance observe progress?)))
 
-;; Those of a function of a number between low and high, from left to right
+;; Minima of a function of a number between low and high, from left to right
 (define-plain (minima f low high #:tolerance [tolerance 1e-8]
                       #:observe [observe void] #:progress? [progress? (report-progress)])
   (define who 'minima)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What values ask of the algebra of expressions, loaded when it is first asked.
+;; The algebra of expressions, for values: loaded when it is first asked.
 ;;
 ;; Numbers, tuples and derivatives need no polynomials: these are half of the library,
 ;; and a program that never simplifies should not wait for them.

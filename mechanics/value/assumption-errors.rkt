@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is wrong with a relation that cannot be declared or withdrawn.
+;; Messages on a relation that cannot be declared or withdrawn.
 
 (require "../algebra/expression/write.rkt"
          "../error/complain.rkt" "../error/message-words.rkt"

@@ -35,7 +35,7 @@
 (define (assumptions-in-force)
   (with-automatic-assumptions (current-declared) (automatic-assumptions)))
 
-;; What (thunk) finds holds whatever is assumed.
+;; Results of (thunk) hold whatever is assumed.
 (define (call-without-assumptions thunk)
   (parameterize ([current-declared no-assumptions] [automatic-assumptions #f]) (thunk)))
 
@@ -74,7 +74,7 @@
   (note-used! used)
   (values value used))
 
-;; Those of the datums that are not declared in A.
+;; The datums that are not declared in A.
 (define (undeclared grounds [A (current-declared)])
   (define declared (if (null? grounds) '() (declared-relations A)))
   (filter (lambda (d) (not (member d declared))) grounds))

@@ -2,7 +2,7 @@
 ;; Printing turned round: from what a value prints as, an S-expression or its text, to the
 ;; value.
 ;;
-;; What the algebra knows stands for itself: symbols, numbers, operations.  Any other name at
+;; Words of the algebra stand for themselves: symbols, numbers, operations.  Any other name at
 ;; the head of a list is that of an unknown function, as in (x t), or of its derivative, as
 ;; in (((partial 0) V) q).  Tuples, matrices, series and quaternions are made by the names
 ;; they print with.  Equations and inequalities, of verdicts and of assumptions, are lists with

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What one does with structures: take them apart, rebuild them, multiply them.
+;; Structures, taken apart, rebuilt, multiplied.
 
 (require "complex.rkt" "shape.rkt"
          "../error/complain.rkt" "../error/hint.rkt"

@@ -282,7 +282,7 @@
       (list '> (list 'expt (expression->datum u) 2) 0)))
   (and (pair? there) (declare-relations A there)))
 
-;; What vanishes at the kink, by its first equation; #f of a family of places.
+;; An expression that vanishes at the kink, by its first equation; #f for a family of places.
 (define (vanishing k)
   (define equations (kink-equations k))
   (and (pair? equations)

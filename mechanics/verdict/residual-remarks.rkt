@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a residual alone gives cause to say beside its verdict.
+;; Remarks beside a verdict for which the residual alone gives cause.
 ;;
 ;; A number as small as rounding leaves, such as the sine of the decimal pi, is refuted as a
 ;; factor, being a number like others, and undecided where it stands alone.  A symbol that

@@ -199,8 +199,8 @@
   (define lines (kink-lines (verdict-kinks-found v)))
   (if (null? lines) "" (string-append "\n" (report->text lines))))
 
-;; What to call each scalar of a value, in the order they are judged in;
-;; nothing for a value that is one itself.
+;; Labels of the scalars of a value, in the order they are judged in;
+;; none for a value that is one itself.
 (define (scalar-labels x)
   (cond [(tuple? x) (for/list ([l (in-list (labels-within x ""))]) (string-append "component" l))]
         [(matrix? x) (for/list ([l (in-list (labels-within x ""))]) (substring l 1))]

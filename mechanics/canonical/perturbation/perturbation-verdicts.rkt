@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The claims of a perturbation, tested order by order.
 ;;
-;; What was found by the algebra of waves is tested by Lie derivatives and brackets of functions,
+;; Results of the algebra of waves are tested by Lie derivatives and brackets of functions,
 ;; which know nothing of waves:
 ;;
 ;;     transformed      the term of H' is that of H, carried along by the generators

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a branch begins with: a family that makes state derivatives, unknowns made of a state, and
+;; The start of a branch: a family that makes state derivatives, unknowns made of a state, and
 ;; the first point of the curve.
 
 (require racket/flonum

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a map of the plane is (SICM 3.6.1, p. 247).
+;; Maps of the plane (SICM 3.6.1, p. 247).
 ;;
 ;; A *map* takes a point by its two coordinates, and two procedures: it calls the first
 ;; with the coordinates of the image, or the second, without arguments, where there is

@@ -224,7 +224,7 @@
                  (vector (struct-copy step (vector-ref steps count) [to end]))))
 
 ;; ---------------------------------------------------------------------------
-;; What is given
+;; The arguments
 
 (define (start-in who C state)
   (unless (and (up? state) (= (structure-length (adopt state)) 3))

@@ -34,7 +34,7 @@
          1]
         [else 0]))
 
-;; What a program allows and a notebook, whose cells run one after the other, does not
+;; Uses before definitions: a program allows them, a notebook, run cell after cell, does not
 (define (tell-late-definitions name file)
   (define stx (call-with-program file (lambda (in) (read-whole-program 'notebook name file in))))
   (for ([found (in-list (late-definitions-of (module-forms stx)))])

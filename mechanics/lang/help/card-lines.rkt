@@ -32,7 +32,7 @@
   (append (append-map (lambda (s) (call-lines s width)) (card-signatures c))
           (indented (append* (add-between (filter pair? paragraphs) '(""))))))
 
-;; What is no text (result-line, demonstration.rkt) is left to who asked for it.
+;; A line other than a string (result-line, demonstration.rkt) is left to the caller.
 (define (indented lines [by indentation])
   (for/list ([l (in-list lines)])
     (if (and (string? l) (non-empty-string? l)) (string-append by l) l)))

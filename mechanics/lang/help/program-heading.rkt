@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a program says of itself: the comment at its beginning.
+;; The heading of a program: the comment at its beginning.
 ;;
 ;;     ;; Exercise 1.17 (SICM 1.6.2): a bead on a helical wire
 ;;     ;; Checked: the equation of motion in the angle about the axis

@@ -48,7 +48,7 @@
   (or (> (car a) (car b))
       (and (= (car a) (car b)) (< (cdr a) (cdr b)))))
 
-;; What is called as the text is, but for joining words, comes first of all; not so words that draw.
+;; A name equal to the text, but for joining words, comes first of all; not so words that draw.
 (define (bonus table k text)
   (define f (vector-ref (vector-ref table 0) k))
   (define typed (string-trim text))

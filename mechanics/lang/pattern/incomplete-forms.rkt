@@ -50,7 +50,7 @@
          (format "~a has one value, and here are several expressions~a" (cadr d)
                  (if function (format "; a function is written ~a" function) ""))]))
 
-;; What stands behind the comma of 1,5
+;; The part of 1,5 behind the comma
 (define (decimal-part? d) (and (pair? d) (eq? 'unquote (car d)) (number? (cadr d))))
 
 ;; stx : a form that begins with `lambda`

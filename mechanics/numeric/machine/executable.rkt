@@ -30,7 +30,7 @@
        (for/list ([e (in-list entries)]) (caller memory (car e) (cdr e)))))
 
 ;; ---------------------------------------------------------------------------
-;; What is known here
+;; The machine at hand
 
 ;; Racket CS on x86-64 Linux, vectors laid out as expected, MECHANICS_NO_MACHINE_CODE unset?
 (define machine?

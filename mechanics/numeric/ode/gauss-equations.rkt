@@ -84,7 +84,7 @@
           [(or (= count most) (diverges? count size last)) #f]
           [else (loop (+ count 1) size)])))
 
-;; What is not a number does.
+;; NaN counts as diverging.
 (define (diverges? count size last)
   (not (fl< size (if (<= count 3) +inf.0 last))))
 
@@ -101,7 +101,7 @@
   (or (and (fl< size beyond-rounding) (fl>= size (fl* 0.5 last)))
       (and (fl< size beyond-rates) (fl>= size last))))
 
-;; What takes longer takes derivatives anew.
+;; More steps than these ask for new derivatives.
 (define fast 7)
 
 (define (begin-newton! q)

@@ -46,7 +46,7 @@
          code]
         [else made]))
 
-;; What was made before, if it is idle and (fits? work); else what (make) makes.
+;; The former work, if it is idle and (fits? work); else a new one by (make).
 (define (take-work! f! fits? make)
   (define work (and (expandable-idle? f!) (expandable-work f!)))
   (set-expandable-idle?! f! #f)

@@ -6,7 +6,7 @@
 ;; makes of f, and h is made so short that this is tolerated.  The nearer the place, the shorter
 ;; the steps, and an integration would go on for ever.
 ;;
-;; What is looked at is a long row of steps that are much shorter than the longest, and get shorter
+;; A crawl is a long row of steps that are much shorter than the longest, and get shorter
 ;; still: a stiff system takes as many short ones, each a little wrong by rounding, and arrives.
 ;; δ is what the sixth difference of f tells within a part of such a step, where nothing else is
 ;; left of it.

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a method of integration is to those who use it.
+;; Methods of integration, as their users see them.
 ;;
 ;; A *method* starts a *stepper* for a system y' = f(y); the stepper holds the
 ;; state of one integration.  It tries a step of some length and says how wrong

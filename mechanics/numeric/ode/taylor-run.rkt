@@ -1,5 +1,5 @@
 #lang racket/base
-;; What one integration by the Taylor method works with, and the coefficients where it is.
+;; The state of one integration by the Taylor method, and the coefficients where it is.
 ;;
 ;; They are of a time whose unit is near the length of the step, so that none is too large or
 ;; too small for a flonum.  The step that they allow follows from the last two of them,

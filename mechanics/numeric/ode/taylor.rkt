@@ -43,7 +43,7 @@
 
 (define taylor (adaptive-method 'Taylor #f start #:asks 'expansion))
 
-;; What there is to be seen of a motion where it begins.  step : the length of the first step, or
+;; First look at a motion where it begins.  step : the length of the first step, or
 ;; not a positive number; work : what one takes (numeric/Taylor/expansion.rkt); functions : how many
 ;; of these the rates have; eighth : ‖y_8‖, or ‖y_9‖^(8/9) if that is more: of a motion that begins
 ;; at rest every other term may be nothing

@@ -82,7 +82,7 @@
             ([v (in-list (linear-model-vectors m))] [l (in-flvector (linear-model-values m))])
     (along p (fl- 0.0 (fl/ (dot v g) (fl+ (flmax l 0.0) mu))) v)))
 
-;; What the sum of squares loses if the functions are linear: |r|² − |r + Jp|² = μ|Dp|² − g·Dp
+;; Loss of the sum of squares if the functions are linear: |r|² − |r + Jp|² = μ|Dp|² − g·Dp
 (define (promised m p mu)
   (fl- (fl* mu (dot p p)) (dot (linear-model-gradient m) p)))
 
@@ -93,7 +93,7 @@
     (fl+ x (fl/ u d))))
 
 ;; ---------------------------------------------------------------------------
-;; What is known of the point
+;; Certainty of the point
 
 ;; Below it an eigenvalue is 0 within rounding and the errors of derivatives.
 (define least-eigenvalue 1e-12)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What second derivatives say of a point where a function may be least.
+;; Second derivatives at a point where a function may be least.
 ;;
 ;; With gradient g and matrix H of second derivatives, λₖ its eigenvalues and vₖ its
 ;; eigenvectors, Newton's step is −Σ vₖ (vₖ·g)/λₖ.  Taken with |λₖ| it leads down also where

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What searches along a line have in common: points of a function's graph, and steps.
+;; Common parts of searches along a line: points of a function's graph, and steps.
 
 (require "../checked-arguments.rkt")
 

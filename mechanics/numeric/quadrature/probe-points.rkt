@@ -9,7 +9,7 @@
 ;; panel by more than that may be wrong, the panel is *suspect*.  Of a function that was 0 wherever
 ;; it was seen, peaks are sought five times as closely, and to the smallest numbers.
 ;;
-;; What the polynomial may be wrong by follows from the estimate of panel.rkt, whose error to
+;; The error of the polynomial follows from the estimate of panel.rkt, whose error to
 ;; the power 2/3 is the distance of two rules: about tolerance^(2/3) of the mean of |f|,
 ;; as long as the panel is not so narrow that it does not matter.
 ;;

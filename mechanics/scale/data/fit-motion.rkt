@@ -76,7 +76,7 @@
      (least-squares who tried (unknowns-start u) #:argument shown #:observe observe))))
 
 ;; ---------------------------------------------------------------------------
-;; What is fitted
+;; The unknowns
 
 ;; names : symbols; places : among the scalars of state and parameters; start : flvector
 (struct unknowns (names places start) #:authentic)
@@ -193,7 +193,7 @@
   (fl<= (fl* size (norm column)) (fl* 1e-10 (norm model))))
 
 ;; ---------------------------------------------------------------------------
-;; What was found
+;; The result
 
 (define (check-determined found u)
   (define directions (undetermined-directions found))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a fit of a motion to data found: values with their standard deviations and covariances.
+;; The result of fitting a motion to data: values with their standard deviations and covariances.
 
 (require "../../generic/value-struct.rkt" "../../generic/wrong-argument.rkt"
          "../../value/matrix/matrix.rkt")

@@ -65,7 +65,7 @@
   (use wanted next))
 
 ;; ---------------------------------------------------------------------------
-;; What is made of the rows
+;; Uses of the rows
 
 (define (folded fold initial next)
   (let loop ([so-far initial])

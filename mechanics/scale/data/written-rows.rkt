@@ -1,5 +1,5 @@
 #lang racket/base
-;; What can be written as a table, as rows of flonums with the names of their columns.
+;; Values written as a table: rows of flonums with the names of their columns.
 ;;
 ;; A trajectory has a row for each of its times, a branch one for each of its points.  Anything
 ;; else is a sequence, taken item after item: states, points of a section, occurrences, numbers,

@@ -2,7 +2,7 @@
 ;; A system as a folder of C: its rates and their derivatives, the method of Dormand and
 ;; Prince, ensembles on all cores, a program for the command line, and how to build them.
 ;;
-;; What is the same for all systems is in the folder C/ here; what is not is written below.
+;; Code that is the same for all systems is in the folder C/ here; the rest is written below.
 
 (require racket/file
          racket/list

@@ -23,7 +23,7 @@
   (define plain (regexp-replace* #px"\\p{C}+" text " "))
   (if (regexp-match? formula plain) (string-append "'" plain) plain))
 
-;; What was written in the cell.
+;; The text in the cell.
 (define (CSV-cell-text cell)
   (if (and (regexp-match? #rx"^'" cell) (regexp-match? formula (substring cell 1)))
       (substring cell 1)

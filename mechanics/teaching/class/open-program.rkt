@@ -82,7 +82,7 @@
       (program evaluator #f
                (call-in-sandbox-context evaluator (lambda () (run-cells sources run)))))))
 
-;; What a cell that fails would have defined, and nothing has defined, has that failure. -> failures
+;; Names that a failing cell would have defined, and no cell has, have that failure. -> failures
 (define (run-cells sources run)
   (for/fold ([failures (hasheq)]) ([source (in-list sources)])
     (define failure (run source))

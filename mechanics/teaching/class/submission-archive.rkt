@@ -80,7 +80,7 @@
       (entry (entry-bytes e) (cdr parts))
       e))
 
-;; What entries of one submission have in common
+;; The key of a submission's entries
 (define (submission-of e)
   (define parts (entry-parts e))
   (cond [(leads-out? e) (string-join parts "/")]

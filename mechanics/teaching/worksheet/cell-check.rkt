@@ -40,7 +40,7 @@
     (for-each show-reading all)
     (unless (null? (cdr all)) (tell-total all))))
 
-;; What was read of an answer as on paper, typeset
+;; An answer as on paper, as it was read, typeset
 (define (show-reading j)
   (define d (reading-of (judged-exercise j) (judged-answer j)))
   (when (eq? 'answer (car d)) ((current-print) (formula-as-read (cadr d)))))

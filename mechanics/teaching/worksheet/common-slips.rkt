@@ -13,7 +13,7 @@
 
 (provide slip-of-values slip-of-equations slip-of-number slip-sort)
 
-;; What is said of a slip -> sign or factor, for which worksheets may give credit; or #f
+;; A remark on a slip -> sign or factor, for which worksheets may give credit; or #f
 (define (slip-sort text)
   (cond [(member text (list opposite-sign opposite-term)) 'sign]
         [(or (member text (list factor-2 other-factor))

@@ -79,7 +79,7 @@
                      `(up t ,(listed names) ,(listed (momenta-of names) 'down)))]
     [(named) (format "(define ~s ...)" (cons name (setting e 'arguments)))]))
 
-;; What may be in an answer besides, and that it may be a text; or #f
+;; Names that an answer may have besides, and that it may be a text; or #f
 (define (answer-names e)
   (define names (append (setting e 'names '()) (setting e 'functions '())))
   (define all (filter pair? (list (map symbol->string names) (motion-names e))))

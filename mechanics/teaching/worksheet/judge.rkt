@@ -89,7 +89,7 @@
   (with-handlers ([exn:fail:mechanics? (lambda (x) (undecided-judgment #f (exn-message x)))])
     (as-asked e answer (judge-it e (and key (read-expression key)) answer))))
 
-;; What holds of names that the question does not have is not true but trivial; it is wrong.
+;; A trivial answer with names that the question lacks is wrong.
 (define (as-asked e answer j)
   (if (and (eq? 'trivial (judgment-status j)) (names-not-asked-for e answer)) (wrong #f) j))
 

@@ -66,7 +66,7 @@
           (answer-form e)
           (Markdown-escaped (or (answer-names e) ""))))
 
-;; What backquotes enclose, typeset
+;; Parts between backquotes are typeset
 (define (question-text text)
   (string-join
    (for/list ([part (in-list (text->parts text))])

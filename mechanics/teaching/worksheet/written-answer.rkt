@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Answers that are texts, as they stand on paper: "m*(1 + 4*a^2*r^2)*r'' + 8 m a^2 r r'^2".
 ;;
-;; What the exercise is about decides what names mean: its coordinates with their rates and
+;; The exercise decides the meaning of names: its coordinates with their rates and
 ;; momenta, the constants of its key, the functions there.  So the answer is in the symbols to which
 ;; answers of its kind are applied (prescribed-symbols.rkt).
 

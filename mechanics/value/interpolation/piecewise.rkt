@@ -6,7 +6,7 @@
 ;;
 ;;     y₀ + h s (m₀ + s (3δ − 2m₀ − m₁ + s (m₀ + m₁ − 2δ))).
 ;;
-;; What the methods differ in is where the slopes come from.  Those of a spline are such
+;; The methods differ in their slopes.  Those of a spline are such
 ;; that the second derivative has no jumps (de Boor, A Practical Guide to Splines,
 ;; ch. IV): for neighbouring pieces,
 ;;

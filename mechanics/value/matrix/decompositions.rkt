@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a matrix is made of: eigenvectors and singular values.
+;; Decompositions of a matrix: eigenvectors and singular values.
 
 (require racket/flonum
          racket/list

@@ -106,8 +106,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Vectors
 
-;; Those that rows less value takes to 0, if pivots of no more than `small` count as none, and no
-;; more than `most` pivots are sought; lists
+;; A basis of the vectors that rows less value take to 0, if pivots up to `small` count as none,
+;; and no more than `most` pivots are sought; lists
 (define (null-vectors rows value most small)
   (define n (vector-length rows))
   (define A (rows-combine - rows (unit-rows n value 0)))

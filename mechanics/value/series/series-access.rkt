@@ -1,5 +1,5 @@
 #lang racket/base
-;; What one does with series: make them, and look at as many terms as one wants.
+;; Series, made and looked at: as many terms as one wants.
 
 (require "coefficients.rkt" "series.rkt"
          "../../error/complain.rkt"
