@@ -1,3 +1,3 @@
 #lang info
-;; What only those who work on the library need.
+;; Tools of those who work on the library.
 (define compile-omit-paths 'all)

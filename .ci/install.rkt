@@ -29,7 +29,7 @@
   (flush-output))
 
 ;; ---------------------------------------------------------------------------
-;; What is there
+;; State of the installation
 
 ;; The scope of the installed package, else Racket's default: 'user, 'installation or a folder
 (define (scope)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What every source keeps to, file by file:
+;; Rules for every source, file by file:
 ;;
 ;;     racket lint.rkt [--texts] [file-or-folder ...]
 ;;

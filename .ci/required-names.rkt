@@ -53,7 +53,7 @@
   found)
 
 ;; ---------------------------------------------------------------------------
-;; What a require gives
+;; Names of a require
 
 ;; A module of a require, and what becomes of a name it provides: the local name, or #f.
 ;; Where no name is chosen, the module is wanted for being loaded.

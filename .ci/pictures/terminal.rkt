@@ -27,7 +27,7 @@
   (begin0 (port->string out)
           (subprocess-wait process)))
 
-;; What is on the screen in the end.
+;; The lines on the screen in the end.
 (define (screen lines)
   (define answers (cdr (regexp-split #rx"(?:(?m:^)|(?<=> ))> " (prompt-prints lines))))
   (append* (for/list ([entry (in-list (entries lines))] [answer (in-list answers)])

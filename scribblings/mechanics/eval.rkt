@@ -55,7 +55,7 @@
 ;; As in a terminal: the page would take pictures.
 (define (choose-expressions) ((dynamic-require 'mechanics 'display-style) 'expression))
 
-;; What a page with pictures says where there are none.
+;; The note of a page with pictures where there are none.
 (define (missing-pictures)
   (if (why-not)
       (nested #:style 'inset

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What sketches of the manual are made of, besides the shapes of mechanics/animate: points,
+;; Parts of sketches of the manual, besides the shapes of mechanics/animate: points,
 ;; colors, axes, curves.
 
 (require mechanics/animate)

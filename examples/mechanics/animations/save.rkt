@@ -1,5 +1,5 @@
 #lang racket/base
-;; What the animations do as programs: write the files that are named on the command line, or
+;; The animations as programs: they write the files that are named on the command line, or
 ;; a GIF of their own name; with --show they open a window.
 
 (require mechanics/animate)

@@ -1,5 +1,5 @@
 #lang mechanics
-;; What a central force conserves (SICM 1.8, pp. 84, 85 and 91).
+;; Momenta conserved by a central force (SICM 1.8, pp. 84, 85 and 91).
 
 (require mechanics/book)
 

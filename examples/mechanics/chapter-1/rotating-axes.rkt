@@ -7,7 +7,7 @@
 (L (up 't (up 'x 'y) (up 'vx 'vy)))
 (((Lagrange-equations L) (up (literal-function 'x) (literal-function 'y))) 't)
 
-;; What goes straight on axes at rest goes round on turning ones, and still solves.
+;; A straight path on axes at rest goes round on turning ones, and still solves.
 (define (straight t) (up (+ 'x_0 (* 'v t)) 'y_0))
 (define seen-from-there (compose (inertial->rotating 'Omega) (Gamma straight)))
 (seen-from-there 't)

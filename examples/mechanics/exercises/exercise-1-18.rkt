@@ -42,7 +42,7 @@ stays
 right
 wrong
 
-;; What is left over is a product of both rates; for a surface of revolution it vanishes.
+;; The rest is a product of both rates; for a surface of revolution it vanishes.
 (prove-zero (substitute (verdict-residual wrong) 'b 'a))
 
 (module+ test

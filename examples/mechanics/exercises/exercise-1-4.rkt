@@ -4,7 +4,7 @@
 ;; How: against the integral, for several masses, places and times
 
 ;; A particle of mass m goes uniformly from x_a at the time t_a to x_b at the time t_b.
-;; What is its action?
+;; Find its action.
 
 (define ((L-free m) (up t x v)) (* 1/2 m (square v)))
 

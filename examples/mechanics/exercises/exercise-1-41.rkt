@@ -30,7 +30,7 @@
 right
 (verdict-status flat)
 
-;; What the approximation leaves over is of second order in the height: it will do for
+;; The rest of the approximation is of second order in the height: it will do for
 ;; slopes that are small.
 (define left-over
   (verify-equal (verdict-residual flat) (* 'm (rise 't) (slope 't))))

@@ -30,7 +30,7 @@ plane
 pendulum
 slip
 
-;; What is left over is twice the torque: it was taken away instead of added.
+;; The rest is twice the torque: it was taken away instead of added.
 (/ (verdict-residual slip) (torque 't))
 
 ;; On a sphere of radius R the square of the longitude's rate makes the colatitude grow.

@@ -26,7 +26,7 @@ by-tensor
   (verify-equal (* 1/2 (sum-over (lambda (m xi) (* m (square xi)))) (square 'w)) T))
 (verdict-status slip)
 
-;; What it has too much is the part along the line.
+;; Its surplus is the part along the line.
 (define too-much
   (verify-equal (verdict-residual slip)
                 (* 1/2 (square 'w) (sum-over (lambda (m xi) (* m (square (dot-product n xi))))))))

@@ -41,7 +41,7 @@ turning
 (define slip (verify-equal ((potential from-first) X q) (* total 'g (ref X 2))))
 (verdict-status slip)
 
-;; What is left over turns it: the height of the centre of mass above that point.
+;; The rest turns it: the height of the centre of mass above that point.
 (define torque
   (verify-equal (verdict-residual slip) (* -1 total 'g (ref (* (Euler->M q) xi-1) 2))))
 torque

@@ -30,7 +30,7 @@ root
 (define wrong (prove-zero (substitute condition 'Omega newton)))
 (verdict-residual wrong)
 
-;; What is left over vanishes with 1/ω²: it is the limit of a large spin.  With numbers,
+;; The residual vanishes with 1/ω²: it is the limit of a large spin.  With numbers,
 (define-values (A C gMR) (values 6.96e-4 1.32e-4 0.112))
 (define (ratio spin)
   (/ (car (steady-precessions A C gMR 0.4 spin)) (/ gMR (* C spin))))

@@ -9,7 +9,7 @@
 (define I (inertia-tensor '(m_1 m_2) (list (up 'x_1 'y_1 'z_1) (up 'x_2 'y_2 'z_2))))
 (define (moment i) (matrix-ref I i i))
 
-;; What two of them have beyond the third.
+;; The surplus of two of them over the third.
 (define surplus (- (+ (moment 0) (moment 1)) (moment 2)))
 surplus
 

@@ -30,7 +30,7 @@ same
 (define slip (verify-equal (* (tensor +1) omega) L))
 (verdict-status slip)
 
-;; What it leaves over is twice the products; it hides where the axes are principal ones.
+;; Its residual is twice the products; it hides where the axes are principal ones.
 (ref (verdict-residual slip) 2)
 (define principal (impose (verdict-residual slip) '((= x_1 0) (= y_1 0) (= x_2 0) (= z_2 0))))
 principal

@@ -42,7 +42,7 @@ keeps-areas
 (define five (periodic-points H 5 (list -0.8 0.8 -0.8 0.8)))
 (map fixed-point-kind five)
 
-;; What happens between α = 1.32 and 1.2: at the origin a fifth of a turn is passed, at α = 2π/5.
+;; Between α = 1.32 and 1.2: at the origin a fifth of a turn is passed, at α = 2π/5.
 ;; The ring comes in as √(α − 2π/5), and is gone.  At 1.2 orbits that turn a sixth are far enough
 ;; out to be seen: a ring of six.
 (define fifth (/ :2pi 5))

@@ -32,7 +32,7 @@
 (define doubling-ends (bisect (lambda (omega) (+ (hanging 0.98 omega) 2)) 1.6 2.0 1e-8))
 (list doubling-ends doubling-begins)
 
-;; What it leads to, at this amplitude: a stable motion of two periods, through θ = 0 with momenta
+;; At this amplitude it leads to a stable motion of two periods, through θ = 0 with momenta
 ;; ±p in turn.  Where the frequency has come down by d from where doubling begins, p grows as √d.
 (define (doubled omega theta p)
   (find-fixed-point (driven-pendulum-map m l g 0.98 omega) (up theta p) #:period 2))

@@ -21,7 +21,7 @@
     (verify-equal ((D (compose F (Gamma x))) 't) (((D-L L) F) ((Gamma x) 't)))))
 along
 
-;; What is conserved has the rate 0: no motion is needed.
+;; A conserved quantity has the rate 0: no motion is needed.
 (define conserved (prove-zero (((D-L L) (Lagrangian->energy L)) state)))
 conserved
 

@@ -11,7 +11,7 @@
 (define E 1/2)
 (define semiaxes (map (lambda (moment) (sqrt (* 2 E moment))) (list A B C)))
 
-;; What is seen: to the right, up, and towards the eye.
+;; The view: to the right, up, and towards the eye.
 (define-values (right above eye)
   (values (up -0.6 0.8 0) (up -0.48 -0.36 0.8) (up 0.64 0.48 0.6)))
 (define (front? L)

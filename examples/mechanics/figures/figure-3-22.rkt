@@ -20,7 +20,7 @@
 ;; About the vertical, at ψ = 0
 (define (inertia theta) (+ (* B (square (sin theta))) (* C (square (cos theta)))))
 
-;; What the energy leaves for the last term, and the state
+;; The energy left for the last term, and the state
 (define (left theta p)
   (- energy (/ (square p) (* 2 A)) (/ (square p-phi) (* 2 (inertia theta))) (* gMR (cos theta))))
 (define (section->top theta p)

@@ -1,7 +1,7 @@
 #lang mechanics
 ;; Multipliers of a map that keeps areas  (SICM 4.2.2, Figure 4.4)
 ;;
-;; Those of the standard map's fixed points, in the complex plane: with each its inverse.  At θ = π,
+;; Multipliers of the standard map at rest, in the complex plane: each with its inverse.  At θ = π,
 ;; as K grows, black, they go around the unit circle until both are −1, at K = 4, and then part
 ;; along the negative axis; at θ = 0 they are positive, gray.  In colours, one pair of each kind.
 

@@ -52,7 +52,7 @@ picture
     ;; (7.83): in the middle of the resonance
     (check-pred proved? (verify-equal (substitute wave 'p (* -1/2 alpha-omega) 'phi 0 'theta 0)
                                       (/ (* 2 'beta 'gamma) (* 'alpha (square 'omega))))))
-  ;; What is left of the second order without angles moves the momentum where 2 ∂H/∂p + ω = 0.
+  ;; The second order without angles moves the momentum where 2 ∂H/∂p + ω = 0.
   (define (energy p)
     (series:sum ((perturbation-Hamiltonian P) (up 0 (up 0 (/ pi 4)) (down 0 p))) 2))
   (define p* (find-root (lambda (p) (+ (* 2 ((D energy) p)) omega)) -2.5))

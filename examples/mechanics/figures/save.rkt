@@ -1,5 +1,5 @@
 #lang racket/base
-;; What the figures do as programs: write their picture to the file that is named on the
+;; The figures as programs: they write their picture to the file that is named on the
 ;; command line, or to one of their own name.
 
 (require mechanics/plot)

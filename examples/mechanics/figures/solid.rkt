@@ -5,7 +5,7 @@
 
 (provide seen draw-line draw-curve draw-axes)
 
-;; What is to the right and what is above, for the eye; a tuple of three -> a tuple of two
+;; Directions to the right and up, for the eye; a tuple of three -> a tuple of two
 (define-values (right above) (values (up -0.5 0.866 0) (up -0.3 -0.173 0.938)))
 (define (seen p) (up (dot-product p right) (dot-product p above)))
 

@@ -16,7 +16,7 @@
 (define going (make-SR-frame 'going home (up 1 0 0) speed ((chart home) start)))
 (define coming (make-SR-frame 'coming home (up -1 0 0) speed ((chart home) turning)))
 
-;; What clocks show from one event to another, whatever the frame in which it is worked out
+;; The time by a clock from one event to another, whatever the frame in which it is worked out
 (define (shown a b [frame home])
   (proper-time-interval (- ((chart frame) b) ((chart frame) a))))
 (define at-home (shown start end))

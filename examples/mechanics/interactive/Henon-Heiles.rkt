@@ -9,7 +9,7 @@
 
 (define starts (list (up 0. 0.1) (up 0.1 0.) (up 0.3 0.) (up -0.2 0.) (up 0. 0.3)))
 
-;; Those of the starts for which there is energy
+;; The starts for which there is energy
 (define (allowed E)
   (filter (lambda (p) (section->state E (ref p 0) (ref p 1))) starts))
 

@@ -11,7 +11,7 @@
 (define ((L-ring omega) (up t angle rate))
   (+ (* 1/2 (square rate)) (* 1/2 (square (* omega (sin angle)))) (* g (cos angle))))
 
-;; What the energy is where the rate is 0
+;; The energy where the rate is 0
 (define ((potential omega) angle) ((Lagrangian->energy (L-ring omega)) (up 0 angle 0)))
 
 (define (places-of-rest omega)

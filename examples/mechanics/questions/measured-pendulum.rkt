@@ -21,7 +21,7 @@
               #:deviation 0.01))
 fit
 
-;; What is known of one is known of another: their correlation.
+;; Correlation: knowledge of one is knowledge of another.
 (define covariance (motion-fit-covariance fit))
 (define (correlation i j)
   (/ (matrix-ref covariance i j)

@@ -45,7 +45,7 @@
      (set! verdict found)))
   (list (if (verdict? verdict) (verdict-status verdict) 'failed) text))
 
-;; What was raised inside is not printed, nor asked for its message.
+;; An exception raised inside is not printed, nor asked for its message.
 (define (failed? e) (not (exn:break? e)))
 (define (reason e)
   (if (or (exn:fail:resource? e) (exn:fail:sandbox-terminated? e))

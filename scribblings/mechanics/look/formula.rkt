@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Formulas in running text, written as they are read: @formula{½ m (l θ̇)²}.
 ;;
-;; What `read-infix` understands is typeset as results are.  Text has more signs than that,
+;; Formulas for `read-infix` are typeset as results are.  Text has more signs than that,
 ;; d/dt ∂L/∂θ̇ for one; such a formula is typeset sign by sign.
 
 (require racket/list

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What search.js looks through: the table that `(help "words")` has (mechanics/lang/help), with an
+;; The data of search.js: the table that `(help "words")` has (mechanics/lang/help), with an
 ;; address and a sentence for each finding, and the patterns that make words of a text.
 
 (require net/base64

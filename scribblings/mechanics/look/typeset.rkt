@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a browser shows typeset, and every other form of the manual as it is written.
+;; Elements that are typeset in a browser, and as written in every other form of the manual.
 
 (require (only-in racket/class send)
          racket/list
