@@ -60,7 +60,7 @@
       (check-false (string-suffix? text ".") (exercise-file e)))))
 
 ;; ---------------------------------------------------------------------------
-;; What they print, and their tests
+;; Their output, and their tests
 
 (define-namespace-anchor here)
 

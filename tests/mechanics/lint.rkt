@@ -1,5 +1,5 @@
 #lang racket/base
-;; What `make lint` finds, run on files made for it.
+;; Findings of `make lint`, run on files made for it.
 
 (require compiler/find-exe
          racket/file

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What `(require mechanics)` loads, at any phase, and what it does by being
-;; loaded.  Loading is most of what a user waits for at the start, and a library
+;; Modules that `(require mechanics)` loads, at any phase, and effects of
+;; loading.  Loading is most of what a user waits for at the start, and a library
 ;; that prints or sets parameters is a nuisance in a program.
 
 ;; for-label: compiled with this file.  What an expansion loads would be counted.
@@ -19,7 +19,7 @@
 (define-runtime-path loud "runner/fixture/loud.rkt")
 
 ;; ---------------------------------------------------------------------------
-;; What must not be loaded
+;; Modules that must not be loaded
 
 (define unwanted-modules
   '(racket/contract racket/generic racket/struct racket/set racket/hash racket/math
@@ -96,7 +96,7 @@
         (current-command-line-arguments)
         (pseudo-random-generator->vector (current-pseudo-random-generator))))
 
-;; What loading prints, and whether all settings are as before.
+;; The output of loading, and whether all settings are as before.
 (define (effects module-path)
   (define out (open-output-string))
   (parameterize ([current-output-port out]

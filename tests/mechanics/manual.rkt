@@ -33,7 +33,7 @@
 
 (define document (dynamic-require manual 'doc))
 
-;; What read makes of the folder where the manual is rendered.
+;; The value of (read folder), of the folder where the manual is rendered.
 (define (rendered mixin read)
   (define folder (make-temporary-file "manual~a" 'directory))
   (render (list document) '("manual") #:render-mixin mixin
@@ -130,7 +130,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The pages as a browser gets them
 
-;; What was said of references that lead nowhere.
+;; Warnings about references that lead nowhere.
 (define warnings (open-output-string))
 
 ;; Width of a phone's screen, and how far the pages reach on it: ((file . pixels) ...), or #f
@@ -291,7 +291,7 @@
          (define input (read port))
          (cons (cons input (words (port->string port))) (interactions rest))]))
 
-;; What the prompt prints after that form.
+;; The prompt's answer to that form.
 (define (answer session form)
   (define value (session form))
   (call-in-sandbox-context

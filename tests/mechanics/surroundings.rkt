@@ -1,6 +1,6 @@
 #lang racket/base
-;; What make's commands say where something around the checkout is missing: programs on the
-;; path are played by scripts, and what is asked of the network fails.
+;; Messages of make's commands where something around the checkout is missing: programs on
+;; the path are played by scripts, and requests to the network fail.
 
 (require racket/file
          racket/port
@@ -12,7 +12,7 @@
 
 (define-runtime-path script "../../.ci/ensure-racket.sh")
 
-;; What the script itself is made of.
+;; Programs that the script itself uses.
 (define tools '("sh" "awk" "cat" "cut" "env" "grep" "head" "mktemp" "rm" "sed" "tr"))
 
 ;; programs : ((name line ...) ...), shell scripts; settings : ((name . value) ...)

@@ -102,7 +102,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Processes that do not end properly
 
-;; What another process writes to a file, once it does.
+;; The text that another process writes to a file, once it does.
 (define (wait-for-text file)
   (or (eventually (let ([text (string-trim (file->string file))])
                     (and (non-empty-string? text) text)))
@@ -139,7 +139,7 @@
     (delete-file note)))
 
 ;; ---------------------------------------------------------------------------
-;; What is kept of a run, and what is chosen after a change
+;; The record of a run, and the choice after a change
 
 (define before
   (hasheq 'mechanics/map/a.rkt "1" 'mechanics/map/b.rkt "2" 'mechanics/rigid/c.rkt "3"))

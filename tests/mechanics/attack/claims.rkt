@@ -1,5 +1,5 @@
 #lang racket/base
-;; What the library is asked of a statement, and how its answer is judged.
+;; Claims that the library makes of a statement, and their judgement.
 
 (require "judge/fault.rkt" "judge/judge.rkt" "judge/matter.rkt" "judge/motion.rkt"
          "judge/refutation.rkt"
@@ -65,7 +65,7 @@
              [else #f])
            (if (eq? 'refuted (answer-status a)) (answer-witness a) (answer-assumptions a))))
 
-;; What the constructors cancelled, as in x/x, the library cannot know of.
+;; The library cannot know of parts that the constructors cancelled, as in x/x.
 (define (judged-refutation s witness)
   (define (judged left right)
     (judge-refutation left right (statement-given s) (statement-hints s) witness))

@@ -29,7 +29,7 @@
 
 (define (small) (pick '(1 2 3 1/2 -1 -2 2/3)))
 
-;; What is true of real numbers without any condition.
+;; Rewrites true of real numbers without any condition.
 (define (sound e)
   (match e
     [`(- ,u ,v) (pick (list `(- (- ,v ,u)) `(+ ,u (* -1 ,v)) `(/ (- (* 2 ,u) (* 2 ,v)) 2)))]

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is asked of the library, through its public names, and its answers as plain data.
+;; Questions to the library, through its public names, and its answers as plain data.
 
 (require racket/port racket/promise
          (prefix-in m: mechanics)
@@ -104,7 +104,7 @@
       (namespace-set-variable-value! 'verify-canonical-map verify-canonical-map #t n)
       n)))
 
-;; What a program finds, without its notes; undecided where it is refused.
+;; The result of a program, without its notes; undecided where it is refused.
 (define (asked program)
   (define found
     (parameterize ([current-namespace (force programs)]

@@ -6,7 +6,7 @@
 
 (require "clock.rkt" "task.rkt" "tasks.rkt")
 
-;; What is loaded when it is first asked for is loaded before the clock starts.
+;; Rooms loaded on demand are loaded before the clock starts.
 (define (load-rooms)
   (for ([file (in-list '(algebra/elimination/characteristic algebra/elimination/elimination
                          algebra/rewriting/apart algebra/rewriting/collect

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What derivatives cost: at numbers, beside derivatives written by hand; as
+;; The cost of derivatives: at numbers, beside derivatives written by hand; as
 ;; expressions, in nodes for each node of the function.
 
 (require (prefix-in m: mechanics)

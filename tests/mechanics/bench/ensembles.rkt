@@ -3,7 +3,7 @@
 ;; heyoka where they are installed.
 ;;
 ;; Elapsed time is what more cores make less; CPU time is what a busy machine leaves alone.
-;; What is compiled before the first motion is in ours, and not in those of Python.
+;; Compilation before the first motion is in ours, and not in those of Python.
 
 (require racket/file
          racket/string

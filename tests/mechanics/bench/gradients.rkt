@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a gradient costs beside its function, run generically on flonums, and a
+;; The cost of a gradient beside its function, run generically on flonums, and of a
 ;; product with the Hessian beside both; with JAX where it is installed.
 
 (require (prefix-in m: mechanics)

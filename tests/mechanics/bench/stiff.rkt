@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Implicit methods and projections, and the derivatives they need, beside SciPy.
 ;;
-;; What derivatives cost is told twice: as they are made, of the list of operations of the rates,
+;; The cost of derivatives is told twice: as they are made, of the list of operations of the rates,
 ;; and as D makes them, run on placeholders, which is compiled in its turn.  SciPy's Radau is given
 ;; the same operations in Python, and takes differences.  So is its DOP853 for constrained
 ;; motions, of which it projects nothing.

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What can be measured.
+;; Tasks to measure.
 ;;
 ;; A *task* is timed on its first run in a fresh process, loading excluded and
 ;; compilation included, as a user meets it.  A *micro* task is an operation of

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What `make bench` measures.  A new task is one more entry here; figures to
+;; The tasks of `make bench`.  A new task is one more entry here; figures to
 ;; compare it with go into peers.rkt, under its name.
 
 (require racket/promise
@@ -103,7 +103,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Linear algebra
 
-;; What is done to a matrix, and then simplified if it is symbolic.
+;; A use of a matrix, whose result is then simplified if it is symbolic.
 (define (matrix-task name description make use)
   (make-prepared-task name description
                       make

@@ -56,7 +56,7 @@
                                        (format "(define ~a ~a)" name answer)))
                      (build-path folder (format "student-~a.rkt" n)))))
 
-;; What each answers, different in each, so that each has to be judged; wrong in the second half.
+;; Answers, different for each student, so that each has to be judged; wrong in the second half.
 (define (answers n students)
   (define sign (if (<= n (/ students 2)) '+ '-))
   (define (local sum) (format "(lambda ((up t a b)) ~a)" sum))

@@ -13,7 +13,7 @@
 (define momenta ((partial 2) L))
 
 ;; ---------------------------------------------------------------------------
-;; What is conserved, and what is left
+;; Conserved quantities, and the motion left
 
 (test-case "p. 154: the kinetic energy does without psi"
   (check-prints ((T-body-Euler 'A 'A 'C) state)

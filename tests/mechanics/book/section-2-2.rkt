@@ -59,7 +59,7 @@
                1e-14))
 
 ;; ---------------------------------------------------------------------------
-;; What is no rotation
+;; Matrices that are no rotations
 
 (define x (literal-function 'x))
 (define (shrinking q) (matrix-by-rows (list (cos q) 0 0) '(0 1 0) '(0 0 1)))

@@ -17,7 +17,7 @@
   ((state-advancer (lambda () (Hamiltonian->state-derivative H-figure))) start t 1e-12))
 
 ;; ---------------------------------------------------------------------------
-;; What is kept, and what it leaves
+;; Conservation of energy, and its use
 
 (test-case "the Hamiltonian of the pendulum, and Hamilton's equations"
   (check-prints (H state)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What the book's listings rely on, point by point, through the public module.
+;; Habits of the book's listings, point by point, through the public module.
 
 (require mechanics
          "../support/checks.rkt" "../support/close.rkt" "../support/session.rkt")

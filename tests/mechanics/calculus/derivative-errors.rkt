@@ -1,5 +1,5 @@
 #lang racket/base
-;; What D and partial say of slips: the exact text.
+;; Messages of D and partial on slips: the exact text.
 
 (require mechanics/generic/arithmetic
          mechanics/generic/elementary
@@ -82,7 +82,7 @@
              (lambda () ((D (lambda (x y) x)) 1))))
 
 ;; ---------------------------------------------------------------------------
-;; What is no function
+;; Arguments that are no functions
 
 (says
  [(D 3)

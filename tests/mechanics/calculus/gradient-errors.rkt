@@ -1,5 +1,5 @@
 #lang racket/base
-;; What gradient and its kin say of slips: the exact text.
+;; Messages of gradient and its kin on slips: the exact text.
 
 (require mechanics/generic/arithmetic
          mechanics/generic/elementary

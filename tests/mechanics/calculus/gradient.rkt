@@ -190,7 +190,7 @@
               (draw-functions number random-function-of-two) same? #:seed (+ 10 seed)))
 
 ;; ---------------------------------------------------------------------------
-;; What it is for
+;; Uses
 
 (define (Rosenbrock s)
   (g:for/sum ([i (in-range (sub1 (s:length s)))])

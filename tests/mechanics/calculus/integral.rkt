@@ -59,7 +59,7 @@
   (check-= ((D f) 2.0) 3/8 1e-5))
 
 ;; ---------------------------------------------------------------------------
-;; What cannot be integrated
+;; Failures
 
 (test-case "what is no number, or no function, is refused"
   (check-exn #rx"^definite-integral: expected a real number\n  given: [(]up 0.*an up tuple of 2"

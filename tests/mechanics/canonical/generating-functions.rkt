@@ -93,7 +93,7 @@
     (check-pred proved? (verify-generating-function (to-old cubic) F line #:type k))))
 
 ;; ---------------------------------------------------------------------------
-;; What generates nothing
+;; Functions that generate nothing
 
 (test-case "brackets that vanish are no multiple to divide a Hamiltonian by"
   (define v (verify-canonical (lambda (s) (up (time s) (coordinate s) (coordinate s))) line))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a newcomer to chapter 5 gets wrong, and what is said.
+;; A newcomer's mistakes with chapter 5, and the messages.
 
 (require mechanics
          mechanics/book
@@ -45,7 +45,7 @@
   "extended-transformation: a Hamiltonian is a function of the state (up t q p); given the number 0"])
 
 ;; ---------------------------------------------------------------------------
-;; What generates nothing
+;; Functions that generate nothing
 
 (define-syntax-rule (generates-nothing call text ...)
   (check-message (string-append text ...) call exn:fail:mechanics:singular:matrix?))

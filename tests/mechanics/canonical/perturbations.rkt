@@ -198,7 +198,7 @@
   "perturbation-solution: the new Hamiltonian has the waves ((1 -1)) left, kept for resonances; "
   "its motion is no rotation\n  integrate that of (perturbation-Hamiltonian P)"])
 
-;; What takes a perturbation, given the Hamiltonian it was made of
+;; Procedures for a perturbation, given the Hamiltonian it was made of
 (test-case "what takes a perturbation says so of other things"
   (for ([take (list perturbation-Hamiltonian perturbation-generators perturbation-divisors
                     perturbation-resonances perturbation-transformation perturbation-inverse

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is said to those who state constraints wrongly, or too many of them.
+;; Messages to those who state constraints wrongly, or too many of them.
 
 (require mechanics
          "../support/checks.rkt" "../support/messages.rkt")

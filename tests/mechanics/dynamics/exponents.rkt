@@ -1,5 +1,5 @@
 #lang racket/base
-;; What becomes of small displacements: matrices, multipliers, exponents.
+;; The fate of small displacements: matrices, multipliers, exponents.
 
 (require mechanics
          mechanics/book

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What those who begin with maps get wrong, and what they are told.
+;; A beginner's mistakes with maps, and the messages.
 
 (require racket/stream
          mechanics mechanics/book mechanics/plot
@@ -139,7 +139,7 @@
   "Poincare-map: the value of an event's function is a real number\n  event: (event <function>)\n"
   "  value: #f, a boolean\n  it passes through zero: (- a b) where (< a b) changes"])
 
-;; What a map is to be made of, in the map's place.
+;; The function that a map is made of, in the map's place.
 (define H (Lagrangian->Hamiltonian (L-pendulum 9.8 1 1)))
 (define (H-by-hand (up t q p)) (- (* 1/2 (square p)) (cos q)))
 (define (energy (up t q p)) (- (* 1/2 (square p)) (cos q)))

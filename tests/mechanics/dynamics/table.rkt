@@ -1,6 +1,6 @@
 #lang racket/base
-;; What is promised of maps, sections and flows, a row for each name: how far off a value may be
-;; that is known otherwise, and what is said where there is none.
+;; Promises of maps, sections and flows, a row for each name: how far off a value may be
+;; that is known otherwise, and the message where there is none.
 ;;
 ;; Published or independently computed values: SICM's figures 3.12, 3.19 and 4.20, and integrations
 ;; to 25 digits.

@@ -12,7 +12,7 @@
   (define now 0)
   (reporter port (lambda () (set! now (+ now tick)) now)))
 
-;; What (f) makes a terminal show, and its value.
+;; The text that (f) makes a terminal show, and its value.
 (define (shown f #:tick [tick 100])
   (define port (open-output-string))
   (define value (parameterize ([current-reporter (reporter-on port tick)]) (f)))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is said of a library that is not compiled, when, and where it is heard first.
+;; The note on a library that is not compiled, its occasions, and where it is heard first.
 
 (require compiler/find-exe
          mechanics/error/DrRacket-run

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is said where masses, positions, forces and coordinates do not go together.
+;; Messages where masses, positions, forces and coordinates do not go together.
 
 (require mechanics
          "../support/messages.rkt")

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What the generic operations say of arguments they do not take: the exact text.
+;; Messages of generic operations on arguments they do not take: the exact text.
 
 (require mechanics/generic/arithmetic
          mechanics/generic/compare

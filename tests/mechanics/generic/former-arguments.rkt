@@ -1,5 +1,5 @@
 #lang racket/base
-;; What version 0.2 wrote otherwise tells what is written now: keywords, tolerances without one,
+;; Calls as in version 0.2 tell how they are written now: keywords, tolerances without one,
 ;; arguments in another order.
 
 (require (for-label mechanics/plot mechanics/scmutils)

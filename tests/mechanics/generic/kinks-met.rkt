@@ -1,12 +1,12 @@
 #lang racket/base
-;; What derivatives note: operations that have kinks, jumps or poles somewhere, where they are
+;; Notes of derivatives: operations that have kinks, jumps or poles somewhere, where they are
 ;; differentiated, and before anything is simplified.
 
 (require (except-in mechanics expression format)
          mechanics/generic/kinks-met
          "../support/checks.rkt")
 
-;; What the derivative of f at a symbol meets, as data.
+;; Operations that the derivative of f at a symbol meets, as data.
 (define (noted f [x 't])
   (define-values (value found) (call-noting-kinks (lambda () ((D f) x))))
   (for/list ([m (in-list found)])

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What fills one place of a tuple, and what does not.
+;; Values that fill one place of a tuple, and others.
 
 (require mechanics/calculus/derivative
          mechanics/calculus/dual

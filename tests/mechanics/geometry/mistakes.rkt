@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is said to somebody who made a mistake with manifolds and fields.
+;; Messages to somebody who made a mistake with manifolds and fields.
 
 (require mechanics mechanics/geometry
          "../support/checks.rkt" "../support/messages.rkt")
@@ -218,7 +218,7 @@
                 "(ref (orthonormalize (down d/dx d/dy) g) 1)"))
 
 
-;; What a procedure of points or functions gives
+;; Values of procedures of points or functions
 (define (place m) m)
 (define (twice f) (* (d/dx f) (d/dx f)))
 (says
@@ -247,7 +247,7 @@
  [(integrate-form (wedge dx dy) (lambda (a b) ((point R2-rect) (up a b))) '(0 1))
   "integrate-form: a form of rank 2 is integrated over 2 ranges\n  given: ((0 1))"])
 
-;; What is symmetric, and not seen to be
+;; Symmetric, and not seen to be
 (test-case "a metric whose components are equal in another form"
   (define g (of-components (down 2 (- (square (cos x)) (square (sin x)))) (down (cos (* 2 x)) 3)))
   (check-not-exn (lambda () (((metric:invert g) dx dy) m))))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is said of motions on manifolds that cannot be followed as asked.
+;; Messages on motions on manifolds that cannot be followed as asked.
 
 (require mechanics mechanics/geometry
          "../support/checks.rkt" "../support/messages.rkt")

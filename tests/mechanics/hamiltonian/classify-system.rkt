@@ -1,6 +1,6 @@
 #lang racket/base
-;; What tells a Hamiltonian from a Lagrangian where either may be asked about, what is asked of
-;; a Hamiltonian as of a Lagrangian, and what is not.
+;; Signs that tell a Hamiltonian from a Lagrangian where either may be asked about, questions that
+;; a Hamiltonian answers as a Lagrangian does, and others.
 
 (require mechanics
          mechanics/book
@@ -18,7 +18,7 @@
 (define plane (up 't (up 'x 'y) (down 'p_x 'p_y)))
 
 ;; ---------------------------------------------------------------------------
-;; What tells
+;; Signs of a Hamiltonian
 
 (test-case "one that asks its state for momenta is a Hamiltonian"
   (check-true (Hamiltonian-told? (H-harmonic 'm 'k) 'q))
@@ -169,7 +169,7 @@
   (check-pred proved? (verify-equilibrium (H-harmonic 'm 'k) (/ 'F 'k) #:force (lambda (s) 'F))))
 
 ;; ---------------------------------------------------------------------------
-;; What is refused
+;; Refusals
 
 (says
  [(verify-conserved H-by-place H-by-place line)

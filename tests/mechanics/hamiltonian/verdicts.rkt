@@ -145,7 +145,7 @@
   "make-Hamiltonian: expected an energy: a function of the state\n  given: the number 3"])
 
 ;; ---------------------------------------------------------------------------
-;; What is asked of a Lagrangian
+;; Questions as to a Lagrangian
 
 (define H-pendulum (Lagrangian->Hamiltonian (L-pendulum 'g 'm 'l)))
 

@@ -63,7 +63,7 @@
              (lambda () (Lagrangian-action L g:cube 0 1 #:order 0))))
 
 ;; ---------------------------------------------------------------------------
-;; What is no number
+;; Results and limits other than numbers
 
 (test-case "symbols left in the action, or in the limits, are in the formula"
   (check-equal? (g:- (Lagrangian-action (L-free-particle 'm) test-path 0 10) (g:* 145 'm)) 0)
@@ -82,6 +82,6 @@
   (check-message
    "Lagrangian-action: the Lagrangian comes first, then the path; these look swapped"
    (Lagrangian-action g:cos (L-harmonic 1 1) 0 1))
-  ;; What fails in either order is told as it fails.
+  ;; A failure in either order is told as it comes.
   (define (fails t) (raise-arguments-error 'fails "at all times"))
   (check-message "fails: at all times" (Lagrangian-action (L-harmonic 1 1) fails 0 1)))

@@ -88,7 +88,7 @@
               (up 2.0 (/ 3.141592653589793 2) (/ 3.141592653589793 -2))))
 
 ;; ---------------------------------------------------------------------------
-;; What it means
+;; The meaning
 
 ;; C ∘ Γ[q'] = Γ[F ∘ Γ[q']], for local tuples of every length.
 (define (check-on-path F path n)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What the book's programs take from MIT Scheme.
+;; Procedures that the book's programs take from MIT Scheme.
 
 (require mechanics racket/port "../support/checks.rkt")
 

@@ -20,7 +20,7 @@
       (eq? name datum)))
 
 ;; ---------------------------------------------------------------------------
-;; What is no function
+;; Values that are no functions
 
 (define three 3)
 (define x 'x)
@@ -99,7 +99,7 @@
   (check-equal? ((vector sub1 add1) 3) (up 2 4)))
 
 ;; ---------------------------------------------------------------------------
-;; What is one
+;; Functions
 
 (test-case "tuples, closures, primitives and keyword functions are applied"
   (define (f a #:k [k 1] . rest) (list a k rest))

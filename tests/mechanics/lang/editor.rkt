@@ -1,5 +1,5 @@
 #lang racket/base
-;; What editors see of `#lang mechanics`: colours and indentation as Racket's,
+;; Editors and `#lang mechanics`: colours and indentation as Racket's,
 ;; and arrows from each variable of a pattern to its uses.
 
 (require drracket/check-syntax
@@ -20,7 +20,7 @@
    "(let* ([(up pp qq) (up 1 2)] [rr pp]) (list qq rr))\n"
    "(match (up 1 2) [(up uu vv) (uu vv)])\n"))
 
-;; What Check Syntax finds in a program.
+;; The findings of Check Syntax in a program.
 (define (findings text)
   (define file (make-temporary-file "mechanics-~a.rkt"))
   (display-to-file text file #:exists 'truncate)
@@ -132,7 +132,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Colours and indentation
 
-;; What the reader of a language tells an editor.
+;; The answer of a language's reader to an editor.
 (define (language-info language key)
   (define info (read-language (open-input-string (string-append "#lang " language "\n"))
                               (lambda () #f)))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What of a long text a screen shows.
+;; The part of a long text that fits a screen.
 
 (require mechanics/lang/printer
          "../support/checks.rkt"

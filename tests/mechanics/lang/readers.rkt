@@ -1,5 +1,5 @@
 #lang mechanics
-;; What readers of the book bring with them from scmutils: the forms that it takes, the
+;; Habits that readers of the book bring with them from scmutils: the forms that it takes, the
 ;; operations that it has, its names; each with what is expected of it here.
 
 (require mechanics/scmutils

@@ -316,7 +316,7 @@
              #:datum (lambda (x) (troublesome-name x))
              #:map (lambda (f x) ((troublesome-act x)))))
 
-;; What the prompt's printer writes, to output and to the error port.
+;; The text of the prompt's printer, to output and to the error port.
 (define (prompt-prints x)
   (define out (open-output-string))
   (define err (open-output-string))

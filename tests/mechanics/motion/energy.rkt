@@ -42,7 +42,7 @@
        (for/sum ([k (in-range n)]) (expt (- k middle) 2))))
   (* n (abs slope)))
 
-;; What repetition up to rounding leaves undone in a million steps.
+;; Error that repetition up to rounding leaves in a million steps.
 (define rounding 5e-12)
 
 (define (check-no-drift make count)

@@ -105,7 +105,7 @@
   (check-= (velocity s) (sqrt :pi) 1e-8))
 
 ;; ---------------------------------------------------------------------------
-;; What the user does
+;; The user's own doing
 
 (struct my-own exn:fail ())
 (define (raise-mine) (raise (my-own "enough" (current-continuation-marks))))

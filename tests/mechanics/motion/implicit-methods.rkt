@@ -1,5 +1,5 @@
 #lang racket/base
-;; What implicit methods take of a system: derivatives of its rates, made of their own code.
+;; Needs of implicit methods: derivatives of a system's rates, made of their own code.
 
 (require racket/flonum
          mechanics
@@ -163,7 +163,7 @@
     (check-true (<= derivatives (* 1.1 derivatives*)) (format "~a, ~a" derivatives derivatives*))))
 
 ;; ---------------------------------------------------------------------------
-;; What changes, and what fails
+;; Changes and failures
 
 (test-case "a variable that was set anew is noticed, and another parameter"
   (define k 1e4)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What was compiled for a state derivative is used again, and never when it is stale.
+;; Code compiled for a state derivative is used again, and never when it is stale.
 
 (require mechanics
          (only-in mechanics/book L-harmonic)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What integration says to what it was asked wrongly.
+;; Messages of integration on wrong questions.
 
 (require mechanics
          (only-in mechanics/book L-harmonic)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What has a kink somewhere and is proved all the same: where no derivative meets it, where
+;; Claims proved though there is a kink somewhere: where no derivative meets it, where
 ;; its sign is known, where it is that of a parameter, or a distance.
 
 (require mechanics

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a verdict remarks on the question: answers that say less than they seem to.
+;; Remarks of a verdict on the question: answers that say less than they seem to.
 
 (require mechanics (only-in mechanics/book L-harmonic) "../support/checks.rkt")
 

@@ -16,7 +16,7 @@
   (define-values (a/R f) (values (+ 1 (* e (cos phi))) (+ phi (* 2 e (sin phi)))))
   ((Lagrangian->Hamiltonian (L-spin-orbit C n epsilon (lambda (t) a/R) (lambda (t) f))) s))
 
-;; What is of the order 0 and 1 in e, as functions of the state
+;; Terms of the order 0 and 1 in e, as functions of the state
 (define (of-order k)
   (define e (simplify (coefficient (expand-in-e) 'e k)))
   (lambda (s)

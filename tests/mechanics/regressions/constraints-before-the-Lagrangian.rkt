@@ -1,7 +1,7 @@
 #lang racket/base
-;; What takes a Lagrangian and constraints said of a constraint in the Lagrangian's place that it
-;; is no function, `consistent-state` in another procedure's name; a state in that place was taken
-;; for a function, and no word was said of quotes that were too many.
+;; A constraint in the place of the Lagrangian was said to be no function, by `consistent-state`
+;; in another procedure's name; a state in that place was taken for a function, and no word was
+;; said of quotes that were too many.
 
 (require mechanics
          "../support/checks.rkt" "../support/messages.rkt")

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a library exports with a contract was undefined once the library was required at the
+;; Exports of a library with contracts were undefined once the library was required at the
 ;; prompt: (new c%) told of "lifted/1.1", and advised to write it (/ lifted 1.1).
 
 (require "../support/checks.rkt" "../support/run-text.rkt")

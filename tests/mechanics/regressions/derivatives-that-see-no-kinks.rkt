@@ -1,5 +1,5 @@
 #lang racket/base
-;; What has derivative 0 wherever it is defined may yet jump: such paths were proved to be
+;; A function with derivative 0 wherever it is defined may yet jump: such paths were proved to be
 ;; motions, such quantities to be conserved, such terms to change nothing.
 
 (require mechanics

@@ -7,7 +7,7 @@
 
 (define ((with-potential V) s) (- (* 1/2 (square (velocity s))) (V (coordinate s))))
 
-;; What is noted, in a session of its own
+;; The notes, in a session of its own
 (define (noted V)
   (define port (open-output-string))
   (define found #f)

@@ -2,7 +2,7 @@
 ;; An event's function may end in nothing but noise within the step in which it was zero: that of
 ;; a spring which pushes only when it is compressed, beside what is conserved.  Whether there is
 ;; noise was asked of the part of the step that was looked at last, and all its zeros went with it.
-;; What is expected is known of a circle: x = sin t is -1/2 at - π/6.
+;; The expected values are those of a circle: x = sin t is -1/2 at - π/6.
 
 (require (except-in mechanics time) "../support/checks.rkt")
 

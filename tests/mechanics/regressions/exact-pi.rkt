@@ -1,5 +1,5 @@
 #lang racket/base
-;; What was computed exactly held 3.141592653589793 for π, in equilibria and in the zeros of
+;; Exact results held 3.141592653589793 for π, in equilibria and in the zeros of
 ;; sines; a decimal near π was read as (acos -1), which nobody types; ':pi was a symbol like
 ;; any other.
 

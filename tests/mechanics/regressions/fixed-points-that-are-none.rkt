@@ -1,5 +1,5 @@
 #lang racket/base
-;; What was said of a fixed point: that one is there, how far off it may be, and its period.
+;; Claims about a fixed point: that one is there, how far off it may be, and its period.
 
 (require mechanics
          mechanics/book

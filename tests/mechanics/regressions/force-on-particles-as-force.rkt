@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a student hands over for something like it: Newton's force for a generalized one, an
+;; A student hands over one thing for another: Newton's force for a generalized one, an
 ;; equilibrium for its coordinates, a path without multipliers, functions of three arguments for
 ;; functions of the local tuple.  The complaints were Racket's, of an arity, and named nobody.
 

@@ -7,7 +7,7 @@
 
 (define (L (up t q v)) (- (* 1/2 'm (square v)) (* 1/2 'k (square q))))
 
-;; What is said at the end.
+;; The end of the message.
 (define-syntax-rule (ends [expression text] ...)
   (begin
     (test-case (format "~s" 'expression)

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What made no sense was computed all the same, by functions of maps and motions, or refused in
-;; the name of a function that the reader had not called, or with advice that led nowhere.
+;; Questions without sense were answered all the same, by functions of maps and motions, or refused
+;; in the name of a function that the reader had not called, or with advice that led nowhere.
 
 (require (except-in mechanics time) mechanics/book mechanics/plot
          "../support/checks.rkt" "../support/messages.rkt")

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What gave a number without a word, and not the right one: leapfrog with friction, a
+;; Programs that gave a number without a word, and not the right one: leapfrog with friction, a
 ;; value at one point of a function that Racket's tests decide, a parameter that had become
 ;; a flonum, events without a value and poles taken for zeros.
 

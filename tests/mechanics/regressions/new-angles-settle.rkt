@@ -1,6 +1,6 @@
 #lang racket/base
-;; What presentation put together, sin 2 of 2 sin 1 cos 1 or an angle sum of
-;; hyperbolic functions, was put together further when simplified again; and
+;; Terms that presentation put together, sin 2 of 2 sin 1 cos 1 or an angle sum of
+;; hyperbolic functions, were put together further when simplified again; and
 ;; (x²)^(1/3) became x^(2/3) without a word about the sign of x.
 
 (require mechanics "../support/checks.rkt")

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is false between two kinks only, on one side of 0, or just within an assumed bound, was
+;; A claim false between two kinks only, on one side of 0, or just within an assumed bound, was
 ;; "zero at 12 points".
 
 (require mechanics

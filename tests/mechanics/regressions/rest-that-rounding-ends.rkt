@@ -9,7 +9,7 @@
 
 (define swing (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))
 
-;; What is noted while it is followed, in a session of its own
+;; The notes while it is followed, in a session of its own
 (define (noted start end #:method [method 'auto])
   (define port (open-output-string))
   (thread-wait

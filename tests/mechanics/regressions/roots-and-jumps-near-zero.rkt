@@ -1,6 +1,6 @@
 #lang racket/base
-;; What a root, or a jump, at 0 makes of an argument that is 0 but for rounding is no
-;; refutation; the slope there once bounded the error, where there is none.
+;; A root, or a jump, of an argument that is 0 but for rounding is no refutation;
+;; the slope there once bounded the error, where there is none.
 
 (require mechanics "../support/checks.rkt")
 

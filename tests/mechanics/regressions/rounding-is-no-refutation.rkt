@@ -1,5 +1,5 @@
 #lang racket/base
-;; What rounding leaves of equal numbers is no refutation.
+;; The rounding of equal numbers is no refutation.
 
 (require mechanics "../support/checks.rkt")
 

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What rounds an exact argument is counted: true equations were once refuted by what a
-;; cosine near 0, or the sine of a large number, made of the rounding of its argument.
+;; The rounding of exact arguments is counted: true equations were once refuted by the
+;; value that a cosine near 0, or the sine of a large number, made of such rounding.
 
 (require mechanics "../support/checks.rkt")
 

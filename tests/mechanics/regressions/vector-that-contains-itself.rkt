@@ -16,7 +16,7 @@
   (placeholder-set! p (list 'a p))
   (make-reader-graph p))
 
-;; What is written; #f if it does not end
+;; The text written; #f if it does not end
 (define (written thunk)
   (define out (open-output-string))
   (value-within 60 1000

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What was accepted, or misled, when a newcomer applied it: a selector given its tuple at
+;; Slips that were accepted, or misled, when a newcomer made them: a selector given its tuple at
 ;; once, a tuple of coordinates for a transformation, Lagrange's equations for the rates of a
 ;; state, the logarithm of 0.
 

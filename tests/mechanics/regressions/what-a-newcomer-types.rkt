@@ -63,7 +63,7 @@
   (check-regexp-match #rx"given: [(]integer[?] n[)]$" (complaint '(integer? n)))
   (check-equal? (assumptions 'declared) '()))
 
-;; What the expander says of a form.
+;; The expander's complaint about a form.
 (define-namespace-anchor here)
 (define (syntax-complaint form)
   (parameterize ([current-namespace (namespace-anchor->namespace here)])

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What students wrote in their first minutes, that was taken for something else in silence or
+;; Lines of students in their first minutes, taken for something else in silence or
 ;; complained of in words of the inside.
 
 (require racket/string

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What find-minimum says of what it found.
+;; Kinds of results of find-minimum.
 
 (require mechanics/error/failure
          mechanics/generic/arithmetic

@@ -62,7 +62,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Of the messages of a cell
 
-;; What was written on a stream
+;; The text written on a stream
 (define (texts messages name)
   (apply string-append
          (for/list ([m (in-list messages)]
@@ -70,7 +70,7 @@
                                 (equal? (hash-ref m 'name) name)))
            (hash-ref m 'text))))
 
-;; What was shown, in a format
+;; The results shown, in a format
 (define (bundles messages type)
   (for/list ([m (in-list messages)] #:when (equal? (hash-ref m 'kind) "shown"))
     (hash-ref (hash-ref m 'data) (string->symbol type) #f)))

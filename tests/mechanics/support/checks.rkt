@@ -119,7 +119,7 @@
 ;; ---------------------------------------------------------------------------
 
 (module+ test
-  ;; What the failure of a check tells: (listof (cons name value))
+  ;; The information of a failed check: (listof (cons name value))
   (define-syntax-rule (told check)
     (with-handlers ([exn:test:check? information])
       (parameterize ([current-check-handler raise]) check)))

@@ -29,7 +29,7 @@
                  (< (abs (- (exact x) (exact y))) tolerance)))
     (with-check-info (['given given] ['expected expected]) (fail-check))))
 
-;; Those of structures, lists and flvectors, of any precision; of exact roots the decimals.
+;; Numbers of structures, lists and flvectors, of any precision; of exact roots the decimals.
 (define (numbers-in x)
   (cond [(structure? x) (numbers-in (vector->list (structure-elements x)))]
         [(list? x) (apply append (map numbers-in x))]

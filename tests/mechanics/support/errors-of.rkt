@@ -10,7 +10,7 @@
 
 (provide errors-of)
 
-;; What running a file my.rkt of these lines, in a folder of its own, writes to its error port:
+;; The errors of running a file my.rkt of these lines, in a folder of its own:
 ;; a list of lines.
 (define (errors-of . text)
   (with-folder (folder)

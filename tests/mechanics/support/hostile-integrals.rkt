@@ -146,7 +146,7 @@
     (lambda (x) (sqrt (- 1 (expt x 10))))
     0 1 "0.943590581267979476787995412631"]))
 
-;; What is nearly infinite, just outside of the range.
+;; Functions nearly infinite, just outside of the range.
 (define nearly-infinite
   (hard
    ["1/√(x + 10⁻¹²)"

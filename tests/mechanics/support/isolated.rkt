@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a program writes that runs where submissions run, without a sandbox of Racket's around it.
+;; The output of a program where submissions run, without a sandbox of Racket's around it.
 
 (require mechanics/teaching/class/isolation
          racket/port

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a new session is told.
+;; Notes in a new session.
 
 (require mechanics/error/note)
 

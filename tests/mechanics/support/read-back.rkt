@@ -22,7 +22,7 @@
   '(theta theta_1 thetadot p_phi v^x_r xdotdot omega0 omega_0 D Dx sin e i pi :pi mass L-free
     θ φ_1 ẋ x₁ 𝐢 |a b| |x+y| bar\| |</mi>| x^2 x_ab GM))
 
-;; What divides by 0 when it is made again is left as it is.
+;; An expression that divides by 0 when it is made again is left as it is.
 (define (renamed e)
   (with-handlers ([exn:fail? (lambda (x) e)]) (with-other-names e)))
 

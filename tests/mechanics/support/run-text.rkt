@@ -13,7 +13,7 @@
 
 (define (lines . ls) (string-append* (map (lambda (l) (string-append l "\n")) ls)))
 
-;; What a module given as text prints when it is run.
+;; The output of a module given as text.
 (define (run-module . text)
   (with-output-to-string (lambda () (instantiate (declare (apply lines text))))))
 
@@ -41,8 +41,8 @@
   (parameterize ([current-namespace (namespace)])
     (dynamic-require (make-resolved-module-path name) #f)))
 
-;; What the submodule `name` of a module given as text prints when it is run, the
-;; module before it.
+;; The output of the submodule `name` of a module given as text, the
+;; module run before it.
 (define (run-submodule name . text)
   (with-output-to-string
     (lambda ()
@@ -79,7 +79,7 @@
 (define racket-program
   (if (absolute-path? racket) racket (or (find-executable-path racket) racket)))
 
-;; What `racket argument ...` writes, given these lines as input: the output
+;; The output of `racket argument ...`, given these lines as input: the text
 ;; without prompts, and the errors.
 (define (session arguments . input)
   (define-values (process out in err)

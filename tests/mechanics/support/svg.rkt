@@ -1,5 +1,5 @@
 #lang racket/base
-;; What an SVG picture strokes, whichever version of Cairo has written it: colors are in
+;; Lines stroked by an SVG picture, whichever version of Cairo has written it: colors are in
 ;; the style of a path or attributes of it, as rgb(100%,0%,0%), with spaces and more or
 ;; fewer digits, as rgb(255, 0, 0), or as #ff0000.
 

@@ -67,7 +67,7 @@
   (write-string text (terminal-keys t))
   (flush-output (terminal-keys t)))
 
-;; What ran there is told that it is gone.
+;; The program there is told that its terminal is gone.
 (define (close-terminal t)
   (subprocess-kill (terminal-process t) #t)
   (subprocess-wait (terminal-process t)))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is printed can be read back.
+;; Printed values can be read back.
 
 (require (except-in mechanics format)
          mechanics/lang/printer

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What it takes for an expression to have a value, and what it does not take.
+;; Conditions for an expression to have a value, and relations that are none.
 
 (require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/assumption/domain

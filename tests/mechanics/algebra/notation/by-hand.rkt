@@ -42,7 +42,7 @@
   [(* (sin x) (cos y)) "sin x cos y"] [(* (sin x) 2 y) "2 y sin x"]
   [(* (sin x) (f x)) "f(x) sin x"] [(* (sin x) (up a b)) "sin(x) up(a, b)"])
 
-;; What a function would seem to hold stands behind it where order is kept.
+;; A factor that a function would seem to hold stands behind it where order is kept.
 (lines as-written
   [(* (sin x) y) "sin(x) y"] [(* (sin x) (cos y) z) "sin x cos(y) z"]
   [(* (expt (sin x) 2) y) "sin²(x) y"])

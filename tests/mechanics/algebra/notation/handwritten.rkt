@@ -113,7 +113,7 @@
  ["x ± y" "± y is no sign of a formula"] ["\\foo x" "\\foo x is no sign of a formula"])
 
 ;; ---------------------------------------------------------------------------
-;; What is printed
+;; Printed lines
 
 (define (one-of xs) (list-ref xs (random (length xs))))
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is written on one line is read back as the expression it was written from: it has the
+;; A line is read back as the expression it was written from: it has the
 ;; same value everywhere, and is written alike again.
 ;;
 ;; `racket tests/mechanics/algebra/notation/read-infix.rkt 10000` is a long run.

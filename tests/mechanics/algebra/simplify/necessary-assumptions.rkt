@@ -1,6 +1,6 @@
 #lang racket/base
-;; What a result is said to assume it needs: with the other sign it is wrong somewhere.  And what
-;; it is not said to assume it does not need: it is right with either sign.
+;; A result needs the assumptions that it states: with the other sign it is wrong somewhere.  And
+;; it needs no others: it is right with either sign.
 
 (require mechanics/algebra/assumption/assumption-set
          mechanics/algebra/assumption/reference-point

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What simplification results in it leaves as it is, whatever signs are declared, and
-;; whether it may assume others or not; of what has a value somewhere.
+;; Simplification leaves its results as they are, whatever signs are declared, and
+;; whether it may assume others or not, if the expression has a value somewhere.
 
 (require racket/list
          mechanics/algebra/assumption/assumption-set
@@ -58,7 +58,7 @@
   (check-settled 12000 1500 random-assumptions))
 
 ;; ---------------------------------------------------------------------------
-;; What random expressions found
+;; Findings of random expressions
 
 (define (check-stays datum . relations)
   (define A (declared relations))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What decimals are read as, and when they are not read.
+;; Readings of decimals, and decimals that are not read.
 
 (require (only-in math/flonum epsilon.0 flstep)
          mechanics/algebra/assumption/reference-point

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What several classes draw from: forms of either sign, exponents, relations at a point.
+;; Common parts of several classes: forms of either sign, exponents, relations at a point.
 
 (require "../judge/evaluate.rkt" "../judge/flonum.rkt" "../judge/point.rkt"
          "../statement.rkt")

@@ -26,8 +26,8 @@
     [(constant) (pick '((- t (/ (square t) 2)) (/ (- 1 (square t)) 2)))]
     [else (pick '((cos t) (sin t) (+ (cos t) (* 2 (sin t))) (cos (- t 1))))]))
 
-;; What looks like a constant or like t to who differentiates piece by piece; and where it
-;; may not be smooth.
+;; Functions that look like a constant or like t if differentiated piece by piece; and where
+;; they may not be smooth.
 (define half-turn 3141592653589793238462643383279502884197/2000000000000000000000000000000000000000)
 (define (random-kink)
   (define c (pick '(0 1 2 -3/2)))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is wrong with a claim.
+;; Faults of claims.
 
 (provide (struct-out fault))
 

@@ -143,7 +143,7 @@
     ((point incoming) (at incoming 0 (* 7 -24/25) 0 0)))
   (check-equal? ((chart home) home-at-incoming-turning) (up 1201/25 0 0 0))
 
-  ;; What is at home when the traveller turns jumps by 46.08 years.
+  ;; The event at home when the traveller turns jumps by 46.08 years.
   (check-equal? (between home-at-outgoing-turning home-at-incoming-turning home)
                 (up 1152/25 0 0 0))
   (check-equal? (proper-time-interval (between start end home)) 50))

@@ -184,7 +184,7 @@
   (check-equal? (hash-ref (first (hash-ref (string->jsexpr (second as-JSON)) 'submissions)) 'points)
                 1.0))
 
-;; What stands above the list here.
+;; The warning above the list here.
 (define (warning-lines)
   (define warning (call-with-isolation 512 10 (lambda (i) (level-warning (isolation-level i)))))
   (if warning (string-append warning "\n\n") ""))
@@ -263,7 +263,7 @@
   (write-text "torn.rkt" (regexp-replace #rx"\n \"...." (text "first-student.rkt") "\n \"AAAA"))
   (check-refused #rx"the lines that hold its exercises were changed" "check" "torn.rkt"))
 
-;; What is wrong with a worksheet is said when it is made.  Each is a module of its own.
+;; Mistakes in a worksheet are told when it is made.  Each is a module of its own.
 (define (check-worksheet pattern . lines)
   (define name (format "~a.rkt" (gensym 'bad)))
   (apply write-text name "#lang mechanics/worksheet" lines)

@@ -79,7 +79,7 @@
   (and (regexp-match? #px"^([^\\s(\"]+|[(].*[)]): " text)
        (not (regexp-match? #rx"^(proved|refuted|undecided|equivalent): " text))))
 
-;; Those that show what is refused.
+;; Names whose examples show a refusal.
 (define refusals '(animation-save export-system graphics-save unequal-contraction))
 
 (define needs-bigfloats #rx"bigfloat|ode-precision")
@@ -94,7 +94,7 @@
       c))
   (check-equal? (names-of failing) refusals))
 
-;; What a prompt of the manual prints after the expressions of a card.
+;; The manual's output after the expressions of a card.
 (define (manual-answers c)
   (define e (card-demonstration c))
   (define session (make-session))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What `help` prints.
+;; The output of `help`.
 
 (require (for-label mechanics/lang/help/card-table)
          mechanics

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What students look for comes first.
+;; Students' searches find the best page first.
 
 (require (for-label mechanics/lang/help/search-table)
          mechanics/lang/help/cards

@@ -18,7 +18,7 @@
 (parameterize ([current-namespace space]) (namespace-require 'mechanics))
 
 ;; ---------------------------------------------------------------------------
-;; What is offered
+;; Offers
 
 (define leads
   (string-append "(?:operations come first: | is written |of [(]up t q [vp][)]: |a product is |"

@@ -6,7 +6,7 @@
          racket/string
          "../../support/checks.rkt" "../../support/run-text.rkt")
 
-;; What the error port gets while this is declared.
+;; The notes on the error port while this is declared.
 (define (told . text)
   (define port (open-output-string))
   (parameterize ([current-error-port port])

@@ -25,7 +25,7 @@
     (namespace-syntax-introduce stx)))
 
 ;; ---------------------------------------------------------------------------
-;; What is bound
+;; Variables bound
 
 (test-case "a pattern binds the components of the argument"
   (define (f (up t q v)) (list t q v))

@@ -97,7 +97,7 @@
   (shows t pattern)
   (prompted t))
 
-;; What makes the editor fail to load.
+;; An expression that makes the editor fail to load.
 (define without-editor
   '(current-load/use-compiled
     (let ([load (current-load/use-compiled)])

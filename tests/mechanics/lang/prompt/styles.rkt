@@ -3,7 +3,7 @@
 
 (require "../../support/checks.rkt" "../../support/run-text.rkt")
 
-;; What the prompt answers, line by line, the banner left out.
+;; Answers of the prompt, line by line, the banner left out.
 (define (answers-to . input)
   (define-values (output errors) (apply session '("-l" "mechanics/lang/prompt/start") input))
   (check-equal? errors "")

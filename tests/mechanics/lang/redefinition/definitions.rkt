@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a `#lang mechanics` module defines again.
+;; Second definitions in a `#lang mechanics` module.
 
 (require "../../support/checks.rkt" "../../support/run-text.rkt")
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a `#lang mechanics` module uses before its definition.
+;; Names used before their definition in a `#lang mechanics` module.
 
 (require "../../support/checks.rkt" "../../support/run-text.rkt")
 

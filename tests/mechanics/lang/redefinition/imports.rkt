@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a `#lang mechanics` module imports and defines.
+;; Names that a `#lang mechanics` module imports and defines.
 
 (require "../../support/checks.rkt" "../../support/run-text.rkt")
 
@@ -70,9 +70,9 @@
                       (refusal "(require racket/no-such)" "(define first 1)")))
 
 ;; ---------------------------------------------------------------------------
-;; What is required below a definition
+;; Requires below a definition
 
-;; What is said while it is compiled.
+;; The messages while it is compiled.
 (define (said . text)
   (define port (open-output-string))
   (parameterize ([current-error-port port]) (apply prints text))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a `#lang mechanics` module does not define again, nor use before it replaces it,
+;; A name that a `#lang mechanics` module neither defines again nor uses before it replaces it
 ;; is defined as in any module of Racket.
 
 (require racket/match

@@ -1,11 +1,11 @@
 #lang racket/base
-;; What is said beneath messages of Racket's own forms and procedures, at the prompt.
+;; Hints beneath messages of Racket's own forms and procedures, at the prompt.
 
 (require racket/file
          racket/string
          "../../support/checks.rkt" "../../support/run-text.rkt")
 
-;; What an input is answered with, on the error port, without its first line; which of those
+;; The answer to an input on the error port, without its first line; which of those
 ;; lines are ours is known by their end.
 (define (last-lines . inputs)
   (for/list ([input (in-list inputs)])

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is said beneath messages about calls that a procedure of the library does not take:
+;; Hints beneath messages about calls that a procedure of the library does not take:
 ;; its arguments by name, the missing ones, the keyword that may have been meant.
 
 (require (for-label mechanics/lang/help/card-table)

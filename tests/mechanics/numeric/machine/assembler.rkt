@@ -8,7 +8,7 @@
 
 (define numbers (list 1.5 -2.25 0.0 -0.0 +inf.0 -inf.0 1e308 5e-324 0.1 3.0))
 
-;; What a procedure stores in so many numbers, given those.
+;; The numbers that a procedure stores, given others.
 (define (outcome write! inputs outputs)
   (define out (make-flvector outputs 99.0))
   ((machine-run write!) (apply flvector inputs) out)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What fit-motion says of data and systems that it cannot fit.
+;; Messages of fit-motion on data and systems that it cannot fit.
 
 (require mechanics
          (only-in mechanics/book L-pendulum)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is said of tables that cannot be written or read.
+;; Messages on tables that cannot be written or read.
 
 (require mechanics
          racket/file

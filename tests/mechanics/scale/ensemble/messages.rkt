@@ -1,5 +1,5 @@
 #lang racket/base
-;; What evolve-ensemble says of what it cannot follow.
+;; Messages of evolve-ensemble on systems it cannot follow.
 
 (require mechanics/book
          mechanics

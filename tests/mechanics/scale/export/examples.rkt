@@ -25,7 +25,7 @@
 (define a-few
   '("chapter-1/driven-pendulum.rkt" "constraints/slack-string.rkt" "figures/figure-2-2.rkt"))
 
-;; What has no code, by file and name, with the reason.
+;; Examples without code, by file and name, with the reason.
 (define table '())
 
 ;; The others draw and grade.

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What export-system says of what it cannot export, and that it leaves nothing behind.
+;; Messages of export-system on systems it cannot export; it leaves nothing behind.
 
 (require racket/file
          racket/string

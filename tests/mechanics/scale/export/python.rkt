@@ -24,7 +24,7 @@
                    #:replace? #t #:derivatives? #t)
     (use folder)))
 
-;; What the script prints, read as JSON, with the list of rows as `rows`.
+;; The output of the script, read as JSON, with the list of rows as `rows`.
 (define (python-value python folder rows script)
   (define head (format "import json\nrows = json.loads('~a')\n" (jsexpr->string rows)))
   (string->jsexpr (run-python python folder (string-append head script))))

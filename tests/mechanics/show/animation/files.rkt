@@ -66,7 +66,7 @@
 
 (define (page a) (bytes->string/utf-8 (saved a ".html")))
 
-;; What the script plays.
+;; The motion that the script plays.
 (define (motion page)
   (string->jsexpr
    (cadr (regexp-match #rx"<script id=\"motion\" type=\"application/json\">(.*?)</script>" page))))

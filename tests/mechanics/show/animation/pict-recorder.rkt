@@ -1,5 +1,5 @@
 #lang racket/base
-;; What picts draw, as elements of SVG: where they are and how they look.
+;; Picts as elements of SVG: where they are and how they look.
 
 (require (only-in mechanics/show/animation/on-demand why-no-pictures)
          racket/list

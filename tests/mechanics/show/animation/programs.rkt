@@ -1,6 +1,6 @@
 #lang racket/base
 ;; The animations are programs: each writes the files that are named on its command line.
-;; What their motions show is tested beside them, which is run here.
+;; Their motions are tested beside them, which is run here.
 
 (require (only-in mechanics/animate)
          (only-in mechanics/show/animation/on-demand why-no-pictures)
@@ -28,7 +28,7 @@
 (define (make-namespace)
   (loaded-from here 'rackunit 'mechanics 'mechanics/animate 'mechanics/book 'mechanics/geometry))
 
-;; What it prints, run as a program with these arguments; again in another namespace, where
+;; Its output, run as a program with these arguments; again in another namespace, where
 ;; it was not run before.
 (define (run program #:in [namespace (make-namespace)] . arguments)
   (apply run-example namespace `(submod ,program main) arguments))

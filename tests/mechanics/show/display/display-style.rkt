@@ -72,7 +72,7 @@
     (check-equal? (prints "(display-style 'infix)" "(up 'a (/ 'b 'c))") "up(a, b/c)\n")))
 
 ;; ---------------------------------------------------------------------------
-;; What cannot be typeset
+;; Values that cannot be typeset
 
 ;; A value whose notation does this.
 (struct troublesome (act)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is typeset is what the formats ask for: TeX compiles where there is a TeX, MathML is
+;; Results obey their format: TeX compiles where there is a TeX, MathML is
 ;; well-formed and holds what it should, lines keep to their width.
 
 (require mechanics
@@ -136,7 +136,7 @@
   (check-false (regexp-match? #rx"aligned" (->TeX long #:width #f))))
 
 ;; ---------------------------------------------------------------------------
-;; What is no formula, and wishes
+;; Values that are no formulas, and wishes
 
 (test-case "what cannot be typeset shows its plain form"
   (define cycle (make-placeholder #f))

@@ -1,9 +1,9 @@
 #lang racket/base
-;; What takes long is announced, and what does not is not.
+;; Long work is announced, and short work is not.
 
 (require mechanics/show/display/waiting-remark "../../support/checks.rkt")
 
-;; What is written while `f` gets the port, and its value
+;; The text written while `f` gets the port, and its value
 (define (announced seconds f)
   (define port (open-output-string))
   (define value

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is said of an interaction that cannot be.
+;; Messages on interactions that cannot be.
 
 (require mechanics
          (only-in racket/base [expand expand-form])

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What is drawn: points, lines and curves, and what cannot be drawn.
+;; Drawing: points, lines and curves, and values that cannot be drawn.
 
 (require (prefix-in m: mechanics)
          mechanics/plot

@@ -42,7 +42,7 @@
 
 (define (make-namespace) (apply loaded-from here libraries))
 
-;; What it prints, run as a program with these arguments; again in another namespace, where
+;; Its output, run as a program with these arguments; again in another namespace, where
 ;; it was not run before.
 (define (run program #:in [namespace (make-namespace)] . arguments)
   (apply run-example namespace `(submod ,program main) arguments))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What each procedure that draws says to a call it does not take.
+;; Messages of each procedure that draws on a call it does not take.
 
 (require racket/string
          mechanics/plot

@@ -115,7 +115,7 @@
 ;; ---------------------------------------------------------------------------
 ;; As a program
 
-;; What the program prints, where no screen is.
+;; The output of the program, where no screen is.
 (define (run-saved)
   (run-program (path->complete-path "saved.rkt") (environment-with #"nowhere:99")))
 

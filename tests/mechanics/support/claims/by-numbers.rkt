@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a claim of `identities` or `integrals` says in numbers, by Racket's own functions: nothing
+;; Claims of `identities` and `integrals` in numbers, by Racket's own functions: nothing
 ;; of the library is asked.
 
 (require racket/flonum

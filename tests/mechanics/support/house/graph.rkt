@@ -17,7 +17,7 @@
 (provide require-graph imports on-demand-imports compiler-complaint
          unplaced-files upward-requires circles)
 
-;; What the compiler has to say against a file, or #f.
+;; The compiler's complaint about a file, or #f.
 (define (compiler-complaint name)
   (with-handlers ([exn:fail? exn-message])
     (get-module-code (full-path name))

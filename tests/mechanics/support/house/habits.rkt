@@ -119,7 +119,7 @@
         [(and (eq? (car form) 'struct) (pair? (cdr form))) (list (cadr form))]
         [else (append (defined-structs (car form)) (defined-structs (cdr form)))]))
 
-;; What the library needs beside itself are collections, which are there wherever it is installed.
+;; Outward requires of the library are collections, which are there wherever it is installed.
 (define (outward-requires name form)
   (define folders (- (length (string-split name "/")) 1))
   (define (leaves? path)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What must hold of simplification, fingerprints and verdicts.
+;; Properties of simplification, fingerprints and verdicts.
 ;;
 ;; A property maps an expression, and what was derived from it, to #f or to a
 ;; text that says what went wrong.  Values are compared at points where the
@@ -44,7 +44,7 @@
                           p (car u) (shown s) (car v) assumptions)]
                  [else #f])))))
 
-;; What divides by zero may be left standing.
+;; A division by zero may be left standing.
 (define (undefined? e)
   (node-fold e
              (lambda (leaf) #f)

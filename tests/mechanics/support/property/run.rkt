@@ -58,7 +58,7 @@
         (cons 'same-by-fingerprint same-by-fingerprint)
         (cons 'same-by-verdict same-by-verdict)))
 
-;; What a property raises is a failure too, but for a division by zero.
+;; An exception of a property is a failure too, but for a division by zero.
 (define ((guarded property) . es)
   (with-handlers ([exn:fail:contract:divide-by-zero? (lambda (x) #f)]
                   [exn:fail? (lambda (x) (format "raised ~a" (exn-message x)))])

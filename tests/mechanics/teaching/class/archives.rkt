@@ -19,7 +19,7 @@
   (deflate (open-input-bytes content) out)
   (get-output-bytes out))
 
-;; What stands in both headers: version to the length of further fields
+;; The part common to both headers: version to the length of further fields
 (define (fields name stored size method [flags 0])
   (sum-of-bytes (number 20 2) (number flags 2) (number method 2) (number #x8BB2 2) (number #x5D74 2)
                 (number 0 4) (number (bytes-length stored) 4) (number size 4)

@@ -118,7 +118,7 @@
   (check-equal? (map judgment-status (graded-judgments (hash-ref slow-results "answer-that-loops")))
                 '(right failed failed)))
 
-;; What followed it was told to have taken too long.
+;; Answers after it were told to have taken too long.
 (test-case "an answer that ends the program costs only itself"
   (define g (hash-ref quick-results "answer-that-exits"))
   (check-equal? (map judgment-status (graded-judgments g)) '(right failed kept)))
@@ -147,7 +147,7 @@
   (check-true (string-contains? text "\"'=HYPERLINK(\"\"http://x\"\"")))
 
 ;; ---------------------------------------------------------------------------
-;; What would have escaped from the sandbox reaches nothing
+;; Means of escape from the sandbox reach nothing
 
 (define (tried i form) (isolated i form "racket/tcp" "racket/system" "racket/file"))
 

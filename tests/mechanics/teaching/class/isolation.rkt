@@ -38,7 +38,7 @@
     (check-eq? told (level-reached strictest))))
 
 ;; ---------------------------------------------------------------------------
-;; What is said
+;; Warnings
 
 (test-case "each level says what it lacks, what that means, and what to do"
   (check-false (level-warning 'namespaces))

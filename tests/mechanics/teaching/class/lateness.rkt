@@ -9,7 +9,7 @@
 (define (hours n) (* 3600 n))
 (define noon "2026-11-20 12:00 Z")
 
-;; What is kept, and said, of what comes so many seconds late
+;; The share kept, and the remark, for a submission so many seconds late
 (define (kept d late [extension 0])
   (define-values (share said) (lateness d (+ late (deadline-seconds d)) extension))
   (list share said))

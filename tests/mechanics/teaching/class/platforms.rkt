@@ -1,6 +1,6 @@
 #lang racket/base
-;; What learning platforms read, checked by a program that reads it as they document it: Moodle's
-;; import of grades, and the results of Gradescope.
+;; Files for learning platforms, checked by a program that reads them as the platforms document:
+;; Moodle's import of grades, and the results of Gradescope.
 
 (require mechanics/teaching/class/class-list
          mechanics/teaching/class/class-tables

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What a process has cost: what it waits for a processor is not counted, sleep is, and so is
-;; what others do for it.
+;; The cost of a process: waiting for a processor is not counted, sleep is, and so is the
+;; work that others do for it.
 
 (require mechanics/teaching/class/process-cost
          (only-in racket/file file->string)
@@ -8,7 +8,7 @@
 
 (define start (reading 100. 7. 3.))
 
-;; What it costs if so much passes.
+;; The cost if so much passes.
 (define (cost passed waited used)
   (cost-between start (reading (+ 100. passed) (+ 7. waited) (+ 3. used))))
 
@@ -28,7 +28,7 @@
   (check-equal? (cost 10. 9.5 20.) 20.))
 
 ;; ---------------------------------------------------------------------------
-;; What the system tells
+;; The system's figures
 
 ;; The number of this process.
 (define me

@@ -23,7 +23,7 @@
 (define e (make-exercise 'frequency 'expression "?" '((key k))))
 (define w (make-worksheet "Once" #f "once" (list e)))
 
-;; What went wrong, if these were the answers.
+;; The page of a class whose answers were these.
 (define (page-of . answers)
   (class->page
    (class-report w #f

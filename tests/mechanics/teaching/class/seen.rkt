@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a submission sees of the teacher's folders: this library, and nothing that stands beside
+;; A submission's view of the teacher's folders: this library, and nothing that stands beside
 ;; it, where worksheets and their keys may be.
 
 (require "../../support/checks.rkt" "../../support/isolated.rkt")

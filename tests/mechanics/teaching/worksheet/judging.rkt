@@ -74,7 +74,7 @@
   "every motion obeys it, but it is not linear in the accelerations"]
  [(pendulum-times (lambda (a b) (+ 1 (square b)))) right 1])
 
-;; What the question assumes leaves no room for x = -1.
+;; The assumption of the question leaves no room for x = -1.
 (define ((oscillator-times factor) x)
   (lambda (t) (* (factor (x t)) (+ (* 'm ((D2 x) t)) (* 'k (x t))))))
 (judges (an-exercise equations ('coordinates 'x) ('of (L-harmonic 'm 'k)) ('assuming '(> x 0)))
@@ -130,7 +130,7 @@
     (define (a n) ((D2 (ref path n)) t))
     (up (+ (* 'm (a 0)) (* 'k ((ref path 0) t))) (f (a 1)) (a 2))))
 
-;; What says the same as another, and what is wrong, counts for nothing.
+;; An equation that repeats another, or is wrong, counts for nothing.
 (judges three
  [(three-with (lambda (a) a)) right 1]
  [(three-with (lambda (a) (+ a 1))) partly 2/3]
@@ -318,7 +318,7 @@
  [(lambda (t) (* 'a (cos (* (/ 'k 'm) t)))) wrong 0])
 
 ;; ---------------------------------------------------------------------------
-;; What is too large, and what the mathematics cannot tell
+;; Answers too large, and answers that the mathematics cannot tell
 
 (define (status-of-datum e d) (judgment-status (judge e (list 'answer d))))
 
@@ -334,7 +334,7 @@
   (check-equal? (list (judgment-status j) (judgment-share j)) '(undecided #f)))
 
 ;; ---------------------------------------------------------------------------
-;; What goes wrong in judging is not the student's
+;; Failures of the judge are not the student's
 
 (judges (an-exercise expects ('expects (lambda (answer) (car answer))))
  ['x undecided #f "it could not be judged: car: contract violation"]
