@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Sets of assumptions, and the signs that follow from them.
 ;;
-;; An assumption says what sign an expression has.  A set of them is an immutable
+;; An assumption gives the sign of an expression.  A set of them is an immutable
 ;; value: the relations as they were declared, and a table of all signs they
 ;; imply (narrowing.rkt), by the terms of an expression.
 ;;
@@ -19,7 +19,7 @@
  ;; sets
  no-assumptions (struct-out assumptions) with-automatic-assumptions with-reference with-domain
  (struct-out relation)
- ;; what is known
+ ;; known signs
  (struct-out known) unknown single?
  meet derive scaled known-sum known-product known-power
  ;; signs
@@ -107,7 +107,7 @@
 (define (part-not-real n)
   (if (eq? (node-head n) op:abs) (because-of nonnegative) not-real))
 
-;; Symbols are real, and roots and logarithms of what may be positive.
+;; Symbols are real, and so are roots and logarithms of terms that may be positive.
 (define (real-valued? A s e)
   (or (plainly-real? e) (not (eq? (infer-signs A s e) not-real))))
 

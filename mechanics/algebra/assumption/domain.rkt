@@ -1,6 +1,6 @@
 #lang racket/base
-;; Where an expression has a value: roots of what is not negative, logarithms of what is
-;; positive, inverse functions where they are real.
+;; Where an expression has a value: a radicand is not negative, an argument of a logarithm
+;; is positive, inverse functions are real.
 ;;
 ;; These relations hold wherever there is anything to say of the expression at all.  So
 ;; they may be used without being told: in √(1 - x) x is at most 1.  They have no datum.

@@ -2,14 +2,14 @@
 ;; The grounds of one simplification: the relations it used, the signs it took
 ;; for granted, and those it had to leave open.
 ;;
-;; A sign is known by declarations, by what real numbers are (cos x is less than 2), and by
+;; A sign is known by declarations, by the nature of real numbers (cos x is less than 2), and by
 ;; the question's domain: where √(1 - x) has a value, x is at most 1.  A sign unknown so far
 ;; is that at the question's reference point (reference-point.rkt), if signs may be taken for
 ;; granted.
 ;;
 ;; The assumptions are the same from beginning to end, so that the order in which
-;; an expression's parts are met makes no difference.  If what was taken for
-;; granted in one place decides what was left open in another, as in √(x²) + |x|,
+;; an expression's parts are met makes no difference.  If a sign taken for
+;; granted in one place decides one left open in another, as in √(x²) + |x|,
 ;; the ledger has a revision: with those assumptions all is done again.
 ;;
 ;; All signs are asked of a simplifier, which has the ledger they are noted in.
@@ -59,7 +59,7 @@
 (define (declared s) (ledger-assumptions (simplifier-ledger s)))
 
 ;; ---------------------------------------------------------------------------
-;; Signs: 1 of what is not negative, -1 of what is not positive
+;; Signs: 1 if not negative, -1 if not positive
 
 ;; -> 1, -1 or, if it is not known, #f
 (define (decided-sign s e) (known-branch s e decided-branch))
@@ -67,13 +67,13 @@
 ;; -> 1, -1 or 0, the sign of e wherever it has a value, or #f
 (define (strict-sign s e) (known-branch s e strict-branch))
 
-;; branch-of : signs -> what they decide, or #f
+;; branch-of : signs -> the branch that they decide, or #f
 (define (known-branch s e branch-of)
   (or (branch-under (declared s) s e branch-of)
       (and (known-real? s e) (branch-of (range-signs e)))
       (branch-in-domain s e branch-of)))
 
-;; As the assumptions decide it; what that rests on is noted.
+;; As the assumptions decide it; the grounds are noted.
 (define (branch-under A s e branch-of)
   (define l (simplifier-ledger s))
   (define k (asked-once A s e (lambda () (infer-signs A s e)) unknown))
@@ -126,7 +126,7 @@
         [(eqv? 1 (sign-to-assume s e)) (assume! s e 1) #t]
         [else #f]))
 
-;; -> 1, -1, or #f where nothing may be taken for granted, as of what is not real
+;; -> 1, -1, or #f where nothing may be taken for granted, as if e is not real
 (define (sign-to-assume s e)
   (define lookup
     (and (assumptions-automatic? (declared s))
@@ -160,7 +160,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; The assumptions with those taken for granted, if they decide what is open;
+;; The assumptions with those taken for granted, if they decide open signs;
 ;; else #f.
 (define (simplifier-revision s)
   (define l (simplifier-ledger s))

@@ -41,7 +41,7 @@
   (define-values (key c) (normalized terms))
   key)
 
-;; e has these signs: -> the table with that, and what follows for its parts.
+;; e has these signs: -> the table with that, and the consequences for its parts.
 (define (narrow A s e k)
   (define now (meet (meet (infer-signs A s e) (by-range e)) k))
   (when (eqv? 0 (known-signs now))

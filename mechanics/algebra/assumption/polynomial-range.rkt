@@ -27,7 +27,7 @@
                    (or (if (unknown? n) (variable n) (combined n parts)) (return #f)))))
     (and unknown (Horner coefficients (places unknown)))))
 
-;; Coefficients, the constant one first, of what an operation makes of polynomials; or #f.
+;; Coefficients of an operation on polynomials, the constant one first; or #f.
 (define (combined n parts)
   (define head (node-head n))
   (define (all f) (for/fold ([p (car parts)]) ([q (in-list (cdr parts))]) (f p q)))

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Reading relations: (>= r 0), (> a b c), (positive m l).
 ;;
-;; Whatever the spelling, a relation is between two expressions, and says what
-;; sign their difference has.
+;; Whatever the spelling, a relation is between two expressions, and gives the
+;; sign of their difference.
 
 (require "assumption-set.rkt" "signs.rkt"
          "../../error/complain.rkt"
@@ -18,7 +18,7 @@
   (hasheq 'positive '> 'nonnegative '>= 'negative '< 'nonpositive '<=))
 
 ;; -> relations between two expressions, as datums
-;; reject : what is wrong, and with which part -> does not return
+;; reject : the fault, and the part it is in -> does not return
 (define (split-relation d [reject raise-no-relation])
   (define name (and (list? d) (pair? d) (car d)))
   (define operands (if name (map plain (cdr d)) '()))

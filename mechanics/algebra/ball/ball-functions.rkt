@@ -68,7 +68,7 @@
 ;; The error function
 
 ;; erf x = 2/√π e^(−x²) Σ tₙ with t₀ = x, tₙ = tₙ₋₁ 2x²/(2n + 1); odd.  From where this factor is at
-;; most 1/2, what follows a term is no more than it.  1 − erf x < e^(−x²) for x > 0.
+;; most 1/2, the terms behind a term sum to no more than it.  1 − erf x < e^(−x²) for x > 0.
 (define (ball-erf x p)
   (define least (+ (integer-length (ball-lower x)) (ball-scale x) -1))     ; 2^least <= x
   (cond [(ball-negative? x) (ball-negate (ball-erf (ball-negate x) p))]

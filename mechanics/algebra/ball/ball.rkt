@@ -12,7 +12,7 @@
 ;; `unknown`: at a higher precision the answer may be another.  The precision p is in bits.
 
 (provide (struct-out ball)
-         ;; what is raised instead of a ball
+         ;; raised instead of a ball
          no-value unknown
          ;; balls from numbers, numbers from balls
          exact->ball flonum->ball make-ball ball-lower ball-upper ball-magnitude

@@ -14,8 +14,8 @@
 ;; read off.
 ;;
 ;; Polynomials modulo relations, like sin² + cos² = 1, cannot be divided like
-;; that.  Such a domain does not divide by q, and is handed every new row to put
-;; it in order: what its entries have in common is taken out.
+;; that.  Their domain does not divide by q, and is handed every new row to put
+;; it in order: a common divisor of its entries is taken out.
 ;;
 ;; Each pivot is the smallest entry left, in the row and column with the fewest
 ;; others (Markowitz), so that zeros stay and entries grow late.
@@ -27,7 +27,7 @@
 
 ;; zero? : entry -> boolean;  size : entry not 0 -> number, small is better
 ;; cross : a b c d q -> (a b - c d)/q, which is exact, if tidy is #f; else a b - c d
-;; tidy : vector of what cross gave -> entries in the same ratio
+;; tidy : vector of results of cross -> entries in the same ratio
 (struct domain (zero one zero? size cross tidy) #:authentic)
 
 ;; rows : vector of vectors, those of the pivots first;  rank : how many these are

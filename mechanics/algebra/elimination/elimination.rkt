@@ -55,8 +55,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Matrices of any shape
 
-;; rank : of the matrix;  vectors : list of vectors, a basis of what it takes to 0,
-;; each without a common divisor;  assumptions : what this takes for granted
+;; rank : of the matrix;  vectors : list of vectors, a basis of its null space,
+;; each without a common divisor;  assumptions : those taken for granted
 (struct kernel-basis (rank vectors assumptions) #:transparent)
 
 ;; Of a matrix of at least one row.

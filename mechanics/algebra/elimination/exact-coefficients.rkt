@@ -3,8 +3,8 @@
 ;;
 ;; Rational numbers become integers, row by row.  Expressions become polynomials
 ;; in all their kernels, again row by row: the entries are fractions of one
-;; field, and a row is multiplied by a common denominator.  What counts as zero
-;; is the canonical value, with all relations of the field applied.
+;; field, and a row is multiplied by a common denominator.  An entry is zero if
+;; its canonical value is, with all relations of the field applied.
 ;;
 ;; Polynomials may outgrow memory on the way: products of terms are counted, and
 ;; beyond a bound the attempt is given up.
@@ -40,7 +40,7 @@
 
 ;; matrix : vector of rows; use : coefficients -> any, which may be called again
 ;; A : assumptions
-;; -> what `use` gives, or #f if that took too much, or an entry divides by 0
+;; -> the value of `use`, or #f if that took too much, or an entry divides by 0
 (define (call-with-coefficients matrix A use)
   (cond [(not (exact-numbers? matrix)) (call-with-polynomials matrix A use)]
         [(all-entries? real? matrix) (use (integer-coefficients matrix))]
@@ -113,7 +113,7 @@
                                 (fraction-from-poly R (ratio-above r))
                                 (fraction-from-poly R (ratio-below r)))))
 
-;; The product, over rows, of what they were multiplied by: a fraction.
+;; The product of the multipliers of the rows: a fraction.
 (define (scale R rows fractions)
   (for/fold ([s (fraction-constant R 1)])
             ([row (in-vector rows)] [fs (in-vector fractions)])
@@ -160,8 +160,8 @@
       (lcm n (denominator (poly-content p)))))
   (poly-scale R numbers d))
 
-;; The fractions are in lowest terms, so what they become over their common
-;; denominator does not depend on a factor that above and below shared.
+;; The fractions are in lowest terms, so their numerators over the common
+;; denominator do not depend on a factor that above and below shared.
 (define (primitive-ratios F ratios)
   (define fs (for/vector ([r (in-list ratios)]) (ratio-fraction F r)))
   (for/list ([p (in-vector (tidy-row F fs))])

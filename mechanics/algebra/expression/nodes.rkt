@@ -1,5 +1,5 @@
 #lang racket/base
-;; The nodes of an expression, and what can be found in them.
+;; The nodes of an expression, and searches among them.
 
 (require (only-in racket/list filter-map remove-duplicates)
          "expression.rkt" "operation.rkt")

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Operations: what may stand at the head of an expression.
+;; Operations: the heads of expressions.
 ;;
 ;; An expression node `(op arg ...)` is headed either by an *operation*, a
 ;; function whose meaning the algebra knows (`+`, `sin`, ...), or by a

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; π, exactly: the symbol :pi.
 ;;
-;; The flonum pi is a rational number whose sine is not 0.  What is computed exactly holds the
+;; The flonum pi is a rational number whose sine is not 0.  Exact results hold the
 ;; symbol :pi in its place, a name that the language gives the flonum, so that it is read as
 ;; it is printed: quoted, as other symbols are, it is π itself.  The symbol pi remains free
 ;; for whoever wants it.  The book's other names are quoted in the same way, and simplify to
@@ -33,7 +33,7 @@
 ;; Is it one of the names that stand for multiples of :pi?
 (define (pi-alias? s) (and (memq s '(:2pi :pi/2 :-pi)) #t))
 
-;; The flonum nearest to what the symbol stands for: π doubled or halved is rounded as π is.
+;; The flonum nearest to the symbol's value: π doubled or halved is rounded as π is.
 (define (pi-flonum s) (* (pi-multiple s) pi))
 
 ;; π to 50 digits, rounded down; the error is less than 10^-50.

@@ -9,8 +9,8 @@
          simplifier-simplify simplifier-terms simplifier-linear-parts
          simplifier-factors simplifier-irreducible-factors simplifier-split-root)
 
-;; ledger : what the work rests on (assumption/ledger.rkt)
-;; fuel : what it may cost altogether (field/work-bounds.rkt)
+;; ledger : the grounds of the work (assumption/ledger.rkt)
+;; fuel : the cost allowed altogether (field/work-bounds.rkt)
 (struct simplifier (methods ledger fuel) #:authentic)
 
 ;; Procedures that take the simplifier first.

@@ -27,8 +27,8 @@
 (define (datum->brief-text d)
   (parameterize ([print-limit 24]) (datum->text d)))
 
-;; The beginning of a datum, within `print-limit` atoms, where an `omission` stands for what is
-;; beyond; the datum itself where there is no bound.
+;; The beginning of a datum, within `print-limit` atoms, where an `omission` stands for the
+;; rest; the datum itself where there is no bound.
 (define (cut-datum d)
   (define size (make-sizer))
   (define left (print-limit))

@@ -57,7 +57,7 @@
       (operation-value w n)
       (resolved-value w n r)))
 
-;; The value of what stands for n.
+;; The value of n, by its resolution r.
 (define (resolved-value w n r)
   (cond [(kernel? r) (field-variable (walk-field w) r)]
         [(alias? r) (value-of w (alias-expression r))]

@@ -6,7 +6,7 @@
 ;; (rᵠ = u).  An element is a fraction of polynomials; it is *reduced* when no
 ;; sine occurs squared and no root to its degree, above or below.  The
 ;; numerator of a reduced fraction is zero just when the element is: that is
-;; what a proof of identity rests on.
+;; the ground of a proof of identity.
 ;;
 ;; Relations form a tower, each over the kernels of those before it; reducing
 ;; from the top once suffices.

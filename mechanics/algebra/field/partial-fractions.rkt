@@ -19,7 +19,7 @@
 (struct over-power (numerator base exponent) #:authentic)
 
 ;; i : the index of s
-;; -> the polynomial in s, and the list of what is over powers
+;; -> the polynomial in s, and the list of terms over powers
 (define (split-in-kernel F f i)
   (define-values (below factors) (split-denominator F f i))
   (define N

@@ -4,7 +4,7 @@
 ;; All arithmetic is charged to a meter as it happens (polynomial/work-budget.rkt), and
 ;; presentation, which looks at terms again and again, in the end.  A step that
 ;; would take more than a bound is an obstacle: the expression is left
-;; unexpanded there.  The bounds are far above what mechanics meets, and low
+;; unexpanded there.  The bounds are far above the needs of mechanics, and low
 ;; enough for a session to go on: a full tank lasts about a second.  When it is
 ;; empty only small steps are made.
 

@@ -66,7 +66,7 @@
                      (lambda (u)
                        (intern-kernel! c (exponential-expression s u) (exponential u s)))))
 
-;; make : expression -> what stands for a basic angle, of which the others are multiples
+;; make : expression -> resolution of a basic angle, of which the others are multiples
 (define (settle-multiples! c angles basis coordinates make)
   (define basics
     (for/vector ([form (in-list basis)])

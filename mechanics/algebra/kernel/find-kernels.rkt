@@ -2,10 +2,10 @@
 ;; Finding the kernels of an expression.
 ;;
 ;; One walk over the graph meets every node that is not arithmetic and decides
-;; what stands for it: a kernel of its own, the sine or cosine of an angle, a
+;; its resolution: a kernel of its own, the sine or cosine of an angle, a
 ;; root, a product of exponentials, or another expression.  Kernels whose
-;; canonical expressions are equal are one kernel.  What depends on all that
-;; occurs (which angles and exponents are basic) is settled at the end.
+;; canonical expressions are equal are one kernel.  Choices that depend on all that
+;; occurs (which angles and exponents are basic) are made at the end.
 ;;
 ;; Arguments of kernels are simplified first, by the simplifier above.
 

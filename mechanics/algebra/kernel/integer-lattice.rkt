@@ -10,7 +10,7 @@
 ;; earlier ones preferred.  When all others are integer combinations of it (the
 ;; usual case) it is the basis.  Otherwise a finer lattice will do: fractions of
 ;; the atoms themselves, if there are no more atoms than dimensions, and else
-;; what the Hermite normal form of all coordinates, scaled to integers, gives.
+;; the result of the Hermite normal form of all coordinates, scaled to integers.
 ;;
 ;; A vector is a list of (key . rational), keys ascending, rationals nonzero.
 

@@ -6,7 +6,7 @@
          "../expression/operation.rkt" "../expression/order.rkt" "../expression/simplifier.rkt")
 
 (provide
- ;; what stands for a node
+ ;; resolutions of a node
  (struct-out circular) (struct-out surd) (struct-out exponential-power) (struct-out alias)
  ;; the collector
  (struct-out collector) make-collector

@@ -59,8 +59,8 @@
 (struct angle (form [multiples #:mutable])
   #:authentic)
 
-;; The root of this degree of a radicand.  What is known of it grows until all is
-;; met: the degree, and candidates ((radicand . scale) ...) for a more readable
+;; The root of this degree of a radicand.  Until all is met more becomes known:
+;; the degree, and candidates ((radicand . scale) ...) for a more readable
 ;; radicand, scale^degree times the one it began with.
 (struct root ([radicand #:mutable] [degree #:mutable] [scale #:mutable]
               [candidates #:mutable] [kernel #:mutable])
@@ -69,7 +69,7 @@
 ;; The absolute value of an expression.
 (struct modulus (argument) #:authentic)
 
-;; e^exponent, and what simplifies exponents.
+;; e^exponent, and the simplifier of exponents.
 (struct exponential (exponent simplifier) #:authentic)
 
 ;; ---------------------------------------------------------------------------
@@ -91,7 +91,7 @@
                  (signed-operands (cadr (node-args e)) op inverse (- sign)))]
         [else (list (cons e sign))]))
 
-;; The sine, cosine or tangent, circular or hyperbolic, of what has this sine and cosine.
+;; The sine, cosine or tangent, circular or hyperbolic, by sine and cosine.
 (define (function-value head sine cosine)
   (cond [(memq head (list op:sin op:sinh)) sine]
         [(memq head (list op:cos op:cosh)) cosine]

@@ -2,13 +2,13 @@
 ;; Logarithms and absolute values, by the factors of their arguments.
 ;;
 ;; log eᵘ = u, log √u = 1/2 log u, log 1/u = -log u.  Else a single logarithm
-;; stays as it is, but for that of a power of what has a known sign; where several
+;; stays as it is, but for that of a power whose base has a known sign; where several
 ;; occur, or an exponential is a factor, arguments are split, log(4x²y) = 2 log 2 +
 ;; 2 log x + log y, the factors being known or assumed not to be negative.  Where
 ;; nothing is known and nothing may be assumed, log x² = 2 log|x|, and factors to odd
 ;; powers stay together.
 ;;
-;; Of what is not real the logarithm stays as it is: log e^(it) is it up to 2πi.
+;; The logarithm of a number not real stays as it is: log e^(it) is it up to 2πi.
 ;;
 ;; |c x²y| = |c| x² |y|, and |y|² = y²; |y| is y or -y if the sign of y is known.
 
@@ -40,7 +40,7 @@
 (define (symbolic-power? e)
   (and (headed? e op:expt) (not (number? (cadr (node-args e))))))
 
-;; When all logarithms have been met.  What stands for one may hold others.
+;; When all logarithms have been met.  The resolution of one may hold others.
 (define (settle-logarithms! c)
   (define table (collector-logarithms c))
   (let loop ([several? (> (hash-count table) 1)])
@@ -92,7 +92,7 @@
 (define (negative-part? c p)
   (and (symbolic? (cdr p)) (eqv? -1 (decided-sign (collector-simplifier c) (cdr p)))))
 
-;; The part of an even power of what has a known sign, or #f.
+;; The part of an even power with a base of known sign, or #f.
 (define (power-parts c parts)
   (define f (and (= 1 (length parts)) (cdar parts)))
   (define sign (and f (symbolic? f) (sign-or-left-open (collector-simplifier c) f)))
@@ -101,7 +101,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Signs of parts
 
-;; The same sum with logarithms of what is not negative.  Of a negative part the
+;; The same sum with logarithms of parts not negative.  Of a negative part the
 ;; opposite stands in it; if that changes the sign of the whole, so does one other.
 (define (signed-parts c parts)
   (define s (collector-simplifier c))

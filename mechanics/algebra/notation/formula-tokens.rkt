@@ -8,7 +8,7 @@
 ;; at : position in the text; spaced? : does a space stand before it?
 (struct token (kind text value at spaced?) #:authentic)
 
-;; text (position what -> does not return) -> list of tokens, the last of kind 'end
+;; text (position message -> does not return) -> list of tokens, the last of kind 'end
 ;; rules : ((kind pattern (match -> value or #f)) ...), the first that fits and gives a value
 (define (tokens text fail [rules notation-rules])
   (define n (string-length text))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; S-expressions as trees: what an expression, an operator or a relation prints as, in the
+;; S-expressions as trees: the printed form of an expression, an operator or a relation, in the
 ;; notation of a physics book.
 
 (require "formula-style.rkt" "name.rkt" "numeral.rkt" "tree.rkt" "tree-arithmetic.rkt"

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Formulas as people type them, read by what is known of their names.
+;; Formulas as people type them, read by knowledge of their names.
 ;;
 ;;     list   := side {= side} {(, ;) side {= side}}        sum   := [−] term {(+ −) [−] term}
 ;;     term   := factor { * [−] factor | / [−] factor | factor }
@@ -116,7 +116,7 @@
            (loop (product left run) #f)]
           [else left])))
 
-;; 1/2 m, A*1/2 m and m/2 x, where spaces tell what belongs together
+;; 1/2 m, A*1/2 m and m/2 x, where spaces group the factors
 (define (simple-quotient? in left)
   (define next (behind in))
   (and (or (not (pair? left)) (and (eq? '* (car left)) (number? (last left))))
@@ -229,7 +229,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Calls of known functions
 
-;; root? : is it the sign √, which ends with what it touches?
+;; root? : is it the sign √, which ends with the factor that it touches?
 (define (read-call in name [root? #f])
   (define exponent (and (not root?) (read-exponent in name)))
   (define (raised d) (if exponent (list 'expt d exponent) d))
@@ -251,7 +251,7 @@
     (refuse in "~a^-1 has two readings: the inverse, a~a, and one over it, 1/~a" name name name))
   exponent)
 
-;; sin x, sin 2x; what follows one factor may belong to the argument or not: sin x y, sin x/2.
+;; sin x, sin 2x; a second factor may belong to the argument or not: sin x y, sin x/2.
 (define (read-bare-argument in call name root?)
   (unless (or (starts-factor? in) (and (ahead? in 'minus) (not root?) (minus-of-argument? in)))
     (refuse in "~a has no argument" name))
@@ -335,7 +335,7 @@
         [(glued? in 'open) (derivative-call in s dots)]
         [else (string->symbol (format "~a~a" s (if (= dots 1) "dot" "dotdot")))]))
 
-;; V'(r) and D²x(t) of what is no coordinate
+;; V'(r) and D²x(t), unless the name is a coordinate
 (define (derivative-call in s dots)
   (called in (list (if (= dots 1) 'D (list 'expt 'D dots)) s) (read-arguments in)))
 
@@ -362,7 +362,7 @@
   (and (equal? "t" (token-text (car tokens))) (eq? 'close (token-kind (cadr tokens)))))
 
 ;; A coordinate may stand with its argument, the time; x(t - 1) is not clear.  Behind other
-;; quantities parentheses are a factor; what was read in them is not read again.
+;; quantities parentheses are a factor; their contents are not read again.
 (define (after-quantity in d)
   (when ((vocabulary-moving? (source-words in)) d)
     (skip-time in)
@@ -385,7 +385,7 @@
   (define d (if (glued? in 'open) (called in s (read-arguments in)) s))
   (if exponent (list 'expt d exponent) d))
 
-;; V(r), f(x, y), f(); but of f(x + 1) nothing tells what it is.
+;; V(r), f(x, y), f(); but f(x + 1) is not clear.
 (define (unknown-call in s)
   (define inside (read-arguments in))
   (define d (if (and (pair? inside) (null? (cdr inside))) (car inside) 'several))

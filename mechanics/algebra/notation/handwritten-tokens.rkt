@@ -10,13 +10,13 @@
 
 (provide handwritten-tokens)
 
-;; text (position what -> does not return) -> tokens
+;; text (position message -> does not return) -> tokens
 (define (handwritten-tokens text fail) (tokens (plainly-spelled text) fail rules))
 
 ;; ---------------------------------------------------------------------------
 ;; Spelling
 
-;; Without what TeX needs for looks alone; rates as fractions become primes.
+;; Without signs that TeX needs for looks alone; rates as fractions become primes.
 (define (plainly-spelled text)
   (for/fold ([text (string-normalize-nfc text)]) ([entry (in-list spellings)])
     (regexp-replace* (car entry) text (cdr entry))))

@@ -11,7 +11,7 @@
 (provide name-parts dotted-parts (struct-out parts) subscripts superscripts letter->greek
          Greek-name? letter inverse)
 
-;; base : what is shown, its Greek letters as letters
+;; base : the name shown, its Greek letters as letters
 ;; sort : 'letter, 'capital (Greek), 'word of several letters, or 'odd
 ;; dots : how many; digits : those after the base, "" mostly
 ;; marks: ((#\_ . text) or (#\^ . text) ...)
@@ -57,7 +57,7 @@
         [(memv (string-ref base 0) (string->list "ΓΔΘΛΞΠΣΥΦΨΩ")) 'capital]
         [else 'letter]))
 
-;; "thetadot" is theta with one dot; what is left must be one letter.
+;; "thetadot" is theta with one dot; the rest must be one letter.
 (define (without-dots stem)
   (define m (regexp-match #rx"^(.*[^t]|t|.*[^o]t|.*[^d]ot)((?:dot)+)$" stem))
   (define dots (if m (quotient (string-length (caddr m)) 3) 0))

@@ -2,7 +2,7 @@
 ;; Formulas as other programs spell them, in the signs that handwritten-tokens.rkt knows: Sqrt[l/g]
 ;; and np.sqrt(l/g) become sqrt(l/g); and TeX with a space forgotten, \alphax and \sinx.
 ;;
-;; Each spelling is an entry of a table.  What no entry knows stays, and no token begins with it.
+;; Each spelling is an entry of a table.  Other text stays, and no token begins with it.
 
 (require (only-in "name.rkt" Greek-name?))
 

@@ -19,14 +19,14 @@
   (define fail (failing-in text))
   (tokens->datum (tokens text fail) fail))
 
-;; all : the tokens of a text; fail : position what -> does not return
+;; all : the tokens of a text; fail : position message -> does not return
 (define (tokens->datum all fail)
   (define in (infix-reader all (refusing fail) fail))
   (define d (read-relation in))
   (unless (eq? (kind-ahead in) 'end) (unexpected in))
   d)
 
-;; fail : position what -> does not return
+;; fail : position message -> does not return
 (struct infix-reader reader (fail) #:authentic)
 
 (define (kind-ahead in) (token-kind (ahead in)))

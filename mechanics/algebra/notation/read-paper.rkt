@@ -113,7 +113,7 @@
         [m (string->symbol (cadr m))]
         [else d]))
 
-;; ẋ is xdot; other letters stay, for the reader may have defined what has their name.
+;; ẋ is xdot; other letters stay, for the reader may have defined a value of that name.
 (define (paper-name text)
   (cond [(member text '("π" "Pi")) 'pi]
         [(regexp-match? #px"[\u307\u308\u20DB]" (string-normalize-nfd text))

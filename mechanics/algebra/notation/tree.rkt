@@ -68,7 +68,7 @@
 
 (define (unlabelled? l) (string=? "" (report-line-label l)))
 
-;; A sum or product cut into lines, each a tree; what is within the width is never cut.
+;; A sum or product cut into lines, each a tree; a part within the width is never cut.
 (struct broken (lines) #:prefab)
 (struct continuation (sign body) #:prefab)   ; a line that goes on with this sign
 
@@ -79,7 +79,7 @@
 ;; The trees that a tree consists of, in order.
 (define (tree-parts t) (trees-in (cdr (vector->list (struct->vector t)))))
 
-;; xs : what fields hold; marks of derivatives, texts and numbers are no trees
+;; xs : contents of fields; marks of derivatives, texts and numbers are no trees
 (define (trees-in xs)
   (append-map (lambda (x)
                 (cond [(term? x) (list (term-body x))]

@@ -2,7 +2,7 @@
 ;; Factors of polynomials over the rationals.
 ;;
 ;; Multiplicities, and factors with different variables, are told apart by gcds
-;; (gcd-splitting.rkt).  Of what is left, no factor is free of a variable that occurs: so
+;; (gcd-splitting.rkt).  Then no factor is free of a variable that occurs: so
 ;; it is irreducible if it is linear in one.  A homogeneous polynomial is factored
 ;; with one variable set to 1, which takes nothing away.
 

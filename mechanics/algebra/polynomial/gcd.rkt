@@ -3,7 +3,7 @@
 ;;
 ;; In order: numbers and monomials are split off; a variable that only one of
 ;; the two has, or that univariate images (univariate-images.rkt) show to be missing in the
-;; gcd, is got rid of by taking coefficients, since what divides p and is free
+;; gcd, is got rid of by taking coefficients, since a polynomial that divides p and is free
 ;; of x divides every coefficient of p in x.  Mostly nothing is left, and
 ;; coprimality is proved.  Otherwise a common divisor g is found by trial
 ;; division, heuristically or by the sparse modular method, and checked by

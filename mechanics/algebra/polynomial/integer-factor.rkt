@@ -3,7 +3,7 @@
 ;;
 ;; A factor of f has coefficients below a bound (Mignotte's), and modulo a prime
 ;; of more than twice that bound it is a product of some of the modular factors
-;; of f.  So products of few of them are tried by division: what divides is a
+;; of f.  So products of few of them are tried by division: one that divides is a
 ;; factor, and irreducible, since products of fewer did not.
 ;;
 ;; A polynomial is the vector of its integer coefficients by ascending degree.

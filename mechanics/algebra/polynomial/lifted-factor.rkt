@@ -113,7 +113,7 @@
     (define shift (poly-constant R (* sign (coordinate-value c))))
     (poly-substitute R q y (poly+ R (poly-variable R y) shift))))
 
-;; Twice what the coefficients of a factor can be, after Gelfond.
+;; Twice the bound on the coefficients of a factor, after Gelfond.
 (define (coefficient-bound R q)
   (define degrees (for/list ([i (in-list (poly-variables R q))]) (poly-degree R q i)))
   (* 2

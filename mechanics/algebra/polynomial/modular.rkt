@@ -89,7 +89,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Univariate polynomials
 
-;; The degree of what stands at the places 0 ... top.
+;; The degree of the polynomial at the places 0 ... top.
 (define (univariate-degree v top)
   (let loop ([i top])
     (if (and (fx>= i 0) (eq? 0 (fxvector-ref v i))) (loop (fx- i 1)) i)))

@@ -5,7 +5,7 @@
 ;; one word, or a chain of words when the fields do not fit one.  (A bignum
 ;; would do instead of a chain, but measured twice as slow in products and
 ;; sums.)  Words are natural numbers below 2^60, the first counts most; all
-;; monomials of a ring have equally many.  What the fields mean is the ring's
+;; monomials of a ring have equally many.  The meaning of the fields is the ring's
 ;; affair (ring.rkt); here it only matters that sums do not carry out of a
 ;; word, that the fields of a monomial have a spare bit, 0, and that the first
 ;; word is 0 for the monomial 1 alone.

@@ -12,7 +12,7 @@
 (provide
  ;; rings
  make-ring ring-size ring-max-degree (struct-out exn:algebra:degree-overflow)
- ;; what arithmetic costs
+ ;; the cost of arithmetic
  make-meter meter-left meter-charge! meter-allow! meter-allow-all! overspent?
  ;; making
  poly-constant poly-variable

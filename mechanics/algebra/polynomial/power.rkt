@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Powers: a base and its exponent.
 ;;
-;; A monomial is a list of powers of variables, which are known by their indices; what has
-;; been factored is a list of powers of polynomials.  Like terms (term-list.rkt) powers are
+;; A monomial is a list of powers of variables, which are known by their indices; a
+;; factored polynomial is a list of powers of polynomials.  Like terms (term-list.rkt) powers are
 ;; pairs, and the names cost nothing.
 
 (provide make-power power-base power-exponent raise-powers)

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Factors of a polynomial from those of its image.
 ;;
-;; The image of a factor is a product of some of the factors of the image.  So what
-;; products of few of them come from is tried; a factor found is irreducible, since
+;; The image of a factor is a product of some of the factors of the image.  So
+;; products of few of them are tried; a factor found is irreducible, since
 ;; products of fewer did not give one.
 
 (require racket/list)

@@ -37,7 +37,7 @@
 ;; words, shifts : fxvectors by variable: its word, and its place there
 ;; lasts : vector by word: the variable in its lowest field
 ;; units : vector of the variables as monomials; one, guards : monomials
-;; meter : of what is done in the ring, or #f
+;; meter : of the work in the ring, or #f
 (struct ring (size max-degree bits field degree-shift words shifts lasts units one guards meter)
   #:authentic)
 

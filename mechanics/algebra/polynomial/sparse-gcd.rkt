@@ -14,7 +14,7 @@
 ;;
 ;; From h modulo P to h: take residues of least magnitude, over as many primes
 ;; as it needs.  The primitive part of h in x divides g.  Unlucky points and
-;; primes make a wrong guess, so only what divides p and q is returned.
+;; primes make a wrong guess, so only a divisor of p and q is returned.
 
 (require racket/fixnum
          (only-in racket/list argmin)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Univariate images, and what they prove about a gcd.
+;; Univariate images, and their proofs about a gcd.
 ;;
 ;; Put residues α in the place of all variables but x, and reduce modulo a
 ;; prime P.  A common divisor g of p and q becomes a common divisor of their

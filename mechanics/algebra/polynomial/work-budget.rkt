@@ -1,8 +1,8 @@
 #lang racket/base
-;; Meters: what arithmetic may cost, counted in terms and never in time.
+;; Meters: the cost allowed to arithmetic, counted in terms and never in time.
 ;;
-;; A ring may have a meter.  What is done in the ring is charged to it as much as
-;; terms are multiplied, or as often as they are looked at; so the count says
+;; A ring may have a meter.  Work in the ring is charged to it, as many times as
+;; terms are multiplied or looked at; so the count says
 ;; within a small factor how long things took, and is the same every time.  While
 ;; an allowance is given, a charge beyond it raises `overspent`.
 

@@ -96,7 +96,7 @@
 (define (heavy-power? k e) (or (positive? e) (not (symbol? (kernel-expression k)))))
 
 ;; Equations of motion stay sums over the highest derivatives, their coefficients
-;; collected.  What they may share besides are divisors, or sines times a sum
+;; collected.  Besides they may share divisors, or sines times a sum
 ;; without any: m l (g + ÿ) sin θ.
 (define (residual? terms)
   (for/or ([t (in-list terms)]) (>= (term-derivative t) 2)))
@@ -115,8 +115,8 @@
 
 (define (without-circles? t) (not (ormap circular-kernel? (map car (term-powers t)))))
 
-;; With what the terms share in front, or all over one denominator, if that is
-;; enough smaller; exponentials that they share always.
+;; With the shared content in front, or all over one denominator, if that is
+;; enough smaller; shared exponentials always.
 (define (prefer-factored F terms)
   (define-values (c shared core) (extract-content terms #t))
 
@@ -153,7 +153,7 @@
   (sum-form (for/list ([t (in-list (in-order shown))])
               (term-form t (field-inexact? F)))))
 
-;; A positive constant comes first, what is divided by sums last.
+;; A positive constant comes first, divided sums last.
 (define (in-order terms)
   (define (divided-by-sum? t)
     (for/or ([p (in-list (term-powers t))]) (and (negative? (cdr p)) (sum-kernel? (car p)))))

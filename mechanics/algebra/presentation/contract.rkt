@@ -7,7 +7,7 @@
 ;;     X sin a cos b + X cos a sin b = X sin(a + b)      (with -: sin(a - b))
 ;;
 ;; and 2X cos²a - X = X cos 2a.  For those angles 2a that the expression had also
-;; 2X sin a cos a = X sin 2a, though that makes no fewer terms.  What was merged
+;; 2X sin a cos a = X sin 2a, though that makes no fewer terms.  Merged terms
 ;; may merge again with a third angle, so passes are made until one finds nothing.
 ;;
 ;; For this a term's monomial is packed into an integer, its key: in low bits
@@ -157,7 +157,7 @@
 (define (sine? f) (not (eqv? 0 (cadr f))))
 (define (cosine? f) (not (eqv? 0 (cddr f))))
 
-;; The partner of a term in cos a cos b, or in sin a cos b, and what they make.
+;; The partner of a term in cos a cos b, or in sin a cos b, and their merge.
 (define (pair-of key x a b function table combine)
   (define cosine? (eq? function 'cosine))
   (define rest (- key (if cosine? (turn-cosine a) (turn-sine a)) (turn-cosine b)))

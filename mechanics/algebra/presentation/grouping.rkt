@@ -1,5 +1,5 @@
 #lang racket/base
-;; Grouping the terms of a sum by what they share.
+;; Grouping the terms of a sum by shared factors.
 ;;
 ;; In ½ m v² + ½ m w² - ½ m ω² x² - ½ m ω² y² the last two share most, then the
 ;; first two: so ½ m (v² + w²) - ½ m ω² (x² + y²).  The pair of terms with the
@@ -85,7 +85,7 @@
 
 (define (unmade? pair made) (not (ormap (lambda (t) (memq t made)) pair)))
 
-;; The weight of what two terms have alike.  Of x² and x y nothing counts: the
+;; The weight of the part shared by two terms.  Of x² and x y nothing counts: the
 ;; square is worth more than the factor x.
 (define (shared-weight a b weight)
   (let loop ([as (term-powers a)] [bs (term-powers b)]

@@ -86,7 +86,7 @@
            (part (part-coefficient p)
                  (fraction* (field-ring F) (part-basis p) (digit-quotient d))))]))
 
-;; A coefficient, free of a variable, and what it is times: a power of the variable, or
+;; A coefficient, free of a variable, and its other factor: a power of the variable, or
 ;; one over a power of an irreducible polynomial.
 (struct digit (coefficient quotient) #:authentic)
 

@@ -1,12 +1,12 @@
 #lang racket/base
-;; From the canonical value back to what a physicist would write.
+;; From the canonical value back to a form that a physicist would write.
 ;;
 ;; The value is a reduced fraction of polynomials in kernels.  Presentation
 ;; chooses among equal forms of it, and never changes the value:
 ;;
 ;; - sin² or cos², angles contracted or not, multiple or not: whichever is shorter;
 ;; - a fraction is split over the terms of its numerator, or kept whole;
-;; - a sum is grouped by what its terms share (condense.rkt).
+;; - a sum is grouped by factors that its terms share (condense.rkt).
 ;;
 ;; The first form named is kept unless another is smaller by a sixth.  The
 ;; choice depends on the value and the order of kernels alone.

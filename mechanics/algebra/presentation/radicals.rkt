@@ -1,13 +1,13 @@
 #lang racket/base
 ;; A square root and the powers of its factors that stand beside it.
 ;;
-;; In normal form a root holds no square, and what is outside stays there:
+;; In normal form a root holds no square, and factors outside stay there:
 ;; k/√(k m), √(G M/a)/a, ½ √(2 u/g).  All told, each factor b of the radicand has
 ;; a half-integer exponent f.  With f of both signs everything goes under the root,
 ;; √(k/m), √(G M/a³), or, f being ±n/2 throughout, becomes (k/m)^(n/2).  With f of
 ;; one sign integer parts stay outside: h √(2 g h), 1/√(2 g y).
 ;;
-;; b √u is √(b² u) only if b is not negative; so what goes under the root, or comes
+;; b √u is √(b² u) only if b is not negative; so a factor that goes under the root, or comes
 ;; out, to an odd power must not be negative, unless all of the radicand does, which
 ;; is not negative itself.
 
@@ -43,7 +43,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Radicands as products
 
-;; The factors ((expression . ±1) ...) of what stands under the root, a number one
+;; The factors ((expression . ±1) ...) of the radicand, a number one
 ;; of them perhaps; #f where it is no such product.
 (define (radicand-factors e)
   (define factors
@@ -127,7 +127,7 @@
         [else
          (list (cons (intern (make-node op:sqrt (list (quotient-of inside exponents 2)))) 1))]))
 
-;; Exponents of one sign: integer powers, and a root of what is left.
+;; Exponents of one sign: integer powers, and a root of the rest.
 (define (apart inside exponents sign intern)
   (define root
     (make-node op:sqrt

@@ -149,12 +149,12 @@
   (and (positive? x)
        (let ([root (sqrt x)]) (and (exact? root) root))))
 
-;; The root of the powers divided by what is shared.
+;; The root of the powers divided by the shared ones.
 (define (root-of powers shared)
   (for/list ([p (in-list (divide-powers powers shared))])
     (cons (car p) (quotient (cdr p) 2))))
 
-;; Are they equal?  Quicker than equal?, which looks for what a kernel holds.
+;; Are they equal?  Quicker than equal?, which compares the contents of kernels.
 (define (same-powers? as bs)
   (cond [(null? as) (null? bs)]
         [(null? bs) #f]

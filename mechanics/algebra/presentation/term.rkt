@@ -80,7 +80,7 @@
       (if (null? group) (cons k keys) keys)))
   (for/list ([k (in-list (reverse keys))]) (reverse (hash-ref table k))))
 
-;; The list of xs and of what is left of it by taking off one after the other, '() left out.
+;; The list of xs and its tails, '() left out.
 (define (in-tails xs)
   (if (null? xs) '() (cons xs (in-tails (cdr xs)))))
 
@@ -129,7 +129,7 @@
 
 ;; terms = c · powers · core, where the core has coprime integer coefficients,
 ;; not all negative, and no kernel to a negative power or in every term; or, if
-;; `shared?`, only what all terms share is taken out: no common denominator.
+;; `shared?`, only the part that all terms share is taken out: no common denominator.
 (define (extract-content terms [shared? #f])
   (define coefficients (map term-coefficient terms))
   (define c (rational-content coefficients))
@@ -140,7 +140,7 @@
   (values signed powers
           (multiply-terms (scale-terms (/ 1 signed) terms) (invert-powers powers))))
 
-;; For each kernel the lesser exponent, absence counting as 0; or what is shared:
+;; For each kernel the lesser exponent, absence counting as 0; or the shared one:
 ;; the one nearer to 0.  Exponentials are shared as a whole or not at all: which
 ;; of them are basic depends on those that occurred.
 (define (common-powers as bs shared?)

@@ -41,7 +41,7 @@
          (and root (root-of-degree root (quotient d 2)))]
         [else (root-of-sum s d (lambda (s) (odd-root s d)))]))
 
-;; The root of s, or of what is left when one of its terms is taken out.
+;; The root of s, or of its rest when one of its terms is taken out.
 (define (root-of-sum s d root-of)
   (or (root-of s)
       (for*/or ([(radical c) (in-hash s)] #:when (positive? c))

@@ -53,7 +53,7 @@
     (cons op (make-literal-head (string->uninterned-symbol (symbol->string (operation-name op)))))))
 
 ;; -> e with veiled functions, their arguments and those of roots simplified, and
-;; what that assumed.
+;; the assumptions made.
 (define (veil e A)
   (define assumptions '())
   (define (simplified n)

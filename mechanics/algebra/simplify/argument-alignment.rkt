@@ -2,14 +2,14 @@
 ;; Arguments that are equal though they are written differently.
 ;;
 ;; A function applied is known by its argument as that is presented, and the kernels
-;; an argument is written in depend on what occurs in it: sin 2a and 2 sin a cos a,
+;; that an argument is written in depend on its parts: sin 2a and 2 sin a cos a,
 ;; each by itself, are written in the angles 2a and a.  So the arguments of all
 ;; functions are looked at together: in the field of all their kernels those that are
 ;; equal have one value.  Mostly every argument has the kernels there that it has by
 ;; itself, and nothing is to be done.  Otherwise
 ;;
 ;; - the function of an argument is that of the least of those that are equal;
-;; - what exponentials, angles, roots and logarithms are taken of, whose terms and
+;; - the argument of an exponential, angle, root or logarithm, whose terms and
 ;;   factors count, is written in the kernels of all.
 
 (require "normalize.rkt"

@@ -15,7 +15,7 @@
          (struct-out exn:algebra:contradiction))
 
 ;; data : relations between two expressions, as datums
-;; rejection : datum -> what to call if it is no relation (see assumption/relation.rkt)
+;; rejection : datum -> a procedure to call if it is no relation (see assumption/relation.rkt)
 ;; Raises exn:algebra:contradiction.
 (define (declare-relations A data [rejection (lambda (d) raise-no-relation)])
   (define new
@@ -46,7 +46,7 @@
 (define (declared-relations A)
   (remove-duplicates (map relation-datum (assumptions-relations A))))
 
-;; The set without those of these datums; what they implied is gone.
+;; The set without those of these datums, and without their consequences.
 (define (without-relations A data)
   (declare-relations (with-automatic-assumptions no-assumptions (assumptions-automatic? A))
                      (remove* data (declared-relations A))))

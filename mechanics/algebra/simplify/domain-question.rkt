@@ -42,8 +42,8 @@
   (relation #f (workspace-simplify w (relation-expression r)) (relation-signs r)))
 
 ;; ---------------------------------------------------------------------------
-;; Frequencies √(k/m) are the roots met most often.  What such relations say of k and m
-;; together says nothing of one of them, and no narrowing is needed to see that.
+;; Frequencies √(k/m) are the roots met most often.  Such relations between k and m
+;; say nothing of one of them, and no narrowing is needed to see that.
 
 ;; All of single unknowns, or all of products and quotients?
 (define (monomials-apart? relations)

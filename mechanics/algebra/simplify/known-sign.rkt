@@ -1,5 +1,5 @@
 #lang racket/base
-;; The sign of an expression where it is known: from its form, and from what is declared; nothing
+;; The sign of an expression where it is known: from its form and the declarations; nothing
 ;; is taken for granted.
 
 (require "simplify-expression.rkt"

@@ -1,17 +1,17 @@
 #lang racket/base
-;; Of what was taken for granted on the way, what the result needs.
+;; The assumptions that a result needs, of those taken for granted on the way.
 ;;
 ;; √((x + a/b)² + y²) is √(…)/|b| on the way, where the sign of b is taken, and comes out as it
-;; was.  That is right with the other sign of b as well, and what is right with either sign is
-;; so without an assumption on it; of several, with every choice of signs.
+;; was.  That is right with the other sign of b as well, and a result right with either sign
+;; needs no assumption on it; of several, with every choice of signs.
 ;;
 ;; Whether an assumption is needed costs as much as the simplification, and is found when somebody
 ;; wants to know.
 ;;
-;; A point with the other sign, at which the result is not what was asked about, tells at once
+;; A point with the other sign, at which the result differs from the question, tells at once
 ;; that the assumption is needed, as of √(r²) = r.  If there is none, the difference of both is
-;; simplified with that sign: it is to be 0.  What was declared and makes it 0 is needed then.  Of
-;; what is large nothing is asked.
+;; simplified with that sign: it is to be 0.  Declarations that make it 0 are needed then.  A
+;; large expression is not examined.
 
 (require (only-in racket/list remove-duplicates)
          "declare-relations.rkt" "simplify-expression.rkt"
@@ -24,17 +24,17 @@
 
 (provide needed-grounds simplify-expression/needed)
 
-;; -> the simplified expression and what it needs: datums, or what finds them
+;; -> the simplified expression and its needs: datums, or a procedure that finds them
 (define (simplify-expression/needed e A)
   (define-values (simple grounds) (simplify-expression/assumptions e A))
   (values simple (needed-grounds e simple A grounds)))
 
-;; Nodes of what was asked about, and assumptions looked at: each doubles the work.
+;; Nodes of the question, and assumptions looked at: each doubles the work.
 (define most-nodes 400)
 (define most-taken 3)
 
-;; simple : what e results in under A and the grounds, datums such as (>= R 0)
-;; -> those of the grounds that it needs: datums, or what finds them
+;; simple : the result of e under A and the grounds, datums such as (>= R 0)
+;; -> those of the grounds that it needs: datums, or a procedure that finds them
 (define (needed-grounds e simple A grounds)
   (define declared (map relation-datum (assumptions-relations A)))
   (define (taken? d) (and (not (left-unexpanded? d)) (not (member d declared))))
@@ -51,7 +51,7 @@
    (append (filter (lambda (d) (member d declared)) reasons)
            (remove* idle grounds))))
 
-;; -> those that may all be left out, and what it rests on that they may
+;; -> those that may all be left out, and the grounds for that
 (define (idle-grounds e simple A taken)
   (for/fold ([idle '()] [reasons '()]) ([d (in-list taken)])
     (define more
@@ -89,8 +89,8 @@
   (define y (and lookup (real-value simple lookup)))
   (and x y (> (abs (- x y)) (* 1e-9 (+ 1.0 (abs x))))))
 
-;; Is it the same under these, too?  -> what that rests on, or #f.  Nothing is taken for granted
-;; here; of what cannot hold all is true.
+;; Is it the same under these, too?  -> the grounds, or #f.  Nothing is taken for granted
+;; here; under relations that cannot hold all is true.
 (define (reasons-under e simple A data)
   (with-handlers ([exn:algebra:contradiction? exn:algebra:contradiction-because])
     (define-values (F f grounds)

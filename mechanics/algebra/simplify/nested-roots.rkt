@@ -1,5 +1,5 @@
 #lang racket/base
-;; Square roots of sums of roots, as they are left when what else stands under the root is taken
+;; Square roots of sums of roots, as they remain when other factors of the radicand are taken
 ;; out: √(3x - 2√2 x) is (√2 - 1) √x.
 
 (require "../expression/expression.rkt"

@@ -2,7 +2,7 @@
 ;; Roots by the factors of their radicands: (c^q w)^(1/q) = c w^(1/q).
 ;;
 ;; The radicand is factored into primes, square-free polynomials and, where it
-;; holds roots or exponentials as factors, what stands in these.  Each factor g^e
+;; holds roots or exponentials as factors, the radicands and exponents of these.  Each factor g^e
 ;; contributes a whole power of g and g^(a/d) in lowest terms; factors with one d are
 ;; one root, so (4x²y)^(1/4) = √(2x) y^(1/4).
 ;;
@@ -80,7 +80,7 @@
                                                         (cons (car g) 1)))))))
   (if sign (values sign group others) (values 1 '() factors)))
 
-;; -> the number, what is taken out of a square root, and the factors that are left
+;; -> the number, the factor taken out of a square root, and the factors that are left
 (define (denest F number factors)
   (for/fold ([number number] [outer 1] [left '()] #:result (values number outer (reverse left)))
             ([g (in-list factors)])

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The simplifier: one workspace serves an expression and everything within it.
 ;;
-;; Each node is treated once, and what is taken for granted is written in a ledger.
+;; Each node is treated once, and signs taken for granted are written in a ledger.
 ;; The rooms below, which need parts simplified, know the workspace by its methods.
 
 (require racket/list
@@ -25,7 +25,7 @@
   (normals simples term-lists part-lists involved? [left-unexpanded #:mutable])
   #:authentic)
 
-;; q : what is asked about (assumption/ledger.rkt)
+;; q : the question (assumption/ledger.rkt)
 (define (make-workspace A q [fuel (make-fuel)])
   (workspace workspace-methods (make-ledger A q) fuel
              (make-hash) (make-hash) (make-hash) (make-hash) (make-involved?) '()))

@@ -13,10 +13,10 @@
          normal-form normal-form+simplified)
 
 ;; The work begins anew as long as there are revisions; each decides more signs.
-;; e : what is asked about
+;; e : the expression asked about
 ;; fuel : for all the work together, or #f: then each time anew
-;; -> what it results in, and what that rests on, as datums such as (>= R 0):
-;; relations of A, and what was taken for granted
+;; -> the result, and its grounds, as datums such as (>= R 0):
+;; relations of A, and signs taken for granted
 (define (work-under A e work [fuel #f])
   (define w (make-workspace A (question-about (list e) A) (or fuel (make-fuel))))
   (define result (work w))
@@ -35,8 +35,8 @@
   (define w (make-workspace (with-automatic-assumptions A #f) (question '() #f) (make-fuel)))
   (workspace-simplify w e))
 
-;; -> the simplified expression and what is to be known of it, as datums: what it
-;; rests on, such as (>= R 0), and (left-unexpanded e) if it is not in canonical
+;; -> the simplified expression and notes on it, as datums: its grounds,
+;; such as (>= R 0), and (left-unexpanded e) if it is not in canonical
 ;; form because e would have grown too large.
 (define (simplify-expression/assumptions e [A no-assumptions])
   (define-values (result grounds)
@@ -46,8 +46,8 @@
                   (cons simple (workspace-left w)))))
   (values (car result) (append grounds (cdr result))))
 
-;; -> the field of the expression's kernels, its value there, what that rests on.
-;; fuel : what it may cost (field/work-bounds.rkt)
+;; -> the field of the expression's kernels, its value there, its grounds.
+;; fuel : the cost allowed (field/work-bounds.rkt)
 (define (normal-form e [A no-assumptions] [fuel (make-fuel)])
   (define-values (result grounds)
     (work-under A e
@@ -55,8 +55,8 @@
                 fuel))
   (values (normal-field result) (normal-fraction result) grounds))
 
-;; -> the same, and the simplified expression.  The last value holds what is to be
-;; known of it as well.
+;; -> the same, and the simplified expression.  The last value holds the notes
+;; on it as well.
 (define (normal-form+simplified e [A no-assumptions])
   (define-values (result grounds)
     (work-under A e

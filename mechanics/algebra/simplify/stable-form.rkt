@@ -11,7 +11,7 @@
 (provide settle)
 
 ;; The expression for a normal form.  Which angles are basic depends on those
-;; that occur, and so do the degrees of roots and what stands under them; a result in
+;; that occur, and so do the degrees of roots and their radicands; a result in
 ;; others is simplified again until it stays as it is or is one that came before: the
 ;; least of those that keep coming back.
 (define (settle form s)
@@ -26,7 +26,7 @@
 (define settle-limit 4)
 
 ;; Would e, presented from this field, come out again?  Flonums are rounded when they are
-;; shown, so that what they have in common may change; one that multiplies all has nothing in
+;; shown, so that their common factor may change; one that multiplies all has none in
 ;; common with another.
 (define (settled? F e s)
   (and (or (not (field-inexact? F)) (flonum-in-front? e))

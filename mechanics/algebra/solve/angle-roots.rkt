@@ -57,7 +57,7 @@
        (not (ormap (lambda (e) (occurs? x e)) (list cosine sine C)))
        (list cosine sine C)))
 
-;; An angle with its cosine and its sine, #f for what has no short form.
+;; An angle with its cosine and its sine, #f for one without a short form.
 (struct turn (angle cosine sine conditions) #:authentic)
 
 ;; -> a list of turns where A cos u + B sin u + C is 0

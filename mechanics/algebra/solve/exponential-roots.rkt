@@ -45,7 +45,7 @@
     (for/and ([v (in-list us)]) (exact-integer? (simplify-expression (e:/ v u) A))))
   (findf divides-all? us))
 
-;; The numerator of what has powers of y below 0, but for powers of y
+;; The numerator of e, which has powers of y below 0, but for powers of y
 (define (without-divisor e y A)
   (rebuild op:* (remq* (list y) (vanishing-factors e A))))
 

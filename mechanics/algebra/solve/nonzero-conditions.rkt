@@ -1,5 +1,5 @@
 #lang racket/base
-;; Under what conditions is an expression neither 0 nor infinite?
+;; Conditions under which an expression is neither 0 nor infinite.
 ;;
 ;; None of its factors is 0.  That u is not 0 is (> (abs u) 0), a relation as `assume` takes it.
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Roots of what is linear or quadratic in an unknown, or in a power of it.
+;; Roots of equations that are linear or quadratic in an unknown, or in a power of it.
 
 (require racket/list
          "root.rkt"

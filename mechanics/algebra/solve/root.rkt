@@ -11,14 +11,14 @@
 (provide (struct-out root) put zero-everywhere? known-branch sign-and-rest value-at line quotient-of
          applied arguments-of)
 
-;; x = value, under conditions.  waves : what sine and cosine are there, an alist
+;; x = value, under conditions.  waves : the sine and cosine there, an alist
 (struct root (x value conditions waves) #:authentic)
 
 (define (put e x value) (substitute-expression e (list (cons x value))))
 
 (define (zero-everywhere? e A) (eqv? 0 (simplify-expression e A)))
 
-;; The sign of a number; else 1 of what is known not to be negative, -1 of what is known not to
+;; The sign of a number; else 1 if e is known not to be negative, -1 if it is known not to
 ;; be positive, or #f
 (define (known-branch e A)
   (define size (e:apply op:abs e))

@@ -123,7 +123,7 @@
               [f (in-list (bases (substitute-expression (relation-expression r) solution) A))])
     f))
 
-;; The factors of e, of what stands under a root or in |·| its factors
+;; The factors of e; of a root, a power or |·| those of its argument
 (define (bases e A)
   (for*/list ([f (in-list (if (symbolic? e) (vanishing-factors e A) '()))]
               [g (in-list (if (and (node? f) (memq (node-head f) (list op:sqrt op:abs op:expt)))

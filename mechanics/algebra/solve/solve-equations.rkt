@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Equations in several unknowns, where formulas are short: one equation after
-;; another is factored, a factor solved for an unknown, and what was found put into
+;; another is factored, a factor solved for an unknown, and the solution put into
 ;; the others.
 ;;
 ;; A factor is solved if it is linear in an unknown, with a coefficient in which no
@@ -10,7 +10,7 @@
 ;; Of angles all solutions within a turn of x are given if a is a whole number, else those within
 ;; a turn of the angle; exactly: multiples of :pi are.
 ;;
-;; Parameters are at a generic point: what depends on them is not zero.  Conditions for
+;; Parameters are at a generic point: expressions in them are not zero.  Conditions for
 ;; solutions to be real are kept with them.
 
 (require racket/list
@@ -87,7 +87,7 @@
           (cons (car entry)
                 (simplify-expression (put (cdr entry) (root-x r) (root-value r)) A)))))
 
-;; Factors of what has flonums are of whole numbers: in the end, a quotient of these is a
+;; Factors of expressions with flonums have whole numbers: in the end, a quotient of these is a
 ;; flonum, and so is an angle of which that is the cosine.
 (define (in-order found unknowns flonums?)
   (define (presented e)

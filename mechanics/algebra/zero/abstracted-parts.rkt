@@ -5,8 +5,8 @@
 ;; long sums they stand for, which need not be expanded.  Which parts can be
 ;; taken for symbols is tried out modulo a prime, the whole still vanishing, from
 ;; the leaves up, many at once: it is guessing, and no part of the proof.  From the
-;; root down a determinant, say, might become a symbol too early, and what it has to
-;; do with its minors would be lost.
+;; root down a determinant, say, might become a symbol too early, and its relation to
+;; its minors would be lost.
 ;;
 ;; Parts with equal residues are taken for one symbol.  That they are equal is
 ;; then to be proved as well; so large a part that nothing would be gained is
@@ -103,7 +103,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; A cut node is what it is cut to, if that is a leaf, or a symbol for that.
+;; A cut node is its representative, if that is a leaf, or a symbol for that.
 (define (expression-with-cuts t cuts)
   (define known (make-hasheqv))
   (define (value-of k) (hash-ref! known k (lambda () (new-value k))))

@@ -15,8 +15,8 @@
 
 (provide approximate-tape)
 
-;; Exact numbers of more bits than these become flonums: what powers of powers
-;; come to would not fit into memory.
+;; Exact numbers of more bits than these become flonums: powers of powers
+;; would not fit into memory.
 (define bit-limit 2000)
 
 ;; lookup : as for evaluate-expression, giving plain numbers.

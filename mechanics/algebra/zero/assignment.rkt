@@ -18,7 +18,7 @@
 
 (define (make-assignment) (assignment (make-hasheq) (make-hash)))
 
-;; The number of the leaf with these values of its arguments: what (choose) gives, the first time.
+;; The number of the leaf with these values of its arguments: (choose), the first time.
 (define (assigned a leaf arguments choose)
   (if (symbol? leaf)
       (hash-ref! (assignment-symbols a) leaf choose)

@@ -4,7 +4,7 @@
 ;; Every factor of the numerator is not zero at a generic point; the *core* is
 ;; the one that can vanish by a choice of parameters: a relation between
 ;; parameters alone, if there is one, else the largest factor.  Under assumptions,
-;; what has a sign cannot vanish.
+;; a factor with a known sign cannot vanish.
 ;;
 ;; A core that moves, with a time t say, vanishes at all times if its coefficients
 ;; along sin ωt, cos ωt, t ... do: each may give an equation.
@@ -49,7 +49,7 @@
       (values factor p)))
 
 ;; Factors of p with several terms that may be zero: its parts as they are found at once, then
-;; what these can be factored into; parts with too many terms are not.
+;; their factors; parts with too many terms are not factored.
 (define (vanishing-factors F p may-vanish?)
   (define R (field-ring F))
   (define (may-be? g) (and (> (poly-term-count g) 1) (may-vanish? (present-poly F g))))

@@ -8,13 +8,13 @@
 ;;
 ;; A number is simple if it takes so few bits to write that meeting it by chance among the
 ;; flonums is out of the question: of 52 bits, less than two thirds.  So 1.41421356 stays
-;; what it is.  No proof rests on a reading alone: what is read is told (zero-test.rkt).
+;; a decimal.  No proof rests on a reading alone: readings are told (zero-test.rkt).
 ;;
 ;; Numbers written differently were meant to be different: 0.3 and 0.30000000000000004, two
 ;; decimals of one question, are not both 3/10.  A decimal beside an exact number may be
-;; that number; this is what it is read for.
+;; that number; readings are for this.
 ;;
-;; Reading takes milliseconds, a thousand times what a flonum costs elsewhere, and where many
+;; Reading takes milliseconds, a thousand times the cost of a flonum elsewhere, and where many
 ;; stand in one question they were measured or computed, not written.  So only few are read.
 
 (require racket/list
@@ -30,7 +30,7 @@
 
 (define unit (expt 2 -52))
 
-;; decimal : a flonum; expression : what it is read as, or #f
+;; decimal : a flonum; expression : its reading, or #f
 (struct reading (decimal expression) #:transparent)
 
 ;; The flonums on a tape, each once.
@@ -47,7 +47,7 @@
 
 (define most-decimals-read 24)
 
-;; Is what decimals of different size are read as different, too?
+;; Are decimals of different size read as different numbers, too?
 (define (all-different? readings)
   (define sizes (make-hash))
   (for/and ([r (in-list readings)])

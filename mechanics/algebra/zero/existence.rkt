@@ -3,7 +3,7 @@
 ;;
 ;; An expression without a value anywhere equals anything: 1/z with z = 0, however z is
 ;; written, and log(-1 - x²).  So a proof asks for a point where every part of the expression
-;; as it was given has a value, and where what was declared holds.
+;; as it was given has a value, and where the declarations hold.
 
 (require (only-in racket/list remove-duplicates)
          "assignment.rkt" "../ball/ball-tape.rkt" "point-value.rkt"
@@ -25,8 +25,8 @@
                              (lambda (lookup) (defined? t lookup value)))
              #t))))
 
-;; Has it a value where all leaves are positive, as √(k/m) does?  Then it is divided by what is
-;; made of its leaves and positive numbers without a minus sign, and so are its radicands and
+;; Has it a value where all leaves are positive, as √(k/m) does?  Then divisors are made of
+;; its leaves and positive numbers without a minus sign, and so are its radicands and
 ;; the arguments of its logarithms.  Unknown functions may have any values, positive ones too.
 (define (defined-among-positive? t)
   (define positive (make-vector (tape-length t) #f))
@@ -113,7 +113,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Marks, from the root down
 
-;; below : node, its head, its marks, number of an operand -> what it adds to the operand's marks
+;; below : node, its head, its marks, number of an operand -> marks to add to the operand's
 ;; root : marks of the last item
 ;; -> list of unknowns with their marks, which are bits
 (define (spread-marks t root below)

@@ -3,8 +3,8 @@
 ;;
 ;; The graph is put on a tape and evaluated in GF(p), symbols and applications
 ;; of literal functions having random residues; equal functions of arguments
-;; with equal residues are equal.  What vanishes has the residue 0; what does
-;; not has it, by the theorem of Schwartz and Zippel, with a probability of
+;; with equal residues are equal.  A function that vanishes has the residue 0; another
+;; has it, by the theorem of Schwartz and Zippel, with a probability of
 ;; about its degree over p.
 ;;
 ;; Sines and exponentials are homomorphisms from sums to products, and stay so:

@@ -18,7 +18,7 @@
 (define (contains-flonum? t)
   (for/or ([e (in-vector (tape-items t))]) (and (number? e) (not (exact? e)))))
 
-;; A : assumptions.  The proof may not rest on what the unknowns are.
+;; A : assumptions.  The proof may not rest on values of the unknowns.
 (define (vanishes-for-any-flonums? t A)
   (define unknowns (make-hasheqv))
   (define (general)

@@ -12,7 +12,7 @@
 ;;
 ;; The test takes places on the surface, and points that come nearer to each from both sides.
 ;; They are 2⁻²⁰, 2⁻²⁴ … away: a power of the distance grows at them by more with every step, a
-;; logarithm by the same, and what is bounded by less and less.
+;; logarithm by the same, and a bounded function by less and less.
 
 (require racket/list
          "assignment.rkt" "region.rkt" "zero-surface.rkt"

@@ -18,7 +18,7 @@
 
 (define (exponential-stand-in? t) (eqv? 1 (stand-in-under t)))
 
-;; -> e in terms of symbols, and what they stand for
+;; -> e in terms of symbols, and the values that they stand for
 (define (rationalized e)
   (define angles (steps-of e circular-functions))
   (define growths (steps-of e exponential-functions))

@@ -52,7 +52,7 @@
 ;; ---------------------------------------------------------------------------
 
 ;; Are all operations of e rational, or exponential, circular or hyperbolic
-;; functions?  Then what holds for exponentials of complex numbers holds for it.
+;; functions?  Then identities of exponentials of complex numbers hold for it.
 (define (single-valued? e)
   (define (of-many-values? n)
     (define head (node-head n))

@@ -2,9 +2,9 @@
 ;; Does a question still mean something where equations for its parameters hold?
 ;;
 ;; With m = 0 Lagrange's equations say nothing, with A = 0 the path A cos ωt stands still,
-;; and where R = −r a path in (R + r)⁻¹ has no value.  So the equations are put into what
-;; was asked about, and at a point where all has a value one looks: all must be finite; the
-;; rank of the mass matrix must not fall; what varied must vary.
+;; and where R = −r a path in (R + r)⁻¹ has no value.  So the equations are put into the
+;; question, and at a point where all has a value one looks: all must be finite; the
+;; rank of the mass matrix must not fall; a part that varied must vary.
 ;;
 ;; An equation that cannot be solved for anything is taken to be harmless.
 
@@ -62,7 +62,7 @@
                           (and (for/and ([s (in-list free-symbols)]) (< (abs (lookup s '())) 4))
                                (for/and ([e (in-list all)]) (finite? e lookup))))))
 
-;; Of moderate numbers, what is beyond this is a quotient by what only rounding keeps from
+;; Of moderate numbers, a value beyond this is a quotient whose divisor only rounding keeps from
 ;; being zero.
 (define too-great 1e8)
 
@@ -100,8 +100,8 @@
         [(solved-for right left) => list]
         [else '()]))
 
-;; A factor of left to the first power, by the others; else a power by its root; else what is
-;; divided, or under a root.
+;; A factor of left to the first power, by the others; else a power by its root; else the
+;; dividend, or the radicand.
 (define (solved-for left right)
   (define factors (operands-of left op:*))
   (define (free? e)

@@ -5,7 +5,7 @@
 ;; has one where an f of even power passes through zero with |f|^(k/2) not smooth, as in
 ;; √(x²) = |x|; at an f of odd power it has an end.  asin u and acosh u are like √(1 − u²) and
 ;; √(u² − 1): so asin(sin x) has kinks where cos x vanishes.  atan u jumps where u passes
-;; through a pole.  Ends and poles count only of what must have a value, a path; a potential
+;; through a pole.  Ends and poles count only of a path, which must have a value; a potential
 ;; may have them; and so do branches on (= u v).
 ;;
 ;; Where u is never negative and its zeros are no surface (zero-surface.rkt), √u is a distance:
@@ -17,7 +17,7 @@
 ;; kink: |x|³.
 ;;
 ;; A factor whose sign is known, or that has no real zeros, is dropped.  Parameters are at a
-;; generic point, where none is 0; what sign they have is taken for granted nowhere but at
+;; generic point, where none is 0; their signs are taken for granted nowhere but at
 ;; the cut of an angle.
 
 (require racket/list
@@ -37,11 +37,11 @@
 ;; sort : 'kink, 'jump, 'branch (a jump of an angle by a whole turn, which its derivatives do not
 ;; have), 'no-value, or 'gap (no value, and nothing that keeps a motion from passing)
 ;; expression : in which it is, such as |t − 2|
-;; equations : (= t 2) ... or, where these cannot be solved for, (= u 0), and what else holds
+;; equations : (= t 2) ... or, where these cannot be solved for, (= u 0), and other conditions
 ;; there; solved? tells which.  family? : do they hold for each integer n?
 (struct kink (sort expression equations solved? family?) #:transparent)
 
-;; zero : a factor that vanishes there         beside : what must be negative, or #f
+;; zero : a factor that vanishes there         beside : a factor that must be negative, or #f
 (struct candidate (sort expression zero beside) #:authentic)
 
 ;; variables ... order : as find-kinks has them
@@ -340,7 +340,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Functions that are smooth across a surface
 
-;; x : a factor.  If it is a variable, every function is asked for what it is on both sides: with
+;; x : a factor.  If it is a variable, every function is compared on both sides: with
 ;; x > 0 and x < 0 |x|³ is x³ and −x³, and the difference 2x³ has derivatives that are 0 at 0.
 (define (smooth-across? x s)
   (and (symbol? x)
@@ -435,7 +435,7 @@
                       solved?
                       (and solved? (wave? f))))))))
 
-;; The operation itself stays, as |x| in the place of √(x²) would not say what was written.
+;; The operation itself stays, as |x| in the place of √(x²) would not be as written.
 (define (readable e simple) (make-node (node-head e) (map simple (node-args e))))
 
 (define (dropped? c f beside s)
@@ -447,7 +447,7 @@
 (define (parameter? e s)
   (and (pair? (search-places s)) (not (eqv? e 0)) (not (any-occurs? (search-unknowns s) e))))
 
-;; The sign of what does not vary may be assumed, where assumptions are automatic.
+;; The sign of a constant may be assumed, where assumptions are automatic.
 (define (taken-not-negative? e s)
   (define free?
     (and (search-automatic? s)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The value of an expression at a point, with what is known of its error.
+;; The value of an expression at a point, and its error.
 ;;
 ;; Values are real, exact or certified by balls (ball/ball-tape.rkt).  Only expressions in which a
 ;; complex number stands, as in e^(it), have complex values, with bounds to first order on their

@@ -43,8 +43,8 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; The general case, and that parts taken for equal are.  What the general case
-;; takes for granted of parts would have to be checked, so it may not take any; and a
+;; The general case, and that parts taken for equal are.  Signs of parts that the general case
+;; takes for granted would have to be checked, so it may not take any; and a
 ;; symbol does not tell that its part is negative, which matters under roots.
 (define (prove-abstractly t A)
   (define-values (general differences) (abstract t))

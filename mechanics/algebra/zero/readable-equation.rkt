@@ -76,8 +76,8 @@
                                          (fraction-from-poly R (poly-negate R rest))
                                          (fraction-from-poly R c)))))))
 
-;; A difference of two terms as an equation between them, the shorter one and what
-;; is no number on the left.
+;; A difference of two terms as an equation between them: the shorter one on the left,
+;; a number on the right.
 (define (two-sides F p)
   (define R (field-ring F))
   (define terms (poly-terms R p))

@@ -1,9 +1,9 @@
 #lang racket/base
-;; Operations on residues, for fingerprints: what the value of an item is in
+;; Operations on residues, for fingerprints: the value of an item in
 ;; GF(p) if those of its operands are known.  See fingerprint.rkt for the theory.
 ;;
 ;; Every procedure gives #f where there is no value: for a division by zero and
-;; for the root of what is no square.
+;; for the root of a number that is no square.
 
 (require racket/fixnum
          (only-in racket/list index-of)

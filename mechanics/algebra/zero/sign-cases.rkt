@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Absolute values and signs, case by case: u ≥ 0, where |u| = u, and u < 0.
 ;;
-;; Where sgn u occurs, u = 0 is a case of its own, for sgn 0 is 0: a symbol is then replaced by what
-;; it is there, if u is a line in it.  Nothing is concluded from values beside u = 0, since
+;; Where sgn u occurs, u = 0 is a case of its own, for sgn 0 is 0: a symbol is then replaced by
+;; its value there, if u is a line in it.  Nothing is concluded from values beside u = 0, since
 ;; something else may jump there, as sgn(u²), or there may be no values beside it.
 
 (require "in-exponentials.rkt" "real-signs.rkt"

@@ -1,7 +1,7 @@
 #lang racket/base
-;; A look at a point: what an expression is worth there.
+;; A look at a point: the value of an expression there.
 ;;
-;; A try is where the numbers for leaves come from, and a finding what came of it: the values
+;; A try is a source of numbers for leaves, and a finding its result: the values
 ;; of the expression as it is given, and of a simpler one that should agree.
 
 (require "assignment.rkt" "../ball/ball-tape.rkt" "existence.rkt" "flonum-independence.rkt"
@@ -45,8 +45,8 @@
 ;; A look at a point
 
 ;; -> a finding; 'no-value where a part of e or of the residual has none, the point is out of
-;; place, or e and the residual differ, so that it is outside of what simplification took for
-;; granted; 'unknown where p bits do not tell.
+;; place, or e and the residual differ, so that it is outside of the assumptions of
+;; simplification; 'unknown where p bits do not tell.
 (define (look q t p)
   (define seen (make-assignment))
   (define place (question-place q))

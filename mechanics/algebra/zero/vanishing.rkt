@@ -5,8 +5,8 @@
 ;; Residues modulo primes tell in one pass over the graph that it is not, most of
 ;; the time; else the canonical form decides.  Where that would grow past its
 ;; bounds, residues of 0 modulo several primes count as a zero: they are wrong
-;; with a chance below 2⁻⁸⁰.  Their roots are those of positive numbers, so what
-;; they take for zero is not where assumptions have been made.
+;; with a chance below 2⁻⁸⁰.  Their roots are those of positive numbers, so they do
+;; not count where assumptions have been made.
 
 (require "fingerprint.rkt"
          "../assumption/assumption-set.rkt"

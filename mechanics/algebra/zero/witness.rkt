@@ -2,7 +2,7 @@
 ;; Points at which an expression is not zero.
 ;;
 ;; A witness is for a person to check, so the first points tried give small
-;; integers to everything and 0 to what stands under a sine, an exponential or
+;; integers to everything and 0 to symbols under a sine, an exponential or
 ;; the like, where the value is then exact.  If the expression vanishes there,
 ;; points with integers for all leaves follow, and then small fractions, sooner where angles
 ;; are counted in turns.  The points are always the same.  Where assumptions were made they
@@ -42,7 +42,7 @@
 (define further-precisions '(640))
 (define further-points 2)
 
-;; Operations times bits: what looking again may cost.
+;; Operations times bits: the cost allowed to a second look.
 (define most-work (expt 2 23))
 
 ;; e, residual : the point is given in the leaves of the residual, or twice the same.  The
@@ -136,7 +136,7 @@
 
 (define (bound z) (value-bound (finding-of-e (cdr z))))
 
-;; -> a try with its finding, or #f, and the others with what was found at last
+;; -> a try with its finding, or #f, and the others with their last findings
 (define (with-more-bits q open)
   (define (work precision points)
     (* precision (length points) (tape-length (question-e q))))

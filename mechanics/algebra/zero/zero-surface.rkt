@@ -11,8 +11,8 @@
 ;; functions count as parameters, where some coefficient is never 0.  So it says nothing of
 ;; x² + sin²x, a polynomial in x and tan(x/2), which vanishes at 0 to the second power.
 ;;
-;; It also needs parameters in general position: at h = 0 √(x² + h²) is |x|.  Such values of
-;; parameters are zeros of a discriminant.
+;; It also needs parameters in general position: at h = 0 √(x² + h²) is |x|.  Exceptional values
+;; of parameters are zeros of a discriminant.
 
 (require racket/list
          "half-angles.rkt"
@@ -28,7 +28,7 @@
 
 ;; zero : vanishes there; it varies            power : of the factor
 ;; polynomial : the factor in symbols     kernels : ((kernel variable ...) ...), its varying parts
-;; stand-ins : what its symbols stand for (half-angles.rkt)     variables : symbols
+;; stand-ins : values of its symbols (half-angles.rkt)     variables : symbols
 (struct surface (zero power polynomial kernels stand-ins variables) #:authentic)
 
 ;; The factors of u that vary; a factor that is a product with squares in tangents is taken apart.
@@ -101,7 +101,7 @@
                   (and (occurs? (stand-in-symbol t) e) (occurs? v (stand-in-over t))))))
           variables))
 
-;; Symbols, and what stands between them that is no arithmetic.
+;; Symbols, and parts between them that are no arithmetic.
 (define (kernels-of e)
   (remove-duplicates
    (let walk ([e e])

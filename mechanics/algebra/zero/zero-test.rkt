@@ -6,7 +6,7 @@
 ;; to be zero (witness.rkt): small integers, or fractions, for the symbols and for the
 ;; literal functions applied, which a person can put in by hand; all assumptions hold
 ;; there.  Otherwise the test is *undecided* and says at how many points it found zero,
-;; and to what bound.  The points are always the same.
+;; and to which bound.  The points are always the same.
 ;;
 ;; A large graph is first judged modulo primes (fingerprint.rkt): if it is not
 ;; zero, a point is found for it as it stands, and it is expanded only when its
@@ -46,7 +46,7 @@
 ;; 'decimals if it vanishes but for these, 'rounding for a flonum as small as rounding
 ;; leaves; or #f
 ;; decimals : readings (decimal-readings.rkt): those a proof rests on, those that stand in the way
-;; form : a form, or what makes it
+;; form : a form, or a procedure that makes it
 (struct zero-test (status witness value bound points reason decimals form)
   #:name zero-test-result
   #:constructor-name make-zero-test)
@@ -54,7 +54,7 @@
 ;; residual : expression, simplified             factor, core : residual = factor · core
 ;; conditions : equations, as data, for which core = 0
 ;; ways : -> lists of equations, each of which makes the residual 0
-;; grounds : datums, such as (>= R 0), what the residual rests on; or what finds them
+;; grounds : datums, such as (>= R 0), of the residual; or a procedure that finds them
 ;; unexpanded : expressions that would have grown too large
 (struct form (residual factor core conditions ways grounds unexpanded) #:authentic)
 
@@ -69,7 +69,7 @@
 
 (define (settled-form z) (at-last (zero-test-form z)))
 
-;; The same proof, of what these readings were made in
+;; The same proof, of the expression with these decimals
 (define (zero-test-as-read z readings) (struct-copy zero-test-result z [decimals readings]))
 
 (define (make-form e A variables)
@@ -141,7 +141,7 @@
             (test-as-read e A variables t z)
             z))))
 
-;; z : what could not be decided with the decimals as they stand.  As they are read there
+;; z : the undecided test with the decimals as they stand.  As they are read there
 ;; may be a proof, and it tells how they were read.  Numbers alone prove nothing, nor do
 ;; readings that make different decimals one.
 (define (test-as-read e A variables t z)
@@ -156,9 +156,9 @@
       (struct-copy zero-test-result other [decimals read])
       (struct-copy zero-test-result z [decimals (append read unread)])))
 
-;; A flonum that stands alone does not tell what it is the difference of; one
-;; this small may be what rounding left of numbers about 1.  Infinity is not
-;; zero, and of what is not a number nothing can be said.
+;; A flonum that stands alone does not tell of which numbers it is the difference; one
+;; this small may be the rounding of numbers about 1.  Infinity is not
+;; zero, and of NaN nothing can be said.
 ;; -> a verdict, or #f for an ordinary flonum
 (define (test-flonum x A)
   (define size (magnitude x))
@@ -171,8 +171,8 @@
 (define (later e A variables) (once (lambda () (make-form e A variables))))
 
 ;; More items than `middling` are judged by the fingerprint first.  No more than
-;; `large` are expanded even if they do not vanish: a witness then names only what
-;; the residual depends on.
+;; `large` are expanded even if they do not vanish: a witness then names only leaves
+;; of the residual.
 (define middling 300)
 (define large 2000)
 
@@ -201,7 +201,7 @@
        (make-zero-test 'refuted witness value bound points #f '() (later e A variables))))
 
 ;; -> a proof, or #f.  It may rest on another expression, of which a sign was taken elsewhere:
-;; what it takes for granted must hold at the reference point of this one.
+;; its assumptions must hold at the reference point of this one.
 (define (prove-indirectly t A)
   (define grounds (prove-vanishing t A))
   (and grounds
@@ -214,7 +214,7 @@
         (and lookup
              (for/and ([r (in-list relations)]) (holds-at? r lookup))))))
 
-;; Of flonums only what holds whatever they are is proved, and nothing of what has no value.
+;; A proof must hold whatever the flonums are; without a value anywhere there is none.
 (define (vanishing-test t f A)
   (define reason
     (cond [(and (contains-flonum? t) (not (vanishes-for-any-flonums? t A))) 'decimals]
@@ -222,7 +222,7 @@
           [else #f]))
   (make-zero-test (if reason 'undecided 'proved) #f 0 0 0 reason '() f))
 
-;; print : what the fingerprint said, if it was asked
+;; print : the answer of the fingerprint, if it was asked
 (define (test-canonically e A variables t print)
   (define f (make-form e A variables))
   (cond [(eqv? (form-residual f) 0) (vanishing-test t f A)]
