@@ -1,5 +1,5 @@
 #lang racket/base
-;; Flvectors as points and directions: what racket/flonum leaves out.
+;; Flvectors as points and directions: operations that racket/flonum leaves out.
 ;;
 ;; The inner loops of integration are written with the macros of ode/vector-formulas.rkt, which
 ;; make no new vectors.

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Functions of an angle, as flvectors of their values at n equally distant angles, n a power of
-;; two; what is done to them term by term in their Fourier series Σ cₖ exp(ikθ).
+;; two; operations on them term by term in their Fourier series Σ cₖ exp(ikθ).
 ;;
 ;; Operations from real functions to real ones take two at once, as the real and the imaginary
 ;; part of one function: `both-...` takes half the time.
@@ -37,7 +37,7 @@
   (define-values (g zero) (filtered f (make-flvector (flvector-length f)) factor))
   g)
 
-;; Terms k of f and of g multiplied by what (factor k size) gives, the real and the imaginary part,
+;; Terms k of f and of g multiplied by (factor k size), the real and the imaginary part,
 ;; and terms −k by its conjugate; size : of term k of f + ig.  The term n/2, of which only the sum
 ;; with −n/2 is known, is left out.
 (define (filtered f g factor)

@@ -11,7 +11,7 @@
 
 (provide motion-end! value-at! rates-at! coefficient-size last-size)
 
-;; Of each state, its row c and s = Σ c_j u^(j − first), j from `first` on, for what is done with
+;; Of each state, its row c and s = Σ c_j u^(j − first), j from `first` on, for an action on
 ;; these at its index i.
 (define-syntax-rule (for-each-sum e u first (i c s) do)
   (for-each-row-sum (expansion-states e) (expansion-lasts e) 0 u first (i c s) do))

@@ -25,7 +25,7 @@
          tape-run-advance tape-run-value tape-run-rates tape-run-tape tape-run-sizes
          expand! follow! coefficient-row)
 
-;; A maker of expansions.  make : order -> expansion; work : what one of them takes;
+;; A maker of expansions.  make : order -> expansion; work : the cost of one of them;
 ;; branches? : may they go on where f takes another branch, as that of √x² = x does where x < 0?
 (struct expander (make work branches?)
   #:authentic
@@ -58,7 +58,7 @@
 ;; of-order : order -> list of procedures
 (struct tape-codes (list [runs #:mutable] [of-order #:mutable]) #:authentic)
 
-;; kept : box of a hash, what recurrences of one program share; threads may lose an entry
+;; kept : box of a hash, shared by recurrences of one program; threads may lose an entry
 (define (make-recurrences kept count states slopes starts ending endless follow?)
   (define coded? (andmap coded-recurrence? (append starts (map cdr ending) endless)))
   (define-values (abstract numbers)
@@ -152,7 +152,7 @@
       (next! (unsafe-vector-ref moving i) (unsafe-vector-ref moving (unsafe-fx+ i 1)) h k)
       (loop (unsafe-fx+ i 2)))))
 
-;; Coefficients of what depends on rows that are known already, up to the order.
+;; Coefficients that depend on rows known already, up to the order.
 (define (follow! e)
   (define m (machine-of e))
   (if m (run-machine! m 1.0) (follow-by-kernels! e)))

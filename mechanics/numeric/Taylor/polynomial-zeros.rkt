@@ -17,7 +17,7 @@
 ;; at : in (0, 1]; kind : 'rising, 'falling, or 'touching if p keeps its sign
 (struct zero (at kind) #:transparent)
 
-;; p : flvector of coefficients, from order 0 on; touch : what is not more than that at an
+;; p : flvector of coefficients, from order 0 on; touch : a value up to this at an
 ;; extremum counts as zero -> zeros, in their order.  A zero at 0 itself is none.
 (define (polynomial-zeros p touch)
   (define q (without-zero-at-0 p))

@@ -3,7 +3,7 @@
 ;;
 ;; A list of these is a program whose values are rows of Taylor coefficients.  It is run by closures
 ;; (kernels.rkt) or as machine code (recurrence-code.rkt).  A recurrence has a kind and operands:
-;; rows, numbers, and the *base*, what is there before: a weighed row, or #f for nothing.
+;; rows, numbers, and the *base*, the sum so far: a weighed row, or #f for nothing.
 ;;
 ;;     sums r base w ... x ...                 r = base + Σ w x
 ;;     products r base w ... a ... b ...       r = base + Σ w a b
@@ -29,7 +29,7 @@
 ;;     ratio r a b                             r = a / b
 ;;     power-value r b n                       r = bⁿ
 ;;
-;; Several may make one row, each adding its share to what the one before it left.
+;; Several may make one row, each adding its share to the sum that the one before it left.
 
 (require racket/list)
 
@@ -56,7 +56,7 @@
 ;; tape (recurrence-shape.rkt).
 (struct slot (index) #:authentic #:transparent)
 
-;; The base of what adds to the row.
+;; The base of a recurrence that adds to the row.
 (define (itself r) (weighed 1.0 r))
 
 ;; The index of the last coefficient: of a row that does not end one that is never reached.
@@ -67,7 +67,7 @@
 ;; ---------------------------------------------------------------------------
 
 ;; In groups of at most three things: (make base part ...), the parts being those of all things in
-;; turn; the first group begins with the base and the others with what is there.
+;; turn; the first group begins with the base and the others with the sum so far.
 (define (grouped things base again make . parts)
   (let loop ([things things] [base base])
     (cond [(null? things) '()]
@@ -87,7 +87,7 @@
   (grouped terms base (itself r) (sum-of 'squares r) weighed-weight weighed-row))
 
 ;; base + Σ weight a b.  Convolutions of a row that ends (a linear function of time has two
-;; coefficients) run over what there is.
+;; coefficients) run over those.
 (define (product-recurrences r products base)
   (define-values (ending endless)
     (partition (lambda (p) (or (ends? (product-a p)) (ends? (product-b p))))

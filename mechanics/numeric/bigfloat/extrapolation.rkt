@@ -13,8 +13,8 @@
 ;; it is tolerated.  For d digits about d ln(10)/4 rows of a step of e⁻² times the
 ;; distance to the nearest singularity take the fewest slopes.
 ;;
-;; After each step every row says how long a step it would have borne, and so what
-;; a unit of time costs by it; the cheapest one is aimed at next.
+;; After each step every row tells how long a step it would have borne, and so the cost of
+;; a unit of time by it; the cheapest one is aimed at next.
 
 (require math/bigfloat
          racket/flonum

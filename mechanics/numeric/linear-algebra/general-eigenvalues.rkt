@@ -8,7 +8,7 @@
 ;; with σ and σ̄ the eigenvalues of the last two rows, H² - (σ + σ̄) H + σ σ̄ is factored
 ;; into Q R without being formed (its first column decides Q), and Q* H Q is the next H,
 ;; real throughout.  The last one or two eigenvalues separate after two or three steps
-;; each, and what remains is a smaller matrix (Francis 1961; Golub and Van Loan, 7.5).
+;; each, and a smaller matrix remains (Francis 1961; Golub and Van Loan, 7.5).
 ;;
 ;; An entry below the diagonal counts as zero by the rule of Ahues and Tisseur (LAPACK
 ;; Working Note 122, 1997), which keeps small eigenvalues beside large ones.
@@ -163,7 +163,7 @@
 
 ;; Is the entry before the diagonal's in row i?  It is small beside the diagonal, or, where that
 ;; vanishes, beside the subdiagonal's next ones; and its product with the entry across is small
-;; beside what separates the two eigenvalues.
+;; beside the distance of the two eigenvalues.
 (define (negligible? h n last i)
   (define k (- i 1))
   (define below (flabs (at h n i k)))

@@ -25,7 +25,7 @@
   (and modes (map (lambda (m) (frequency+shape (mode-square m) (mode-within m) (mode-shape m)))
                   modes)))
 
-;; ω², what roundings may change it by, and the shape x, a list, with x·M x = 1
+;; ω², its error by rounding, and the shape x, a list, with x·M x = 1
 (struct mode (square within shape) #:authentic)
 
 ;; Zero frequencies are found but for rounding.

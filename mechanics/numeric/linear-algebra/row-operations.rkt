@@ -15,7 +15,7 @@
 ;;                                rows of the unknowns, of which there is one for each column
 ;;                                more
 ;;
-;; The kind has a zero; (size x) is what `greater?` compares.
+;; The kind has a zero; `greater?` compares values of (size x).
 (define-syntax-rule (define-row-operations (triangulate! clear-below! substitute-back!)
                       zero zero? subtract multiply divide size greater?)
   (begin

@@ -2,11 +2,11 @@
 ;; Eigenvalues and eigenvectors of symmetric matrices of flonums, by Jacobi's rotations.
 ;;
 ;; A turn in the plane of two coordinates p and q makes the entry a_pq vanish; the sum
-;; of the squares off the diagonal falls by 2 a_pq², and what was cleared before comes
+;; of the squares off the diagonal falls by 2 a_pq², and entries cleared before come
 ;; back smaller.  Sweep after sweep over all pairs, the convergence is quadratic at the
 ;; end: six to ten sweeps do for any size.  Of all methods this one keeps the small
 ;; eigenvalues best (Demmel and Veselić 1992): for positive definite matrices each has a
-;; relative error of some roundings, which is what slow modes beside fast ones need.
+;; relative error of some roundings, as slow modes beside fast ones need.
 
 (require racket/flonum
          racket/list

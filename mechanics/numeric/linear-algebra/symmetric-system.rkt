@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Symmetric systems, as mass matrices make them, for the inner loops of integration.
 ;;
-;; A positive definite matrix is L Lᵀ (Cholesky), which takes half of what elimination takes
+;; A positive definite matrix is L Lᵀ (Cholesky), which takes half the time of elimination
 ;; and needs no pivots.  Row i of L follows from the rows above,
 ;;
 ;;     L_ij = (A_ij − Σ_{k<j} L_ik L_jk) / L_jj ,   L_ii² = A_ii − Σ_{k<i} L_ik² ,

@@ -2,7 +2,7 @@
 ;; Formulas over vectors: as instructions, and as machine code, the same for each component, two
 ;; components at a time.
 ;;
-;; A *formula* is what Racket code has (numeric/ode/vector-formulas.rkt): a number; a symbol, which
+;; A *formula* is one of Racket code (numeric/ode/vector-formulas.rkt): a number; a symbol, which
 ;; stands for one; (at v i), the component of a vector; (fl+ f g), and so with fl-, fl*, fl/ and
 ;; flmax; (flabs f), (flsqrt f); or (weighted i [f v] ...), the sum of products with components of
 ;; vectors.  The operations are done in the order written: the values are the same to the last bit.
@@ -47,7 +47,7 @@
 
 ;; n : how many components; places : name -> vector-at, or the memory of a number, twice side by
 ;; side; statements : list of (name formula), whose value is stored where the name has a place, and
-;; is what the name stands for in the statements behind
+;; for which the name stands in the statements behind
 ;; Registers for flonums and those that a function of C may change do.
 (define (emit-elements! a n places statements)
   (define names (hash-keys places))

@@ -3,7 +3,7 @@
 ;;
 ;; Code is written in pages of memory of its own, which then may be run and no longer written; they
 ;; are given back when nothing refers to the procedure any more.  A procedure is called as one of C
-;; is, with the addresses of what its flvectors hold; while it runs nothing else does, so that they
+;; is, with the addresses of its flvectors' contents; while it runs nothing else does, so that they
 ;; stay where they are.
 ;;
 ;; This is for Racket CS on x86-64 under Linux, where it is tested; and where a system forbids new
@@ -19,10 +19,10 @@
 (provide machine? flvector-data C-function
          (protect-out machine-procedures))
 
-;; code : bytes; entries : list of (where type ...), where a procedure begins and what it is given:
+;; code : bytes; entries : list of (where type ...), the beginning and the arguments of a procedure:
 ;; up to six flvectors, type 'flvector, or vectors, type 'vector, and before these perhaps a flonum,
 ;; type 'flonum
-;; -> list of procedures, run for what they store in the flvectors; or #f where there are none
+;; -> list of procedures, run for the numbers they store in flvectors; or #f where there are none
 ;; They take their arguments as they are: vectors as long as the code believes.
 (define (machine-procedures code entries)
   (define memory (and (machine?) (executable code)))
@@ -116,7 +116,7 @@
 ;; Memory of this process alone, and of no file
 (define private+anonymous #x22)
 
-;; -> executable-memory, or #f.  What is allocated here is given back by nobody but a garbage
+;; -> executable-memory, or #f.  Memory allocated here is given back by nobody but a garbage
 ;; collection and the end of a place, whatever custodian shuts down; nothing else happens meanwhile.
 (define allocate
   ((allocator give-back)

@@ -6,7 +6,7 @@
 (provide make-builder builder-constant builder-inputs
          do! write! written written-count instruction-of)
 
-;; inputs : how many; constant : real -> what stands for it in an instruction
+;; inputs : how many; constant : real -> its constant in an instruction
 ;; instructions : index -> instruction; short, long : key of an instruction -> place
 ;; codes : name or number -> a small number for it
 (struct builder (inputs constant instructions short long codes) #:authentic)

@@ -60,7 +60,7 @@
   (ucomisd! a r infinity)
   (jump! a 'not-below label))
 
-;; The memory at `to` becomes less by the product of a factor, in register 2, and what is at `x`.
+;; The memory at `to` becomes less by the product of a factor, in register 2, and the number at `x`.
 (define (subtract-product! a to x)
   (movsd! a 0 x)
   (mulsd! a 0 2)
@@ -118,7 +118,7 @@
     (store-sd! a (behind r8 0 rax) 2)
     (store-sd! a (behind rdx 0 rax) 1)))
 
-;; Subtracts from the row at r9 what clears its column k; register 3 : the inverse pivot.  A factor
+;; Clears column k of the row at r9 by subtraction; register 3 : the inverse pivot.  A factor
 ;; 0 leaves the row as it is, but not its right-hand side.
 (define (clear-entry! a right)
   (define-values (clear cleared) (values (make-label) (make-label)))
@@ -222,7 +222,7 @@
 
 ;; Of more unknowns, in loops (numeric/linear-algebra/symmetric-system.rkt): the lower triangle
 ;; becomes L, with the inverse entries of its diagonal, while that of A is kept in the room of
-;; margins.  elimination : label of what solves the system where A is not positive definite
+;; margins.  elimination : label of the code that solves the system where A is not positive definite
 
 ;; r8 : row i; rcx : 8 i; r9 : row j; rdx : 8 j; rax : 8 k; r10 : 8 n
 (define (write-Cholesky! a n elimination)

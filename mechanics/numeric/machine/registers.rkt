@@ -29,7 +29,7 @@
 
 (define (in-register s p) (hash-ref (values-at-registers s) p #f))
 
-;; -> a register, or memory; #f for what is neither
+;; -> a register, or memory; #f for neither
 (define (location s p)
   (or (in-register s p)
       (let ([k (hash-ref (values-at-slots s) p #f)]) (and k (slot s k)))))

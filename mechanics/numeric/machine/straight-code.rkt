@@ -88,7 +88,7 @@
                        [(<= n most-unrolled) (write-definite-solver! a n ((solver a) n #f))]
                        [else (write-Cholesky! a n ((solver a) n #f))]))))
 
-;; elimination : label of what solves the system where it is not positive definite
+;; elimination : label of the code that solves the system where it is not positive definite
 (define (write-definite-solver! a n elimination)
   (define-values (instructions solution margins) (definite-solution n))
   (define (at place) (behind rdi place))

@@ -2,8 +2,8 @@
 ;; A method that foresees its steps, helped by another where these collapse.
 ;;
 ;; Near a state where a formula is 0/0, as a spherical pendulum's at its pole, the motion may be
-;; as smooth as elsewhere; but the last coefficients of its Taylor series are what rounding
-;; made of them, and steps get shorter without end, as before a singularity.  A method that
+;; as smooth as elsewhere; but the last coefficients of its Taylor series are due to
+;; rounding, and steps get shorter without end, as before a singularity.  A method that
 ;; looks at the slope in a few places strides over it.  So where a step is to be much shorter
 ;; than those before, a longer one is tried by the other method, and taken if its error is
 ;; tolerated; if not, half of it, down to the step that was foreseen.

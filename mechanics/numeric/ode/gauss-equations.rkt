@@ -10,9 +10,9 @@
 ;;     Δkᵢ − h Σⱼ aᵢⱼ Jⱼ Δkⱼ = f(y + h Σⱼ aᵢⱼ kⱼ) − kᵢ,
 ;;
 ;; with one J of an earlier state for all Jⱼ while that serves, so that one factored matrix does
-;; for many steps.  Where what is stiff turns, as a spring does, that fails even with the J at y;
+;; for many steps.  Where the stiff part turns, as a spring does, that fails even with the J at y;
 ;; then each Jⱼ is that at its own place, in every iteration.  All of them end where changes are
-;; rounding only; none decides what the solution is.
+;; rounding only; none decides the solution.
 
 (require racket/fixnum
          racket/flonum
@@ -23,7 +23,7 @@
 (provide make-equations solve-equations! add-slopes!)
 
 ;; y      : the present state; A : rows of coefficients; ks : the slopes, as they are found
-;; newton : what Newton's method works with, or #f while repetition does
+;; newton : the state of Newton's method, or #f while repetition does
 (struct equations (f! n y A ks w new change [newton #:mutable]) #:authentic)
 
 ;; J        : columns, one after the other; matrix : of all slopes side by side, factored

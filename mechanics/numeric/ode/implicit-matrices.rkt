@@ -8,7 +8,7 @@
 ;;
 ;;     xᵢ = (bᵢ + Jᵢₗ xₗ) / c,
 ;;
-;; and what is left is a system of K alone, with the matrix c − J_KK − P/c, P = J_KE J_EK, which
+;; and a system of K alone is left, with the matrix c − J_KK − P/c, P = J_KE J_EK, which
 ;; for half the unknowns takes an eighth of the time.  Where c is much less than Jᵢₗ, in steps
 ;; that are very long, that would lose digits, and row i stays in K.
 ;;

@@ -77,7 +77,7 @@
   (define place (and (follows-f? m) (state-too-coarse c f! now y h tolerated)))
   (when place (stuck (car place) (cdr place) 'lost-digits)))
 
-;; Implicit methods damp what rounding makes of stiff systems; those of a fixed step have no
+;; Implicit methods damp rounding errors of stiff systems; those of a fixed step have no
 ;; tolerance.
 (define (follows-f? m) (not (or (method-step m) (eq? 'jacobian (method-asks m)))))
 
@@ -164,14 +164,14 @@
        (define same? (fl= now (later t (fl* sign next)))) ; as rounding has it
        (try (if same? (fl* 0.75 length) next) (and finite? (fl< error +inf.0)))])))
 
-;; t + h, or what is next to t if that is t.
+;; t + h, or the next number to t if that is t.
 (define (later t h)
   (define now (fl+ t h))
   (define least (fl* epsilon (flabs t)))
   (if (fl= now t) (if (fl< h 0.0) (fl- t least) (fl+ t least)) now))
 
 ;; A step of a method that takes all of the same length h, after `count` others from the time
-;; `start` on.  Here the state decides what the time is: it is counted, so that rounding errors
+;; `start` on.  Here the state decides the time: it is counted, so that rounding errors
 ;; of it do not add up.
 (define (take-equal-step s start t count end sign h give-up)
   (define remaining (fl- (flabs (fl- end start)) (fl* (->fl count) h)))

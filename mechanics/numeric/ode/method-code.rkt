@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The machine code of an explicit method with that of a right-hand side.
 ;;
-;; The procedures do what the Racket code of the method does, operation for operation, on vectors
+;; The procedures work as the Racket code of the method does, operation for operation, on vectors
 ;; whose places method-memory.rkt tells.
 ;;
 ;; A step of few components is straight code (step-code.rkt).  Else its stages are loops over

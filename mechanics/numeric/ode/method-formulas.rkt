@@ -71,7 +71,7 @@
     [(_ n to from w h last) (flvector-copy! to w)]))
 
 ;; (run n y z h ks) -> the error of a step from y to z.  Each e is the root mean square of Σ a k
-;; beside y and z; the error is a quotient of formulas in these, in h and in what else is named, and
+;; beside y and z; the error is a quotient of formulas in these, in h and in other names given, and
 ;; 0 where the divisor is.
 (define-syntax make-estimate
   (syntax-rules (quotient)

@@ -35,7 +35,7 @@
 (define own-registers (list rbx rbp r12 r13 r14 r15))
 
 ;; Writes a procedure of h, or not, and of flvectors by these names, up to six; (write places),
-;; places : name -> where that vector or number is, writes what it does, while rsp is a multiple of
+;; places : name -> where that vector or number is, writes the body, while rsp is a multiple of
 ;; 16, and register 0 is h twice.
 (define (write-procedure-of-vectors! a m n h? names write)
   (for ([r (in-list own-registers)]) (push! a r))

@@ -4,7 +4,7 @@
 ;;
 ;; A solution of y' = f(y) that begins on a manifold which f is tangent to stays there; an
 ;; approximation drifts off, by its error.  Projected back after each step, it stays, and its
-;; error is of the same order.  What is read between the steps is projected as well; at their
+;; error is of the same order.  States read between the steps are projected as well; at their
 ;; ends that changes nothing, so the motion has no jumps.
 
 (require racket/flonum

@@ -16,7 +16,7 @@
 ;;
 ;; and its like.
 ;;
-;; The iteration ends when what is left of it, judged by the rate at which it converges, is
+;; The iteration ends when its remaining error, judged by the rate at which it converges, is
 ;; not to be seen beside the error that is tolerated.  J only decides that rate.  So it stays
 ;; for the next step where convergence was fast.
 
@@ -66,7 +66,7 @@
 ;; ---------------------------------------------------------------------------
 
 ;; y       : the present state
-;; enough  : what may be left of the iteration
+;; enough  : the error that may be left of the iteration
 ;; zs, ws  : z and w; ks : the slopes at the stages; gs : the changes of w; u : a stage
 ;; current? : are the derivatives those at y?
 ;; factored : the length of step for which the matrices were made, or #f

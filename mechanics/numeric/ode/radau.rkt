@@ -32,7 +32,7 @@
 ;; f!      : the right-hand side; n : of how many variables; y : the present state, and the
 ;;           slope there; next : the state that the step leads to
 ;; k, e    : room for a slope and the error
-;; control : what proposes lengths of steps (step-prediction.rkt)
+;; control : proposes lengths of steps (step-prediction.rkt)
 ;; tried   : the length of the step tried last; step : of the one accepted last, with its
 ;;           interpolant, cubic, #f before the first
 (struct radau (f! n y slope next k e control equations
@@ -75,7 +75,7 @@
          (weighted-sum! n z [1.0 z] [-1.0 y])]
         [else (scale! z 0.0)]))
 
-;; The error, left in e, with the slope at y or what is to take its place.
+;; The error, left in e, with the slope at y or another in its place.
 (define (error-from! r slope h)
   (define-fields radau r n y e equations)
   (define-elements (equations-zs equations) z1 z2 z3)

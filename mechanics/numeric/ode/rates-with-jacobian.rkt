@@ -3,7 +3,7 @@
 ;;
 ;; The derivatives are those that came with f; where none did, differences of f, of
 ;; which only about half the digits are right.  An implicit method needs no more: they
-;; decide how fast its equations are solved, not what the solution is.
+;; decide how fast its equations are solved, not their solution.
 
 (require racket/flonum
          "../../error/computed-once.rkt"

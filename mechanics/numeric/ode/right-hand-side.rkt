@@ -1,5 +1,5 @@
 #lang racket/base
-;; Right-hand sides of y' = f(y) with what methods make of them: Taylor coefficients of solutions,
+;; Right-hand sides of y' = f(y) with values that methods compute: Taylor coefficients of solutions,
 ;; and machine code of whole steps.
 
 (provide expandable expandable-expand
@@ -13,13 +13,13 @@
 ;; run     : y dy -> void
 ;; expand  : order -> expansion (numeric/Taylor/expansion.rkt), for one thread at a time
 ;; machine : machine-rates, or #f; parameters : their values, an flvector
-;; work    : what a method made for its latest integration, or #f; idle? : may the next one use it?
+;; work    : a method's room for its latest integration, or #f; idle? : may the next one use it?
 (struct expandable (run expand machine parameters [work #:auto #:mutable] [idle? #:auto #:mutable])
   #:authentic
   #:property prop:procedure 0)
 
 ;; Rates as straight code (numeric/machine/straight-code.rkt): of so many inputs, the components of
-;; y, and so many parameters behind them; outputs : operands; made : what methods have made of it,
+;; y, and so many parameters behind them; outputs : operands; made : code that methods made of it,
 ;; method -> code, or #f where it is none; steps : so many were taken without it, by all
 ;; integrations; threads may lose some
 (struct machine-rates (inputs parameters instructions outputs [made #:mutable] [steps #:mutable])
@@ -37,7 +37,7 @@
 (define (machine-rates-pay? m) (>= (machine-rates-steps m) steps-that-pay))
 (define (step-taken! m) (set-machine-rates-steps! m (+ 1 (machine-rates-steps m))))
 
-;; (make) : -> what a method makes of the rates, or #f; made once
+;; (make) : -> a method's code for the rates, or #f; made once
 (define (rates-code m method make)
   (define made (hash-ref (machine-rates-made m) method 'not-yet))
   (cond [(eq? made 'not-yet)

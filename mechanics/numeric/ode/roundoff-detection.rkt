@@ -1,14 +1,14 @@
 #lang racket/base
-;; Steps that crawl, because rounding in f is more than what is tolerated of a step.
+;; Steps that crawl, because rounding in f is more than the error tolerated of a step.
 ;;
 ;; Near a place where a formula is 0/0 the slope has few digits left.  The error of a step is no
-;; shorter step's to mend then: a step of length h is wrong by h δ, where δ is what rounding
-;; makes of f, and h is made so short that this is tolerated.  The nearer the place, the shorter
+;; shorter step's to mend then: a step of length h is wrong by h δ, where δ is the rounding
+;; error of f, and h is made so short that this is tolerated.  The nearer the place, the shorter
 ;; the steps, and an integration would go on for ever.
 ;;
 ;; A crawl is a long row of steps that are much shorter than the longest, and get shorter
 ;; still: a stiff system takes as many short ones, each a little wrong by rounding, and arrives.
-;; δ is what the sixth difference of f tells within a part of such a step, where nothing else is
+;; δ is found from the sixth difference of f within a part of such a step, where nothing else is
 ;; left of it.
 
 (require racket/flonum
@@ -91,7 +91,7 @@
 
 ;; Is a step of length h to y at the time t one out of such a place?  The places are looked at
 ;; where the steps are the shortest so far of some that are much shorter than the longest: would y
-;; rounded otherwise, in one of its numbers, change what f does in the time h by far more than the
+;; rounded otherwise, in one of its numbers, change f's effect in the time h by far more than the
 ;; tolerance?  A motion that ends there, for f is not finite, has better to say.
 ;; -> #f, or the time and a copy of the state in that place
 (define (state-too-coarse c f! t y h tolerated)

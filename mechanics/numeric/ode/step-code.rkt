@@ -2,7 +2,7 @@
 ;; Formulas of explicit methods (method-formulas.rkt) as instructions.
 ;;
 ;; A step of few components is one list of instructions, with the rates in it again for each of its
-;; stages: a stage takes what the one before computes from registers, twice as fast as through
+;; stages: a stage takes the results of the one before from registers, twice as fast as through
 ;; memory.
 
 (require racket/list

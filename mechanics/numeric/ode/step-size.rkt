@@ -2,7 +2,7 @@
 ;; How long a step should be (Hairer, Nørsett and Wanner, II.4).
 ;;
 ;; The error of a step of a method of order p grows with h^p.  If it was `error`
-;; times what is tolerated, a step h · error^(−1/p) would have been just right;
+;; times the tolerance, a step h · error^(−1/p) would have been just right;
 ;; nine tenths of that are taken, and never more than six times or less than a
 ;; fifth of the last step, which may not be typical.
 

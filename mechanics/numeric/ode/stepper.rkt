@@ -20,7 +20,7 @@
 ;;         (rates-with-jacobian.rkt); 'expansion if it asks for Taylor coefficients
 ;;         (right-hand-side.rkt); or #f.  One that asks is told, in `start`, the error tolerated in
 ;;         a step.
-;; alternative : of a method for separable systems alone (symplectic.rkt), what makes one
+;; alternative : of a method for separable systems alone (symplectic.rkt), a maker of one
 ;;         for all systems, h -> method; or #f
 (struct method (name order step start asks alternative)
   #:authentic

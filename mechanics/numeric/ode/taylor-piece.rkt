@@ -1,8 +1,8 @@
 #lang racket/base
 ;; The motion within a step of the Taylor method.
 ;;
-;; Within a step the polynomial itself is the motion; what is kept of a step is the state where it
-;; begins, and its coefficients are computed again when it is looked at later.
+;; Within a step the polynomial itself is the motion; of a step only the state where it begins
+;; is kept, and its coefficients are computed again when it is looked at later.
 
 (require racket/flonum
          "right-hand-side.rkt" "taylor-run.rkt"

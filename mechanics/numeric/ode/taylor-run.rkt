@@ -17,7 +17,7 @@
 ;; f!, n     : the right-hand side, of how many variables; e : its expansion
 ;; tolerance : of the error of a step; order : of the expansion; share : ln q
 ;; branches? : may f take another branch within a step (numeric/Taylor/expansion.rkt)?
-;; y, lost   : the present state, and what rounding has lost of it
+;; y, lost   : the present state, and the digits that rounding has lost of it
 ;; z, rest   : those that the step tried last leads to; from : where the last one began;
 ;; slope, rate, within : room
 ;; unit      : of the time of the coefficients, a power of 2; limit : of the next step, or #f
@@ -67,7 +67,7 @@
 ;; takes n² operations.  But it takes a + b n + c n², and the smaller the system, the more of
 ;; that are a and b; so n is the one for which (a + b n + c n²)/q is least.
 
-;; w : what an expansion takes (numeric/Taylor/expansion.rkt)
+;; w : the work of an expansion (numeric/Taylor/expansion.rkt)
 (define (order-for tolerance w)
   (define least (max 4 (fl->exact-integer (ceiling (- 1.0 (* 0.5 (log tolerance)))))))
   (argmin (lambda (n) (/ (work-of-order w n) (exp (log-share n tolerance))))
@@ -78,7 +78,7 @@
   (for/fold ([l -2.0]) ([_ (in-range 8)])
     (/ (+ (log (* 0.005 tolerance)) (log (- 1.0 (exp l)))) (+ n 1.0))))
 
-;; The tolerance of the terms left out.  They do not need to be a tenth of what is tolerated of a
+;; The tolerance of the terms left out.  They do not need to be a tenth of the error tolerated of a
 ;; motion; but where only rounding is tolerated, they must be nothing beside it.
 (define (term-tolerance tolerated)
   (if (fl<= tolerated rounding) least-term (fl* 10.0 tolerated)))

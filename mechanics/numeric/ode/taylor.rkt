@@ -6,11 +6,11 @@
 ;; and is taken once.  Where it grows much, as the first one does from
 ;; nothing, it is asked whether y' = f(y) holds in some places of it: terms beyond the order may
 ;; be the first that are not 0.  It is asked of each step where f has branches: the series of
-;; |x| = √x², which is x, knows nothing of what is beyond 0.
+;; |x| = √x², which is x, knows nothing of the branch beyond 0.
 ;;
-;; The state is kept with what rounding loses of it at each step, so that the error of a long
-;; run grows as the root of the number of steps.  What the motion is within a step, taylor-piece.rkt
-;; tells.
+;; The state is kept with the digits that rounding loses of it at each step, so that the error of
+;; a long run grows as the root of the number of steps.  The motion within a step is the affair
+;; of taylor-piece.rkt.
 
 (require racket/flonum
          racket/unsafe/ops
@@ -44,12 +44,12 @@
 (define taylor (adaptive-method 'Taylor #f start #:asks 'expansion))
 
 ;; First look at a motion where it begins.  step : the length of the first step, or
-;; not a positive number; work : what one takes (numeric/Taylor/expansion.rkt); functions : how many
+;; not a positive number; work : that of one (numeric/Taylor/expansion.rkt); functions : how many
 ;; of these the rates have; eighth : ‖y_8‖, or ‖y_9‖^(8/9) if that is more: of a motion that begins
 ;; at rest every other term may be nothing
 (struct outlook (step work functions eighth) #:authentic)
 
-;; An integration from y0 by f! begins with what was computed.
+;; An integration from y0 by f! begins with the results.
 (define (outlook-from f! y0 tolerated)
   (define r (run-from-start f! y0 tolerated))
   (define-fields run r e order)
@@ -79,7 +79,7 @@
 ;; A step that is longer than the last by more is looked at.
 (define growth 4.0)
 
-;; In these parts of it: what is periodic may be the same at its end as it was at its beginning.
+;; In these parts of it: a periodic term may be the same at its end as it was at its beginning.
 (define places '(0.236 0.618 1.0))
 
 ;; A defect of no more may be rounding's.

@@ -10,7 +10,7 @@
 ;;
 ;;     Dp = −Σ v (v·D⁻¹Jᵀr)/(λ + μ),
 ;;
-;; and at the end what is known of x: directions where λ is 0 within rounding are not determined.
+;; and at the end the certainty of x: directions where λ is 0 within rounding are not determined.
 ;; μ goes up and down as H. B. Nielsen has it (Damping Parameter in Marquardt's Method, 1999).
 
 (require racket/flonum

@@ -15,7 +15,7 @@
 ;; it to close the bracket.
 ;;
 ;; Function values near a minimum differ by the square of the distance, so a
-;; relative tolerance below the square root of 2⁻⁵² asks for what they cannot
+;; relative tolerance below the square root of 2⁻⁵² asks for more than they can
 ;; tell; on equal values the best point stays where it is.
 
 (require "point.rkt"

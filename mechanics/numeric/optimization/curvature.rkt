@@ -3,7 +3,7 @@
 ;;
 ;; With gradient g and matrix H of second derivatives, λₖ its eigenvalues and vₖ its
 ;; eigenvectors, Newton's step is −Σ vₖ (vₖ·g)/λₖ.  Taken with |λₖ| it leads down also where
-;; an eigenvalue is negative, away from saddles.  All λₖ positive: what g leaves to be done is
+;; an eigenvalue is negative, away from saddles.  All λₖ positive: the step that g asks for is
 ;; short, or the point is not yet the minimum.  The least one negative: the function falls
 ;; along its vector, however g may vanish.  Zero to rounding: values decide.
 

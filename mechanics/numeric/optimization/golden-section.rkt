@@ -3,7 +3,7 @@
 ;;
 ;; Of two points inside the interval the better one stays, and the part beyond the
 ;; other goes.  Where they divide it in the golden ratio, a = (3 − √5)/2 from either
-;; end, the one that stays divides what is left in the same ratio, so that each step
+;; end, the one that stays divides the rest in the same ratio, so that each step
 ;; takes one evaluation and leaves 1 − a = 0.618 of the interval.  No function with
 ;; one minimum is harder than any other.
 

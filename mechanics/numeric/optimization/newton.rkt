@@ -4,7 +4,7 @@
 ;;
 ;; With J the matrix of derivatives at x, the step p = −J⁻¹ f(x) would lead to a zero
 ;; if f were linear.  Far from one it may lead astray; then a part λ of it is taken,
-;; the largest of 1, 1/2, 1/4 ... for which what the same J foretells at the new point
+;; the largest of 1, 1/2, 1/4 ... for which the next step by the same J at the new point
 ;; is closer to zero,
 ;;
 ;;     |J⁻¹ f(x + λp)| ≤ (1 − λ/2) |p|.

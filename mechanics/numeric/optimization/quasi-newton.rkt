@@ -5,7 +5,7 @@
 ;;
 ;; H approximates the inverse of the matrix of second derivatives.  The step
 ;; p = −H g, g being the gradient, would reach the minimum of a quadratic function;
-;; it is halved until the function falls by a fair part of what g promises.  The
+;; it is halved until the function falls by a fair part of the promise of g.  The
 ;; change s of the point and y of the gradient then correct H:
 ;;
 ;;     H ← (1 − ρ s yᵀ) H (1 − ρ y sᵀ) + ρ s sᵀ,     ρ = 1/(y·s),
@@ -18,7 +18,7 @@
 ;; the function, one is taken that flattens it along p and does not raise it by more
 ;; than rounding may (W. W. Hager and H. Zhang, SIAM J. Optim. 16, 2005, 170).  If there
 ;; is none the search is stuck: at a kink, or where the gradient is not that of the
-;; function; unless what is left to gain, p·g/2, is itself no more than rounding.
+;; function; unless the gain still to be had, p·g/2, is itself no more than rounding.
 
 (require racket/flonum
          "../constants.rkt" "../finite-number.rkt" "../flvector.rkt"

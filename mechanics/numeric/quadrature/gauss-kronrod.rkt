@@ -8,7 +8,7 @@
 ;; panel, where a function oscillates it is most of them; so the sums, made anew in each,
 ;; cost little.
 ;;
-;; A rule that samples does not see what happens between its nodes.  So, where it is asked
+;; A rule that samples is blind between its nodes.  So, where it is asked
 ;; to, the method looks at other points (probe-points.rkt) when it would end; panels whose
 ;; polynomials are wrong there are halved, too.
 

@@ -2,7 +2,7 @@
 ;; Definite integrals to infinity.
 ;;
 ;; But for a beginning of about the length of its distance from zero, the range becomes
-;; [0, 1] by x = b + u (1 − t)/t, dx = −u dt/t².  What halving cannot do with that is taken
+;; [0, 1] by x = b + u (1 − t)/t, dx = −u dt/t².  A function too hard for halving is taken
 ;; for a wave (oscillating.rkt), for one that keeps its sign (periods.rkt), or for a power or
 ;; a logarithm that is barely integrable (tail.rkt).
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Definite integrals of any kind, to infinity too; what cannot be done is refused, and said
+;; Definite integrals of any kind, to infinity too; one that cannot be done is refused, and said
 ;; not to converge only where that is seen.
 
 (require "half-line.rkt" "finite-range.rkt" "tail.rkt"

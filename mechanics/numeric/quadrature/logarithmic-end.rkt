@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Integrals up to an end where the function may be infinite, in the logarithm of the distance.
 ;;
-;; With x = a + e^(−u), ∫ f(x) dx up to a is ∫ g(u) du to infinity, g = e^(−u) f.  What is a
+;; With x = a + e^(−u), ∫ f(x) dx up to a is ∫ g(u) du to infinity, g = e^(−u) f.  A
 ;; power near a is an exponential there, and a function that only seems to be infinite, as
 ;; 1/√(x + 10⁻¹²) does from afar, is as smooth.  It is integrated as far as numbers go.
 ;; Where g falls there as e^(−ru), g/r is left; how much that may be wrong is told by r

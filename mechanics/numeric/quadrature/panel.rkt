@@ -18,10 +18,10 @@
 ;; of both rules add up to 2, hence constants are integrated without any error
 ;; and slowly varying functions with little.
 ;;
-;; Panels keep their values: the polynomial through them says what the function should be
+;; Panels keep their values: the polynomial through them predicts the function
 ;; between the nodes.  Nodes are rounded, by up to half a unit δ of their last place, and a
 ;; function that changes by Δ from each to the next comes out wrong by about δ √Σ Δ²: that is
-;; what rounding of x makes of a narrow peak far from 0, or of sin x near 10⁶.
+;; the effect of rounding x on a narrow peak far from 0, or on sin x near 10⁶.
 
 (require racket/flonum
          (only-in "../constants.rkt" epsilon))

@@ -2,7 +2,7 @@
 ;; Integrals to infinity of functions that go up and down at equal distances while they
 ;; decay, without changing their sign: (sin x/x)², (2 + cos x)/(1 + x²).
 ;;
-;; Over whole periods T what is left from X on is c₁ X^−p + c₂ X^−p−1 + …, as if the function
+;; Over whole periods T the rest from X on is c₁ X^−p + c₂ X^−p−1 + …, as if the function
 ;; did not oscillate.  So the integrals up to X = rT, 2rT, 4rT … have differences that are
 ;; sums of geometric sequences, and the epsilon algorithm finds their limit.  The period is
 ;; the distance of minima, measured very far away, where decaying does not move them.

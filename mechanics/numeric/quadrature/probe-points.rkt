@@ -1,5 +1,5 @@
 #lang racket/base
-;; Points at which a quadrature that would end looks for what it has not seen.
+;; Points at which a quadrature that would end looks for features it has not seen.
 ;;
 ;; A peak between the nodes of a panel leaves no trace in their values.  Points spread over the
 ;; interval, 192 to its length, find one that is a thousandth of it wide; they are left out

@@ -5,9 +5,9 @@
 ;; panels: they become so narrow there that rounding hides x − a.  But its integrals
 ;; Sₖ from the middle to a distance 2⁻ᵏ from a tend to the whole as sums of geometric
 ;; sequences do, and the epsilon algorithm finds where from a few of them.  It would find
-;; a limit for sums that have none, too, and know nothing of what happens closer to a.
-;; Therefore the terms must fall, and what is left must agree roughly with what the rule
-;; of gauss-kronrod.rkt makes of it.
+;; a limit for sums that have none, too, and know nothing of the function closer to a.
+;; Therefore the terms must fall, and the rest must agree roughly with its value by the rule
+;; of gauss-kronrod.rkt.
 
 (require racket/list
          "epsilon-algorithm.rkt" "gauss-kronrod.rkt" "logarithmic-end.rkt")

@@ -5,8 +5,8 @@
 ;; u = 700, where much is still left.  The integrals over parts of u that are equally long
 ;; are a geometric sequence for the first, those over parts each longer by the same factor
 ;; for the second, and the epsilon algorithm finds the sum of either.  It would find one for
-;; sums that have none; so the parts must be of one sign and fall, to the last; and what the
-;; last three estimates differ by, tenfold, is the bound of the error.
+;; sums that have none; so the parts must be of one sign and fall, to the last; and the difference
+;; of the last three estimates, tenfold, is the bound of the error.
 ;;
 ;; The same variable tells where there is no integral: f must fall faster than 1/x, and
 ;; faster than 1/(x log x) if it does so barely.

@@ -1,5 +1,5 @@
 #lang racket/base
-;; From order to order: what the Bessel functions J and Y, with the sign s = −1.0, share with the
+;; From order to order: formulas of the Bessel functions J and Y, with the sign s = −1.0, and of the
 ;; modified ones I and K, with s = 1.0.
 ;;
 ;;     J'/J, I'/I = ν/x + s/(2(ν + 1)/x + s/(2(ν + 2)/x + …)),
@@ -28,7 +28,7 @@
         (values (fl* h change) side*)
         (loop (fl* h change) b* c* d* side*))))
 
-;; ratio, side : what first-fraction gave at order ν
+;; ratio, side : of first-fraction at order ν
 ;; -> in one unit, f at ν, and f and f' at μ = ν − m.  f at ν is 0 beside an f at μ that is too
 ;; great for this unit.
 (define (downwards ratio side m nu x sign)

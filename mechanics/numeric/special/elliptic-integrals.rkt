@@ -3,7 +3,7 @@
 ;; Mathematik 33, 1979, 1).
 ;;
 ;; R_F(x, y, z) = ½ ∫ ((t + x)(t + y)(t + z))^(−1/2) dt from 0 to infinity and
-;; R_D = 3/2 ∫ (t + z)⁻¹ (...)^(−1/2) dt stay what they are, or nearly, when
+;; R_D = 3/2 ∫ (t + z)⁻¹ (...)^(−1/2) dt keep their values, or nearly, when
 ;; λ = √xy + √xz + √yz is added to x, y and z and the sums are divided by 4.  Each time
 ;; their differences fall to a quarter; a Taylor series about the mean does the rest.
 ;;
