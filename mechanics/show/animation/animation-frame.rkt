@@ -13,7 +13,7 @@
   (check-drawing-library who)
   (scenery->pict ((animation-pictures a)) time))
 
-;; extension -> what makes the bytes
+;; extension -> the procedure that makes the bytes
 (define formats
   (list (cons #".gif" scenery->gif) (cons #".html" scenery->page) (cons #".htm" scenery->page)))
 

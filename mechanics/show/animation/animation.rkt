@@ -2,7 +2,7 @@
 ;; Animations: a motion, and how its states are drawn.
 ;;
 ;; An animation is a value: nothing is drawn before somebody asks for a picture, a file or a
-;; window.  What takes time to find, such as the curves of trails, is found once.
+;; window.  Parts that take time to find, such as the curves of trails, are found once.
 
 (require file/convertible
          "drawing.rkt" "film.rkt" "on-demand.rkt" "phase-plane.rkt" "pictures-on-demand.rkt"
@@ -77,7 +77,7 @@
         [(not (and from to))
          (complain who "a function of the time has no beginning and no end; say #:from and #:to")]))
 
-;; A drawing of the library says what states it draws; of another one its picture is made.
+;; A drawing of the library tells which states it draws; of another one its picture is made.
 (define (check-first who drawing state)
   (if (drawing? drawing)
       (check-state drawing state)

@@ -21,7 +21,7 @@
          ;; for tests
          drawing-shapes drawing-marks)
 
-;; datum  : what it prints as
+;; datum  : its printed form
 ;; bounds : (list x-min x-max y-min y-max); width : pixels
 ;; counts : for which numbers of coordinates it is, or #f
 ;; shapes, trail, marks : functions of the state; trail gives points of the plane; or #f
@@ -42,7 +42,7 @@
   (parts (lambda () trail) (lambda () marks) (lambda () shapes)))
 
 ;; The drawing of a mechanism of this library.
-;; call : what makes it, (name argument ...)
+;; call : the expression that makes it, (name argument ...)
 ;; parts-at : the time and the coordinates, a vector of flonums -> parts, made by `drawn`
 (define (mechanism call #:bounds bounds #:width width #:coordinates counts
                    #:sample sample #:axes axes parts-at)
@@ -110,7 +110,7 @@
   (paint (map real->double-flonum bounds) width all))
 
 ;; The mechanism with its angles, lengths and masses named; about so many pixels high, unless
-;; it is wide.  names : hash, from names to what they are called instead
+;; it is wide.  names : hash, from names to others in their place
 (define (diagram d [state (and (drawing? d) (drawing-sample d))]
                  #:names [names (hash)] #:size [size 220])
   (define who 'diagram)

@@ -8,5 +8,5 @@
 
 (provide paint why-no-pictures)
 
-;; -> string, which ends with what to install, or #f
+;; -> string, which ends with the remedy, or #f
 (define why-no-pictures (reason-not-to-load loaded?))

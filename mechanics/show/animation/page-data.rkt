@@ -1,5 +1,5 @@
 #lang racket/base
-;; Data that a page's script reads: what occurs often stands there once and is told by its number;
+;; Data that a page's script reads: frequent parts stand there once and are told by their numbers;
 ;; the text ends where its element does, and nowhere before.
 
 (require racket/string)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Pictures of animations, made by what is loaded for the first one.
+;; Pictures of animations, made by files that are loaded for the first one.
 
 (require "../../generic/on-demand.rkt")
 

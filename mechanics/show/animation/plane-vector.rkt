@@ -1,5 +1,5 @@
 #lang racket/base
-;; Vectors of the plane, as Racket vectors of two flonums: what drawings reckon with.
+;; Vectors of the plane, as Racket vectors of two flonums, for calculations of drawings.
 ;;
 ;; x goes to the right and y up.  Angles of mechanisms are measured from the vertical that
 ;; hangs down, as a pendulum's is; those of `turned` from the x axis, as in mathematics.

@@ -2,7 +2,7 @@
 ;; How results are shown: the style that the reader chose, and the form it takes on this output.
 ;;
 ;; Nothing is asked of a terminal.  A port that takes pictures belongs to an editor of
-;; Racket's, as DrRacket's do, or to something else that will show what can be converted to a
+;; Racket's, as DrRacket's do, or to something else that will show values convertible to a
 ;; picture, such as a page of Scribble that is being made.
 
 (require "../../error/complain.rkt"

@@ -7,7 +7,7 @@
 
 ;; load : loads a module that needs them
 ;; -> a procedure that returns #f, or the reason why they cannot be loaded: a string that ends
-;; with what to install.  Loading is tried once; every failure in it counts as a missing library.
+;; with the remedy.  Loading is tried once; every failure in it counts as a missing library.
 (define ((reason-not-to-load load [reason (box 'unknown)]))
   (when (eq? (unbox reason) 'unknown)
     (set-box! reason

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The menu of a formula in an editor: what can be copied of it.
+;; The menu of a formula in an editor: forms of it to copy.
 
 (require "formula-text.rkt" "result-formula.rkt"
          racket/class racket/gui/base)

@@ -8,7 +8,7 @@
 
 (provide ->pict)
 
-;; -> string, which ends with what to install, or #f
+;; -> string, which ends with the remedy, or #f
 (define why-not (reason-not-to-load loaded?))
 
 (define ->pict

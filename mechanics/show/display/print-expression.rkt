@@ -1,5 +1,5 @@
 #lang racket/base
-;; Printing values on demand, simplified: what the prompt does to results.
+;; Printing values on demand, simplified, as the prompt prints results.
 
 (require "display-style.rkt" "layout.rkt" "print-shown.rkt" "result-note.rkt"
          "receiving-printer.rkt" "result.rkt" "result-lines.rkt"

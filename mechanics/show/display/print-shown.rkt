@@ -1,9 +1,9 @@
 #lang racket/base
-;; Results that are no text: what a port takes as it is, by `write-special`.
+;; Results that are no text: values that a port takes as they are, by `write-special`.
 
 (provide (struct-out special) print-shown)
 
-;; snip : what an editor shows, see formula-snip.rkt
+;; snip : shown by an editor, see formula-snip.rkt
 (struct special (snip) #:authentic)
 
 ;; shown : a value to be printed, maybe a special; print : -> prints any other, on a line.

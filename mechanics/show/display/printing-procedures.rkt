@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Racket's procedures that print, for values of ours: a program that displays a result shows
-;; what the prompt would, simplified and in lines, with what that took for granted beneath.
+;; the same as the prompt, simplified and in lines, with the assumptions for that beneath.
 ;; Within the text of `format` and its kin a value is simplified, and stays on one line; as
 ;; nothing is told beneath, nothing is taken for granted.
 ;;

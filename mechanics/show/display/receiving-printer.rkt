@@ -8,10 +8,10 @@
 (struct result-receiver (receive)
   #:property prop:procedure (struct-field-index receive))
 
-;; He takes what is to be printed on the port as well, as `print-expression` does.
+;; It takes values printed on the port as well, as `print-expression` does.
 (struct output-receiver result-receiver (port))
 
-;; Who takes what is to be printed on the present output, or #f
+;; The receiver of values to be printed on the present output, or #f
 (define (receiver-here)
   (define printer (current-print))
   (and (output-receiver? printer)

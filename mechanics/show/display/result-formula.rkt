@@ -11,7 +11,7 @@
          formula->bytes bytes->formula formula-syntax)
 
 ;; body    : tree
-;; remarks : trees of what simplification took for granted, each with its label: (label . tree)
+;; remarks : trees of the assumptions of simplification, each with its label: (label . tree)
 ;; program : the S-expression of the value, or its text, in lines
 ;; text    : the same with the remarks, as it is printed where there are no pictures
 ;; width   : columns there are for a line

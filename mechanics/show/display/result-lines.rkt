@@ -8,8 +8,8 @@
 
 (provide value->lines with-notes)
 
-;; The text of a value; beneath it, as comments, what its simplification took
-;; for granted and what it left unexpanded.
+;; The text of a value; beneath it, as comments, assumptions of its simplification
+;; and parts left unexpanded.
 ;; value->lines : value width [list-of-notes] -> string
 (define (value->lines x width [notes '()])
   (with-notes (if (verdict? x)
@@ -49,7 +49,7 @@
 (define (part->text part width column)
   (if (string? part) part (layout part width column)))
 
-;; Does what follows the first part belong to the same equation?
+;; Do the parts behind the first belong to the same equation?
 (define (within-equation? parts)
   (or (equal? (car parts) "=") (equation-first? parts)))
 

@@ -154,7 +154,7 @@
       (verdict? x)
       (unprintable? x)))
 
-;; The rest of what we write, such as equilibria and trajectories, which is not simplified:
+;; Our other printed values, such as equilibria and trajectories, which are not simplified:
 ;; it prints itself, and is never a part of quoted data.
 (define (ours? x)
   (or (in-notation? x)

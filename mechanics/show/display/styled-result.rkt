@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Results in the styles that are not S-expressions.
 ;;
-;; Nothing that fails here reaches the prompt: what cannot be typeset is shown as it was
+;; Nothing that fails here reaches the prompt: a value that cannot be typeset is shown as it was
 ;; before there were styles, with a line that says why.
 
 (require file/convertible
@@ -20,7 +20,7 @@
 ;; Numbers and names that are drawn in one picture at most.
 (define most-drawn 2000)
 
-;; shown  : a value; notes : what its simplification took for granted (result-lines.rkt)
+;; shown  : a value; notes : assumptions of its simplification (result-lines.rkt)
 ;; manner : as manner-here (display-style.rkt) gives it, but 'expression
 ;; unstyled : -> the result as an S-expression, as text with its notes and without
 ;; made   : (string -> value), which prints as that string
@@ -48,7 +48,7 @@
 
 (define (one-line text) (regexp-replace* #rx"\n *" text "; "))
 
-;; For places that show what can be converted to a picture: pages of Scribble, notebooks.  It prints
+;; For places that show values convertible to a picture: pages of Scribble, notebooks.  It prints
 ;; as the text that it is elsewhere, and stays text where the libraries that draw are missing.
 (value-struct picture (formula)
   #:text (lambda (p) (formula-text (picture-formula p)))
@@ -58,7 +58,7 @@
       (convert-formula (picture-formula p) request default))))
 
 ;; ---------------------------------------------------------------------------
-;; Text, and what stands beneath it
+;; Text, and the notes beneath it
 
 (define (styled-text tree notes width manner)
   (define comment

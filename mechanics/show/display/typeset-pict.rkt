@@ -15,5 +15,5 @@
     (complain '->pict "expected a size of letters, a number between 0 and 1000\n  given: ~e" size))
   (tree->pict tree size color))
 
-;; To call it loads this file, and what it stands on.
+;; To call it loads this file, and those it requires.
 (define (loaded?) #t)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; A remark that says what the prompt is doing, printed if that takes long.
+;; A remark on the work that the prompt is doing, printed if that takes long.
 
 (provide call-announced announcement-delay)
 

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; A document for LaTeX, with amsmath.  Pictures are files beside it, in PDF where possible.
 ;;
-;; The program stands in it as it is written, in an environment of which nothing is a command; what
-;; characters beyond ASCII it has is declared before (TeX-prose.rkt).
+;; The program stands in it as it is written, in an environment of which nothing is a command; its
+;; characters beyond ASCII are declared before (TeX-prose.rkt).
 
 (require racket/path
          racket/string

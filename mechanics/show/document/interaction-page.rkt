@@ -1,6 +1,6 @@
 #lang racket/base
 ;; An interaction on a page: its first frame, which is there without a script and on paper; and
-;; with one its controls and all frames.  What frames have in common, such as axes, stands in the
+;; with one its controls and all frames.  The common part of frames, such as axes, stands in the
 ;; page once.
 
 (require json
@@ -49,7 +49,7 @@
       (values s d)
       (within (coarser-shown s (max 1 (min (- n 1) (quotient (* n room) size)))) number room)))
 
-;; Three cells of a row: the name, what is moved, and the text of the value where that does not tell
+;; Three cells of a row: the name, the control, and the text of the value where that does not tell
 (define (axis->xexpr a)
   (define n (vector-length (axis-labels a)))
   (define number? (eq? (axis-kind a) 'number))

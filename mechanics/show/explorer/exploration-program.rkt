@@ -77,7 +77,7 @@
 ;; The names of an expression that a program would not know, as Racket's own expander sees it: those
 ;; that the expression binds itself are known.
 
-;; source : a datum; modules : what the program requires, besides racket/base
+;; source : a datum; modules : those that the program requires, besides racket/base
 ;; namespace : where these modules are loaded or can be
 ;; -> a sorted list of symbols, or a string that says why the source is no expression
 (define (unknown-names source modules namespace)

@@ -2,8 +2,8 @@
 ;; A map explored in its frame, where someone else shows the picture and tells of clicks: a
 ;; notebook.
 ;;
-;; The frame holds what it held before, and above that the orbits, always as they are now: whoever
-;; takes it later has what was explored.  Orbits grow in a thread of their own (orbit-worker.rkt).
+;; The frame holds its former layers, and above them the orbits, always as they are now: whoever
+;; takes it later has these, too.  Orbits grow in a thread of their own (orbit-worker.rkt).
 
 (require racket/flonum
          "exploration.rkt" "orbit-worker.rkt" "../plot/frame.rkt" "../plot/picture-layer.rkt"
@@ -138,7 +138,7 @@
      (for ([px (in-flvector xs 0 count)] [py (in-flvector ys 0 count)]
            #:when (and (<= x-min px x-max) (<= y-min py y-max)))
        (add-point! inside px py))
-     ;; a colour by its bytes: what is drawn in the same one later is no part of this layer
+     ;; a colour by its bytes: points drawn in the same one later are no part of this layer
      (define s (make-style (explored-who x) 'points (color->bytes color) #f 'solid #f))
      (set! layers (cons (layer s inside) layers))))
   layers)

@@ -25,7 +25,7 @@
   "click: orbit   drag: zoom   u: undo   m: more points   w: whole   c: clear   s: save   q: close")
 
 ;; starts : list of pairs; background : as the board's (explorer-board.rkt)
-;; save   : exploration bitmap -> a text that says what was written
+;; save   : exploration bitmap -> a text that names the files written
 (define (open-explorer title width height e starts background save closed)
   (parameterize ([current-eventspace (make-eventspace)])
     (define window (titled-window title (lambda () (finish! it closed))))

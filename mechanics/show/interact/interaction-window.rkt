@@ -1,9 +1,9 @@
 #lang racket/base
-;; The window of an interaction: its controls, and what the body gives beneath them.
+;; The window of an interaction: its controls, and the value of the body beneath them.
 ;;
 ;; The window lives in an eventspace of its own, and the body is run by a worker in a thread of its
 ;; own: so the window answers at once, however slow the body, and the prompt is free.  The worker
-;; takes the newest values that wait; what it has begun it finishes.  Closing the window stops it.
+;; takes the newest values that wait; work begun it finishes.  Closing the window stops it.
 
 (require racket/class
          racket/gui/base
@@ -132,7 +132,7 @@
   (define done (outcome-of (lambda () (draw outcome))))
   (if (failed? done) (draw done) done))
 
-;; Only what is drawn of lines is made larger than it is.
+;; Only a drawing of lines is made larger than it is.
 (define (draw-centered outcome width height)
   (define-values (picture grows?) (outcome->pict outcome))
   (define fitting

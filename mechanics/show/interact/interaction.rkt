@@ -3,7 +3,7 @@
 ;;
 ;; An interaction computes nothing when it is made.  Each host (a window, a page, a notebook) shows
 ;; its controls, asks for the value where they are moved to, and shows that: a value as a prompt
-;; would, what the body raises in words in its place.  Everything that a host needs is here.
+;; would, an exception of the body in words.  Everything that a host needs is here.
 
 (require file/convertible
          "control.rkt" "live-result.rkt" "outcome.rkt" "outcome-picture-on-demand.rkt"
@@ -45,7 +45,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Values of the body
 
-;; -> the value of the body; what the body raises is raised
+;; -> the value of the body; its exceptions are raised
 (define (interaction-result i values)
   (call-with-values
    (lambda () (apply (interaction-body i) values))

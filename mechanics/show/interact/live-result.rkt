@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Results that a reader moves, which a prompt shows in a window.  The property marks them, so that
-;; a prompt need not load what makes them to know that it has none.
+;; a prompt need not load their makers to know that it has none.
 
 (provide prop:live live?)
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Pictures of what interactions show, made by what is loaded for the first one.
+;; Pictures of interactions' outcomes, made by files that are loaded for the first one.
 
 (require "../display/drawing-library.rkt"
          "../../generic/on-demand.rkt")
@@ -8,7 +8,7 @@
 
 (provide convert-outcome outcome-elements why-no-pictures)
 
-;; -> string, which ends with what to install, or #f
+;; -> string, which ends with the remedy, or #f
 (define why-no-pictures (reason-not-to-load loaded?))
 
 ;; request, default : as `convert` takes them

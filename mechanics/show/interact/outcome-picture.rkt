@@ -15,7 +15,7 @@
 
 (provide loaded? convert-drawn outcome->pict drawn-elements)
 
-;; To call it loads this file, and what it stands on.
+;; To call it loads this file, and those it requires.
 (define (loaded?) #t)
 
 (define columns 72)

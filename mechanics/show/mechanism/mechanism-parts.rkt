@@ -1,6 +1,6 @@
 #lang racket/base
-;; Parts of mechanisms, made of lines, discs and labels: what drawings are put together
-;; from, and what labels them.
+;; Parts of mechanisms, made of lines, discs and labels: pieces that drawings are put together
+;; from, and labels for them.
 
 (require (only-in racket/math exact-round)
          "../animation/plane-vector.rkt" "../animation/shapes.rkt"

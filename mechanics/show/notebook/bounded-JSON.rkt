@@ -58,7 +58,7 @@
     (refuse "its JSON holds a number with too many digits"))
   (+ i (bytes-length (car m))))
 
-;; A key may be written with escapes: it is compared as what it means.
+;; A key may be written with escapes: the text that it means is compared.
 (define (note-key! keys literal refuse)
   (define key (with-handlers ([exn:fail? (lambda (e) (refuse "its JSON has a mistake"))])
                 (bytes->jsexpr literal)))

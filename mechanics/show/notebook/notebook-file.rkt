@@ -2,7 +2,7 @@
 ;; Notebooks as files: cells in Jupyter's format, version 4.5, a cell a line.
 ;;
 ;; The rest of a program, beside its cells' sources, is in their metadata, under `mechanics`: the
-;; text as it stands in the program, and what follows it.  Outputs are written where a notebook is
+;; text as it stands in the program, and that behind it.  Outputs are written where a notebook is
 ;; run as it is made; they are not read.
 
 (require json
@@ -59,7 +59,7 @@
   (define x (read-bounded-JSON text (lambda (why) (refuse (string-append ": " why)))))
   (define cells (and (hash? x) (hash-ref x 'cells #f)))
   (unless (and (list? cells) (andmap hash? cells)) (refuse ""))
-  ;; metadata that would bring in what no cell shows is not taken
+  ;; metadata that would bring in parts that no cell shows are not taken
   (define header (text-at x '(metadata mechanics header) usual-header))
   (values (if (header? header) header usual-header)
           (for/list ([c (in-list cells)])

@@ -18,7 +18,7 @@
          usual-header usual-gap header? gap?)
 
 ;; kind : 'code, 'markdown or 'raw; source : as the notebook shows it; text : as it stands in the
-;; program, or #f; after : what stands between it and the next cell
+;; program, or #f; after : the text between it and the next cell
 (struct cell (kind source text after) #:transparent)
 
 (define usual-header "#lang mechanics\n\n")
@@ -40,7 +40,7 @@
   (values (bytes->string/utf-8 (car m))
           (body->cells who (subbytes text (bytes-length (car m))))))
 
-;; Is the text the header of a program, and no more?  Is it what may stand between cells?
+;; Is the text the header of a program, and no more?  May it stand between cells?
 (define (header? text) (equal? (list (string->bytes/utf-8 text))
                                (regexp-match header-pattern (string->bytes/utf-8 text))))
 (define (gap? text) (regexp-match? #px"^\\s*$" text))
@@ -92,7 +92,7 @@
     (append (comment-parts (subbytes text from start) from)
             (if (eof-object? form) '() (cons (cons start end) (loop end))))))
 
-;; Between forms: a comment #| ... |#, and all from a #; on, which leaves out what follows it
+;; Between forms: a comment #| ... |#, and all from a #; on, which leaves out the form behind it
 (define (comment-parts text offset)
   (define m (regexp-match-positions #rx#";|#[|]|#;" text))
   (define (rest end) (comment-parts (subbytes text end) (+ offset end)))
@@ -136,7 +136,7 @@
 (define (of-a-file? text)
   (regexp-match? #px"^(?:;[^\n]*\n)*[(](?:module[+*]?|provide)\\s" text))
 
-;; Headings and lists are written alike in both; what else Markdown would read is escaped, but not
+;; Headings and lists are written alike in both; other signs of Markdown are escaped, but not
 ;; in lines that are indented as code is.
 (define (prose->Markdown text)
   (string-join

@@ -97,7 +97,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Colours
 
-;; shown : indicator -> number on the bar.  What is not known yet, -inf.0, is transparent.
+;; shown : indicator -> number on the bar.  An indicator not known yet, -inf.0, is transparent.
 (define (colored indicators bar shown)
   (define bytes (make-bytes (* 4 (flvector-length indicators)) 255))
   (define-values (from to) (values (color-bar-from bar) (color-bar-to bar)))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The bar beside a picture that tells what its colours mean.
+;; The bar beside a picture that explains its colours.
 
 (require "color-map.rkt" "plot-canvas.rkt" "plot-ticks.rkt")
 

@@ -80,7 +80,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; Points of a curve, as close as `near?` demands: what lies between two that are not
+;; Points of a curve, as close as `near?` demands: the gap between two that are not
 ;; near is filled in by halving, until there is no number between.
 (define-plain (plot-parametric-fill f curve from to [near? (near-in f)]
                                     #:color [color 0] #:size [size 1.5] #:label [label #f])

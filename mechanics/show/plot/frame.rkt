@@ -1,5 +1,5 @@
 #lang racket/base
-;; Frames: windows of the plane that hold what was drawn in them (SICM 1.4, p. 23).
+;; Frames: windows of the plane that hold the points and curves drawn in them (SICM 1.4, p. 23).
 ;;
 ;; Drawing only records; a picture is made when one is asked for, as where a frame is
 ;; printed in DrRacket.  So a monitor may draw ten thousand points without a delay, on
@@ -66,7 +66,7 @@
   (check-frame who f)
   (when (frame-closed? f) (raise-closed who f)))
 
-;; Complains of a frame with logarithmic axes, for what is drawn on plain ones alone.
+;; Complains of a frame with logarithmic axes, for drawings on plain ones alone.
 (define (check-plain who f)
   (check-open who f)
   (unless (plain-axes? (frame-view f))

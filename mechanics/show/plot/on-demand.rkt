@@ -11,7 +11,7 @@
 (provide can-draw? why-not color-name?
          draw-picture make-picture picture-bytes draw-figure picture-point)
 
-;; -> string, which ends with what to install, or #f
+;; -> string, which ends with the remedy, or #f
 (define why-not (reason-not-to-load loaded?))
 
 (define (can-draw?) (not (why-not)))

@@ -11,7 +11,7 @@
 
 ;; kind : 'points, 'lines (segments apart), 'curve, 'level or 'image
 ;; size : diameter of points or width of lines, in pixels; #f for points whose number decides
-;; dash, label : of a line, as plot has them; what the legend says (axis-label.rkt), or #f
+;; dash, label : of a line, as plot has them; the text of the legend (axis-label.rkt), or #f
 (struct style (kind color size dash label) #:prefab)
 
 ;; data : points; a snapshot of them where the layer may not change any more; of a
@@ -23,7 +23,7 @@
 (struct field (rows count level) #:prefab)
 
 ;; Colours of equal parts of the view, `width` across and `height` down: bytes of alpha, red,
-;; green, blue.  bar : what these mean, or #f
+;; green, blue.  bar : the meaning of these, or #f
 (struct raster (width height bytes bar) #:prefab)
 
 (define (layer-kind l) (style-kind (layer-style l)))
@@ -52,7 +52,7 @@
       (counted n noun)))
   (if (null? parts) "empty" (joined parts)))
 
-;; Two points, and what separates them from the next line.
+;; Two points, and a separator from the next line.
 (define (line-count s) (quotient (snapshot-count s) 3))
 
 ;; ---------------------------------------------------------------------------

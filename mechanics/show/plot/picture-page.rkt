@@ -28,7 +28,7 @@
   (send (current-ps-setup) get-scaling x-scale y-scale)
   (unbox x-scale))
 
-;; The canvas scales what is drawn on it by pdf-scale, but not the page.
+;; The canvas scales drawings on it by pdf-scale, but not the page.
 (define (pdf-bytes width height draw points-per-unit)
   (define scale (/ points-per-unit (pdf-scale)))
   (define (draw-scaled dc)

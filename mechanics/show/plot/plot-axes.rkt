@@ -39,7 +39,7 @@
 (define (ticks low high scale)
   ((if (eq? scale 'log) log-ticks-between ticks-between) low high))
 
-;; Margins grow by what sticks out of the picture.  As that moves with the area, they do so again;
+;; Margins grow by texts that stick out.  As these move with the area, margins grow again;
 ;; where nothing would remain there are none.
 (define (plot-area dc v bar)
   (define-values (x-min x-max y-min y-max) (apply values (view-bounds v)))

@@ -25,7 +25,7 @@
 (define catch (make-parameter #f))
 (define origin (make-parameter '(0 . 0)))
 
-;; -> what (draw) returns, and the texts, which are not drawn
+;; -> the value of (draw), and the texts, which are not drawn
 (define (call-catching-text draw)
   (define texts '())
   (define drawn (parameterize ([catch (lambda (t) (set! texts (cons t texts)))]) (draw)))

@@ -2,8 +2,8 @@
 ;; Points of the plane, many of them: two arrays of flonums that grow by doubling, so
 ;; that adding a point costs the same however many there are.
 ;;
-;; Arrays are replaced by longer copies and entries are only ever added.  So what a
-;; snapshot holds never changes and need not be copied, and one taken while another
+;; Arrays are replaced by longer copies and entries are only ever added.  So the points of
+;; a snapshot never change and need not be copied, and one taken while another
 ;; thread adds is whole if the count is read first.
 
 (require racket/flonum

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The window of the plane that a picture shows, its size on paper and what is written
+;; The window of the plane that a picture shows, its size on paper and the texts
 ;; beside it.
 
 (require "axis-label.rkt"

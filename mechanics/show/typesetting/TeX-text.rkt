@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Characters as TeX.  All of a text comes out as itself: none of its characters is a command,
-;; ends the formula or is beyond what pdfLaTeX knows.
+;; ends the formula or is unknown to pdfLaTeX.
 
 (require "../../algebra/notation/name.rkt")
 

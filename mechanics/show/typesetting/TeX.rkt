@@ -83,7 +83,7 @@
 (define commands
   (hash-set* names-in-TeX 'sec "\\sec" 'csc "\\csc" 'cot "\\cot" 'coth "\\coth"))
 
-;; Fences around what is no taller than a letter do not stretch, and keep to their distance.
+;; Fences around a body no taller than a letter do not stretch, and keep to their distance.
 (define (fenced open body close stretch?)
   (if stretch?
       (string-append "\\left" open body "\\right" close)

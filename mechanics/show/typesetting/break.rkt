@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Formulas that are wider than the page, cut into lines: sums at their signs, products between
-;; their factors, and within what stands between parentheses, above or below a fraction bar,
+;; their factors, and within parentheses, above or below a fraction bar,
 ;; before anything is cut outside.
 ;;
 ;; Widths are in columns (width.rkt).

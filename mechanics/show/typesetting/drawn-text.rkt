@@ -29,7 +29,7 @@
       (case sort
         [(broken) (stack (spread boxes) 'left)]
         [(reports) (stack boxes 'left 0)]
-        ;; The first line stands level with what is beside the report.
+        ;; The first line stands level with the text beside the report.
         [else (stack boxes 'left (if (null? boxes) 0 (box2-base (car boxes))))]))
     (define/override (divided above below)
       (define bar (make-string (+ 2 (max (box2-width above) (box2-width below))) #\─))

@@ -61,7 +61,7 @@
   (box2 lines (box2-width b) (sub1 (length lines))))
 
 ;; ---------------------------------------------------------------------------
-;; Signs as tall as what they enclose
+;; Signs as tall as the box that they enclose
 
 (define (fence b open close) (beside (tall open b) b (tall close b)))
 

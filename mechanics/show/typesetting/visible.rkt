@@ -1,5 +1,5 @@
 #lang racket/base
-;; Text whose characters all have a shape: what a terminal would obey, or end a line at, is
+;; Text whose characters all have a shape: one that a terminal would obey, or end a line at, is
 ;; shown as the character that stands for the unknown.
 
 (provide visible)

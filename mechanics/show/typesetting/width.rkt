@@ -7,7 +7,7 @@
 (provide make-meter)
 
 ;; Columns: letter, of a variable of one letter or a digit; index, of a small letter above or below;
-;; others, of what stands between the parts of a formula or around them.
+;; others, of signs and gaps between the parts of a formula or around them.
 (struct scale (letter index term factor comma parentheses bar relation))
 (define of-text (scale 1 1 3 1 2 2 2 3))
 (define of-type (scale 1.1 0.7 2.5 0.4 0.9 1.5 0.5 2.6))
