@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Motion as pictures: animations, the drawings of mechanisms that they are made with, and
-;; what drawings are made of.
+;; the parts of drawings.
 
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)

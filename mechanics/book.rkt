@@ -1,6 +1,6 @@
 #lang racket/base
 ;; The particular Lagrangians and other objects that the text of the book defines, by
-;; section.  What works on any of them is in `mechanics`.
+;; section.  Procedures that work on any of them are in `mechanics`.
 
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Pictures: frames as in the book, and what is drawn in them.
+;; Pictures: frames as in the book, and drawing in them.
 
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)
@@ -18,6 +18,6 @@
  plot-trajectory plot-branch plot-residuals plot-contours plot-phase-portrait
  ;; maps of the plane
  explore-map display-map chaos-map default-collector default-monitor
- ;; what was drawn
+ ;; the points and curves drawn
  frame-points frame-curves
  graphics-save graphics-show frame->pict)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Names that scmutils has for what `mechanics` calls otherwise.
+;; Names that scmutils has where `mechanics` has others.
 
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)

@@ -5,7 +5,7 @@
 
 (provide proposed-solution L-central-polar gravitational-energy L-Kepler-polar)
 
-;; An oscillation, for which the oscillator's residual says what ω must be (p. 36).
+;; An oscillation, for which the oscillator's residual gives ω (p. 36).
 (define (proposed-solution t)
   (* 'a (cos (+ (* 'omega t) 'phi))))
 

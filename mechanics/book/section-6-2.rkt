@@ -11,7 +11,7 @@
         (* 1/2 (square omega_0) (square q)))
      (* alpha q (cos (* omega t)))))
 
-;; Its state a time Δt later.  Driven, it has the motion xi; what is left moves freely.
+;; Its state a time Δt later.  Driven, it has the motion xi; the rest moves freely.
 (define (((C* alpha omega omega_0) delta-t) (up t q p))
   (define amplitude (/ alpha (- (square omega_0) (square omega))))
   (define (xi t) (* amplitude (cos (* omega t))))

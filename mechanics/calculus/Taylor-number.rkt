@@ -43,7 +43,7 @@
 (define (jet-order x) (carrier-first x))
 (define (jet-known x) (carrier-second x))
 
-;; Exact zeros at the end are dropped; what is left without ε is no jet.
+;; Exact zeros at the end are dropped; a value left without ε is no jet.
 (define (make-jet tag order known)
   (define length (used-length known))
   (if (eqv? length 1) (vector-ref known 0) (jet tag order (vector-start known length))))

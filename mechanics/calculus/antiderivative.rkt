@@ -1,6 +1,6 @@
 #lang racket/base
-;; Antiderivatives of expressions: those of sums of waves, and of what a substitution
-;; turns into such.
+;; Antiderivatives of expressions: of sums of waves, and of expressions that a substitution
+;; turns into these.
 ;;
 ;; A sum of terms c xⁿ e^{px} w(ax + b), where w is 1, a cosine or a sine, and c, p, a
 ;; and b do not depend on x, is closed under products, since

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The choices that a function makes at points: by what values, and how (generic/branches.rkt).
+;; The choices that a function makes at points: the values, and the way (generic/branches.rkt).
 
 (require "perturbed-value.rkt"
          "../error/failure.rkt"
@@ -39,7 +39,7 @@
   (choice-sample x (reverse made)))
 
 ;; The value that the choice k is made by at x, or #f.  Where x is perturbed there are more
-;; choices, of what depends on x alone; their numbers tell which are those at the number x.
+;; choices, of values that depend on x alone; their numbers tell which are those at the number x.
 (define (chosen-by f x k)
   (define numbers
     (for/list ([c (in-list (choice-sample-made (sample-choices f (innermost x))))]

@@ -13,9 +13,9 @@
 (provide change-values)
 
 ;; change : scalar -> scalar, of expressions and numbers
-;; datum : function -> what the changed one is called
+;; datum : function -> the datum of the changed one
 ;; at-symbols? : is a function always given symbols, so that it does no arithmetic with numbers?
-;; other : what is neither, and what changes values within -> the same, changed
+;; other : another value, and a procedure that changes values within -> the same, changed
 (define (change-values x change datum [other (lambda (leaf within) leaf)]
                        #:at-symbols? [at-symbols? #f])
   (define (at-leaf leaf)

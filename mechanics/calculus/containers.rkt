@@ -3,9 +3,9 @@
 ;; promises, parameters and structures of transparent types, which may carry a
 ;; function, and with it an ε, into another function.
 ;;
-;; Containers that may change keep their identity: what is read from them is
-;; changed as it comes out, and what is stored is changed back.  An opaque
-;; structure does not show what it holds and stays as it is.
+;; Containers that may change keep their identity: a value read from them is
+;; changed as it comes out, and a value stored is changed back.  An opaque
+;; structure does not show its fields and stays as it is.
 
 (require racket/promise)
 

@@ -3,7 +3,7 @@
 ;;
 ;; A body falls 4.9 t² where g is 9.8; but decimals that cancel may have been rounded before,
 ;; and prove nothing.  As 49/10 and 49/5 they do, which is told.  Only short ones are read, which
-;; somebody wrote: what arithmetic rounds has some sixteen digits.  If one is longer, nothing is
+;; somebody wrote: rounded results have some sixteen digits.  If one is longer, nothing is
 ;; read.
 
 (require (only-in racket/list remove-duplicates)

@@ -221,7 +221,7 @@
 (define (spread f)
   (lambda (s) (apply f (vector->list (structure-elements s)))))
 
-;; A derivative that is a function prints as what was typed to get it, and one
+;; A derivative that is a function prints as the expression typed to get it, and one
 ;; within a tuple as a component of that.
 (define (name-functions y make-datum args)
   (define (name y path)

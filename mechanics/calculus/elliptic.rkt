@@ -133,7 +133,7 @@
               ([a (in-list as)] [c (in-list cs)] [_ (in-range steps)])
       (g:* 0.5 (g:+ phi (g:asin (g:/ (g:* c (g:sin phi)) a))))))
   (define-values (sn cn) (values (g:sin phi) (g:cos phi)))
-  ;; 1 − k² sn² without a difference, which would leave few digits of what is nearly 0
+  ;; 1 − k² sn² without a difference, which near 0 would leave few digits
   (define complement (g:* (g:- 1.0 k) (g:+ 1.0 k)))
   (receive sn cn (g:sqrt (g:+ (g:square cn) (g:* complement (g:square sn))))))
 

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; An expression as a function of some of its symbols, over the generic arithmetic:
-;; of numbers, expressions, and what derivatives are taken with.
+;; of numbers, expressions, and the values that derivatives are taken with.
 
 (require "derivative.rkt" "literal-function.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Tapes: what a gradient remembers of a run of a function.
+;; Tapes: a gradient's record of a run of a function.
 ;;
 ;; Every intermediate value u of the run has a differential that is a multiple of
 ;; one other, du = s dz.  An operation on u alone only changes the factor s.
@@ -53,7 +53,7 @@
 (define-syntax-rule (first-index p) (fxrshift p 30))
 (define-syntax-rule (second-index p) (fxand p #x3FFFFFFF))
 
-;; k, unary, binary : the kind of what is recorded, and its methods, called from here
+;; k, unary, binary : the kind of the recorded numbers, and its methods, called from here
 ;; without a detour.  A line for each variable but one is the least that a function of
 ;; all needs.
 (define (make-tape k unary binary tag inputs flonums?)
@@ -141,7 +141,7 @@
 ;; (As `eqv?` would, but of a number in a register.)
 (define-syntax-rule (untouched? a) (and (fl= a 0.0) (fl< (fl/ 1.0 a) 0.0)))
 
-;; The next line may wait for this sum: it begins with what is known before.
+;; The next line may wait for this sum: it begins with terms known before.
 (define-syntax-rule (add-at! as place amount)
   (let ([z place]) (flvector-set! as z (fl+ (fl+ (flvector-ref as z) 0.0) amount))))
 

@@ -20,7 +20,7 @@
 (define (extract-tangent tag x) (extract 'D tag dual-tangent x))
 
 ;; pick : perturbed value with this tag -> its part asked for, linear in it
-;; operator : what a function is said to have undergone, for printing
+;; operator : the name of the operation on a function, for printing
 (define (extract operator tag pick x)
   (define (from x)
     (cond [(perturbed? x) (from-perturbed x)]

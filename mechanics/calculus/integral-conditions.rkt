@@ -1,8 +1,8 @@
 #lang racket/base
-;; Under what conditions F(high) − F(low) is the integral of e, of which F is an antiderivative.
+;; Conditions for F(high) − F(low) to be the integral of e, of which F is an antiderivative.
 ;;
-;; F must be continuous on the whole path of x, from low to high: what divides in F, what a
-;; logarithm, a sign or, as cos v, a tan v is taken of, has no zero there.  That u has none is
+;; F must be continuous on the whole path of x, from low to high: divisors in F, and arguments u
+;; of logarithms, signs and, as cos v, of tan v, have no zero there.  That u has none is
 ;; known from its sign, or told by relations between the ends and the parameters:
 ;;
 ;;   u a line in x, or monotone        u(low) u(high) > 0
@@ -12,7 +12,7 @@
 ;;   u quadratic, with roots r         as for the lines x − r
 ;;
 ;; Of anything else nothing can be told, and there is no formula.  A condition never speaks of x,
-;; which has no meaning outside its integral.  What F' = e rests on must hold on the path, too.
+;; which has no meaning outside its integral.  Grounds of F' = e must hold on the path, too.
 ;; That radicands are not negative there is left to the integrand, which has no value where they
 ;; are; where that is known there is no formula.
 ;;
@@ -102,7 +102,7 @@
          by-size]
         [else F]))
 
-;; F with the logarithms of what the function makes of u, but where u is to stay
+;; F with logarithms of the values that the function makes of u, but where u is to stay
 (define (with-logarithms-of F stays? real)
   (node-fold F values
              (lambda (n args)
@@ -189,7 +189,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Values on the path
 
-;; Fails where a radicand, or what e has a logarithm of, is negative at an end or in the middle.
+;; Fails where a radicand, or e's argument of a logarithm, is negative at an end or in the middle.
 (define (check-domain e p)
   (define places (list (path-low p) (path-high p) (e:/ (e:+ (path-low p) (path-high p)) 2)))
   (for* ([u (in-list (parts-in e radicand))] [x (in-list places)])

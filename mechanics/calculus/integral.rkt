@@ -67,7 +67,7 @@
                    (lambda (low high) (integral-between t f (end low) (end high)))))
 
 ;; The integral between limits that may be perturbed, from (integral low high) between numbers
-;; and what the ε of either limit adds.
+;; and the part due to the ε of either limit.
 (define (between-numbers low high low-edge high-edge integral)
   (let between ([low low] [high high])
     (cond
@@ -79,7 +79,7 @@
 
 ;; The part of the integral due to the ε of a limit b + δ: Σ f⁽ᵐ⁾(b) δᵐ⁺¹/(m+1)!, where δ to the
 ;; power of the order is the last that does not vanish.
-;; aside : what is added to b for f to take the branch of the piece that ends there
+;; aside : a number added to b for f to take the branch of the piece that ends there
 (define (edge f limit aside)
   (define b (base limit))
   (define δ (g:- limit b))
@@ -98,7 +98,7 @@
       (for/list ([near (in-list (at aside))] [far (in-list (at (* 4.0 aside)))])
         (g:- (g:* 2 near) far))))
 
-;; Between numbers.  Where f turns out to be perturbed, or to choose a branch by what is,
+;; Between numbers.  Where f turns out to be perturbed, or to choose a branch by perturbed values,
 ;; its parts are integrated one after the other, in pieces.
 (define (integral-between t f low high)
   (define (whole-piece note) (piece-between t f low high note))
@@ -163,8 +163,8 @@
 ;; hundred evaluations by the generic arithmetic, and most integrals need fewer.
 (define patience 500)
 
-;; The compiled function serves where it gives a number; elsewhere `sample` says what
-;; is wrong.
+;; The compiled function serves where it gives a number; elsewhere `sample` names the
+;; fault.
 (define (impatient t f sample)
   (define evaluations 0)
   (define fast #f)

@@ -14,7 +14,7 @@
 ;;     c ← c − s(c, a)/s',
 ;;
 ;; in the arithmetic of perturbed values, where s' from differences will do: repeated often
-;; enough, the steps make right what it lacks.
+;; enough, the steps mend its error.
 ;;
 ;; Of an integral within the integrand of another, s(x, y, a) = 0 may leave the range of y as x
 ;; goes on.  So the choices at the ends of its range are told to the one around it.

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The value of an operation and its partial derivatives, its *slopes*: what the
-;; chain rule is made of in either mode.
+;; The value of an operation and its partial derivatives, its *slopes*: the parts
+;; of the chain rule in either mode.
 
 (require racket/flonum
          "../error/complain.rkt"
@@ -47,8 +47,8 @@
 (define (raise-no-rule op)
   (complain (generic-op-name op) "has no derivative rule"))
 
-;; slope · factor, where most are flonums and many are 1; a factor 1.0 is 1 to what
-;; is no number.
+;; slope · factor, where most are flonums and many are 1; a factor 1.0 counts as 1 beside
+;; a slope that is no number.
 (define-syntax-rule (times slope factor)
   (let ([s slope] [f factor])
     (cond [(eq? f 1) s]

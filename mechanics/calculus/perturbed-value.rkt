@@ -1,5 +1,5 @@
 #lang racket/base
-;; Perturbed values: what differentiation runs a function on, a value plus
+;; Perturbed values: arguments for a function to be differentiated, a value plus
 ;; multiples of powers of an infinitesimal ε.
 ;;
 ;; Every ε carries a tag of its own, fresh for each application of a derivative,

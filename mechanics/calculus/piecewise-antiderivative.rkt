@@ -1,5 +1,5 @@
 #lang racket/base
-;; Antiderivatives of what holds |u| or sgn u of a line u, which is zero at x₀.  With sgn u = ±1 on
+;; Antiderivatives of forms in |u| or sgn u of a line u, which is zero at x₀.  With sgn u = ±1 on
 ;; either side the integrand is smooth; where its antiderivative there is F₊ and F₋,
 ;;
 ;;     F = ½ (F₊ + F₋) + ½ sgn u (F₊ − F₋)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Antiderivatives of what is made of one quadratic polynomial Q = c₀ + c₁x + c₂x², its root, and
+;; Antiderivatives of forms in one quadratic polynomial Q = c₀ + c₁x + c₂x², its root, and
 ;; a line: (αx + β)/Q, (αx + β)/√Q, β√Q, β/(x√Q) and β√Q/x.  With Δ = 4c₀c₂ − c₁² and Q' = 2c₂x + c₁
 ;;
 ;;     ∫ dx/Q  = 2/√Δ atan(Q'/√Δ),   or   1/√−Δ log((Q' − √−Δ)/(Q' + √−Δ)),

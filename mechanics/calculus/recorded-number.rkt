@@ -1,5 +1,5 @@
 #lang racket/base
-;; Recorded numbers: what a gradient runs a function on.
+;; Recorded numbers: the arguments of a function whose gradient is taken.
 ;;
 ;; A recorded number is a value and its differential, a factor times one of those
 ;; on a tape (gradient-tape.rkt).  Each operation's own derivative rule gives the factors.

@@ -62,7 +62,7 @@
                       (list c (value->text formula))))
   formula)
 
-;; f at x; and has it a sign, or the like, of what is perturbed?
+;; f at x; and has it a sign, or the like, of a perturbed value?
 (define (value-and-kinks f x)
   (define-values (y kinks) (call-noting-kinks (lambda () (f x))))
   (for ([k (in-list kinks)]) (apply note-kink! (met-name k) (met-arguments k)))
@@ -73,7 +73,7 @@
       (+ (if (jet? y) (jet-order y) 1) (order-of-perturbation ((parts-value (parts-of y)) y)))
       0))
 
-;; The place of a jump may move with what is perturbed, which derivatives of e, the integrand at x,
+;; The place of a jump may move with perturbed values, which derivatives of e, the integrand at x,
 ;; do not show.
 (define (check-without-jumps who e x low high)
   (when (and (expression? e) (jumps-between? e x low high (assumptions-in-force)))

@@ -35,7 +35,7 @@
   (/ (* 2 pi) (settled-period 'frequency-of-orbit period tolerance)))
 
 ;; Next to a separatrix an error of the energy becomes a much greater one of the period.  So the
-;; tolerance is made smaller until the period does not change.  What is left of change may be less
+;; tolerance is made smaller until the period does not change.  The last change may be less
 ;; than the error by some factor.
 ;; period : tolerance -> the period
 (define (settled-period who period tolerance)

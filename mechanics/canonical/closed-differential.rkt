@@ -1,8 +1,8 @@
 #lang racket/base
 ;; The function of which a closed differential is the differential.
 ;;
-;; a₁ du₁ + a₂ du₂ + ⋯ with ∂aᵢ/∂uⱼ = ∂aⱼ/∂uᵢ is integrated one variable after another: what is
-;; left of each coefficient depends on those not yet integrated alone.
+;; a₁ du₁ + a₂ du₂ + ⋯ with ∂aᵢ/∂uⱼ = ∂aⱼ/∂uᵢ is integrated one variable after another: the
+;; rest of each coefficient depends on those not yet integrated alone.
 
 (require "../error/failure.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/on-demand.rkt"

@@ -1,5 +1,5 @@
 #lang racket/base
-;; A motion of one coordinate that closes: its period and what it encloses.
+;; A motion of one coordinate that closes: its period and the area that it encloses.
 ;;
 ;; It is followed by integration until it comes back to where it began, going the same way.  A
 ;; coordinate that is an angle may close by a turn.

@@ -2,7 +2,7 @@
 ;; A formula for the unknowns of equations f(x) = y: of several solutions the one that leads back
 ;; to a positive x, or else the first one.
 ;;
-;; A root that holds the unknown may go by squaring; of what is found then only what leads back is
+;; A root that holds the unknown may go by squaring; of the results then only one that leads back is
 ;; a solution.  An angle (atan b a) = θ is two equations of degree 1, b = ρ sin θ and a = ρ cos θ,
 ;; with one more unknown: so rectangular coordinates follow from polar ones.
 
@@ -41,8 +41,8 @@
     (smoothed (for/list ([u (in-list unknowns)]) (cdr (assq u (car solution))))
               unknowns equations)))
 
-;; The equations of angles come first, for what they give makes the others simple; the ρ are left
-;; out of what is found.
+;; The equations of angles come first, for their solutions make the others simple; the ρ are left
+;; out of the result.
 (define (solutions-by-angle images target unknowns)
   (define-values (angles others)
     (partition (lambda (pair) (angle? (car pair))) (map cons (scalars images) (scalars target))))

@@ -4,7 +4,7 @@
 ;; F gives the old coordinates as a function of the new state, q = F(t, q').  Velocities
 ;; transform by v = ∂₀F + ∂₁F v', so that the momenta, which contract with them, satisfy
 ;; p' = p ∂₁F(t, q'): with p = p' (∂₁F)⁻¹ the state is extended to phase space.  The new
-;; Hamiltonian is H∘C + K, with K = −p ∂₀F, that is what the moving coordinates add.
+;; Hamiltonian is H∘C + K, with K = −p ∂₀F, the contribution of the moving coordinates.
 
 (require "../calculus/derivative.rkt"
          "../error/complain.rkt" "../error/failure.rkt"

@@ -6,7 +6,7 @@
 ;;     x = √(2 I/α) sin θ,    p = √(2 I α) cos θ,
 ;;
 ;; by which the energy of an oscillator with √(k m) = α is √(k/m) I.  And the centre of mass of
-;; two particles with what leads from the first to the second.
+;; two particles with the vector from the first to the second.
 
 (require "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/compare.rkt" "../generic/describe.rkt"

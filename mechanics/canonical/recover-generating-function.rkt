@@ -1,5 +1,5 @@
 #lang racket/base
-;; From a transformation back to what generates it (SICM 5.4.2).
+;; From a transformation back to its generating function (SICM 5.4.2).
 ;;
 ;; In the variables x, y of a generating function, one old and one new, the other two are
 ;; functions a(x, y), b(x, y), found from C; if C is canonical, a dx + b dy is closed, and F is
@@ -41,7 +41,7 @@
     (complain-of-argument who "the type of a generating function: 1, 2, 3 or 4" number))
   (type-of number))
 
-;; (up r₁ r₂), zero if F generates what takes the new state to the old one
+;; (up r₁ r₂), zero if F generates the transformation from the new state to the old one
 (define (relations k F old new)
   (define-values (x y) (values (part old (type-old k)) (part new (type-new k))))
   (define t (time new))

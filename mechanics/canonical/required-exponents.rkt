@@ -19,8 +19,8 @@
 
 (provide condition-on-exponents)
 
-;; entries : the scalars of a residual; names : symbols of the state; find-meaning : -> what the
-;; question has to keep under the condition
+;; entries : the scalars of a residual; names : symbols of the state; find-meaning : -> the meaning
+;; that the question has to keep under the condition
 ;; -> a text such as "a = 1/2 and (expt c 2) = 2", or #f
 (define (condition-on-exponents entries names find-meaning)
   (define open (filter power-of-unknown? (map simplify-strictly entries)))

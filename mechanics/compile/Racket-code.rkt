@@ -6,7 +6,7 @@
 ;; compiling costs a few milliseconds per hundred instructions.  Within one
 ;; procedure the compiler keeps flonums unboxed.
 ;;
-;; It interprets, though, what is larger than a limit.  So the instructions are
+;; It interprets procedures, though, that are larger than a limit.  So the instructions are
 ;; divided into *sections*, each a closed procedure of its own, between which systems of
 ;; equations are solved; a value that another section, a system or an output needs is stored in the
 ;; flvector of all values (closures.rkt).
@@ -181,7 +181,7 @@
         [(eq? operation 'wrapped) (apply wrapping forms)]
         [else `(,operation ,@forms)]))
 
-;; As `wrap` of algebra/expression/operation.rkt has it.  What is not a number stays so.
+;; As `wrap` of algebra/expression/operation.rkt has it.  NaN stays NaN.
 (define (wrapping x low cut period)
   (define turns `(unsafe-flfloor (unsafe-fl/ (unsafe-fl- ,x ,low) ,period)))
   `(if (if (unsafe-fl<= ,low ,x) (unsafe-fl< ,x ,cut) #f)

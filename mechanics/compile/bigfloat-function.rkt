@@ -3,7 +3,7 @@
 ;;
 ;; A program (program.rkt) is taken for a list of operations on bigfloats, one after
 ;; the other: each takes about a microsecond, beside which it does not matter that
-;; they are not compiled.  What cannot be traced is evaluated by the generic
+;; they are not compiled.  A function that cannot be traced is evaluated by the generic
 ;; arithmetic, as for flonums.
 
 (require "code-check.rkt" "program.rkt" "trace.rkt"
@@ -43,7 +43,7 @@
 (define (raise-not-a-number who x)
   (complain who "expected real numbers; given ~a" (describe-with-value x)))
 
-;; Racket's own tests may take a placeholder for what it is (compile-function.rkt), so
+;; Racket's own tests may see through a placeholder (compile-function.rkt), so
 ;; the program is compared with the function on both sides of zero.
 (define (agree? run generic v)
   (agrees? (lambda () (generic v))
@@ -133,7 +133,7 @@
         (lambda (v) (vector-set! v k (f (vector-ref v a) (vector-ref v b)))))))
 
 ;; The value of a system, given as rows of [A b], is the vector of its solution; where
-;; it has none, of what is not a number.
+;; it has none, a vector of NaNs.
 (define ((solving k places) v)
   (define n (integer-sqrt (length places)))
   (define entries (for/vector ([p (in-list places)]) (vector-ref v p)))

@@ -12,7 +12,7 @@
 
 (define capacity 32)
 
-;; made : what others have made of the program, by name
+;; made : values that others have made of the program, by name
 (struct entry (program maker [made #:mutable]) #:authentic)
 
 ;; list of entries, the latest first

@@ -2,7 +2,7 @@
 ;; Is the code of a function the function?
 ;;
 ;; Racket's own tests, `number?` in a file that is not written in mechanics, say,
-;; take a placeholder for what it is.  So the code is compared with the function, at
+;; see that a placeholder is no number.  So the code is compared with the function, at
 ;; the example, beside it, and on the other side of zero.
 
 (require racket/flonum
@@ -38,10 +38,10 @@
            #:numbers? (lambda (ys) (for/and ([y (in-flvector ys)]) (rational? y)))))
 
 ;; Where the function has no value, nothing is known.  Where it fails in another way the
-;; program must not go on with numbers, or the user would never hear of it; if what the
-;; program makes is no number, the generic arithmetic may have complained of a complex one.
+;; program must not go on with numbers, or the user would never hear of it; if the program's
+;; value is no number, the generic arithmetic may have complained of a complex one.
 ;;
-;; (value), (made) : what the function and the program make of the point
+;; (value), (made) : values of the function and of the program at the point
 ;; (same? value made), (numbers? made) -> boolean
 (define (agrees? value made #:same? same? #:numbers? numbers?)
   (define v
@@ -53,7 +53,7 @@
     [(failure) (not (numbers? (made)))]
     [else (same? v (made))]))
 
-;; x : of the function, y : of the code; up to what rounding does where the order of
+;; x : of the function, y : of the code; up to rounding where the order of
 ;; operations differs.  An x that is not finite tells nothing.
 (define (close? x y)
   (or (not (rational? x))

@@ -2,9 +2,9 @@
 ;; Generic functions compiled to flonum code.
 ;;
 ;; A function of a structure becomes one from flvector to flvector: the scalars
-;; of its argument in a row, and those of its value.  What cannot be traced
+;; of its argument in a row, and those of its value.  A function that cannot be traced
 ;; (trace.rkt) is evaluated by the generic arithmetic instead, at each call:
-;; slower, and the same in all else: what is complex is not a number there too.
+;; slower, and the same in all else: a complex value is not a number there too.
 
 (require racket/flonum
          "cache.rkt" "code-check.rkt" "closures.rkt" "program.rkt" "derivative-sweep.rkt"
@@ -29,7 +29,7 @@
 ;; make-runner : -> (input output -> void), between flvectors
 ;; inputs, outputs : how many scalars; value-shape : a structure of that many
 ;; operations : how many flonum operations a call takes, or #f
-;; program : what is compiled; reason : why there is none, or #f
+;; program : the one compiled; reason : why there is none, or #f
 (value-struct compiled-function
   (make-runner inputs outputs value-shape operations program reason datum)
   #:datum (lambda (c) `(compile-function ,(compiled-function-datum c)))
@@ -52,7 +52,7 @@
            (code-or-reason who f example (on-flvector f example) (shape-length example) value))
          (or code (evaluate-generically who f example reason))]))
 
-;; One sweep back over what f does gives all its derivatives; where that is not possible
+;; One sweep back over the operations of f gives all its derivatives; where that is not possible
 ;; they are taken of f itself.
 (define (compile-with-gradient who f example)
   (check-one-number who f (flvector->structure example (example->flvector who example)))
@@ -83,7 +83,7 @@
 
 ;; The same for a function that can be traced; of others, and where symbols are left, #f.
 ;; The code is used only where the scalars of the argument after the first `varying` are
-;; those of the example; value-at : flvector -> what the value is there
+;; those of the example; value-at : flvector -> the value there
 (define (compile-traced f example #:name who
                         #:value-at [value-at (on-flvector f example)]
                         #:varying [varying (shape-length example)]
@@ -136,7 +136,7 @@
 (define (example->flvector who example)
   (structure->flvector example (lambda (x) (raise-not-a-number who "example" x))))
 
-;; shape : of its value; f : what it is the program of
+;; shape : of its value; f : the function of which p is the program
 (define (program->compiled-function p shape f [make-runner (compiled-program p)])
   (compiled-function make-runner
                      (program-inputs p) (shape-length shape) shape

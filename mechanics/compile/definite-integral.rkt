@@ -77,7 +77,7 @@
                     (without-notes (f (inner-point from to)))))])
          (symbolic-end? y))))
 
-;; Of π and what is made of it the value
+;; The number that an end is, also if made of π; #f with other symbols
 (define (number-or-not end) (if (symbolic? end) (constant-value end) (irrational-as-decimal end)))
 
 (define (inner-point low high)

@@ -5,7 +5,7 @@
 ;; instruction to the first, its adjoint times its partial derivatives is added to those of
 ;; its operands.  One sweep gives the derivatives by all inputs, for a few times the
 ;; operations of the program.  *Forwards*: each value has a tangent, its derivative in one
-;; direction; what does not depend on the direction is passed over, so that sweeps in the direction
+;; direction; values that it does not change are passed over, so that sweeps in the direction
 ;; of each input do for derivatives of which most are 0.
 ;;
 ;; Sums and products are written here; the partial derivatives of other operations are those
@@ -149,7 +149,7 @@
 ;; Forwards
 
 ;; b, p : reloaded; direction : input index -> operand; wanted? : place index -> does the derivative
-;; of what is there matter?  -> (operand ↦ its derivative in that direction)
+;; of the value there matter?  -> (operand ↦ its derivative in that direction)
 (define (derivative-along b p direction [wanted? (lambda (k) #t)])
   (define inputs (program-inputs p))
   (define tangents (make-vector (+ inputs (program-length p)) 0))

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Common factors of the terms of sums: a b + a c = a (b + c).
 ;;
-;; The factor of most terms first, then those of what is left (Horner's scheme for several
+;; The factor of most terms first, then those of the rest (Horner's scheme for several
 ;; variables).  A term that is the factor alone gains nothing, and of two terms at least one
 ;; multiplication must be saved.  Values change by rounding.
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Numbers that coefficients may become.
 ;;
-;; A number that is rounded once for all is not rounded up here and down there: what is conserved
+;; A number that is rounded once for all is not rounded up here and down there: conserved sums
 ;; would drift.  So quotients and differences must be flonums, or are not formed.
 
 (provide moderate? exact-quotient exact-difference?)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The operations of the algebra as functions of flonums, for what compiled code calls.
+;; The operations of the algebra as functions of flonums, called by compiled code.
 
 (require racket/flonum
          racket/list

@@ -89,7 +89,7 @@
 
 (define (representable? b c) (or (flonum? c) (normal? ((builder-constant b) c))))
 
-;; Powers of two are no rounding, and go the way that the value goes: what overflows on it
+;; Powers of two are no rounding, and go the way that the value goes: a value that overflows on it
 ;; does so at its end.
 (define (multiply-in-parts! b c x)
   (define part (expt 2 (if (> (abs c) 1) 1000 -1000)))

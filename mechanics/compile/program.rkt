@@ -1,11 +1,11 @@
 #lang racket/base
 ;; Programs: an expression graph as a list of flonum operations.
 ;;
-;; A program has inputs, instructions and outputs.  What an instruction or an
-;; output refers to is an *operand*: a real number, or the place of an earlier
+;; A program has inputs, instructions and outputs.  An instruction or an
+;; output refers to *operands*: a real number, or the place of an earlier
 ;; value, counted from the inputs on.  The same operation on the same operands
 ;; is done once, wherever in the graph it occurs (value numbering), numbers are
-;; combined exactly until they meet a value, and what no output needs is left
+;; combined exactly until they meet a value, and instructions no output needs are left
 ;; out.
 
 (require (only-in racket/list remove-duplicates)
@@ -55,7 +55,7 @@
 
 ;; inputs : symbols; es : expressions.  (fail e) is called, not to return, with
 ;; an expression that has no value: another symbol, an unknown function.
-;; as-constant : real -> what stands for it in an instruction
+;; as-constant : real -> the constant for it in an instruction
 (define (expressions->program inputs es fail #:constants [as-constant real->double-flonum])
   (define b (make-builder (length inputs) as-constant))
   (define leaves

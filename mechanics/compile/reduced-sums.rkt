@@ -6,7 +6,7 @@
 ;;     1 − cos² = sin²,   a cos² + b sin² = a + (b − a) sin² = b + (a − b) cos²,
 ;;
 ;; the form that adds numbers of one sign.  A factor that is a sum is multiplied out where most of
-;; its terms cancel with others: rounded each for itself, what is left of them would have fewer
+;; its terms cancel with others: rounded each for itself, their sum would have fewer
 ;; digits.
 
 (require "flonum-coefficients.rkt" "sum-terms.rkt")

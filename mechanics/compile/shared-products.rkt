@@ -11,7 +11,7 @@
 (provide share-products)
 
 ;; monomials : list of those with two factors or more; first-new : the first new id
-;; -> monomial -> another with the same value, perhaps of new ids; new id -> what it is the id of,
+;; -> monomial -> another with the same value, perhaps of new ids; new id -> its definition,
 ;; (product id id), or (monomial id ...) where that is one of the monomials
 (define (share-products monomials first-new)
   (define short (make-hash))

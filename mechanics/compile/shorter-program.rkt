@@ -6,7 +6,7 @@
 ;; written again (written-sums.rkt), and if it is short now once more, for then sums are found that
 ;; were hidden in others.  A program that does not get shorter stays as it is, to the last bit.
 ;;
-;; This is done to what is final: code of every sort, here and exported, is made of the same list.
+;; This is done to final programs: code of every sort, here and exported, is made of the same list.
 ;; Derivatives of programs are taken of the longer ones, which leave no less to be found in theirs.
 
 (require (only-in racket/list append-map)

@@ -2,7 +2,7 @@
 ;; Values of a program as sums of products (sum-terms.rkt).
 ;;
 ;; x − y and y − x are one factor with a sign, and numbers go outwards from products and quotients:
-;; what is the same but for a number is found to be the same.  Sums are not multiplied out, unless
+;; factors that differ by a number are found to be the same.  Sums are not multiplied out, unless
 ;; that leaves less (reduced-sums.rkt).  Values are those of the program up to rounding, as long as
 ;; products of several factors, taken in another order, stay in the range of flonums.
 

@@ -17,7 +17,7 @@
 
 ;; f : a procedure of one structure of the shape of `example`
 ;; -> program and the shape of f's value there; or the reason why there is none,
-;; a string, and #f.  as-constant : what numbers in the program become; check-unknown : called
+;; a string, and #f.  as-constant : number in the program -> its constant; check-unknown : called
 ;; with who and an expression that has no numeric value; further : the scalars of the value ->
 ;; symbols that are inputs, too, after those of the example; names : of these, symbols, or #f
 (define (trace who f example #:constants [as-constant real->double-flonum]

@@ -88,7 +88,7 @@
 ;; ---------------------------------------------------------------------------
 ;; The linear system
 
-;; M : vector of rows; J : list of rows; f : vector; c : list, what J a is to be
+;; M : vector of rows; J : list of rows; f : vector; c : list, the value that J a is to have
 ;; -> a and λ, vectors
 (define (solve-constrained who M J f c)
   (define by-inertia

@@ -5,8 +5,8 @@
 ;; many times.  Here L, the force and the constraints are traced once, to one short list of
 ;; instructions.  A sweep back over it from L, and one from each constraint G, give the momenta
 ;; P, ∂L/∂q, the Jacobian J and the rates Ġ = ∂₀G + J v; a sweep forwards, in the direction
-;; (1, v, 0), gives dP/dt but for the accelerations and γ, what is known of the rates of Ġ; one
-;; for each velocity a column of the mass matrix M.  What constraints demand is, for suitable f
+;; (1, v, 0), gives dP/dt but for the accelerations and γ, the known part of the rates of Ġ; one
+;; for each velocity a column of the mass matrix M.  Constraints demand, for suitable f
 ;; and c,
 ;;
 ;;     M a − Jᵀ λ = f,    J a = c,

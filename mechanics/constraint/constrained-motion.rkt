@@ -27,7 +27,7 @@
 
 (provide constrained-state-derivative consistent-state)
 
-;; (t, q, v) ↦ (1, v, a), with what motion/system/manifold.rkt needs
+;; (t, q, v) ↦ (1, v, a), with the parts that motion/system/manifold.rkt needs
 (define-plain (constrained-state-derivative given-L constraints #:force [Q #f])
   (derivative-for 'constrained-state-derivative given-L constraints Q))
 

@@ -2,7 +2,7 @@
 ;; Equations of motion without multipliers.
 ;;
 ;; The force of a constraint does no work in a motion δq that the constraints allow, J δq = 0:
-;; what is left of the residual of Lagrange's equations in such directions is free of
+;; the residual of Lagrange's equations in such directions is free of
 ;; multipliers.  A basis of these directions is the null space of the Jacobian J; or, where
 ;; coordinates s are known by which the constraints are kept, q = F(t, s), it is ∂F/∂s, and
 ;; the residual that is left is that of the Lagrangian in these coordinates.

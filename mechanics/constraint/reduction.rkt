@@ -1,8 +1,8 @@
 #lang racket/base
-;; Substituting constraints in the Lagrangian: when may one, and what happens otherwise?
+;; Constraints substituted in the Lagrangian: the cases where one may, and the result otherwise.
 ;;
 ;; Coordinates that keep a holonomic constraint may be substituted in L; velocities that keep
-;; a nonholonomic one may not, for variations do not keep it.  What comes out of the wrong
+;; a nonholonomic one may not, for variations do not keep it.  The result of the wrong
 ;; way may still be right for one system.  So the true motion, found with multipliers, is put
 ;; into the equations of the substituted Lagrangian.
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Floquet's multipliers: what a period of a motion does to small displacements of a closed orbit
+;; Floquet's multipliers: factors of small displacements of a closed orbit after a period
 ;; (SICM 4.2).  They are the eigenvalues of the derivatives of the state a period later by the
 ;; state, which follow from the variational equations (motion/linearized-flow).
 

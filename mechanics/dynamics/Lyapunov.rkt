@@ -4,11 +4,11 @@
 ;;
 ;; A displacement v of a motion grows on the average like exp(λt).  It is followed by the
 ;; variational equations, brought back to length 1 from time to time, and the logarithms of its
-;; lengths add up to λt.  Of several displacements the second is freed of what it has of the first,
+;; lengths add up to λt.  Of several displacements the second is freed of its part along the first,
 ;; and so on, before its length is taken; so it grows by the second exponent.
 ;;
 ;; A finite time tells the exponents to about log(t)/t only where the motion is regular, where all
-;; are 0, and to the fluctuations of what it meets where it is chaotic.
+;; are 0, and to the fluctuations of its surroundings where it is chaotic.
 
 (require racket/flonum
          (only-in racket/math exact-round)

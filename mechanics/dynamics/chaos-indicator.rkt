@@ -70,7 +70,7 @@
   (check-argument who (lambda (k) (memq k '(FLI MEGNO SALI))) kind "'FLI, 'MEGNO or 'SALI"))
 
 ;; ---------------------------------------------------------------------------
-;; The motion with what is watched: (up state w more ...)
+;; The motion with the values watched: (up state w more ...)
 
 (define (watched-start kind f state)
   (define from (if (timed-state? f state) 1 0))

@@ -45,7 +45,7 @@
 (define (nobody-waits?)
   (or (compiled-to-file?) (and in-DrRacket? (unread? (current-error-port)))))
 
-;; The compilation manager listens to this topic for what a file depends on; who listens to all
+;; The compilation manager listens to this topic for the dependencies of a file; who listens to all
 ;; topics is somebody else.
 (define (compiled-to-file?)
   (define (heard? topic) (log-level? (current-logger) 'info topic))
@@ -54,7 +54,7 @@
 (define in-DrRacket?
   (regexp-match? #rx"(?i:drracket)" (path->string (find-system-path 'run-file))))
 
-;; DrRacket looks at a program as soon as it is in a window, to colour and to expand it; what is
+;; DrRacket looks at a program as soon as it is in a window, to colour and to expand it; text
 ;; printed then nobody sees, and the window would wait.  An error ends that, and leaves the
 ;; work to Run.
 (define (unread? port)

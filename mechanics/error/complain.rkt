@@ -2,7 +2,7 @@
 ;; The user's mistakes: errors in words made as `format` makes them, after the name of
 ;; the procedure that complains.
 ;;
-;; Where no more is to be said than what was expected and what was given, `complain-of-datum`
+;; Where the expected and the given value are all there is to say, `complain-of-datum`
 ;; says it of numbers and symbols, and from the floor of generic arithmetic on
 ;; `complain-of-argument` (generic/wrong-argument.rkt) of any value.
 
@@ -11,7 +11,7 @@
 (provide complain complain-showing complain-of-datum complain-of-arity raise-division-by-zero
          with-more-said)
 
-;; who : what the reader called, a symbol or a text
+;; who : the procedure that the reader called, a symbol or a text
 (define (complain who text . parts)
   (raise (exn:fail:contract (message who text parts) (current-continuation-marks))))
 
@@ -19,7 +19,7 @@
 (define (complain-showing who text . fields)
   (raise (exn:fail:contract (message-with-fields who text fields) (current-continuation-marks))))
 
-;; expected : what is wanted, such as "a positive tolerance"; x : as Racket prints it
+;; expected : the value wanted, such as "a positive tolerance"; x : as Racket prints it
 (define (complain-of-datum who expected x)
   (complain who "expected ~a\n  given: ~e" expected x))
 

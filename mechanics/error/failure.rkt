@@ -23,7 +23,7 @@
 ;; where : the point, matrix or state at which something is not defined.
 (struct exn:fail:mechanics:singular exn:fail:mechanics (where))
 
-;; null-vectors : tuples, a basis of what the matrix takes to zero; #f if not known.
+;; null-vectors : tuples, a basis of the null space; #f if not known.
 (struct exn:fail:mechanics:singular:matrix exn:fail:mechanics:singular (null-vectors))
 
 ;; value : the best approximation found; error-estimate : how far off it may be.

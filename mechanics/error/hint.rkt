@@ -7,7 +7,7 @@
 (provide list-hint quoted-expression? quoted-hint quoted-name-hint
          not-a-tuple symbols-hint values-first)
 
-;; Lists are what a reader of other languages writes for tuples.
+;; Readers of other languages write lists for tuples.
 (define (list-hint x [instead "(up x y ...)"])
   (cond [(quoted-expression? x) (quoted-hint x)]
         [(or (pair? x) (null? x)) (string-append "\n  " (not-a-tuple instead))]

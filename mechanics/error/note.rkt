@@ -1,9 +1,9 @@
 #lang racket/base
-;; Notes: what is worth a word beside an answer and is no error.
+;; Notes: remarks beside an answer that are no errors.
 ;;
-;; A note is a comment on the error port, so that what a program prints stays what it prints.
+;; A note is a comment on the error port, so that a program's output stays as it is.
 ;; Advice that would be said again and again is said once in a session, which is a prompt or
-;; the run of a program; what a result rests on is said with each result.  Where there is no
+;; the run of a program; the grounds of a result are told with each result.  Where there is no
 ;; session, as in a library or a test, nobody would read them, and nothing is said.
 
 (provide note note-once note-with-result start-session-of-notes! end-result-of-notes! without-notes)
@@ -23,7 +23,7 @@
 (define (start-session-of-notes!)
   (unless (current-said) (current-said (said (make-hash) (make-hash)))))
 
-;; A result was printed: what the next one rests on is said again.
+;; A result was printed: the grounds of the next one are told again.
 (define (end-result-of-notes!)
   (when (current-said) (hash-clear! (said-result (current-said)))))
 
@@ -39,6 +39,6 @@
     (hash-set! notes key #t)
     (note text)))
 
-;; The value of an expression that is only tried; what is to be said once is left to the next.
+;; The value of an expression that is only tried; notes to be told once are left to the next.
 (define-syntax-rule (without-notes expression)
   (parameterize ([current-said #f]) expression))

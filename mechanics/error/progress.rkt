@@ -57,7 +57,7 @@
 ;; How much has been written to standard output.
 (define (written) (file-position (current-output-port)))
 
-;; From the first column on, in place of what was there.
+;; From the first column on, in place of the former text.
 (define (write-line port text)
   (write-string (string-append "\r" text "\e[K") port)
   (flush-output port))

@@ -4,7 +4,7 @@
 ;; numbers, points beside the one that was asked about.
 ;;
 ;; An error there may be due to the argument.  One that is the procedure's own comes up
-;; again, and reaches the user, where it is called with what was given.
+;; again, and reaches the user, where it is called with the arguments given.
 
 (require "failure.rkt")
 

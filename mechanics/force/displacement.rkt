@@ -2,7 +2,7 @@
 ;; How particles can move: as they do, and as they might.
 ;;
 ;; With positions r(t, q) the velocities along a path are v = ∂₀r + ∂₁r q̇.  A virtual
-;; displacement δr = ∂₁r δq is what a change of the coordinates does at a fixed time:
+;; displacement δr = ∂₁r δq is due to a change of the coordinates at a fixed time:
 ;; if the constraint moves, no motion need go that way.
 
 (require "particles.rkt" "self-describing-function.rkt"

@@ -6,7 +6,7 @@
 ;;
 ;;   dE/dt = Q q̇ − ∂₀L,
 ;;
-;; and what is missing in this balance, along any path, is the residual of Lagrange's
+;; and the rest of this balance, along any path, is the residual of Lagrange's
 ;; equations times q̇.
 
 (require "../calculus/derivative.rkt"

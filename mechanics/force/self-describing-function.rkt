@@ -1,5 +1,5 @@
 #lang racket/base
-;; Functions of several arguments that print as what made them, and say by that name how
+;; Functions of several arguments that print as the expression that made them, and say by it how
 ;; many they take.
 
 (require "../error/complain.rkt"

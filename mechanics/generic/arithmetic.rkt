@@ -3,8 +3,8 @@
 ;;
 ;; Each is first asked of two flonums or two numbers, which costs a test; all
 ;; else goes through `dispatch-binary`.  Next to every operation stands the
-;; record of it that kinds see, made of its entry in the table of operations; what
-;; is made of others, as a square of a product, has no entry there and no symbol
+;; record of it that kinds see, made of its entry in the table of operations; an
+;; operation made of others, as a square of a product, has no entry there and no symbol
 ;; in expressions.
 
 (require racket/flonum
@@ -19,7 +19,7 @@
          generic:+ generic:- generic:* generic:/ generic:square arithmetic-operations)
 
 ;; (define-binary (name a b) generic flonum numeric symbolic structural [test value] ...)
-;; of two flonums, two numbers, what the tests find, two expressions, else structures
+;; of two flonums, two numbers, values that the tests find, two expressions, else structures
 (define-syntax-rule (define-binary (name a b) generic flonum numeric symbolic structural
                       [test value] ...)
   (begin
@@ -144,6 +144,6 @@
 
 (define-record generic:/ / g:/)
 
-;; Every record above: what a test that checks each derivative goes through.
+;; Every record above, for a test that checks each derivative.
 (define arithmetic-operations
   (list generic:+ generic:- generic:* generic:/ generic:negate generic:square generic:cube))

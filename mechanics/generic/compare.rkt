@@ -28,8 +28,8 @@
         [else (note-branch! a b)
               (equal-comparands? (comparand a) (comparand b))]))
 
-;; An expression that is being differentiated passes for unequal to what it equals at single
-;; points only.
+;; An expression that is being differentiated passes for unequal to another that it equals at
+;; single points only.
 (define (note-branch! a b)
   (when (or (carrier? a) (carrier? b)) (note-kink! '= a b)))
 

@@ -1,11 +1,11 @@
 #lang racket/base
-;; Functions that say themselves what they take: those with keywords that are loaded on demand,
+;; Functions that tell themselves which arguments they take: those with keywords, loaded on demand,
 ;; and those that are drawn with.
 ;;
 ;; `define` makes a macro of such a function, so that a call of it costs nothing more than
 ;; one without.  A module that loads it on demand gains nothing by that; and to find out
 ;; that it is a macro, Racket instantiates all that the program needed when it was
-;; compiled: some 40 ms at the first call.  What is defined here is a variable.
+;; compiled: some 40 ms at the first call.  `define-plain` makes a variable.
 ;;
 ;; A module that loads a function on demand passes on any keywords and any number of arguments.
 ;; So the function itself says which ones it takes.
@@ -20,7 +20,7 @@
   (define-values (name) (telling-what-it-takes 'name (lambda arguments body ...))))
 
 ;; f by that name and with messages of its own
-;; advice : keyword -> what to write in place of one that it does not have, a line, or #f
+;; advice : keyword -> a line on its replacement where it is not accepted, or #f
 (define (telling-what-it-takes who f #:advice [advice (lambda (name) #f)])
   (define-values (required known) (procedure-keywords f))
   (define mask (arity-mask f))

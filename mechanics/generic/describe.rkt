@@ -12,7 +12,7 @@
 (define-values (prop:printed-datum prints-as-datum? printed-datum-of)
   (make-struct-type-property 'printed-datum))
 
-;; Of such structs: what messages call them.
+;; Of such structs: their name in messages.
 (define-values (prop:word has-word? word-of) (make-struct-type-property 'word))
 
 ;; The S-expression a value prints as: never a tag, an address or a struct.
@@ -53,8 +53,8 @@
         [(has-word? x) (word-of x)]
         [else #f]))
 
-;; "the number 3", "the procedure `-`", "(up x y), an up tuple of 2"; what is no part of the
-;; arithmetic says itself what it is: "(holonomic G)".
+;; "the number 3", "the procedure `-`", "(up x y), an up tuple of 2"; a value outside the
+;; arithmetic describes itself: "(holonomic G)".
 (define (describe-with-value x)
   (cond [(number? x) (format "the number ~a" x)]
         [(symbol? x) (format (if (pi-symbol? x) "the number ~a" "the symbol ~a") x)]

@@ -1,12 +1,12 @@
 #lang racket/base
-;; Arguments of version 0.2 that are written otherwise now: what a message says to a reader
+;; Arguments of version 0.2 that are written otherwise now: the words of a message to a reader
 ;; who still writes them so.  The manual's page of conventions has the same table.
 
 (provide former-keyword former-count
          ;; for tests
          (rename-out [keywords former-keywords] [counts former-counts]))
 
-;; (keyword, what is written now, procedures that had the keyword)
+;; (keyword, its replacement, procedures that had the keyword)
 (define keywords
   '((#:progress "it is called #:progress? now"
                 find-minimum minimize multidimensional-minimize nelder-mead brent-min

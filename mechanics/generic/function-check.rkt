@@ -13,7 +13,7 @@
 ;; Is f a procedure that accepts n arguments?
 (define (takes-arguments? f n) (and (procedure? f) (accepts? f n)))
 
-;; what : the sentence that says what was expected, followed by "; given f"
+;; what : a sentence on the argument expected, followed by "; given f"
 (define (check-takes who f n what)
   (unless (takes-arguments? f n)
     (complain who "~a; given ~a" what (describe-function f))))

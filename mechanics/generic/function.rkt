@@ -19,7 +19,7 @@
              #:datum (lambda (f) ((function-make-datum f)))
              #:arity function-mask))
 
-;; mask : what `procedure-arity-mask` would say of the mathematics, which the
+;; mask : the arity of the mathematics, as by `procedure-arity-mask`, which the
 ;; wrapped procedure's own rest argument does not tell.
 (value-struct function (procedure mask make-datum)
   #:kind kind:function
@@ -78,7 +78,7 @@
         [(null? (cddr counts)) (format "~a or ~a" (car counts) (counted (cadr counts) "argument"))]
         [else (format "~a to ~a" (car counts) (counted (apply max counts) "argument"))]))
 
-;; "the procedure `f`, which takes 2 arguments"; what is no function, as any value
+;; "the procedure `f`, which takes 2 arguments"; other values as any value
 (define (describe-function f)
   (if (pointwise? f)
       (format "~a, which takes ~a" (describe-with-value f) (arity->text f))

@@ -2,9 +2,9 @@
 ;; Irrational numbers that are kept exact: sums of roots of rational numbers, such as √2 and
 ;; (1 + √5)/2.
 ;;
-;; The square root of an exact number that is no square is one, and what + - * / and powers with
-;; rational exponents make of them and of exact numbers is exact, as long as it is short.  What
-;; is longer, or is no sum of roots, as √(2 + √2), is a decimal, as is whatever has a decimal or
+;; The square root of an exact number that is no square is one, and results of + - * / and powers
+;; with rational exponents of them and exact numbers are exact, as long as they are short.  A
+;; longer one, or no sum of roots, as √(2 + √2), is a decimal, as is whatever has a decimal or
 ;; any other function to do with one.  Beside symbols it is the expression that it prints as.
 
 (require "kind.rkt" "on-demand.rkt" "value-struct.rkt"

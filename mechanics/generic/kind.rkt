@@ -1,5 +1,5 @@
 #lang racket/base
-;; Kinds of value: what the generic operations ask of a value that is not a
+;; Kinds of value: the needs of the generic operations on a value that is not a
 ;; number.
 ;;
 ;; A struct type joins the arithmetic by carrying `prop:kind`, a record of a
@@ -31,9 +31,9 @@
 ;; arity     : value -> arity mask, for kinds of function; #f: the procedure's own
 ;; closed?   : #t for kinds of function that can have captured no value
 ;; component : value index -> the part that `ref` gives; #f where there is none
-;; parts     : of carriers, what their own floor wants to know of them
+;; parts     : of carriers, a record for their own floor
 ;; order     : of carriers, value -> the highest power of its infinitesimal that is kept
-;; judged    : value -> what a verdict judges in its place, a structure of expressions, the list
+;; judged    : value -> the value that a verdict judges, a structure of expressions, the list
 ;;             of symbols that stand there for any value, and expressions in these that are
 ;;             positive; #f: the value itself
 ;; notation  : value (value -> tree) -> the tree it is typeset by (notation.rkt); #f: that of
@@ -71,8 +71,8 @@
 (define-values (prop:kind has-kind? kind-of-type) (make-struct-type-property 'kind))
 
 ;; A scalar that carries its kind in a field, where it is found in a quarter of the
-;; time: what derivatives are computed with.  The kind names the other fields.  One
-;; type without subtypes serves them all, since that is what is recognized fastest,
+;; time: the numbers that derivatives are computed with.  The kind names the other fields.
+;; One type without subtypes serves them all, since that is recognized fastest,
 ;; by comparing one word.
 (struct carrier (kind tag first second third)
   #:authentic

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Points that a derivative passes over: what it met on its way.
+;; Points that a derivative met on its way and passes over.
 ;;
 ;; D(sgn) is 0 wherever it is defined, and says nothing of the jump at 0.  Who asks whether
 ;; something holds at all times wants to know: while `call-noting-kinks` runs, the rules for
@@ -20,7 +20,7 @@
 
 (define current-notes (make-parameter #f))
 
-;; -> the value of (thunk), and what was met, in order
+;; -> the value of (thunk), and the points met, in order
 (define (call-noting-kinks thunk)
   (define found (notes (make-hash) '()))
   (define value (parameterize ([current-notes found]) (thunk)))

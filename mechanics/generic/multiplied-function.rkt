@@ -1,13 +1,13 @@
 #lang racket/base
 ;; (* 'A cos 'omega t): the cosine multiplied, where it was meant to be applied.  Functions are
-;; values, so that this is one, a function; whoever needs a number asks here what went wrong.
+;; values, so that this is one, a function; whoever needs a number finds the mistake here.
 
 (require "describe.rkt" "elementary.rkt" "function.rkt" "kind.rkt"
          "../algebra/expression/write.rkt")
 
 (provide multiplied-hint)
 
-;; x : what was given in place of a number -> lines to add to a message, or ""
+;; x : given in place of a number -> lines to add to a message, or ""
 (define (multiplied-hint x)
   (define found (and (pointwise? x) (multiplied (value->datum x))))
   (if found

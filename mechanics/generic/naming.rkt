@@ -1,7 +1,7 @@
 #lang racket/base
-;; Procedures that call themselves in messages what the reader calls them.
+;; Procedures that call themselves in messages as the reader calls them.
 ;;
-;; Inside the library `+` is Racket's and the generic one is `g:+`; what the
+;; Inside the library `+` is Racket's and the generic one is `g:+`; the name that the
 ;; reader types, and should read in an error, is `+`.
 
 (provide define-named)

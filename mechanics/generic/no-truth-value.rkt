@@ -2,7 +2,7 @@
 ;; Values that are answers and yet neither true nor false: a verdict may be undecided, and
 ;; Racket takes for true whatever is not #f, a refutation too.
 ;;
-;; A struct with the property says in a sentence what to ask instead.
+;; A struct with the property names in a sentence the question to ask instead.
 
 (require "../error/complain.rkt" "../error/message-words.rkt")
 

@@ -36,7 +36,7 @@
      (tree:report-line (car l) (cadr l)
                        (for/list ([p (in-list (cddr l))]) (if (string? p) (tree:word p) p))))))
 
-;; A list that begins with a name: as the application of what bears it.
+;; A list that begins with a name: as the application of the function of that name.
 (define (datum-notation d see)
   (if (and (pair? d) (symbol? (car d)) (list? d))
       (tree:application (tree:word (symbol->string (car d))) (map see (cdr d)) #f)

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Where only numbers will do: the number that an argument stands for, and what is said if it
+;; Where only numbers will do: the number that an argument stands for, and the message if it
 ;; stands for none.
 
 (require "function.rkt" "kind.rkt" "multiplied-function.rkt" "wrong-argument.rkt"

@@ -10,9 +10,9 @@
 ;;
 ;; Racket never takes up again modules that were left half made.  So a thread of its own
 ;; loads them: a break reaches the caller, who waits, at once, and the loading goes on,
-;; even when the caller is killed.  A file whose body fails is not tried again: what it
-;; raised is raised at every call.  Another file that requires the one that failed finds it
-;; half made, which Racket tells as a mismatch of compiled files: what failed first is raised.
+;; even when the caller is killed.  A file whose body fails is not tried again: its
+;; exception is raised at every call.  Another file that requires the one that failed finds it
+;; half made, which Racket tells as a mismatch of compiled files: the first failure is raised.
 ;;
 ;;     (require-on-demand #:in-this-thread [file name ...] ...)
 ;;
@@ -69,7 +69,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Loading
 
-;; place : variable reference of the module that asks; failure : what loading raised, or #f
+;; place : variable reference of the module that asks; failure : the exception of loading, or #f
 (struct source (place index [failure #:mutable]))
 
 ;; The value of a name, in the namespace of the module that asks: several may have the

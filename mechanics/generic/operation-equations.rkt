@@ -23,7 +23,7 @@
 ;; factor left right, or factor left right' in a differential equation; left : a row or #f
 (struct term (factor left right) #:authentic)
 
-;; The operation of this name on what a row begins with.
+;; The operation of this name on the first coefficient of a row.
 (struct start (operation row) #:authentic)
 
 ;; Rows are a, b (the arguments), r (the value) and p (its partner).

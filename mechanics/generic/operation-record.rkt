@@ -3,9 +3,9 @@
 ;;
 ;; (define-record id key procedure) defines id as the record of that entry.
 ;; The derivatives are read where define-record stands, so that `g:cos` in them is
-;; what `g:cos` means there.  They come twice: as one procedure for each argument,
+;; `g:cos` there.  They come twice: as one procedure for each argument,
 ;; of values of any kind; and together with the operation's value in one procedure,
-;; of flonums, which saves the most of what calls and dispatch cost.
+;; of flonums, which saves most of the cost of calls and dispatch.
 
 (require (for-syntax racket/base "../operation/operation-table.rkt")
          racket/flonum

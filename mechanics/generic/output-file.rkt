@@ -1,5 +1,5 @@
 #lang racket/base
-;; Files that are written for readers, pictures, pages and tables: what their names say, and
+;; Files that are written for readers, pictures, pages and tables: the formats that names tell, and
 ;; writing them whole or not at all.
 
 (require racket/file

@@ -1,7 +1,7 @@
 #lang racket/base
-;; Racket's tests of what a value is, for programs that are traced.
+;; Racket's tests of kinds of value, for programs that are traced.
 ;;
-;; They answer what Racket's do, but a placeholder for a number is neither a
+;; They answer as Racket's do, but a placeholder for a number is neither a
 ;; number nor a symbol: to ask is to look inside.  An irrational number of ours is exact, one of
 ;; higher precision than Racket's is not.
 

@@ -34,7 +34,7 @@
 (struct partner (start step) #:authentic)
 
 ;; Coefficients as functions of the index, of the arguments, a and b with their lengths, of
-;; the value r and its partner p; #f for what there is not.
+;; the value r and its partner p; #f for a missing one.
 (struct rows (a la b lb r p) #:authentic)
 
 (define (row rs name)

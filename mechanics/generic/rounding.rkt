@@ -21,7 +21,7 @@
          g:floor g:ceiling g:truncate g:round g:magnitude
          rounding-operations)
 
-;; A symbol stands for an inexact number as well as for an exact one, but what is made of
+;; A symbol stands for an inexact number as well as for an exact one, but an expression in
 ;; numbers and π alone has a value.
 (define-named g:exact->inexact exact->inexact
   (lambda (x)
@@ -124,7 +124,7 @@
 (define (raise-at-jump who x)
   (raise-no-derivative-at who (list x) "where it jumps"))
 
-;; Every record above: what a test that checks each derivative goes through.
+;; Every record above, for a test that checks each derivative.
 (define rounding-operations
   (list generic:exact->inexact generic:inexact->exact
         generic:floor generic:ceiling generic:truncate generic:round))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Scalars: what fills one place of a tuple or a matrix.
+;; Scalars: values for one place of a tuple or a matrix.
 
 (require "kind.rkt"
          "../algebra/expression/expression.rkt")

@@ -10,7 +10,7 @@
 
 (provide raise-no-derivative-at)
 
-;; why : a clause that says what happens there, such as "where it jumps", or #f.
+;; why : a clause on the reason, such as "where it jumps", or #f.
 (define (raise-no-derivative-at name arguments [why #f])
   (raise-singular name
                   (format "has no derivative ~aat ~a" (if why (string-append why ", ") "")

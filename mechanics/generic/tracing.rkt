@@ -11,7 +11,7 @@
 
 (provide call-traced being-traced? look-inside make-placeholder open-value? open-leaf?)
 
-;; #f, or what to do with the name of the test
+;; #f, or a procedure for the name of the test
 (define current-escape (make-parameter #f))
 
 ;; The value of (f), or (escape name) when f looks inside a placeholder by the

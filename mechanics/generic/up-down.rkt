@@ -2,8 +2,8 @@
 ;; Structures: up tuples and down tuples, nested to any depth (SICM p. 513).
 ;;
 ;; One struct with an orientation.  A Racket vector is read as an up tuple
-;; wherever a structure is expected.  This file knows the data and what tensor
-;; arithmetic means; the scalar `+` and `*` it needs are passed in, so that it
+;; wherever a structure is expected.  This file knows the data and the meaning of tensor
+;; arithmetic; the scalar `+` and `*` it needs are passed in, so that it
 ;; stands below the generic arithmetic that uses it.
 
 (require racket/flonum

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Structs that are values: their kind, what they print as, when two are equal.
+;; Structs that are values: their kind, their printed form, their equality.
 ;;
 ;;     (value-struct name [super] (field ...) clause ... option ...)
 ;;

@@ -1,5 +1,5 @@
 #lang racket/base
-;; An argument that is not what a procedure takes, in the reader's words: Racket's own
+;; An argument that a procedure does not take, in the reader's words: Racket's own
 ;; `raise-argument-error` speaks of contracts, and shows a value as the implementation has it.
 
 (require "describe.rkt"
@@ -7,14 +7,14 @@
 
 (provide complain-of-argument check-argument check-comes-first provide-parts)
 
-;; expected : what is wanted, such as "a positive step"; hint : further lines, or ""
+;; expected : the value wanted, such as "a positive step"; hint : further lines, or ""
 (define (complain-of-argument who expected x [hint ""])
   (complain who "expected ~a\n  given: ~a~a" expected (describe-with-value x) hint))
 
 (define (check-argument who good? x expected)
   (unless (good? x) (complain-of-argument who expected x)))
 
-;; first, second : what the arguments are, such as "map" and "point"
+;; first, second : names for the arguments, such as "map" and "point"
 (define (check-comes-first who swapped? first second)
   (when swapped?
     (complain who "the ~a comes first, then the ~a; these look swapped" first second)))

@@ -113,8 +113,8 @@
                                                             ,(value->datum C)) ,k))
                        #:form? #t))))
 
-;; The matrix by which components in one basis become those in another: what the 1-forms of `to`
-;; make of the vectors of `from`, a down tuple (by vectors) of up tuples.
+;; The matrix by which components in one basis become those in another: values of the 1-forms of
+;; `to` on the vectors of `from`, a down tuple (by vectors) of up tuples.
 (define (Jacobian to from)
   (check-basis 'Jacobian to)
   (check-basis 'Jacobian from)

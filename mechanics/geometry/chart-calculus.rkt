@@ -3,7 +3,7 @@
 ;;
 ;; Everything that geometry computes is a vector of such expressions, a graph with shared nodes.
 ;; Derivatives are taken of all of them in one walk for each coordinate: a node becomes itself
-;; plus an infinitesimal, so that what the derivative has in common with the value is shared.
+;; plus an infinitesimal, so that parts common to derivative and value are shared.
 
 (require "manifold-chart.rkt" "component-array.rkt"
          (rename-in "../algebra/elimination/minors.rkt" [operations ring-of])
@@ -38,8 +38,8 @@
   (define value (apply-generically (node-head n) arguments))
   (if (tuple? value) value (make-dual tag n (tangent-part value tag))))
 
-;; All of es folded as one graph.  What is being differentiated by something else, as Lagrangians
-;; are, has expressions for its parts.
+;; All of es folded as one graph.  A value that is being differentiated by something else, as
+;; Lagrangians are, has expressions for its parts.
 (define (fold-all es at-leaf at-node)
   (define (fold e)
     (node-fold e
@@ -91,8 +91,8 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; An expression in normal form, where that is likely to be the smaller one: what is 0 is seen to
-;; be.  Large ones, and those that grow, stay graphs.  It is kept, so no assumption is used.
+;; An expression in normal form, where that is likely to be the smaller one: a zero is seen to be
+;; one.  Large ones, and those that grow, stay graphs.  It is kept, so no assumption is used.
 (define (tidied e)
   (cond [(or (not (node? e)) (> (graph-size e) large)) e]
         [else
@@ -101,7 +101,7 @@
 
 (define large 300)                      ; nodes
 
-;; √|e|, for what is positive in the chart
+;; √|e|, given the positive values of the chart
 (define (root-of-size e C)
   (call-assuming (for/list ([p (in-list (coordinate-system-positive C))])
                    (list '> (value->datum p) 0))

@@ -37,7 +37,7 @@
     (define term (f i))
     (if (eqv? term 0) sum (g:+ sum term))))
 
-;; Σ aᵢ bᵢ, where b is computed only beside what is not 0
+;; Σ aᵢ bᵢ, where b is computed only beside an a other than 0
 (define (sum-of-products n a b)
   (sum-over n (lambda (i)
                 (define x (a i))
@@ -52,7 +52,7 @@
     (sum-of-products n (lambda (i) (vector-ref a i))
                      (lambda (i) (vector-ref T (+ (* i size) place))))))
 
-;; The same for one vector after the other: the components of what is left
+;; The same for one vector after the other: the components that are left
 (define (contract-all T n vectors)
   (for/fold ([rest T]) ([a (in-list vectors)]) (contract-first rest n a)))
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Fields as they are typeset: ∂/∂x, dx ∧ dy, [X, Y], £_X ω, ∇_v u.
 ;;
-;; A field prints as the expression that makes it; what has a sign of its own in print becomes a
+;; A field prints as the expression that makes it; a part with a sign of its own in print becomes a
 ;; tree in this expression, the rest is written as any formula.
 
 (require "../algebra/notation/name.rkt" "../algebra/notation/tree.rkt"

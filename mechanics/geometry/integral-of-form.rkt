@@ -6,7 +6,7 @@
 ;;
 ;;     ∫_∂ ω = Σᵢ (−1)ⁱ (∫ ω over uᵢ = end − ∫ ω over uᵢ = start),   i from 0,
 ;;
-;; and that is ∫ dω since d and the pullback commute: which is what is verified.
+;; and that is ∫ dω since d and the pullback commute, which is verified.
 
 (require "component-array.rkt" "exterior-calculus.rkt" "tensor-field.rkt" "manifold-chart.rkt"
          "manifold-function.rkt" "maps-between-manifolds.rkt" "manifold-point.rkt"

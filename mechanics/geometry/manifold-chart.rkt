@@ -46,7 +46,7 @@
 
 ;; to-place, to-coordinates : dimension -> map; coordinates are an up tuple, or a number where the
 ;; dimension is 1.  allowed : list of dimensions, #f for all.  names : dimension -> symbols
-;; positive : dimension -> coordinates -> list of what is positive in the chart, as a radius is
+;; positive : dimension -> coordinates -> list of values positive in the chart, as a radius is
 (define (attach-coordinate-system name patch type to-place to-coordinates
                                   #:dimensions [allowed #f] #:names [names numbered-names]
                                   #:positive [positive (lambda (n) (lambda (x) '()))])
@@ -93,7 +93,7 @@
 ;; to : coordinates -> place;  from : place -> coordinates
 ;; names : vector of the names of the coordinates
 ;; symbols : vector of uninterned symbols, the coordinates of a generic point
-;; positive : coordinates -> list of what is positive in the chart
+;; positive : coordinates -> list of values that are positive in the chart
 (value-struct system (name manifold to from names symbols positive)
   #:datum system-name)
 
@@ -155,7 +155,7 @@
 (define (same-chart? A B) (eq? (system-symbols A) (system-symbols B)))
 (define (on-one-manifold? A B) (eq? (system-manifold A) (system-manifold B)))
 
-;; The function f of coordinate systems, called once for each chart.  What it gave is kept as long
+;; The function f of coordinate systems, called once for each chart.  Its value is kept as long
 ;; as the chart is.
 (define (once-a-chart f)
   (define known (make-ephemeron-hasheq))

@@ -59,7 +59,7 @@
         [(procedure? f) (let ([m (typical-point C)]) (in-symbols-of C m (value-of-points f (f m))))]
         [else f]))
 
-;; x : what the procedure f gave
+;; x : the value of the procedure f
 (define (value-of-points f x)
   (unless (andmap scalar? (scalars x))
     (complain 'manifold-function
@@ -120,7 +120,7 @@
                (structure-map (lambda (x) (combine f x)) (adopt g)))]
     [else (raise-inapplicable op f g)]))
 
-;; Is f what expression-in takes as a function: of points, or a constant?
+;; Is f a function for expression-in: of points, or a constant?
 (define (function-of-points? f)
   (or (manifold-function? f) (scalar? f)
       (and (tuple? f) (for/and ([part (in-vector (tuple-elements f))]) (function-of-points? part)))
@@ -147,7 +147,7 @@
             (value->text (coordinate-system-manifold own))
             (value->text xs)))
 
-;; For verdicts: what x is in its home chart, in symbols of the names there; and these symbols.
+;; For verdicts: the form of x in its home chart, in symbols of the names there; and these symbols.
 ;; find : coordinate system -> expression or structure
 (define (judged-in home x find)
   (unless home

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Maps between manifolds: what they do to functions, vectors and forms.
+;; Maps between manifolds, and their action on functions, vectors and forms.
 ;;
 ;; A map μ from M to N is a procedure from points to points.  Forms are pulled back; a vector field
 ;; is pushed to one over the map, and to a field on N where μ has an inverse.

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Metrics: symmetric tensors of two vectors, and what they make of vectors and forms.
+;; Metrics: symmetric tensors of two vectors, and operations by them on vectors and forms.
 ;;
 ;; A metric has one connection without torsion that keeps it (Levi-Civita),
 ;;

@@ -23,7 +23,7 @@
 (define (length-of xs) (g:sqrt (g:for/sum ([x (in-list xs)]) (g:square x))))
 
 ;; A system for manifolds of the type, at the patch, of one of the dimensions (#f: any): the same
-;; two maps between lists for all of them, and what is positive.
+;; two maps between lists for all of them, and the values that are positive.
 (define (attach name patch type dimensions to from names [positive (lambda (x) '())])
   (define ((on-tuples f) n) (lambda (x) (tuple-of (f (list-of x)))))
   (attach-coordinate-system name patch type (on-tuples to) (on-tuples from)

@@ -106,13 +106,13 @@
           [else (complain who "these are over different maps\n  maps: ~a and ~a"
                           (value->text over) (value->text own))])))
 
-;; For what fields over a map have not
+;; For operations that fields over a map lack
 (define (check-on-manifold who T)
   (when (field-over T)
     (complain who "expected a field on a manifold; this one is over a map\n  given: ~a"
               (describe-with-value T))))
 
-;; The home of what is made of these fields and functions: of those over the map, if there is one.
+;; The home of a value made of these fields and functions: of those over the map, if there is one.
 (define (common-field-home who xs)
   (define over (common-over who xs))
   (define (home x)

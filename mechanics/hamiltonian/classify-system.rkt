@@ -37,7 +37,7 @@
   (and (local-tuple? state) (> (s:length state) 2)))
 
 ;; ---------------------------------------------------------------------------
-;; By what the function takes
+;; By the function's arguments
 
 (define (literal-takes-momenta? f q)
   (define (takes? third) (literal-function-takes? f (list (up 't q third))))

@@ -100,7 +100,7 @@
 ;; ---------------------------------------------------------------------------
 ;; By numbers
 
-;; unknowns : their name, such as "velocities"; of : from what they follow, as far as it is said
+;; unknowns : their name, such as "velocities"; of : the values they follow from, if that is said
 (define (solution-by-numbers s unknowns given y start #:of [of ""])
   (define who (solver-who s))
   (define (f x) ((solver-f s) given x))

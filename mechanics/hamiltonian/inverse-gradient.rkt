@@ -1,7 +1,7 @@
 #lang racket/base
 ;; From momenta to velocities: the v at which the gradient ∂F/∂v is w.
 ;;
-;; F depends on v and on what is given with it, the time and coordinates.  Of a quadratic F the
+;; F depends on v and on given values, the time and coordinates.  Of a quadratic F the
 ;; equations are solved exactly: M v = w − b, with the second derivatives M and the gradient b at
 ;; v = 0; its Legendre transform w v − F(v) is (w − b) v / 2 − F(0).  Other equations may have a
 ;; formula (velocity-formula.rkt).

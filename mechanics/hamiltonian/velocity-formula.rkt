@@ -12,7 +12,7 @@
 ;;
 ;; An equation in one unknown is solved if it is a polynomial that can be
 ;; (algebra/solve/), or one in the unknown and a square root R: e(R) = 0 implies
-;; e(R) e(−R) = 0, in which R has gone.  What this adds is left out, since each solution is put
+;; e(R) e(−R) = 0, in which R has gone.  Solutions added so are left out, since each is put
 ;; into the equation.
 ;;
 ;; All that is done without taking a sign for granted: a formula holds whatever those of the

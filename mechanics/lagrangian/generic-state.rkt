@@ -38,8 +38,8 @@
     (with-handlers ([exn:fail:contract? (lambda (e) (check-grouped f local) (raise e))])
       (check-parameters who f state))))
 
-;; Coordinates and velocities all in a row, (up t x y vx vy), look like (up t q v ...): what f
-;; says of the whole shows how they are grouped.
+;; Coordinates and velocities all in a row, (up t x y vx vy), look like (up t q v ...): the value
+;; of f at the whole shows how they are grouped.
 (define (check-grouped f local)
   (when (> (s:length local) 3) (f (unknowns-like local))))
 

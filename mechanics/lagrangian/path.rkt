@@ -46,7 +46,7 @@
 
 ;; The polynomial of least degree that takes the values ys at the points xs:
 ;; Σᵢ yᵢ/Πⱼ≠ᵢ (xᵢ − xⱼ) · Πⱼ≠ᵢ (x − xⱼ).  The divisors are known beforehand, and the products
-;; are those of what comes before i and of what comes after it.
+;; are those of the factors before i and of the factors after it.
 (define (Lagrange-interpolation-function ys xs)
   (unless (and (list? ys) (list? xs) (= (length ys) (length xs)) (pair? xs))
     (complain-showing 'Lagrange-interpolation-function

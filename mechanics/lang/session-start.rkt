@@ -17,7 +17,7 @@
   (install-hints!)
   (start-session-of-notes!))
 
-;; x : raised; otherwise : a template for the text of what is no exception
+;; x : raised; otherwise : a template for the text of a value that is no exception
 ;; -> the text that the session's display of errors prints
 (define (error->text x otherwise)
   (define port (open-output-string))

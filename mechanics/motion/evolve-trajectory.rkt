@@ -1,6 +1,6 @@
 #lang racket/base
 ;; A motion followed from one time to another, step by step, as a trajectory; with the events
-;; on the way.  If it ends before its time, what was followed so far is kept.
+;; on the way.  If it ends before its time, the motion followed so far is kept.
 
 (require racket/flonum
          racket/list

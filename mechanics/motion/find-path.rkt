@@ -120,7 +120,7 @@
   (and (exn:fail:mechanics:not-convergent? e)
        (stopped-at? (exn:fail:mechanics:not-convergent-value e))))
 
-;; Newton's method may find what the descent did not; else the failure says why that stopped.
+;; Newton's method may find a path that the descent did not; else the failure says why that stopped.
 (define (path-after-all p action c failure most)
   (define last (stopped-at-point (exn:fail:mechanics:not-convergent-value failure)))
   (define-values (value slope) (action last))

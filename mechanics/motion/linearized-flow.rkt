@@ -4,7 +4,7 @@
 ;; With s' = f(s, p), a change v of the state follows the equation of variations,
 ;; v' = ∂f/∂s v + ∂f/∂p δp.  That is a motion too: of the pair (s, v), and is integrated like
 ;; any other, with the same care for its error.  So derivatives of a motion are exact, not
-;; differences of motions.  What is differentiated may itself be a derivative: the motion of
+;; differences of motions.  The derivative itself may be differentiated: the motion of
 ;; pairs is followed by the same advancer, which finds the ε of the other derivative in it.
 
 (require racket/list

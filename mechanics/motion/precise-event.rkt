@@ -50,7 +50,7 @@
   (and (finite? x) (inexact->exact x)))
 
 ;; The crossing between two times, or #f; where the function has no real value on the way to
-;; it, that is what is found.
+;; it, the place of that.
 (define (zero m s e a b tolerance)
   (let/ec return
     (define (at t)

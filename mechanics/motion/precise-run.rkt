@@ -27,7 +27,7 @@
 ;; These compute with more bits, `working`, than states are shown with.
 (struct motion (shape clock? bits working start first slope run restart) #:authentic)
 
-;; (kept state) is what a failure carries.
+;; (kept state) is the value that a failure carries.
 (define (make-motion p given state [kept values])
   (define who (plan-who p))
   (define bits (plan-bits p))
@@ -157,8 +157,8 @@
       s))
   (call-with-progress (plan-progress? p) (lambda (note!) (call-reaching m (run note!)))))
 
-;; (body noted), where (noted visit) is what visits steps that are not kept: how far they came
-;; is known to whatever is raised.
+;; (body noted), where (noted visit) visits steps that are not kept: exceptions know how far they
+;; came.
 (define (call-reaching m body)
   (define latest (motion-stay m))
   (define ((noted visit) s)

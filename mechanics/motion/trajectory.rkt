@@ -99,8 +99,8 @@
                     "from" (trajectory-start tr)
                     "to" (trajectory-end tr)))
 
-;; x as a time of the trajectory, or #f.  An end is rounded, to what the integration computes with
-;; and again where it is shown: what is rounded to the same is the end.
+;; x as a time of the trajectory, or #f.  An end is rounded, to the numbers of the integration
+;; and again where it is shown: a time that is rounded to the same is the end.
 (define (time-within-it tr x)
   (define shown (reading-shown (trajectory-reading tr)))
   (define-values (first last) (values (first-time tr) (last-time tr)))

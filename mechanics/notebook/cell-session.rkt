@@ -19,7 +19,7 @@
     (start-session!)
     (thunk)))
 
-;; Evaluates a cell in the present namespace; what it shows is dropped. -> why it failed, or #f
+;; Evaluates a cell in the present namespace; its output is dropped. -> why it failed, or #f
 (define (cell-failure source)
   (define failed (call-as-session (lambda () (evaluate-cell source))))
   (and failed (failure-message failed)))

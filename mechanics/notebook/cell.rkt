@@ -94,7 +94,7 @@
 (define (cell-completeness text)
   (with-handlers ([exn:fail:read:eof? (lambda (e) "incomplete")]
                   [exn:fail? (lambda (e) "invalid")])
-    ;; a question may not load what a text names
+    ;; a question may not load modules that a text names
     (forms-in text #:reader? #f)
     "complete"))
 

@@ -12,7 +12,7 @@
 (provide make-changed-pictures call-showing-changes result-message note-shown! note-explored!)
 
 ;; names : picture -> the name of its display; changed : those to be shown, the latest first;
-;; shown : picture -> #t; explored : picture -> what makes the message of its exploration, once;
+;; shown : picture -> #t; explored : picture -> maker of the message of its exploration, once;
 ;; prefix, count : of names, which no other process and picture has
 (struct changed-pictures (names [changed #:mutable] shown explored prefix [count #:mutable]))
 

@@ -18,7 +18,7 @@
   (hash-set! shown number x)
   (hash-set* (now x) 'kind "exploration" 'number number))
 
-;; actions : lists of an action and its places, as act-on! takes them -> hash of what is seen then
+;; actions : lists of an action and its places, as act-on! takes them -> hash of the view then
 (define (explored-answer number actions)
   (define x (hash-ref shown number))
   (for ([a (in-list actions)]) (act-on! x (car a) (cdr a)))

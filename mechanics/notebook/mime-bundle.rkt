@@ -77,7 +77,7 @@
                   (img ([alt ,(shown-picture-text s)]
                         [src ,(png->URL (or (shown-picture-png s) #""))]))))))
 
-;; MathJax looks for TeX in the formulas alone, not in what a program wrote.
+;; MathJax looks for TeX in the formulas alone, not in a program's output.
 (define (shown->markup s)
   (define elements
     (parameterize ([inline-formula formula->xexpr])

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The name at the cursor of a cell: names that go on from it, and what is known of it.
+;; The name at the cursor of a cell: names that go on from it, and its card.
 
 (require "../error/message-words.rkt"
          "../generic/on-demand.rkt"

@@ -2,8 +2,8 @@
 ;; The memory of a process that lives beside many of its kind, as on the server of a class.
 ;;
 ;; Racket on Chez Scheme keeps as much empty memory as there is in use, and looks for garbage
-;; whenever 8 MB were taken.  With a quarter, and 4 MB, a kernel is smaller by a tenth; what is
-;; computed takes as long.
+;; whenever 8 MB were taken.  With a quarter, and 4 MB, a kernel is smaller by a tenth;
+;; computations take as long.
 
 (require ffi/unsafe/vm)
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The output of a program, sent on while it is written.
 ;;
-;; A stream is a port for the program, and a thread that sends what was written some fifty times a
+;; A stream is a port for the program, and a thread that sends its output some fifty times a
 ;; second.  A program that writes faster waits for it.  More than a million bytes of a cell are
 ;; counted, not sent.
 

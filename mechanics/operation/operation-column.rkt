@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Columns of the table of operations, and lists that are made from it.
 ;;
-;; A column says for every function of the table what some language, or some kind of number, has
-;; for it.  It stands in the file that needs it, so that a new cell recompiles few files.
+;; A column gives for every function of the table its counterpart in some language, or kind of
+;; number.  It stands in the file that needs it, so that a new cell recompiles few files.
 
 (require (for-syntax racket/base
                      (rename-in "operation-table.rkt" [reciprocals table:reciprocals])))
@@ -43,7 +43,7 @@
     (refuse "has operations that the table lacks"
             (filter (lambda (k) (not (find-entry k))) keys))))
 
-;; (define-fact-column id fact) defines id as the table of what that fact says, by key; it is an
+;; (define-fact-column id fact) defines id as the table of that fact's values, by key; it is an
 ;; expression, read where the column stands.
 (define-syntax (define-fact-column stx)
   (syntax-case stx ()

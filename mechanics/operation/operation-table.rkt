@@ -1,5 +1,5 @@
 #lang racket/base
-;; The table of operations: each operation in one entry, which says what it is.
+;; The table of operations: each operation in one entry, which defines it.
 ;;
 ;;     [key (argument ...) numeric domain partial ... fact ...]
 ;;
@@ -27,8 +27,8 @@
 ;;     (equations e)     the equations of its value (generic/operation-equations.rkt)
 ;;
 ;; The table is data for macros: a module requires it for-syntax and makes procedures of the
-;; expressions, in its own arithmetic.  What other languages and other kinds of number have for
-;; an operation stands on their own floors, in columns (operation-column.rkt).
+;; expressions, in its own arithmetic.  Counterparts of an operation in other languages and other
+;; kinds of number stand on their own floors, in columns (operation-column.rkt).
 
 (provide entries-where find-entry entry-fact entry-name
          (struct-out entry)
@@ -132,7 +132,7 @@
           (map (read-entry 'function) functions)
           (map (read-entry 'composite) composites)))
 
-;; name : of a fact; -> what it says, #t where it says no more; #f of other operations
+;; name : of a fact; -> its value, #t where it has none; #f of other operations
 (define (entry-fact e name)
   (define facts (entry-facts e))
   (cond [(memq name facts) #t]

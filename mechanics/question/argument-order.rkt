@@ -20,7 +20,7 @@
 ;; ---------------------------------------------------------------------------
 ;; By kind
 
-;; names : what the arguments are called, such as (L q) or (L Q local); a function comes
+;; names : words for the arguments, such as (L q) or (L Q local); a function comes
 ;; first, and a local tuple last.
 (define (check-order-of-arguments who names arguments)
   (define function-later?

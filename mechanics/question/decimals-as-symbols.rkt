@@ -80,7 +80,7 @@
 
 (define (expression-node? e) (or (node? e) (symbol? e)))
 
-;; Beside symbols the decimals are what they are.
+;; Beside symbols the decimals have their values.
 (define (sign-with-values e A decimals)
   (define-values (sign rest)
     (sign-and-rest (simplify-expression (substitute-expression e decimals) A) A))

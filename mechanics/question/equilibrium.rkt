@@ -1,5 +1,5 @@
 #lang racket/base
-;; Where a system rests: what `equilibria` finds, and the coordinates that are asked about.
+;; Where a system rests: the finds of `equilibria`, and the coordinates that are asked about.
 
 (require "../error/complain.rkt" "../error/hint.rkt"
          "../generic/compare.rkt" "../generic/describe.rkt" "../generic/notation.rkt"

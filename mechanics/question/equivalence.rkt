@@ -3,7 +3,7 @@
 ;;
 ;; Their residuals E₁ and E₂ are linear in the accelerations: E = M a + b.  They vanish
 ;; together if E₂ = C E₁ with an invertible C, which may depend on the state.  In order of
-;; what they say about the Lagrangians:
+;; their meaning for the Lagrangians:
 ;;
 ;;   C = 1             L₂ − L₁ is a total time derivative;
 ;;   C a constant c    L₂ − c L₁ is one;
@@ -13,7 +13,7 @@
 ;; that is a condition.
 ;;
 ;; Failing these, the rows (M₁ b₁) and (M₂ b₂) must span the same space: as many of them
-;; are independent, and (M₂ b₂) takes to zero what (M₁ b₁) does.  That speaks of states in
+;; are independent, and (M₂ b₂) has the null space of (M₁ b₁).  That speaks of states in
 ;; general.  Where both equations restrict states, as y = 0 and y = 1 do, no motion is at
 ;; such a state, rows with 1 in place of 0 span the same, and nothing follows.
 
@@ -79,7 +79,7 @@
 ;; -> expressions that have a value wherever both Lagrangians have one
 (define ((domain-of L1 L2 local)) (values-at (list L1 L2) ((clip-state 3) local)))
 
-;; -> a list of scalars, and what the derivatives in them met
+;; -> a list of scalars, and the points that the derivatives in them met
 (define (surveyed L local domain)
   (survey-derivatives (lambda () (scalars ((Euler-Lagrange-operator L) local))) (scalars local)
                       #:domain domain #:functions (lambda () (values-at (list L) local))))

@@ -38,7 +38,7 @@
         [else
          (complain-of-argument 'impose "a value, a function or a constraint" x)]))
 
-;; note! : called with what is replaced somewhere
+;; note! : called with each expression that is replaced somewhere
 (define (put replacements equations x [note! void])
   (change-values x
                  (lambda (e) (if (symbolic? e) (replaced-noting e replacements note!) e))

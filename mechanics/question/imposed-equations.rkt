@@ -20,7 +20,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Equations
 
-;; other : what came with the condition
+;; other : a value that came with the condition
 ;; -> ((= value value) ...)
 (define (equations-of who condition [other #f])
   (cond [(verdict? condition) (equations-of who (first-alternative who condition))]
@@ -100,7 +100,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Choices
 
-;; ", with x = 2, y not 0": what was chosen when the equations were solved so, or ""
+;; ", with x = 2, y not 0": choices made when the equations were solved so, or ""
 (define (choices->text equations replacements)
   (define roots (roots-taken equations replacements))
   (define texts
@@ -109,7 +109,7 @@
               (format "~a not 0" (value->text f)))))
   (if (null? texts) "" (string-append ", with " (string-join texts ", "))))
 
-;; Equations x = 2 for what is replaced by one root of two, as where x² = 4.
+;; Equations x = 2 for expressions replaced by one root of two, as where x² = 4.
 (define (roots-taken equations replacements)
   (for/list ([r (in-list replacements)]
              #:when (other-root r equations replacements)

@@ -9,7 +9,7 @@
 ;;
 ;; the part of B that is symmetric being a total time derivative.  A normal mode is a
 ;; solution v e^{iωt}: a null vector v of K − ω²M + iωG.  M and K are symmetric and G is
-;; not: its entries are what turning frames and magnetic fields add.
+;; not: its entries are due to turning frames and magnetic fields.
 
 (require "equilibrium.rkt" "argument-order.rkt"
          "../calculus/derivative.rkt"

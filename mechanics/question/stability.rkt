@@ -8,7 +8,7 @@
 ;;                    (Lagrange, Dirichlet), turning frames or not;
 ;;   K has a negative direction and G = 0
 ;;                    unstable: some ω² is negative;
-;;   otherwise        G may hold what K does not.  Two coordinates, with
+;;   otherwise        G may hold a motion that K does not.  Two coordinates, with
 ;;                    |M| ω⁴ − b ω² + |K| = 0, oscillate if b, |K| and b² − 4 |M| |K| are
 ;;                    positive, and leave exponentially if one of these is negative.
 ;;

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The question of a verdict asked again, with a condition imposed on what it was about.
+;; The question of a verdict asked again, with a condition imposed on its matter.
 
 (require (only-in racket/list append-map count remove-duplicates)
          "imposed-equations.rkt" "impose.rkt"
@@ -35,7 +35,7 @@
                   "the verdict comes first, then the condition: (verify-again v '(= k m))")
         (complain-of-argument 'verify-again "a verdict, then perhaps a condition" v))))
 
-;; met : those symbols that were replaced in what was asked.  Others may stand in another
+;; met : those symbols that were replaced in the question.  Others may stand in another
 ;; equation.
 (define (check-met v equations replacements met)
   (define (linked? s)

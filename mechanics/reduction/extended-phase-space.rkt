@@ -2,7 +2,7 @@
 ;; The time as a coordinate (SICM 5.5, pp. 394–402).
 ;;
 ;; With the time q⁰ = t as a coordinate and a momentum p₀ for it, H' = p₀ + H(t, q, p) moves q and
-;; p as H does, ∂H'/∂p₀ = 1, and does not depend on the new time: what H depends on explicitly is
+;; p as H does, ∂H'/∂p₀ = 1, and does not depend on the new time: the explicit time of H is
 ;; one coordinate more.  Along a motion p₀ + H is conserved.
 ;;
 ;; A transformation C with its correction K, H' = H∘C + K, is one without explicit time there:

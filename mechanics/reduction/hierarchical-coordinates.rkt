@@ -31,7 +31,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Links
 
-;; mj, mk : the masses of what is linked
+;; mj, mk : the masses of the two parts linked
 (struct link (j k mj mk) #:authentic)
 
 ;; -> the links, and the masses after them

@@ -1,5 +1,5 @@
 #lang racket/base
-;; To fewer degrees of freedom, and to what separates, loaded when it is first used.
+;; Reduction to fewer degrees of freedom, and separation, loaded when it is first used.
 
 (require "../generic/on-demand.rkt")
 

@@ -3,7 +3,7 @@
 ;;
 ;; The rotation by θ about the unit vector n is q = (cos θ/2, n sin θ/2), which takes v to the
 ;; vector part of q v q*; its matrix is made of products of two parts of q.  Any multiple of q
-;; serves as well when what it gives is divided by q q*: so q and −q are one rotation.
+;; serves as well when the result is divided by q q*: so q and −q are one rotation.
 
 (require (only-in racket/list argmax index-of)
          "rotation.rkt" "three-vector.rkt"

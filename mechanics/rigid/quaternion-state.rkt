@@ -84,7 +84,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Euler's equations (2.9)
 
-;; (((Euler-equations A B C) omega) t), what is left of the torque on principal axes; omega
+;; (((Euler-equations A B C) omega) t), the rest of the torque on principal axes; omega
 ;; and torque are functions of the time.
 (define (Euler-equations A B C [torque #f])
   (define name (apply call-datum 'Euler-equations A B C (if torque (list torque) '())))

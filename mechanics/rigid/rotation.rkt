@@ -45,7 +45,7 @@
                   (list s c 0)
                   (list 0 0 1)))
 
-;; The same as tuples, down of ups: what multiplies an up tuple from the left.
+;; The same as tuples, down of ups, which multiply an up tuple from the left.
 (define (rotate-x-tuple angle) (as-tuple (rotate-x-matrix angle)))
 (define (rotate-y-tuple angle) (as-tuple (rotate-y-matrix angle)))
 (define (rotate-z-tuple angle) (as-tuple (rotate-z-matrix angle)))

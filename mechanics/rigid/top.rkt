@@ -2,7 +2,7 @@
 ;; The axisymmetric top under gravity (SICM 2.10 and 3.4): moments A, A, C about the point on
 ;; which it stands, gMR the product of g, mass and distance of the centre of mass from there.
 ;;
-;; The momenta p_φ and p_ψ are conserved; what is left is a motion of θ with inertia A in
+;; The momenta p_φ and p_ψ are conserved; a motion of θ is left, with inertia A in
 ;;
 ;;     V(θ) = (p_φ − p_ψ cos θ)²/(2 A sin²θ) + p_ψ²/(2 C) + gMR cos θ.
 ;;

@@ -5,7 +5,7 @@
 ;; Newton's method takes its derivatives from one run of the function on dual
 ;; numbers; those of a function that refuses them, one that integrates a motion, say,
 ;; from differences, f(x + h) − f(x − h) over 2h with h the cube root of the rounding
-;; error, where what the formula and what rounding do wrong balance.
+;; error, where the errors of the formula and of rounding balance.
 
 (require racket/flonum
          racket/list
@@ -39,8 +39,8 @@
   (check-function-of-one-variable 'bisect f)
   (root-between 'bisect bisected-root f low high tolerance observe report))
 
-;; f may also be what gives its value and its derivative, (f x receive), as in scmutils; the
-;; derivative is not asked for.
+;; f may also give its value and its derivative to a procedure, (f x receive), as in scmutils;
+;; the derivative is not asked for.
 (define-plain (newton-search f start [tolerance 1e-12]
                              #:observe [observe void] #:report [report the-root])
   (define value (if (receives? f) (value-given f) f))
@@ -90,7 +90,7 @@
             #:tolerance tolerance #:observe observe #:argument argument #:name who))
   (report (varying who f (argument root) jacobian root value) error evaluations))
 
-;; The root x, at the flvector v, as it varies with what f depends on
+;; The root x, at the flvector v, as it varies with the values that f depends on
 (define (varying who f x jacobian v value)
   (define (slopes)
     (define J (jacobian v))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Minima between two numbers, with what is known of them, and as they vary with what the
+;; Minima between two numbers, their kinds, and their change with the values that the
 ;; function or the ends depend on.
 
 (require racket/flonum
@@ -48,7 +48,7 @@
            (values (plain 'minimum) (flvector x))))
      (varying-minimum t m at)]))
 
-;; An end moves as it is said to; but where the function is level at it, what is least may
+;; An end moves as it is said to; but where the function is level at it, the minimum may
 ;; leave it.
 (define (at-end t f found m low high judge?)
   (define end (if (eq? (found-kind found) 'low) low high))

@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Minima of functions made by the generic arithmetic (SICM pp. 19 and 22).
 ;;
-;; `find-minimum` says what it found, and of which kind; the others give what the book's
-;; procedures of their names give.  All can be differentiated by what the function depends on.
+;; `find-minimum` tells the kind of its result; the others give the results of the book's
+;; procedures of their names.  All can be differentiated by the values that the function depends on.
 
 (require "least-between.rkt" "minimum.rkt" "minimum-near.rkt" "objective.rkt" "varying-minimum.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt"

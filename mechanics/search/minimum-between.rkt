@@ -2,7 +2,7 @@
 ;; Minima of a function of one number between two ends.
 ;;
 ;; Brent's method finds one in a bracket.  It never asks for the ends, so these are compared
-;; with what was found near them.  Where all values were the same, on a plateau, or where all
+;; with the points found near them.  Where all values were the same, on a plateau, or where all
 ;; minima are wanted, the interval is sampled: each sample that is lower than its neighbours
 ;; brackets a minimum.  Samples are doubled until twice in a row no more minima come up; a
 ;; narrower one than their distance may still hide.

@@ -1,9 +1,9 @@
 #lang racket/base
-;; A minimum near a point, in any number of variables, and what kind of one it is.
+;; A minimum near a point, in any number of variables, and its kind.
 ;;
 ;; A search goes by the gradient, or, of a function that has none everywhere, by values alone.
 ;; Where it ends the point is looked at (critical-point.rkt): from a saddle, or a plateau with a way
-;; down, the search goes on; what looks like a minimum gets some steps of Newton's.
+;; down, the search goes on; a point like a minimum gets some steps of Newton's.
 
 (require "minimum.rkt" "critical-point.rkt" "objective.rkt"
          "../error/failure.rkt"

@@ -1,5 +1,5 @@
 #lang racket/base
-;; The result of a search for a minimum, and what is known of it.
+;; The result of a search for a minimum: place, value, kind.
 
 (require "../generic/describe.rkt" "../generic/value-struct.rkt" "../generic/wrong-argument.rkt")
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Bessel functions of real order and argument, and what is differentiated of them.
+;; Bessel functions of real order and argument, and their derivatives.
 ;;
 ;; Of negative orders (Abramowitz and Stegun, 9.1.2, 9.6.2, 9.6.6)
 ;;
@@ -19,7 +19,7 @@
 (provide Bessel-J Bessel-Y Bessel-I Bessel-K spherical-Bessel-j spherical-Bessel-y)
 
 ;; ---------------------------------------------------------------------------
-;; Of numbers, and of what is being differentiated
+;; Of numbers, and of perturbed values
 
 ;; numeric : who order flonum -> flonum; slope : the derivative by x, of order n
 (define-syntax-rule (define-Bessel name numeric (n x) slope)

@@ -3,8 +3,8 @@
 ;;
 ;; The set in force is the value of a parameter; to declare is to set it, for the
 ;; thread or within `assuming`.  The algebra knows no parameter: who calls it
-;; takes the set from `assumptions-in-force`, once, and tells `note-used!` what the
-;; result rests on.
+;; takes the set from `assumptions-in-force`, once, and tells `note-used!` the
+;; grounds of the result.
 
 (require (for-syntax racket/base)
          "algebra.rkt" "assumption-errors.rkt"

@@ -74,7 +74,7 @@
 
 (define (bits x) (m:bigfloat-precision (big-value x)))
 
-;; A fraction; of infinities and what is not a number, the flonum.
+;; A fraction; of infinities and NaN, the flonum.
 (define (bigfloat->exact x)
   (check 'bigfloat->exact x)
   (exact-value (big-value x)))

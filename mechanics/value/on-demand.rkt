@@ -1,6 +1,6 @@
 #lang racket/base
-;; Numbers of higher precision, quaternions, functions through data, special functions, what
-;; matrices are made of, and reading, loaded when one is asked for.
+;; Numbers of higher precision, quaternions, functions through data, special functions,
+;; decompositions of matrices, and reading, loaded when one is asked for.
 
 (require "../generic/on-demand.rkt")
 

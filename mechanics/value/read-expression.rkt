@@ -1,5 +1,5 @@
 #lang racket/base
-;; Printing turned round: from what a value prints as, an S-expression or its text, to the
+;; Printing turned round: from a value's printed form, an S-expression or its text, to the
 ;; value.
 ;;
 ;; Words of the algebra stand for themselves: symbols, numbers, operations.  Any other name at

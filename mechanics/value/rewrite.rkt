@@ -75,7 +75,7 @@
 ;; ---------------------------------------------------------------------------
 ;; On every scalar
 
-;; rewrite : expression assumptions -> expression and what it rests on
+;; rewrite : expression assumptions -> expression and its grounds
 (define (reform who rewrite x)
   (map-scalars who
                (lambda (e A)

@@ -28,7 +28,7 @@
 ;; Under the declared assumptions alone.
 (define (simplify-strictly x) (parameterize ([automatic-assumptions #f]) (simplify x)))
 
-;; Whatever is declared: for what is kept longer than that.
+;; Whatever is declared: for values kept longer than that.
 (define (simplify-always x) (call-without-assumptions (lambda () (simplify x))))
 
 ;; -> the simplified value, and the undeclared assumptions made for it
@@ -88,7 +88,7 @@
    x))
 
 ;; In a number or another symbol there is nothing to replace.  Where the replacement is an
-;; expression that holds what it replaces, the arguments were meant in the order of scmutils.
+;; expression that holds the part it replaces, the arguments were meant in the order of scmutils.
 (define (check-order x alist)
   (when (and (or (number? x) (symbol? x)) (= (length alist) 1))
     (define-values (name expression) (values (caar alist) (cdar alist)))

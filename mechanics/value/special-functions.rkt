@@ -18,7 +18,7 @@
          bessj bessj0 bessj1)
 
 ;; ---------------------------------------------------------------------------
-;; Of numbers, and of what is being differentiated
+;; Of numbers, and of perturbed values
 
 ;; A function of a number, of which (slope x value) is the derivative.
 (define (lifted name numeric slope)

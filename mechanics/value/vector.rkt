@@ -16,7 +16,7 @@
 (define-named tuple-vector->list vector->list
   (lambda (v) (vector->list (if (structure? v) (structure-elements v) v))))
 
-;; f of corresponding components; the result is what the first one is.
+;; f of corresponding components; the result is of the kind of the first.
 (define-named tuple-vector-map vector-map
   (lambda (f first . more)
     (define all

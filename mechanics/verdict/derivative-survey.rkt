@@ -1,5 +1,5 @@
 #lang racket/base
-;; Surveys: what derivatives met that a verdict is about.
+;; Surveys: points met by the derivatives that a verdict is about.
 ;;
 ;; That a residual vanishes wherever it is defined does not make |t − 2| a free motion: the
 ;; derivatives in it do not see the kink.  Whoever makes a residual by differentiating has the
@@ -19,7 +19,7 @@
 ;; variables : symbols by which one differentiates
 ;; places : -> ((variable . expression) ...), put in for them in the end
 ;; unknowns : symbols to solve for              values? : must all have a value, as a path must?
-;; domain : -> expressions, the places put in, that are to have a value: what is beyond is no kink
+;; domain : -> expressions, the places put in, that are to have a value: outside there is no kink
 ;; functions : -> expressions in the variables, of which the derivatives are; if all of them are
 ;; smooth at a kink, it is none
 ;; order : how often a function is differentiated

@@ -3,7 +3,7 @@
 ;;
 ;; The library compares expressions by their form, for which nothing need be loaded: sin² x and
 ;; 1 - cos² x differ.  To a reader they are equal.  So where forms differ the algebra is asked,
-;; as by `verify-equal`, and a proof counts; what it rests on is told.  Where there is neither
+;; as by `verify-equal`, and a proof counts; its grounds are told.  Where there is neither
 ;; proof nor refutation, and for functions, the answer is no more than that forms differ,
 ;; which is told once.
 
@@ -38,7 +38,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Values that g:= and g:zero? take for different
 ;;
-;; All of one question is asked at once, so that what is assumed for its parts holds together.
+;; All of one question is asked at once, so that assumptions on its parts hold together.
 
 ;; The pairs of expressions that would have to be equal, before those found; #f where something
 ;; differs whatever they are.  found : such pairs, or #f
@@ -75,7 +75,7 @@
         [(function? c) (note-functions) #f]
         [else #f]))
 
-;; Operators and series are functions, too, in what is asked here.
+;; Operators and series are functions, too, for questions here.
 (define (function? x) (and (procedure? x) (not (tuple? x)) (not (matrix? x))))
 
 ;; The algebra cannot prove equal two symbols, or a symbol and a number.

@@ -26,16 +26,16 @@
 
 ;; x : a value, or a function, which is judged at symbolic arguments.
 ;; names : symbols that no condition may speak of, as x must vanish whatever they are
-;; surveys : what was met by the derivatives x was made with; if that leaves places where
+;; surveys : points met by the derivatives x was made with; if that leaves places where
 ;; they do not tell, x is not proved.  A procedure that gives the list is called if needed.
-;; remarks : -> strings, on what the verdict does not say
+;; remarks : -> strings, on matters that the verdict leaves out
 ;; meaning : #f, or a procedure that gives the meaning that the question has to keep under
 ;; the conditions that are told (vanishing-conditions.rkt)
 ;; domain : -> expressions that are to have a real value as well, in the symbols of x
 ;; motion-domain : of a motion, a function of the time: symbol of the time -> expressions; or #f
-;; relied-on : datums of assumptions under which x is what is asked about
-;; again : #f, or what asks the question again, given what to change in it (verdict.rkt)
-;; subject : #f, or what was asked, for a certificate of it: the question's name and its matter
+;; relied-on : datums of assumptions under which x is the question
+;; again : #f, or a procedure that asks the question again, given the changes in it (verdict.rkt)
+;; subject : #f, or the question, for a certificate of it: its name and its matter
 (define (prove-zero x #:variables [names '()] #:surveys [surveys '()]
                     #:remarks [remarks (lambda () '())] #:meaning [meaning #f]
                     #:domain [domain (lambda () '())] #:motion-domain [motion-domain #f]
@@ -106,7 +106,7 @@
     (if (or (null? names) (ormap (lambda (e) (occurs? (car names) e)) found)) t (car names)))
   (for/list ([e (in-list found)]) (in-place-of (list (cons t time)) e)))
 
-;; Strings: the part of what is asked about that has no value, if that is the reason
+;; Strings: the part of the question that has no value, if that is the reason
 (define (remarks-on-domain domain tests A)
   (define part
     (and (ormap (lambda (z) (eq? (zero-test-reason z) 'nowhere)) tests)
@@ -138,7 +138,7 @@
           (ways-for-all (for/list ([w (in-list ways)] [t (in-list tests)] #:when (open? t)) w)
                         given A)))
 
-;; -> the kinks of all surveys, and what it rests on that there are not more, and else
+;; -> the kinks of all surveys, and the grounds that there are not more, and else
 (define (kinks-of surveys relied-on A)
   (define found
     (for/list ([s (in-list (if (procedure? surveys) (surveys) surveys))])
@@ -177,7 +177,7 @@
       (with-remark v (format "both sides are real where ~a"
                              (joined (map value->text (remove-duplicates conditions)) ", ")))))
 
-;; a - b, where flonums are not subtracted yet: what is lost to rounding shows
+;; a - b, where flonums are not subtracted yet: a loss by rounding shows
 ;; only beside the numbers themselves.  Beside 0 there is nothing to show it.
 (define (difference a b)
   (cond [(eqv? b 0) a]
@@ -205,7 +205,7 @@
 
 ;; A function, wherever it stands in x, is taken at symbols of its own, which
 ;; occur nowhere else; its value may be a function again.  In the result they
-;; are renamed to t, or t0 t1 ... if there are several, or to what comes next if
+;; are renamed to t, or t0 t1 ... if there are several, or to the next name if
 ;; the user has a t already.  Their names are added to the table `variables`.  A kind of value
 ;; that is judged so may say which expressions of its arguments are positive: (rely-on! relations).
 (define (at-symbolic-arguments x arguments positive variables note! rely-on!)
@@ -266,7 +266,7 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Refutations at points where derivatives do not see a jump are none: at t = 0 the derivative of
-;; cos(t sgn t), which is cos t, is not what a formula with sgn 0 = 0 makes of it.  Points elsewhere
+;; cos(t sgn t), which is cos t, is not that by a formula with sgn 0 = 0.  Points elsewhere
 ;; are asked for.
 
 ;; Is there a jump, of sgn, in e?

@@ -15,7 +15,7 @@
 (provide verdict-report readings kink-lines report->text report-notation)
 
 ;; status : as a whole.  tests : the zero-test of each scalar, in order.
-;; labels : what the scalars are called; none for one that stands alone.
+;; labels : names of the scalars; none for one that stands alone.
 ;; given : the assumptions that were declared.  used : those it rests on, declared or not.
 ;; kinks : places of which derivatives do not tell.
 ;; ways : of each scalar the lists of equations that make it zero; alternatives : those that

@@ -13,7 +13,7 @@
 
 ;; Each -> a list of at most one string
 
-;; default : what to speak of where simplification made an exact 0 of it
+;; default : the number to speak of where simplification made an exact 0 of it
 (define (remarks-on-rounding residual [default #f])
   (define found (or (ormap smallest-size (expressions-of residual)) default))
   (cond [(not found) '()]

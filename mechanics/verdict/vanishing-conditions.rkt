@@ -2,7 +2,7 @@
 ;; The choices of parameters that a verdict tells: for each scalar of a residual, and for all.
 ;;
 ;; One is told if the question keeps its meaning.  That a single symbol is zero is told only
-;; where it is known what the question is about: of a residual alone nobody knows which of
+;; where the matter of the question is known: of a residual alone nobody knows which of
 ;; its symbols are masses.
 
 (require racket/list
@@ -18,7 +18,7 @@
   (filter (lambda (way) (and (known? way) (meaningful? m way A))) (zero-test-ways z)))
 
 ;; ways : those of each scalar that is not zero
-;; -> those that make all of them zero: what they share, or else the first ones together
+;; -> those that make all of them zero: the shared ones, or else the first ones together
 (define (ways-for-all ways given A)
   (define shared
     (for/list ([way (in-list (if (null? ways) '() (car ways)))]

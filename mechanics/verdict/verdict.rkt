@@ -24,12 +24,12 @@
 ;; endless?    : is it, or has it, a series of which only the first terms were tested?
 ;; kinks-found : places of which derivatives do not tell (algebra/zero/kink.rkt)
 ;; grounds     : datums of assumptions on which it rests that there are not more
-;; remarks     : strings: what the question itself makes of the answer
+;; remarks     : strings: consequences of the question itself for the answer
 ;; told        : -> for each scalar the lists of equations that make it zero, and those that make
 ;;               all of it zero; known when it is first asked, as nobody may ask
 ;; question    : (change : value -> value) -> the verdict on the question with all that it is
 ;;               about changed
-;; claim       : what was claimed, for certificates of it
+;; claim       : the claim made, for certificates of it
 (value-struct verdict
               (status residual tests given endless? kinks-found grounds remarks told question claim)
   #:text (lambda (v) (report->text (verdict-lines v)))
@@ -37,11 +37,11 @@
   #:property prop:no-truth-value "a verdict is neither true nor false; ask (proved? v)")
 
 ;; Called with each verdict that is shown or formatted, be it as a string; for those who run a
-;; program and look at what it shows
+;; program and look at its output
 (define verdict-formatted (make-parameter void))
 
-;; All is proved zero when every scalar is, and refuted when one is; what does not end
-;; cannot be proved zero by its first terms, nor what has a kink by its derivatives.
+;; All is proved zero when every scalar is, and refuted when one is; a value without end
+;; cannot be proved zero by its first terms, nor one with a kink by its derivatives.
 ;; find-kinks : -> kinks and grounds, asked for unless the verdict is a refutation
 ;; find-remarks : status -> strings
 (define (make-verdict residual tests given endless? find-kinks find-remarks told question claim)
@@ -57,7 +57,7 @@
 
 ;; value   : the residual as the question states it, nothing simplified
 ;; domain  : expressions that are to have a real value as well
-;; subject : #f, or what was asked
+;; subject : #f, or the question
 (struct claim (value domain subject) #:authentic)
 ;; left and right are equal.
 (struct equality-claim (left right) #:authentic)

@@ -2,7 +2,7 @@
 ;; The Lie derivative with respect to H, L F = {F, H}, as an operator (SICM 6.4, p. 448); and with
 ;; the explicit time, ∂₀F + {F, H}, the rate of F along the motion.
 ;;
-;; Powers of it are what Lie series are made of, and brackets of brackets of functions would run
+;; Lie series are made of its powers, and brackets of brackets of functions would run
 ;; H and F anew at each level, twice as often every time.  So F and the rates ∂₂H, −∂₁H are
 ;; evaluated once, at a state of symbols; each power is then the derivative of one expression in
 ;; that direction, simplified before the next is taken, and evaluated at the states asked about.
@@ -25,7 +25,7 @@
 (require-on-demand ["../../calculus/expression-function.rkt" evaluate-at])
 
 (provide Lie-derivative Lie-derivative-procedure flow-derivative
-         ;; for what is made of it
+         ;; for values made of it
          on-quantity)
 
 ;; F ↦ {F, H}

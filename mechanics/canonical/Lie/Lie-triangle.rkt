@@ -6,7 +6,7 @@
 ;;     H' = exp(εⁿ L_{Wₙ}) ⋯ exp(ε² L_{W₂}) exp(ε L_{W₁}) H,        L_W F = {F, W}.
 ;;
 ;; The one for order n leaves those before as they are, and adds {h₀, Wₙ} to the term of order n:
-;; so Wₙ is found from the homological equation {h₀, Wₙ} + hₙ = what is to be kept.  Then
+;; so Wₙ is found from the homological equation {h₀, Wₙ} + hₙ = the part to be kept.  Then
 ;;
 ;;     hₘ ← Σⱼ Lʲ h_{m − jn}/j!.
 ;;
@@ -17,7 +17,7 @@
 (provide Lie-triangle carry)
 
 ;; h : the list of h₀, …, h_N;  bracket : F, G ↦ {F, G};  sum : F, G ↦ F + G; scale : number, F
-;; solve : n, hₙ -> Wₙ, and what is kept
+;; solve : n, hₙ -> Wₙ, and the part that is kept
 ;; -> the terms of H' and the list of W₁, …, W_N
 (define (Lie-triangle h bracket sum scale solve)
   (for/fold ([h h] [Ws '()] #:result (values h (reverse Ws))) ([n (in-range 1 (length h))])

@@ -17,7 +17,7 @@
 
 ;; A series is a vector of polynomials, of degree 0, 1, …, degree.
 
-;; places : ((symbol constant . polynomial of degree 1) …);  (fail part) for what is no number
+;; places : ((symbol constant . polynomial of degree 1) …);  (fail part) where part is no number
 ;; -> a series
 (define (Taylor-parts e places degree fail)
   (define (constant c) (make-series degree (list (monomial c))))

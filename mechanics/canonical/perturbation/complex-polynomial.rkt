@@ -83,7 +83,7 @@
   (define kappas (modes-brackets m))
   (bracket-of m (lambda (j a b a1 b1) (* (vector-ref kappas j) (- (* a b1) (* b a1))))))
 
-;; Of polynomials of magnitudes: what the terms of a bracket are together at most
+;; Of polynomials of magnitudes: a bound on the sum of a bracket's terms
 (define (majorant-bracket m)
   (define kappas (modes-brackets m))
   (bracket-of m (lambda (j a b a1 b1)
@@ -116,7 +116,7 @@
   (make-hasheqv (for/list ([t (in-list terms)]) (cons (unit-key (car t)) (cdr t)))))
 
 ;; Of a real polynomial, at values of q₁ … pₙ: the coefficients that the binomial theorem gives, so
-;; that nothing complex is left, nor what is rounding beside the greatest of them.
+;; that nothing complex is left; rounding beside the greatest of them is dropped.
 (define (polynomial->expression m f values)
   (define found (in-q-and-p m f))
   (define small (* 1e-15 (apply max 0 (map magnitude (hash-values found)))))

@@ -13,7 +13,7 @@
 
 (provide solve-homological (struct-out removed))
 
-;; A wave that was removed: its integers and what was divided by
+;; A wave that was removed: its integers and its divisor
 (struct removed (numbers divisor) #:authentic)
 
 ;; k·ω
@@ -24,7 +24,7 @@
 
 ;; h : a Poisson series; resonant? : k -> is it to be kept?; number : an expression -> the same
 ;; with its decimals (symbols-for-decimals.rkt), which tell whether it vanishes
-;; -> W, the series kept, the list of what was removed
+;; -> W, the series kept, the list of waves removed
 (define (solve-homological h frequencies resonant? number)
   (define none (zero-series (length frequencies)))
   (define sizes (map number frequencies))

@@ -3,8 +3,8 @@
 ;;
 ;; Coordinates and momenta of the modes are polynomials of degree 1, and go through the exponentials
 ;; of the generators as the Hamiltonian does; each generator raises the degree by one more.  The old
-;; state is the equilibrium and, beside it, what the matrix M makes of them; back, with
-;; M⁻¹ = −J Mᵀ J, what has the areas with its columns.
+;; state is the equilibrium and, beside it, their product with the matrix M; back, with
+;; M⁻¹ = −J Mᵀ J, its areas with the columns of M.
 
 (require racket/list
          "Birkhoff.rkt" "complex-polynomial.rkt"

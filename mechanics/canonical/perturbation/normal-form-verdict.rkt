@@ -3,10 +3,10 @@
 ;; derivatives of the generators as functions, is the normal form, and that commutes with the
 ;; oscillators.
 ;;
-;; With flonums for coefficients nothing of this is exactly so, and what rounding leaves of a
-;; difference is no refutation.  There the differences are computed without rounding, of the
+;; With flonums for coefficients nothing of this is exactly so, and a difference left by
+;; rounding is no refutation.  There the differences are computed without rounding, of the
 ;; polynomials with the numbers as they are, and beside them majorants: the same sums of the
-;; magnitudes of all that was added.  What is a small part of its majorant counts as 0.0.
+;; magnitudes of all that was added.  A difference that is a small part of its majorant is 0.0.
 
 (require "Birkhoff.rkt" "complex-polynomial.rkt"
          "../Lie/Lie-derivative.rkt" "../Lie/Lie-triangle.rkt"

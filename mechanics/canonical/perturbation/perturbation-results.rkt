@@ -25,7 +25,7 @@
          series->formula for-all-decimals)
 
 ;; state : of symbols; given : functions H₀, H₁, …; terms, Ws : Poisson series, of H' and
-;; the Wₙ; removals : for each order the list of what was removed; decimals : the symbols that
+;; the Wₙ; removals : for each order the list of waves removed; decimals : the symbols that
 ;; stand for decimals in terms, Ws and removals, and these (symbols-for-decimals.rkt)
 (value-struct perturbation (state given parameter terms Ws removals decimals)
   #:text perturbation->text)
@@ -52,8 +52,8 @@
 
 (define short 40)                       ; nodes of a graph
 
-;; P with the names of its decimals left in their place, so that what holds of it holds for all
-;; numbers there
+;; P with the names of its decimals left in their place, so that claims proved of it hold for
+;; all numbers there
 (define (for-all-decimals P)
   (define-values (state decimals) (values (perturbation-state P) (perturbation-decimals P)))
   (define (general H)

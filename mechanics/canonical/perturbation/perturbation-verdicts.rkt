@@ -97,8 +97,8 @@
                   ((Poisson-bracket (list-ref a i) (list-ref b (- m i)))
                    (perturbation-state P)))))))
 
-;; C, followed by its inverse as a Lie transform, and what the formulas of perturbation-inverse
-;; miss that by
+;; C, followed by its inverse as a Lie transform, and the amounts by which the formulas of
+;; perturbation-inverse miss that
 (define (round-trips P)
   (define (back terms) (carried-functions P terms -1))
   (define (by-formulas sign) (for/list ([terms (in-list (images P sign))]) (functions P terms)))

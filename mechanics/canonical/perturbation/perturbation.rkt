@@ -2,8 +2,8 @@
 ;; Perturbation theory as a procedure (SICM 7.1–7.3).
 ;;
 ;; H = H₀(I) + ε H₁(θ, I) + ε² H₂(θ, I) + ⋯ with waves in the angles θ is transformed, order by
-;; order, to one without angles (../Lie/Lie-triangle.rkt, homological.rkt).  What can not be
-;; removed, or is not to be, stays: resonances.  All divisors are kept with the answer, for where
+;; order, to one without angles (../Lie/Lie-triangle.rkt, homological.rkt).  Waves that cannot be
+;; removed, or are not to be, stay: resonances.  All divisors are kept with the answer, for where
 ;; one is small the answer is worth nothing.
 
 (require "../Lie/Lie-triangle.rkt" "homological.rkt" "perturbation-results.rkt" "Poisson-series.rkt"

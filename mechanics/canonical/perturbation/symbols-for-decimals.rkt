@@ -1,13 +1,13 @@
 #lang racket/base
 ;; Decimals named: symbols in the place of the decimals of a Hamiltonian.
 ;;
-;; Each order multiplies and divides what those before have rounded, and what is exactly 0 in
+;; Each order multiplies and divides rounded results of those before, and a sum exactly 0 in
 ;; theory is 1e-16 in decimals: then nothing is proved, and as exact rationals decimals have so
-;; many digits that all is slow.  With a symbol for each of them nothing is rounded, and what is
+;; many digits that all is slow.  With a symbol for each of them nothing is rounded, and a result
 ;; found, and proved, holds for all numbers in their place.  The numbers are put back at the end.
 ;;
 ;; Whole numbers written as decimals are counted with, and stay numbers; so do exponents, and
-;; what multiplies an angle within a sine or cosine.
+;; factors of an angle within a sine or cosine.
 
 (require "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
          "../../algebra/expression/substitute.rkt"

@@ -2,7 +2,7 @@
 ;; Does the sum k·ω vanish, for these frequencies ω?
 ;;
 ;; A sum of exact numbers does if it is 0; one of decimals, up to rounding: 0.1 + 0.2 − 0.3 is
-;; not 0, and what is divided by it is worth nothing.  One with symbols left does not, for there
+;; not 0, and a quotient by it is worth nothing.  One with symbols left does not, for there
 ;; are values for which it is not 0.
 
 (provide vanishing? rounding)

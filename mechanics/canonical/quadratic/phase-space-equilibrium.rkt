@@ -95,7 +95,7 @@
     (if (real? x) x
         (let ([y (simplify x)]) (or (known-number y) (raise-no-number who H y))))))
 
-;; part : what is no number; the first symbol in it is named
+;; part : an expression that is no number; the first symbol in it is named
 (define (raise-no-number who H part)
   (define names (if (expression? part) (symbols-in part) '()))
   (complain who

@@ -5,7 +5,7 @@
 ;;
 ;; D > 0: an oscillator, ω (Q² + P²)/2 with ω = ±√D, of the sign of b.  D < 0: a saddle, λ Q P with
 ;; λ = √−D, along the two directions in which H vanishes.  D = 0: nothing at all, or a motion like
-;; that of a free particle, p²/2, which no frequency describes.  What is exact stays so where the
+;; that of a free particle, p²/2, which no frequency describes.  Exact numbers stay so where the
 ;; roots are rational.
 
 (provide quadratic-pair (struct-out block) (struct-out trouble) identity-blocks

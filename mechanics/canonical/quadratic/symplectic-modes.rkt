@@ -3,9 +3,9 @@
 ;;
 ;; The motions are ż = B z with B = J A, whose eigenvalues come as ±iω, as ±λ, or as ±λ, ±λ*.
 ;; Eigenvalues that are near one another span a space together, found by inverse iteration, as
-;; each alone has no certain vector.  What is near 0 is a smaller quadratic form, on the space of
-;; those directions; oscillators of near frequencies are told apart by Hermitian-modes.rkt; what
-;; grows, Bξ = λξ, is paired with what decays, Bη = −λη, by ξᵀJη = 1.
+;; each alone has no certain vector.  Those near 0 make a smaller quadratic form, on the space of
+;; those directions; oscillators of near frequencies are told apart by Hermitian-modes.rkt; a
+;; growing vector, Bξ = λξ, is paired with a decaying one, Bη = −λη, by ξᵀJη = 1.
 ;;
 ;; Coordinates get units first, by which each is about as stiff as it is light.
 
@@ -150,7 +150,7 @@
     (block (block-frequencies b) (map back (block-qs b)) (map back (block-ps b)))))
 
 ;; q₁ … p₁ … with areas 1, of a space of real vectors: the pair of the greatest area is taken, and
-;; what the others have of it taken from them.
+;; its share in the others is taken from them.
 (define (symplectic-basis vectors)
   (let loop ([rest vectors] [qs '()] [ps '()])
     (cond
@@ -197,7 +197,7 @@
     (stop (trouble (if (<= distance tolerance) 'not-semisimple 'undecided)
                    (map (lambda (z) (* 0+1i z)) (take lambdas 2)) distance))))
 
-;; xis, etas : bases of what grows and of what decays
+;; xis, etas : bases of the growing and of the decaying vectors
 (define (paired lambda xis etas)
   (define areas
     (for/vector ([x (in-list xis)])

@@ -7,7 +7,7 @@
 ;; for exponents ±iω, ±λ and ±α ± iβ.  The sign of ω is that of the oscillator's energy.  It exists
 ;; if the motion is semisimple: if no two of equal exponents have but one direction together.
 ;;
-;; Numbers are known to some rounding only.  What is as small as the tolerance, beside the entries
+;; Numbers are known to some rounding only.  A number as small as the tolerance, beside the entries
 ;; of the form in balanced units, is 0.  How far the form is from one that is not semisimple is
 ;; told in the same measure: up to the tolerance it counts as one, and up to the root of the
 ;; tolerance it is undecided, since less than half of the digits of the frequencies' difference
@@ -28,7 +28,7 @@
 
 ;; status : 'found, 'undecided or 'not-semisimple; blocks : datums such as (elliptic ω);
 ;; coordinates : the lists of those that a block takes; frequencies : of each coordinate;
-;; matrix : old = matrix · new, or #f; distance : to what is not semisimple, or #f
+;; matrix : old = matrix · new, or #f; distance : to the nearest form not semisimple, or #f
 (value-struct quadratic-normal-form
               (status blocks coordinates frequencies matrix distance)
   #:text form->text)

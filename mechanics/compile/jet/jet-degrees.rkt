@@ -14,7 +14,7 @@
 (provide node-degrees graph-work)
 
 ;; slopes : the ids of the rates of the first inputs, or #f if nothing is known of these
-;; -> vector of exact integers, +inf.0 for what is none.  An input of degree d + 1 has a rate of
+;; -> vector of exact integers, +inf.0 for no polynomial.  An input of degree d + 1 has a rate of
 ;; degree d, so that degrees are found by repetition.
 (define (node-degrees g slopes)
   (let loop ([inputs (make-vector (graph-varying g) +inf.0)])

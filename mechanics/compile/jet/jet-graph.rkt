@@ -41,7 +41,7 @@
         (if (form? f) (whole! b f) (fail 'solve))))
     (pruned b outputs n)))
 
-;; Exact numbers are what exponents are told by, and factors that are nothing or 1.
+;; Exponents, and factors that are nothing or 1, are recognized as exact numbers.
 (define (exact-if-whole c)
   (if (and (integer? c) (not (zero? c))) (inexact->exact c) c))
 

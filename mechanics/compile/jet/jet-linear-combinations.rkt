@@ -1,5 +1,5 @@
 #lang racket/base
-;; Linear combinations of nodes, and what is computed of them.
+;; Linear combinations of nodes, and operations on them.
 ;;
 ;; Of one Taylor coefficient a linear combination costs next to nothing, a product a
 ;; convolution.  So sums, differences and multiples are not quantities of their own but *forms*,
@@ -98,7 +98,7 @@
         [else
          (define-values (d y) (single! b g))
          (define-values (base n) (base-and-exponent b y))
-         ;; what divides several is inverted once
+         ;; a divisor of several is inverted once
          (cond [(or (number-form? f) shared? (not (whole? n)))
                 (scale (/ 1 d) (multiply! b f (node-form (power-node! b base (- n)))))]
                [else

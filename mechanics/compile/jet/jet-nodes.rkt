@@ -8,7 +8,7 @@
 ;;
 ;; A law is an operation that has equations (generic/operation-equations.rkt); `partner` is
 ;; the partner of its value; an `integral` has no equations, but its derivative at a is another
-;; node.  `still` is any operation on what does not vary.
+;; node.  `still` is any operation on nodes that do not vary.
 
 (provide node-kind node-operands
          make-nodes nodes-count nodes-fail nodes-varying node! node-of still?)
@@ -24,7 +24,7 @@
     [(law integral still) (cddr n)]
     [else (cdr n)]))
 
-;; ids : node -> id; nodes : id -> node; still : ids of what does not vary; varying : how many
+;; ids : node -> id; nodes : id -> node; still : ids of nodes that do not vary; varying : how many
 ;; inputs may; fail : operation -> does not return
 (struct nodes (ids by-id still varying fail) #:authentic)
 

@@ -1,5 +1,5 @@
 #lang racket/base
-;; From programs to what computes Taylor coefficients of the motions they are the rates of.
+;; From programs for rates to makers of the Taylor coefficients of their motions.
 ;;
 ;; The nodes of a graph (jet-graph.rkt) become rows of coefficients, and recurrences
 ;; (numeric/Taylor) that compute them.  A node that is a polynomial in the time, as the time is
@@ -30,7 +30,7 @@
                           (graph-work g degrees (recurrences-coded? rs)) (branches? p))]))
 
 ;; make : order flvector -> expansion, given the values of all inputs, of which those beyond
-;; stay; work : what it takes; branches? : as in numeric/Taylor/expansion.rkt
+;; stay; work : the cost; branches? : as in numeric/Taylor/expansion.rkt
 (struct expansion-maker (make work branches?)
   #:authentic
   #:property prop:procedure 0)

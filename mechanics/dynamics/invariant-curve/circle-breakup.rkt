@@ -4,7 +4,7 @@
 ;;
 ;; Near the parameter at which a circle breaks up it loses its smoothness: its series converges
 ;; ever slower, and with any number of terms Newton's method fails a little before the circle does.
-;; So what is found is a lower bound, for it is a circle that is found there; and more terms come
+;; So the result is a lower bound, for it is a circle that is found there; and more terms come
 ;; nearer to the end (J. M. Greene, Journal of Mathematical Physics 20, 1979: the golden circle of
 ;; the standard map is the last, and breaks up at K = 0.971635406).
 
@@ -52,7 +52,7 @@
 
 (define (parameter who x) (finite-number who x "a real number as the parameter"))
 
-;; The failure says why, and what is known of the circle.
+;; The failure tells why, and how much of the circle is known.
 (define (raise-missing who failure from to)
   (define why (regexp-replace (format "^~a: " who) (exn-message failure) ""))
   (define message

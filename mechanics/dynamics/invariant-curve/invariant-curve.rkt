@@ -6,7 +6,7 @@
 ;; rotation do.  So an orbit and the rotation are followed together, from one angle.  Only the
 ;; points nearest to that angle, before it and behind it, need be kept: when the rotation comes
 ;; nearer than ever, the orbit must as well, on the same side.  If it does not it is ahead, or
-;; behind: by the sum of what its steps had more than the rotation's, for two angles on either
+;; behind: by the sum of its steps' excess over the rotation's, for two angles on either
 ;; side of half a turn from the start do not tell.  That sum stays below a turn where the rotation
 ;; numbers are the same (Poincaré).  Where actions turn faster the greater they are, bisection
 ;; finds the curve.

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Fixed points of a map and of its iterates, and what the map does near them.
+;; Fixed points of a map and of its iterates, and the map near them.
 ;;
 ;; A displacement from the point is multiplied by the matrix M of the map's derivatives there.  Its
 ;; eigenvalues, the multipliers, decide: where areas are kept two of them have the product 1 and

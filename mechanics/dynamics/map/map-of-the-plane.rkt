@@ -163,7 +163,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Numbers that are given
 
-;; names : what each of the xs is called
+;; names : a name for each of the xs
 (define (check-numbers who xs names)
   (for ([x (in-list xs)] [name (in-list names)])
     (finite-number who x (string-append "a real number as " name))))

@@ -72,7 +72,7 @@
 ;; The state at another time: there, too, the rate of the time is 1.
 (define (later state) (changed state (lambda (x k) (if (= k 0) (+ 1 x) x))))
 
-;; An energy makes a number of a state, and what is called one may not take a point (up x y).
+;; An energy makes a number of a state, and a procedure called one may not take a point (up x y).
 (define (check-no-energy who map at)
   (define (takes?) (if-raised refusal? #f (map at) #t))
   (when (or (of-momenta? map) (and (called-energy? map) (not (takes?)))) (raise-energy who map)))

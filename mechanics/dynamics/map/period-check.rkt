@@ -1,6 +1,6 @@
 #lang racket/base
-;; Is a time a period of a system?  A drive's frequency is easily given in its place: what is then
-;; seen after each such time is no map, for the drive is at another phase whenever one looks.
+;; Is a time a period of a system?  A drive's frequency is easily given in its place: the states
+;; after each such time make no map, for the drive is at another phase whenever one looks.
 ;;
 ;; The rates at the start and a period later are compared, of the state itself and of one beside
 ;; it: where a motion rests the drive may not be felt.  A state without the time in it has no drive,

@@ -2,8 +2,8 @@
 ;; One Lagrangian in several charts.
 ;;
 ;; A Lagrangian is written in some chart.  In another it is the same function of the motion, made
-;; by the induced transformation of local tuples and simplified, so that what is singular in the
-;; first chart alone is gone.  Or it is written by hand for several charts; then its values must
+;; by the induced transformation of local tuples and simplified, so that singularities of the
+;; first chart alone are gone.  Or it is written by hand for several charts; then its values must
 ;; agree where the motion goes over from one to another.
 
 (require "chart-choice.rkt" "../manifold-chart.rkt" "../manifold-point.rkt"

@@ -33,7 +33,7 @@
               (value->text (coordinate-system-manifold C)) (value->text C))))
 
 ;; ---------------------------------------------------------------------------
-;; Forms of fields; what is given are functions on spacetime, or numbers
+;; Forms of fields; fields are given as functions on spacetime, or numbers
 
 (define (Faraday E1 E2 E3 B1 B2 B3 #:in [frame SR])
   (form-of-fields 'Faraday frame (list E1 E2 E3) (list B1 B2 B3)))

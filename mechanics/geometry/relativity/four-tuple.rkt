@@ -7,7 +7,7 @@
 ;;
 ;;     ct ↦ γ (ct + β·x)         x ↦ x + γ β ct + γ²/(γ + 1) β (β·x),
 ;;
-;; takes what an observer measures who moves with v to what one at rest does.
+;; takes the components for an observer who moves with v to those for one at rest.
 
 (require "../../error/complain.rkt"
          "../../generic/arithmetic.rkt" "../../generic/describe.rkt" "../../generic/elementary.rkt"

@@ -17,7 +17,7 @@
          coordinates->event event->coordinates
          boost-direction v/c coordinate-origin)
 
-;; From coordinates in the frame to places, with what was said of the frame, #f for a base frame
+;; From coordinates in the frame to places, with the data of the frame, #f for a base frame
 (struct transport (to-place direction speed origin) #:authentic
   #:property prop:procedure (struct-field-index to-place))
 

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; `raco mechanics autograder`: a worksheet as an autograder for Gradescope, a ZIP archive that is
-;; ready to be uploaded; and what that runs for each submission.
+;; ready to be uploaded; and the program that it runs for each submission.
 ;;
 ;; The archive holds the library, so that its setup needs nothing but Racket.  Gradescope unpacks it
 ;; into /autograder/source, runs setup.sh once, and run_autograder for each submission, which finds

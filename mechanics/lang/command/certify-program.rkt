@@ -1,6 +1,6 @@
 #lang racket/base
 ;; `raco mechanics certify FILE`: a certificate for each proved verdict that a program shows, and
-;; what Coq says of it.
+;; Coq's answer to it.
 
 (require racket/file (only-in racket/list count) racket/path racket/string
          "program-verdicts.rkt" "written-files.rkt"
@@ -46,8 +46,8 @@
            (printf "    ~a: ~a\n" (short-path file) c)
            (if (or (not coqc) (accepted? coqc c)) 1 0)])))
 
-;; -> certificate, or the reason why there is none.  What fails with one verdict, or does not end,
-;; leaves the others theirs.
+;; -> certificate, or the reason why there is none.  A failure with one verdict, or an endless
+;; search, leaves the others theirs.
 (define (certificate-in-time v)
   (define found (make-channel))
   (define (find)

@@ -88,7 +88,7 @@
   (define file (settings-points w))
   (if (and file (file-exists? file)) (read-entered-points who file) '()))
 
-;; The table of points is written with what is open now, before the points are merged.
+;; The table of points is written with the answers open now, before the points are merged.
 (define (with-entries w r entries)
   (define file (settings-points w))
   (cond [(not file) r]

@@ -6,7 +6,7 @@
          "../../teaching/class/evaluate.rkt" "../../teaching/class/open-program.rkt"
          "../unknown-name/unknown-names.rkt" "../wrong-call/marked-line.rkt")
 
-;; Failures in our words, with the line of the form that was evaluated; what could not be read has
+;; Failures in our words, with the line of the form that was evaluated; an unreadable form has
 ;; its line.  An exception may be made by somebody who wishes us ill: its message is at hand.
 (define (words-with-line e)
   (define message (exn-message e))

@@ -75,7 +75,7 @@
     [else (build-path (or (getenv "XDG_DATA_HOME") (build-path home ".local" "share"))
                       "jupyter")]))
 
-;; given : as on the command line, or #f -> its full path; an error says what it lacks
+;; given : as on the command line, or #f -> its full path; an error names the lack
 (define (python-with-Jupyter given)
   (define python (find-executable-path (or given "python3")))
   (unless python
@@ -88,7 +88,7 @@
               (simplify-path (build-path package-folder "requirements.txt"))))
   (path->string python))
 
-;; -> did it succeed?  and what it wrote
+;; -> did it succeed?  and its output
 (define (run-python python statement)
   (define out (open-output-string))
   (define there?

@@ -14,7 +14,7 @@
 
 (provide (struct-out answer) demonstrate result-line)
 
-;; typed : text; printed : list of lines, each a text or what result-line made
+;; typed : text; printed : list of lines, each a text or a value of result-line
 (struct answer (typed printed))
 
 ;; value, columns -> its text, or whatever stands for it where the card is shown

@@ -1,5 +1,5 @@
 #lang racket/base
-;; A document is what the search can find, with the texts that it is found by.
+;; Documents: the finds of the search, with the texts that they are found by.
 
 (require "words.rkt")
 
@@ -9,7 +9,7 @@
          in-text)
 
 ;; fields : ((weight . text) ...), a word counting as its best field
-;; prior : what is added whatever is looked for
+;; prior : a weight added whatever is looked for
 (struct document (finding fields prior))
 
 ;; Weights of a word, by where it stands.

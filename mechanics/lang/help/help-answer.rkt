@@ -1,5 +1,5 @@
 #lang racket/base
-;; The output of `help`: the card of a name, what a text finds, or the questions there are.
+;; The output of `help`: the card of a name, the finds for a text, or the questions there are.
 
 (require racket/string
          "card-lines.rkt" "cards.rkt" "finding-lines.rkt" "finding.rkt" "search.rkt"

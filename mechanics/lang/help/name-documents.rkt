@@ -1,6 +1,6 @@
 #lang racket/base
-;; Names that the search can find.  The more pages and programs use a name, the likelier it is what
-;; is looked for.
+;; Names that the search can find.  The more pages and programs use a name, the likelier it is
+;; looked for.
 
 (require racket/list
          racket/string
@@ -32,7 +32,7 @@
                                  [name (in-list (remove-duplicates (map car (entry-names e))))])
     (hash-update texts name (lambda (t) (string-append t " " words)) "")))
 
-;; Other libraries have usual words for what they draw, and predicates are called by programs.
+;; Other libraries have usual words for their drawings, and predicates are called by programs.
 (define (title-weight c)
   (if (or (not (memq (card-library c) '(mechanics mechanics/book mechanics/plot)))
           (regexp-match? #rx"[?]$" (symbol->string (card-name c))))

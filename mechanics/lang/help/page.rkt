@@ -75,7 +75,7 @@
   (define found (with-head parts '(title)))
   (if (null? found) "" (section-heading (section-of (car found)))))
 
-;; A page in sections: first what stands before any, headed by the title, then each with its
+;; A page in sections: first the text before any, headed by the title, then each with its
 ;; heading, whatever its depth.
 (define (page-sections p)
   (let divide ([parts (page-parts p)] [here (section (page-title p) #f #f '())])

@@ -70,7 +70,7 @@
 (define shortest-beginning 4)
 (define longest-rest 2)
 
-;; -> hash, place to weight: of the word, half of its synonyms, a third of what begins with it, a
+;; -> hash, place to weight: of the word, half of its synonyms, a third of words it begins, a
 ;; quarter of a word that is its beginning
 (define (weights-of table w)
   (for*/fold ([weights (hasheqv)])

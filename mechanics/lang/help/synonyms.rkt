@@ -1,5 +1,5 @@
 #lang racket/base
-;; Words of the field for one thing: who looks for one of them also finds, less high, what has
+;; Words of the field for one thing: who looks for one of them also finds, less high, texts with
 ;; another.  And phrases that stand for others.
 
 (provide same-words phrases)

@@ -121,7 +121,7 @@
     (list 'up 't (tuple 'up coordinates) (tuple (if (eq? name 'H) 'down 'up) rates)))
   `(define ((,name ,@(remove* (flatten state) letters)) ,state) ,value))
 
-;; Of a definition that function-of-state made: what it is a function of; else #f
+;; Of a definition that function-of-state made: the argument of its function; else #f
 (define (state-by-sign form)
   (define head (cadr form))
   (and (pair? head) (pair? (car head))

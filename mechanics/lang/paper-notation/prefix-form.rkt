@@ -1,8 +1,8 @@
 #lang racket/base
-;; Formulas as on paper and in other programs, in prefix form: what a reader is told to type.
+;; Formulas as on paper and in other programs, in prefix form, for a reader to type.
 ;;
 ;; Forms that Racket read are put together to the text they were read from, which is read as a
-;; formula (algebra/notation/read-paper.rkt).  What it is to be offered as is read back by Racket,
+;; formula (algebra/notation/read-paper.rkt).  The form to be offered is read back by Racket,
 ;; and both have the same values at some points: else nothing is offered.
 
 (require "operation-sign.rkt" "other-notation.rkt" "same-values.rkt" "typed-text.rkt"
@@ -38,7 +38,7 @@
   (define form (and (not (regexp-match? #px"\\s" text)) (text->prefix-form text '() known?)))
   (and (pair? form) form))
 
-;; form : that was read in place of what was typed -> advice, or #f for the value of a call
+;; form : that was read in place of the text typed -> advice, or #f for the value of a call
 (define (advice-to-write form)
   (define sentence
     (cond [(not (pair? form)) "it is written ~a"]

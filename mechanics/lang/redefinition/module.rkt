@@ -3,7 +3,7 @@
 ;; again further down, functions defined before see the new definition, and names of the language
 ;; may be used until they are replaced.
 ;;
-;; Each form is expanded until it shows what it defines, and the second
+;; Each form is expanded until it shows its definitions, and the second
 ;; definition of a variable becomes its assignment:
 ;;
 ;;     (define (f) (g 1))        (define-values (f) (lambda () (g 1)))

@@ -1,6 +1,6 @@
 #lang racket/base
-;; Names of `mechanics/scmutils`, with what `mechanics` has in their place: for whoever types one
-;; without that library.  A test compares them with what the library exports.
+;; Names of `mechanics/scmutils`, with their counterparts in `mechanics`: for whoever types one
+;; without that library.  A test compares them with the library's exports.
 
 (provide scmutils-names scmutils-sentence)
 

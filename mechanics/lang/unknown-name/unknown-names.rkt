@@ -84,7 +84,7 @@
          (string-append (if (exn:fail:contract? e) (in-our-words message e) message)
                         (or (hint-for message e entry) ""))]))
 
-;; exn:fail:read -> the file and line that could not be read; #f for what was typed
+;; exn:fail:read -> the file and line that could not be read; #f for typed text
 (define (place-in-file e)
   (for/or ([place (in-list (exn:fail:read-srclocs e))])
     (and (path? (srcloc-source place))

@@ -62,7 +62,7 @@
 (define (hint-for-keyword message)
   (define found (for/or ([p (in-list unknown-keyword)]) (regexp-match p message)))
   (define known (if found (keywords-of (cadr found)) '()))
-  ;; what follows the keywords is advice on one of an earlier version
+  ;; text behind the keywords is advice on one of an earlier version
   (and (pair? known)
        (not (regexp-match? #rx"its keywords: [^\n]*\n" message))
        (keyword-hint (caddr found) known (regexp-match? #rx"its keywords: " message))))

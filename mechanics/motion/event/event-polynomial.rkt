@@ -107,8 +107,8 @@
   (and (place? o) (< (place-index o) n) (place-index o)))
 
 ;; make : order inputs -> expansion; value-at : flvector -> value; branches? : may it leave its
-;; series?  own : expansion of the function, made for the order when it is known; span : of what
-;; was followed last, in the unit of its coefficients
+;; series?  own : expansion of the function, made for the order when it is known; span : of the
+;; step followed last, in the unit of its coefficients
 (struct follower (make n tolerance value-at branches? [own #:mutable] [span #:mutable])
   #:authentic)
 
@@ -151,7 +151,7 @@
   (define by (change! f))
   (fl+ (flabs (flvector-ref by 0)) (flabs (fl* span (flvector-ref by 1)))))
 
-;; -> row, by how much the function changes with what is uncertain of the state
+;; -> row, by how much the function changes with the uncertainty of the state
 (define (change! f)
   (define own (follower-own f))
   (define row (flvector-copy (function-row own)))

@@ -13,14 +13,14 @@
 ;; look : flvector of a state, whose first scalar is the time; flvector of 2, where it puts the
 ;;        value and the rate of change of the function -> void
 ;; limit : its least value inside;  boundary : the event that occurs where it falls below
-;; whole : the trajectory so far -> what an exception carries
+;; whole : the trajectory so far -> the value that an exception carries
 (struct region (look limit boundary whole) #:authentic)
 
 ;; At a place within a step
 (struct view (place time value rate) #:authentic)
 
 ;; A watch in the course of a motion of states of n scalars.  point, seen : room for a state, and
-;; for what is seen of it;  last-view : #f at first;  safe : for so long after that there is no need
+;; for the value there;  last-view : #f at first;  safe : for so long after that there is no need
 ;; to look
 (struct guard (region point seen [last-view #:mutable] [safe #:mutable]) #:authentic)
 
@@ -60,7 +60,7 @@
   ((region-look (guard-region g)) point seen)
   (view place (flvector-ref point 0) (flvector-ref seen 0) (flvector-ref seen 1)))
 
-;; Enough where a step is no longer than what was thought to be safe: one look, at its end
+;; Enough where a step is no longer than the time thought to be safe: one look, at its end
 (define (plainly-inside? g end step limit)
   (define before (guard-last-view g))
   (and (fl>= (view-value end) limit) (note! g before end step)))

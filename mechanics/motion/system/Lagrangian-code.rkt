@@ -4,8 +4,8 @@
 ;; Lagrange's equations take second derivatives of L.  Run on placeholders as they are, these
 ;; make each part of L some n² times.  Here L is traced once, to a short list of instructions;
 ;; one sweep back over it gives ∂L/∂q and the momenta P = ∂L/∂v; one forwards over that, in
-;; the direction (1, v, 0), what of dP/dt is known; and one in the direction of each velocity
-;; a column of the mass matrix M, of which half is enough.  What remains is the system
+;; the direction (1, v, 0), the known part of dP/dt; and one in the direction of each velocity
+;; a column of the mass matrix M, of which half is enough.  The rest is the system
 ;;
 ;;     M a = ∂L/∂q − ∂P/∂t − (∂P/∂q) v.
 ;;
@@ -25,7 +25,7 @@
          ;; for those of constrained motions
          known-rates mass-matrix)
 
-;; For less, what is saved is not worth a second way.
+;; For less, the time saved is not worth a second way.
 (define fewest-coordinates 6)
 
 ;; -> the compiled rates, or #f where the derivative is another one, or does not allow that

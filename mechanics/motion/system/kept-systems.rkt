@@ -19,8 +19,8 @@
 
 (provide keeping-system clear-kept-systems)
 
-;; shape  : a state; mark : what else a system was made for; points : flvectors
-;; values : of the function watched there; system : what was made
+;; shape  : a state; mark : other values that a system was made for; points : flvectors
+;; values : of the function watched there; system : the one that was made
 (struct kept (shape mark points values system) #:authentic)
 
 ;; state derivative -> its latest systems, for states of different shapes

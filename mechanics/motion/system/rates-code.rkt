@@ -4,7 +4,7 @@
 ;; those of the state, have values.
 ;;
 ;; All come from the list of instructions of the rates: nothing of the user's is run again, and
-;; what was true of the rates when they were compiled is true of these.
+;; facts true of the rates when they were compiled are true of these.
 
 (require racket/flonum
          "../../compile/cache.rkt" "../../compile/compile-function.rkt"

@@ -2,9 +2,9 @@
 ;; Tables as text, by RFC 4180: a line for each row, commas between fields, quotation marks about
 ;; a field that has commas, quotation marks or line ends in it; the first line has the names.
 ;;
-;; A number is written with the fewest digits that are read back as the same flonum.  What is
-;; read may end its lines in any of the three ways, and have semicolons or tabs between fields, as
-;; spreadsheets save a table where numbers have decimal commas.
+;; A number is written with the fewest digits that are read back as the same flonum.  A table to
+;; be read may end its lines in any of the three ways, and have semicolons or tabs between fields,
+;; as spreadsheets save a table where numbers have decimal commas.
 
 (require racket/flonum
          (only-in racket/list argmax)
@@ -34,7 +34,7 @@
       (string-append "\"" (string-replace text "\"" "\"\"") "\"")
       text))
 
-;; As NumPy and spreadsheets read what is no finite number.
+;; Infinities and NaN as NumPy and spreadsheets read them.
 (define (number->field x)
   (cond [(fl< (flabs x) +inf.0) (number->string x)]
         [(fl= x +inf.0) "inf"]

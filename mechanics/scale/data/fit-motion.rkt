@@ -30,9 +30,9 @@
 
 (define who 'fit-motion)
 
-;; maker : a state derivative, or what makes one of the parameters
+;; maker : a state derivative, or a procedure that makes one of the parameters
 ;; start : a state, near which the motion begins; #:parameters : list of (name value)
-;; #:measured : state -> what was measured, a number or a tuple; the whole state without time if #f
+;; #:measured : state -> the value measured, a number or a tuple; the whole state without time if #f
 ;; #:deviation : standard deviation of the data, one for all or a list; #f where it is not known
 ;; -> motion-fit
 (define-plain (fit-motion maker start data
@@ -183,7 +183,7 @@
 
 (define (flvector-join vs) (for*/flvector ([v (in-list vs)] [x (in-flvector v)]) x))
 
-;; The sizes of the unknowns: as they are, or as they were given, for what is fitted may be 0.
+;; The sizes of the unknowns: as they are, or as they were given, for a fitted number may be 0.
 (define (sizes-of u x)
   (for/list ([x (in-flvector x)] [start (in-flvector (unknowns-start u))])
     (flmax (flabs x) (if (fl= start 0.0) 1.0 (flabs start)))))

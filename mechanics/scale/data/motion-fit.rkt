@@ -6,7 +6,7 @@
 
 (provide motion-fit motion-fit?)
 
-;; values : list of (name value) of what was fitted; covariance : matrix in the same order
+;; values : list of (name value) of the numbers fitted; covariance : matrix in the same order
 ;; start, parameters : with the values found; residuals : list of (up time residual ...)
 ;; chi-square : sum of squares, in units of the deviations if these were given
 ;; freedom : how many numbers more than unknowns; deviation : of the data, if it was estimated

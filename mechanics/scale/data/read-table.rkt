@@ -14,7 +14,7 @@
 
 ;; names : of all columns, of a file that has none; columns : those wanted, in this order
 ;; fold : row so-far -> so-far, a row being an up tuple
-;; -> the table; or what fold makes of its rows from `initial` on
+;; -> the table; or the result of fold on its rows, from `initial` on
 (define-plain (read-table file #:names [names #f] #:columns [columns #f]
                           #:fold [fold #f] #:initial [initial (void)])
   (define format (table-format who file))

@@ -2,8 +2,8 @@
 ;; The finished batches of an ensemble in a file, so that an interrupted run goes on where it
 ;; ended.
 ;;
-;; The file begins with a line that says what it is, and a fingerprint of the task.  A batch is
-;; kept with one of its starts; what was being written when the process ended is dropped.  Each
+;; The file begins with a line that tells its kind, and a fingerprint of the task.  A batch is
+;; kept with one of its starts; one half written when the process ended is dropped.  Each
 ;; has a checksum (record-file.rkt): a batch that the disk has damaged is done again, and the
 ;; others are used.
 

@@ -31,9 +31,9 @@
 (provide-parts ensemble-failure? "a failure, as evolve-ensemble gives it for a start"
   ensemble-failure-index ensemble-failure-message ensemble-failure-state)
 
-;; maker : a state derivative, or what makes one of the parameters
+;; maker : a state derivative, or a procedure that makes one of the parameters
 ;; starts : sequence of states; #:parameters : sequence of lists of them, one for each start
-;; -> list of values in the order of the starts; or what #:fold makes of them from #:initial on
+;; -> list of values in the order of the starts; or the result of #:fold on them from #:initial on
 (define-plain (evolve-ensemble maker starts end
                                #:parameters [parameters #f] #:events [events '()]
                                #:tolerance [tolerance 1e-10] #:method [method 'auto]

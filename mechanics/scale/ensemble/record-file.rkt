@@ -4,8 +4,8 @@
 ;;
 ;; A record is a mark, its length, the least byte first, so many bytes, and the SHA-1 of length and
 ;; bytes.  Where there is none that is whole, the next mark is looked for behind which there is one:
-;; what lies between is damaged.  What follows the last good one was cut off while it was written,
-;; or is damaged.
+;; bytes between are damaged.  Those behind the last good one were cut off while they were written,
+;; or are damaged.
 
 (require racket/fasl)
 

@@ -13,7 +13,7 @@
          send receive)
 
 ;; slope     : program of the rates, of a state of `size` scalars and the parameters
-;; collect   : program of what is wanted of the last state, or #f for all of it
+;; collect   : program of the values wanted of the last state, or #f for all of it
 ;; watches   : of the events that are looked for
 ;; clock?    : is the first scalar the time?
 ;; end, tolerance : flonums; method : a symbol

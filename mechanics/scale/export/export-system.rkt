@@ -52,7 +52,7 @@
   (cond [(receiver) => (lambda (receive) (receive (ready)) (format "~a" folder))]
         [else (path->string (write-exported who (ready) target folder replace? "#:replace? #t"))]))
 
-;; s : exported; again : what is to be typed to write over an export -> the folder
+;; s : exported; again : the text to be typed to write over an export -> the folder
 (define (write-exported who s target folder replace? again)
   (define to (checked-folder who folder replace? again))
   (write-folder who to (append ((files-for target) who s) (exported-tables s)))
@@ -92,7 +92,7 @@
     (check-old who to folder replace? again))
   to)
 
-;; Only what an export has written is written over.
+;; Only files that an export has written are written over.
 (define (check-old who to folder replace? again)
   (cond [(not (file-exists? (build-path to list-file)))
          (complain who

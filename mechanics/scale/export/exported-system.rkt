@@ -20,7 +20,7 @@
          exported-size exported-parameter-count no-function)
 
 ;; name       : string, of the functions and files
-;; definition : string, what the system is, as the user wrote it
+;; definition : string, the system as the user wrote it
 ;; variables, parameters : symbols, one for each scalar
 ;; clock?     : is the first variable the time?
 ;; slope      : program of variables and parameters, whose values are the rates

@@ -30,7 +30,7 @@
         "ERROR" (error-text m loop language)
         "WITHIN" (loop `(,@(coefficient-formulas m) (out ,(polynomial m 'a 'b))) '("out[i] ="))))
 
-;; targets : what becomes the values of the last statements, with the sign of assignment
+;; targets : the names that take the values of the last statements, with the sign of assignment
 (define (C-loop given statements targets language)
   (define-values (lines texts) (statement-lines given statements language))
   (string-append*

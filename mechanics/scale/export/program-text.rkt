@@ -3,7 +3,7 @@
 ;;
 ;; A value that is used once stands where it is used, as long as the line is not; others get a
 ;; name.  Parentheses are where the order of operations asks for them, and sums keep theirs:
-;; what is computed is what our own code computes, to the last bit.
+;; the results are those of our own code, to the last bit.
 
 (require racket/list
          racket/string

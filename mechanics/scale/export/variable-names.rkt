@@ -1,8 +1,8 @@
 #lang racket/base
 ;; Names of the user's variables in other languages.
 ;;
-;; Greek letters are spelled out, what no identifier may hold becomes an underscore; what is
-;; a word of the language, the name of another variable, or one of the names v7, v12 ... that
+;; Greek letters are spelled out, a sign that no identifier may hold becomes an underscore; a
+;; word of the language, the name of another variable, or one of the names v7, v12 ... that
 ;; values have, gets another one behind it.
 
 (require racket/string

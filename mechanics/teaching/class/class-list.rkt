@@ -3,7 +3,7 @@
 ;;
 ;; It says by which e-mail, number or name a platform knows somebody, and perhaps when answers were
 ;; handed in.  A submission is its participant's if its file or folder is named after one of these,
-;; or has the name in its line "Name:"; what a platform named counts before what a student wrote.
+;; or has the name in its line "Name:"; a platform's name counts before one that a student wrote.
 
 (require racket/list
          racket/string

@@ -2,7 +2,7 @@
 ;; Points that the teacher enters by hand, in a table: a row for each answer that is left to a
 ;; person.
 ;;
-;; The table is written with the answers in it, and the points empty.  What is entered in it is kept
+;; The table is written with the answers in it, and the points empty.  Points entered in it are kept
 ;; when the class is judged again, whatever the judgments are then; rows can be added for other
 ;; answers.  Rows stand by exercise, since one marks the same question of all.
 

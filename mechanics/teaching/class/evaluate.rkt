@@ -36,7 +36,7 @@
     (if (program-ended? p) (open) p))
   (void))
 
-;; -> procedure that opens what was handed in; tell : outline of a notebook -> any
+;; -> procedure that opens the submission; tell : outline of a notebook -> any
 (define (opener r run-cell tell)
   (define-values (text seconds megabytes)
     (values (request-text r) (request-seconds r) (request-megabytes r)))

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Lateness: what is handed in after the deadline keeps a share of its points.
+;; Lateness: a submission after the deadline keeps a share of its points.
 
 (require (only-in "../worksheet/deadlines.rkt" percents)
          "../worksheet/exercise.rkt"
@@ -8,7 +8,7 @@
 (provide lateness)
 
 ;; d : a deadline, or #f; time : seconds since 1970, or #f; extension : days of the student's own
-;; -> the share of the points that is kept, and what is said of it, or #f
+;; -> the share of the points that is kept, and the remark on it, or #f
 (define (lateness d time extension)
   (define late (if (and d time) (- time (deadline-seconds d) (* day extension)) 0))
   (cond [(or (not d) (<= late (* 60 (deadline-grace d)))) (values 1 #f)]

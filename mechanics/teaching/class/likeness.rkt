@@ -1,8 +1,8 @@
 #lang racket/base
-;; Submissions that are alike beyond what the questions make likely.
+;; Submissions that are more alike than the questions make likely.
 ;;
-;; Right answers are alike, and so are wrong ones with a common slip.  More is told by what two
-;; have in common, few others have, and nobody asked for: a wrong answer in the same form, a
+;; Right answers are alike, and so are wrong ones with a common slip.  More is told by traits that
+;; two have in common, few others have, and nobody asked for: a wrong answer in the same form, a
 ;; comment, the spelling of a name, the words of a reason.  Each such trait has a weight.  That two
 ;; share some has many reasons, so it is told to the teacher alone, and accuses nobody.
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; A student's notebook: its cells with code, one after the other, are the program.
 ;;
-;; Their sources count and nothing else: what a notebook shows as results anybody may have written.
+;; Their sources count and nothing else: the results that a notebook shows anybody may have written.
 ;; Text and raw cells are not run.
 
 (require racket/string
@@ -10,7 +10,7 @@
 
 (provide notebook-sources notebook-outline)
 
-;; text : of a file that anybody may have written -> sources, texts; what is wrong is an exn:fail
+;; text : of a file that anybody may have written -> sources, texts; a mistake in it is an exn:fail
 (define (notebook-sources text)
   (for/list ([c (in-list (cells-of text))] #:when (eq? (cell-kind c) 'code)) (cell-source c)))
 
@@ -24,7 +24,7 @@
 ;; As a program may have.
 (define most-characters 1000000)
 
-;; The lines that tell the author, as a program's comment would, and what is defined; then comments
+;; The lines that tell the author, as a program's comment would, and the definitions; then comments
 (define (notebook-outline text)
   (define cells (cells-of text))
   (define (lines-of kind pattern)

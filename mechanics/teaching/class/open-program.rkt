@@ -12,7 +12,7 @@
 
 (provide open-program open-cells answer-in program-ended? (struct-out program) reason failure-words)
 
-;; Exception -> what is said of it; the language knows better words, and the line.
+;; Exception -> words on it; the language knows better words, and the line.
 (define failure-words (make-parameter exn-message))
 
 ;; evaluator : or #f, if no form could be run

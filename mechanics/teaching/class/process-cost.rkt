@@ -6,7 +6,7 @@
 ;; program keeps its place from others, and one that starts further processes uses more than its
 ;; own time.  So the cost between two readings is the greater of
 ;;
-;;   passed − waited    what the clock says, without the time in which the program could have
+;;   passed − waited    the time by the clock, without that in which the program could have
 ;;                      run, and had no processor
 ;;   used               the processors' time of the process and of all that came from it.
 ;;

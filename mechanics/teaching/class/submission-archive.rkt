@@ -42,7 +42,7 @@
 (define (named bytes)
   (entry bytes (string-split (visible (bytes->string/utf-8 bytes #\?)) #rx"[/\\\\]" #:trim? #f)))
 
-;; Files that systems put beside others, and what is hidden, are none.
+;; Files that systems put beside others, and hidden files, are none.
 (define (seen? e)
   (not (for/or ([p (in-list (entry-parts e))])
          (or (equal? p "__MACOSX") (equal? p "compiled") (regexp-match? #px"^[.][^./]" p)))))
@@ -100,7 +100,7 @@
   (define most (most-bytes notebook?))
   (define found #f)
   (let/ec return
-    ;; what is too large is not unpacked further
+    ;; a file that is too large is not unpacked further
     (define (keep name folder? in [time #f])
       (define content (read-bytes (+ most 1) in))
       (define bytes (if (eof-object? content) #"" content))

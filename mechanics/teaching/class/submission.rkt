@@ -118,7 +118,7 @@
   (define text (with-handlers ([exn:fail:contract? (lambda (e) #f)]) (bytes->string/utf-8 bytes)))
   (cond [(not text) (without-program id "it is no text in UTF-8")]
         [(string=? "" (string-trim text)) (without-program id "it is empty")]
-        ;; what a notebook holds is told by the process that reads it
+        ;; the contents of a notebook are told by the process that reads it
         [notebook? (submission id id text #f #t time)]
         [else (submission id (person-in text id) text #f #f time)]))
 
@@ -127,6 +127,6 @@
   (define name (if m (visible (string-trim (cadr m))) ""))
   (if (string=? name "") id name))
 
-;; outline : the lines of a notebook that tell its author and what it defines
+;; outline : the lines of a notebook that tell its author and its definitions
 (define (with-outline s outline)
   (struct-copy submission s [person (person-in outline (submission-id s))] [text outline]))

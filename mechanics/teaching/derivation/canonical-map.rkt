@@ -27,7 +27,7 @@
   (define image (C state))
   (unless (and (tuple? image) (= (shape-length image) (shape-length state)))
     (complain who "its values are to be states like (up t q p)\n  value: ~a" (value->text image)))
-  ;; each once, less what it is to be: of J − M J Mᵀ, which is antisymmetric, the lower half
+  ;; each once, less its value if C is canonical: of J − M J Mᵀ, antisymmetric, the lower half
   (define (brackets)
     (define excess ((symplectic-transform? C) state))
     (define size (m:num-rows excess))

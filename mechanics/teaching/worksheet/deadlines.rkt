@@ -1,5 +1,5 @@
 #lang racket/base
-;; Deadlines: when answers are due, and what is late costs.
+;; Deadlines: when answers are due, and the cost of lateness.
 ;;
 ;; A time is written 2026-11-20 18:00, in the zone of the machine, or with its zone after it,
 ;; 2026-11-20 18:00 +01:00; learning platforms also write 20 November 2026, 6:00 PM.

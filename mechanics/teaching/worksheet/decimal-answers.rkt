@@ -2,7 +2,7 @@
 ;; Decimals in answers: 1.41 a x is √2 a x, as far as it tells.
 ;;
 ;; Two expressions agree if at all points tried their difference is small beside the sizes of the
-;; key's terms, and beside what changes in the key if its decimals, and π, are a little off.  The
+;; key's terms, and beside the key's change if its decimals, and π, are a little off.  The
 ;; symbols' values are of very different sizes, so that no term hides behind another at all points.
 ;;
 ;; Where something is to be proved, decimals are read as the exact numbers that they stand for.

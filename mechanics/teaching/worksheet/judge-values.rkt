@@ -49,7 +49,7 @@
   (define least (if (or (setting e 'absolute) (zero? k)) 1 (abs k)))
   (<= (abs (- a k)) (* tolerance least)))
 
-;; Names in a number are a unit, or what the student has a number for.
+;; Names in a number are a unit, or symbols that the student has numbers for.
 (define (number-wanted names unit)
   (format "it has ~a in it: give the number alone~a" (joined (map symbol->string names))
           (if unit (format ", in ~a" unit) "")))

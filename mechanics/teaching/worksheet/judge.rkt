@@ -25,7 +25,7 @@
                 (judge-written e (read-written-answer e (cadr d))))]
     [else (if (keyless? e) (judgment 'kept #f #f '()) (judge-datum e (cadr d)))]))
 
-;; A formula as on paper is judged as what was read, which is told.
+;; A formula as on paper is judged as it was read, which is told.
 (define (judge-written e d)
   (define j (judge e d))
   (if (eq? 'answer (car d))
@@ -58,7 +58,7 @@
 (define (not-judged x)
   (undecided-judgment #f (string-append "it could not be judged: " (exn-message x))))
 
-;; key : a datum.  What decimals leave undecided is judged with the exact numbers they stand for.
+;; key : a datum.  Cases that decimals leave undecided are judged with the exact numbers meant.
 (define (judge-by-key e key answer)
   (define j (judge-once e key answer))
   (define (exact d) (with-exact-decimals d))

@@ -10,7 +10,7 @@
 
 (provide names-in-question prescribed-names unknown-names)
 
-;; data : the key, the system, and what else is given of it -> constants, functions
+;; data : the key, the system, and other settings of it -> constants, functions
 (define (names-in-question data coordinates arguments)
   (define-values (constants functions) (names-in data))
   (define prescribed (append arguments (prescribed-names coordinates)))

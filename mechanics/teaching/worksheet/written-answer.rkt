@@ -63,7 +63,7 @@
   #:property prop:custom-write
   (lambda (x port mode) (write-string (formula-read '() (formula-as-read-datum x)) port)))
 
-;; names : coordinates -> "m ẍ + k x", what was read, on one line
+;; names : coordinates -> "m ẍ + k x", the formula as read, on one line
 (define (formula-read names datum)
   (tree->line (datum->tree (with-dots datum names) (current-way #f #f))))
 
@@ -99,14 +99,14 @@
     [(2) (if (eqv? 0 (cadr sides)) (car sides) (list '- (car sides) (cadr sides)))]
     [else (refuse "there are several = in one equation")]))
 
-;; Of E = ... = const what is not the same whatever the state, if that is one side
+;; Of E = ... = const the side that varies with the state, if it is one alone
 (define (moving-sides e sides)
   (define names (moving-names (exercise-coordinates e)))
   (define moving
     (for/list ([s (in-list sides)] #:when (ormap (lambda (d) (memq d names)) (flatten s))) s))
   (if (= 1 (length moving)) moving sides))
 
-;; Of L = ..., x(t) = ... what stands on the right
+;; Of L = ..., x(t) = ... the right side
 (define (right-side sides refuse)
   (define left (car sides))
   (unless (or (null? (cdr sides)) (symbol? left)

@@ -6,7 +6,7 @@
 ;;
 ;;     Q(A) = (A − λ)(A − λ'),
 ;;
-;; so that A − λ' maps what Q(A) maps to 0, which is rational, to eigenvectors.  Their components
+;; so that A − λ' maps the null space of Q(A), which is rational, to eigenvectors.  Their components
 ;; are p + q √D, of which decimals are taken in the end (surd.rkt).
 
 (require racket/list
@@ -34,7 +34,7 @@
                [y (in-vector (structure-elements (g:* m w)))])
       (surd (- y (* p x)) (* q x) D))))
 
-;; Vectors that are independent of one another and of what m makes of the others
+;; Vectors that are independent of one another and of the images of the others under m
 (define (apart-with-images m vectors)
   (for/fold ([found '()] [all '()] #:result (reverse found)) ([w (in-list vectors)])
     (define more (list* w (g:* m w) all))

@@ -21,7 +21,7 @@
          solve-linear-left solve-linear-right
          rank null-space
          s->m m->s s:inverse
-         ;; for what else is known of square matrices
+         ;; for other properties of square matrices
          square-entries)
 
 ;; ---------------------------------------------------------------------------
@@ -260,7 +260,7 @@
   (define-values (rows shape) (rows-and-shape 'null-space A))
   (map shape (rows-null-space 'null-space A rows)))
 
-;; The matrix of x ↦ (* A x), and what makes an x of its components.
+;; The matrix of x ↦ (* A x), and a procedure that makes an x of its components.
 (define (rows-and-shape who A)
   (cond [(matrix? A) (values (matrix-rows A) (lambda (v) (structure 'up v)))]
         [(and (tuple? A) (nested-parts who (adopt A)))

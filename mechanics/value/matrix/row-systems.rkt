@@ -8,10 +8,10 @@
 ;; - numbers, some of them flonums, with partial pivoting
 ;; (numeric/linear-algebra/flonum-systems.rkt),
 ;; - those of higher precision likewise (numeric/bigfloat/bigfloat-systems.rkt),
-;; - what is being differentiated by systems of its values (perturbed-system.rkt),
+;; - perturbed values by systems of their parts (perturbed-system.rkt),
 ;; - anything else without divisions (division-free.rkt).
 ;;
-;; Results are graphs that share what they are made of, not simplified.
+;; Results are graphs that share their parts, not simplified.
 
 (require racket/list
          "division-free.rkt" "perturbed-system.rkt" "row-products.rkt" "traced-linear-system.rkt"

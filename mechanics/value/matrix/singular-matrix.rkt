@@ -1,6 +1,6 @@
 #lang racket/base
-;; A matrix without an inverse, in words: which rows depend on which, what it
-;; takes to zero, whether the system still has solutions.
+;; A matrix without an inverse, in words: the dependence of its rows, its null
+;; space, whether the system still has solutions.
 
 (require "../algebra.rkt" "../assumptions.rkt"
          "../../algebra/expression/expression.rkt"

@@ -6,7 +6,7 @@
 ;; The rule is generic code and wants values of the arithmetic; `wrap` makes one of
 ;; a sequence, which the operations take apart again by way of `unwrap`.  The rule
 ;; may use the value of the operation itself: the sequence is handed to it before
-;; it is known, and it looks only at what is.
+;; it is known, and it looks only at the known part.
 
 (require "coefficients.rkt"
          "../../error/computed-once.rkt"
