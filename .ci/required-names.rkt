@@ -3,8 +3,8 @@
 ;;
 ;; Names are compared as they are written, and nothing is expanded: all files take seconds, where
 ;; an analysis of the expanded modules takes minutes, and cannot see into submodules.  A require
-;; passes if one of its names stands in the file for something else.  What is required is loaded,
-;; so it had better be compiled.
+;; passes if one of its names stands in the file for something else.  Required modules are loaded,
+;; so they had better be compiled.
 
 (require racket/list racket/match racket/set syntax/modread syntax/modresolve)
 

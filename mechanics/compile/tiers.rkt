@@ -5,7 +5,7 @@
 ;; faster so.  Others become machine code where the processor is known and has all their operations.
 ;; Elsewhere they are closures first, and compiled when that has paid: a run saves some nanoseconds
 ;; an instruction if it is compiled, and compiling takes some ten thousand times that, so the size
-;; of the program does not matter; the number of its runs counts, by anybody.  All do the same
+;; of the program does not matter; only its runs count, by anybody.  All do the same
 ;; operations in the same order, and give the same values.
 
 (require "Racket-code.rkt" "closures.rkt" "program.rkt"

@@ -1,5 +1,5 @@
 #lang racket/base
-;; Lacks and refusals of the machine at hand, where the question was well put: a display,
+;; Means that the machine at hand lacks or refuses, where the question was well put: a display,
 ;; a library, a file that may be written.
 
 (require "message-words.rkt")

@@ -18,7 +18,7 @@
 (define many 512)                ; points that few smooth f need; then panels are tried
 (define most 8192)
 (define closeness 1e-12)
-(define noise 1e-9)              ; what rounding may leave, where f is a small difference
+(define noise 1e-9)              ; left by rounding, where f is a small difference
 
 ;; from-low, from-high : v -> flonum, for v up to π/2;  fail : value error ->
 (define (average-over-half-turn from-low from-high fail)

@@ -1,6 +1,6 @@
 #lang racket/base
-;; The programs for the exercises: which there are, what each says of itself, and how what it
-;; prints looks.  What it should be is tested in them, which is run here.
+;; The programs for the exercises: their list, their headings, and the look of their
+;; output.  Its content is tested in them, which is run here.
 
 (require (only-in mechanics/book)
          (only-in mechanics/plot)

@@ -3,7 +3,7 @@
 ;; loading.  Loading is most of what a user waits for at the start, and a library
 ;; that prints or sets parameters is a nuisance in a program.
 
-;; for-label: compiled with this file.  What an expansion loads would be counted.
+;; for-label: compiled with this file.  Modules that an expansion loads would be counted.
 (require (for-label mechanics mechanics/base mechanics/book)
          racket/list
          racket/path

@@ -1,5 +1,5 @@
 #lang mechanics
-;; Momenta conserved by a central force (SICM 1.8, pp. 84, 85 and 91).
+;; Conservation under a central force (SICM 1.8, pp. 84, 85 and 91).
 
 (require mechanics/book)
 

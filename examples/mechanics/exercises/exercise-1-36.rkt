@@ -27,7 +27,7 @@ symmetry
 right
 conserved
 
-;; A shift of θ is no symmetry.  What would be its integral is not conserved.
+;; A shift of θ is no symmetry.  Its would-be integral is not conserved.
 (define (tilt s) (lambda (local) (+ (coordinate local) (up s 0))))
 (define wrong (verify-conserved round (Noether-integral round tilt) state))
 (verdict-status wrong)

@@ -2,7 +2,7 @@
 ;; How good is a path found by minimizing the action?  (SICM 1.4, p. 22, Figure 1.2)
 ;;
 ;; The path of a harmonic oscillator from 1 to 0 in a quarter of its period is a cosine;
-;; a polynomial through three points in between is searched for.  What is drawn is the
+;; a polynomial through three points in between is searched for.  The figure shows their
 ;; difference, as a function of time.
 
 (require mechanics/plot mechanics/book)

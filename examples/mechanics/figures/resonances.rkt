@@ -3,8 +3,8 @@
 ;; resonances, one at a time, for the figures of section 7.4.
 ;;
 ;; With the time as an angle φ = ωt the perturbation is three waves, each with a momentum at which
-;; its angle k·(φ, θ) rests.  Near one of these the others are removed by a Lie transform.  What is
-;; left is a pendulum, moved by elliptic functions: into the new variables, on, and back.
+;; its angle k·(φ, θ) rests.  Near one of these the others are removed by a Lie transform.  A
+;; pendulum is left, moved by elliptic functions: into the new variables, on, and back.
 
 (require mechanics/plot)
 

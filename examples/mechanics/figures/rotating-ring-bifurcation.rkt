@@ -9,8 +9,8 @@
      (* m g R (cos theta))))
 (define critical (sqrt 9.8))            ; R = 1, g = 9.8
 
-;; Angles of equilibrium against the angular velocity of the ring.  What the frequency
-;; of small oscillations says is not stable is dotted.
+;; Angles of equilibrium against the angular velocity of the ring.  Those that the frequency
+;; of small oscillations shows not to be stable are dotted.
 (define (force omega theta) (((partial 1) (L-ring 1.0 1.0 omega 9.8)) (up 0 theta 0)))
 (define (aside omega) (acos (/ 9.8 (square omega))))
 (define bifurcation

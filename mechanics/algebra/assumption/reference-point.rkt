@@ -95,7 +95,7 @@
              [i (in-naturals)])
     (values leaf i)))
 
-;; The relations that speak of one of the leaves, or of what such a relation speaks of.
+;; The relations that speak of one of the leaves, or of a leaf that such a relation speaks of.
 (define (concerning leaves relations)
   (define (leaves-in r) (hash-keys (leaves-of (list (relation-expression r)))))
   (let loop ([known leaves] [chosen '()] [rest relations])

@@ -4,7 +4,7 @@
 ;; A ball is the set of all reals within `radius` of `middle`, both integers in units of
 ;; 2^scale.  An operation on balls makes one that holds every value which the operation has at
 ;; points of theirs: bounds on derivatives widen it, and where digits are dropped, so that no
-;; middle grows beyond the precision asked for, the radius grows by what they may have been
+;; middle grows beyond the precision asked for, the radius grows by the most they may have been
 ;; worth.  Hence a ball without 0 is a proof that its number is not 0.
 ;;
 ;; Where the operation has no real value at any point of a ball, this is raised as `no-value`;

@@ -21,7 +21,7 @@
  find-operation      ; name -> operation, or #f
  operations-where    ; (operations-where fact ...) : those of which the table says all this
  circular-functions functions-of-angles  ; these are circular and hyperbolic
- written-names       ; names of operations and of what prints as a quotient by one
+ written-names       ; names of operations and of quotients by one
  ;; literal heads
  (struct-out literal-head)
  make-literal-head literal-head-derivative head=? head-hash head->datum)

@@ -25,7 +25,7 @@
 (struct alias (expression) #:authentic)
 
 ;; visit : expression -> void, the walk itself, for expressions that stand for
-;; others.  resolutions : node, symbol or odd number -> what stands for it.
+;; others.  resolutions : node, symbol or odd number -> its resolution.
 ;; angles : (kind . form) -> angle, for the kinds 'circular, 'hyperbolic and
 ;; 'exponential.  logarithms : simplified argument -> nodes.  roots : radicand ->
 ;; root.  tower : roots, and kernels of absolute values, the last met first: so

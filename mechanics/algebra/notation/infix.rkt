@@ -2,7 +2,7 @@
 ;; A tree on one line: ½ m ẋ² − m g x, (a + b)/(2 c), D²x(t), up(r, φ).
 ;;
 ;; Parentheses replace the grouping of a fraction bar or a raised exponent, so
-;; that read-infix.rkt reads from the line what was written.  A product is written with spaces,
+;; that read-infix.rkt reads from the line the tree written.  A product is written with spaces,
 ;; an application without; a quotient holds all that stands before the slash in its product,
 ;; and one factor behind it.
 

@@ -31,7 +31,7 @@
 (struct digits (text) #:prefab)          ; a number without sign: 12, 0.5
 (struct scientific (digits exponent) #:prefab)   ; digits × 10^exponent
 (struct imaginary (coefficient) #:prefab)   ; a number times i
-(struct plain (text) #:prefab)           ; the plain form of what is no formula
+(struct plain (text) #:prefab)           ; the plain form of a value that is no formula
 
 ;; Formulas
 (struct row (items) #:prefab)            ; one beside the other, without space

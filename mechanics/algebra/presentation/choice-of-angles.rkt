@@ -2,7 +2,7 @@
 ;; In which angles a polynomial is written.
 ;;
 ;; Choosing between sin² and cos², and contracting products, finds most short
-;; forms.  Several terms left over that agree in all but sines and
+;; forms.  A sum left over of terms that agree in all but sines and
 ;; cosines is also written as waves (waves.rkt): so 16 cos⁵t - 20 cos³t + 6 cos t
 ;; is cos 5t + cos t, and sin²(θ - φ), spread over four terms in sines and
 ;; cosines of θ and φ, is found again.  The shorter form is kept.

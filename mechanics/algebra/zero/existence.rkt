@@ -25,8 +25,8 @@
                              (lambda (lookup) (defined? t lookup value)))
              #t))))
 
-;; Has it a value where all leaves are positive, as √(k/m) does?  Then divisors are made of
-;; its leaves and positive numbers without a minus sign, and so are its radicands and
+;; Has it a value where all leaves are positive, as √(k/m) does?  Then its divisors are made of
+;; leaves and positive numbers without a minus sign, and so are its radicands and
 ;; the arguments of its logarithms.  Unknown functions may have any values, positive ones too.
 (define (defined-among-positive? t)
   (define positive (make-vector (tape-length t) #f))

@@ -16,7 +16,7 @@
 (define in-number 36)          ; 1.29 of exercise 1.29
 (define in-section-number 24)
 (define in-title 30)           ; divided among the words of the title
-(define in-lesser-title 20)    ; of what is rarely meant
+(define in-lesser-title 20)    ; of names rarely meant
 (define in-page-title 12)
 (define in-heading 9)
 (define in-sentence 8)

@@ -60,7 +60,7 @@
                    [-0.5960392048282249 z3])))
 
 (define most-iterations 10)
-(define beside-error 1e-3)              ; what may be left of Newton's iteration
+(define beside-error 1e-3)              ; error left by Newton's iteration
 (define fast 1e-3)                      ; the rate of convergence at which J is kept
 
 ;; ---------------------------------------------------------------------------

@@ -91,7 +91,7 @@
 (define (limit-of r)
   (or (run-limit r)
       (let* ([usual (run-unit r)] [limit (expand-in-fit-unit! r)])
-        (unless (fl> limit 0.0) (set-run-unit! r usual)) ; what was tried fits nothing
+        (unless (fl> limit 0.0) (set-run-unit! r usual)) ; the unit tried fits nothing
         (set-run-limit! r limit)
         limit)))
 

@@ -92,7 +92,7 @@
   (define (lower? a f* g*) (<= f* (+ f (* fair-part a slope))))
   (define (flatter? a f* g*)
     (and (<= f* (+ f noise)) (<= (flabs (dot g* p)) (* 0.9 (flabs slope)))))
-  (define hidden? (<= (- slope) (* epsilon (flabs f))))        ; what it promises, by rounding
+  (define hidden? (<= (- slope) (* epsilon (flabs f))))        ; its promise, by rounding
   (if (< slope 0.0)
       (let-values ([(next f* g*) (if hidden? (values #f #f #f) (first-part at x p lower?))])
         (if next (values next f* g*) (first-part at x p flatter?)))

@@ -95,7 +95,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Letters
 
-(define gap 5.0)                 ; pixels, between a point and what is beside it
+(define gap 5.0)                 ; pixels, between a point and its neighbour
 
 ;; Letters in a row, of an index or not: "θ_1 + x" has "θ", "1" and " + x".
 (struct run (text index?))

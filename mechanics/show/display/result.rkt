@@ -3,7 +3,7 @@
 ;; the book's notation, as an S-expression or in the style that is wanted.
 ;;
 ;; Our values become text that prints as itself, or a picture; others (strings, lists,
-;; pictures) stays as it is for Racket to print, its elements simplified.
+;; pictures) stay as they are for Racket to print, their elements simplified.
 
 (require "picture-advice.rkt" "waiting-remark.rkt" "result-lines.rkt"
          "../../algebra/expression/expression.rkt"
@@ -154,7 +154,7 @@
       (verdict? x)
       (unprintable? x)))
 
-;; Our other printed values, such as equilibria and trajectories, which are not simplified:
+;; The rest of our values, such as equilibria and trajectories, which is not simplified:
 ;; it prints itself, and is never a part of quoted data.
 (define (ours? x)
   (or (in-notation? x)

@@ -17,7 +17,7 @@
   (class object%
     (super-new)
     (abstract draw)               ; tree -> piece
-    (abstract draw-leaf)          ; the same, of what is drawn on one line everywhere
+    (abstract draw-leaf)          ; the same, of leaves on one line everywhere
     (abstract prose verbatim number)
     (abstract roman)              ; upright letters: those of e and i
     (abstract sign)               ; (sign text form), form : 'prefix, 'infix or 'relation

@@ -25,8 +25,8 @@
 ;; ---------------------------------------------------------------------------
 ;; Results
 
-;; A printer of results.  What it writes to a page, a port that takes elements, a browser shows
-;; as a formula, with a switch to what the prompt prints; elsewhere that is all.
+;; A printer of results.  On a page, a port that takes elements, a browser shows its results
+;; as formulas, with a switch to the prompt's output; elsewhere that output is all.
 ;; print : prints as a prompt does; value->markup : of the library whose values they are
 (define ((typesetting print value->markup) x)
   (define markup (and (port-writes-special? (current-output-port)) (value->markup x)))

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Questions as templates: forms in which names in capitals stand for parts that are chosen, and
-;; (line e) and its kin for functions of which e is the value.  What remains of symbols in e are
+;; (line e) and its kin for functions of which e is the value.  Other symbols in e are
 ;; parameters, and quoted.
 
 (require racket/list

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; e^(a + b) was not e^a e^b where a had a sum in its denominator: over the common
-;; denominator b had other terms than by itself.  What should have vanished was printed
+;; denominator b had other terms than by itself.  A difference equal to 0 was printed
 ;; as (- 1 1), refuted, or an internal error.
 
 (require mechanics "../support/checks.rkt")

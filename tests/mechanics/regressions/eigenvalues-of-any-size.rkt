@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Eigenvalues of flonums whose squares overflow or vanish were wrong without a word:
-;; of 10¹⁶⁰ times a symmetric matrix its diagonal came back.  What is not finite gave
-;; numbers, too.
+;; of 10¹⁶⁰ times a symmetric matrix its diagonal came back.  Matrices that are not finite
+;; gave numbers, too.
 
 (require mechanics "../support/checks.rkt")
 

@@ -3,7 +3,7 @@
 ;; wherever the last terms are small beside the others, or beside 1.  Where the others are 10⁴³
 ;; they tell nothing of zeros: of exp(100 x) = 1, with x = cos t, no time was found, but another.  A
 ;; function of 10⁻²⁵ had its last terms unread, and four of 31 zeros; and where 64 parts of a step
-;; do not do, as for sin 500 t, half the zeros were missed.  What is expected is known of a circle.
+;; do not do, as for sin 500 t, half the zeros were missed.  Expected times are those of a circle.
 
 (require (except-in mechanics time) "../support/checks.rkt")
 

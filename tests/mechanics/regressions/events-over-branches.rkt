@@ -2,7 +2,7 @@
 ;; The Taylor series of an angle goes on after half a turn, where the angle begins anew; that of
 ;; √x² = |x| is x, beyond 0 as well.  Events were the zeros of such series: of three times at
 ;; which an angle is 2 the first was found alone, of nineteen zeros of atan tan 3t - 1/2 seven,
-;; and of |x| = 1/2 there were some that are none.  What is expected is known of a circle.
+;; and of |x| = 1/2 there were some that are none.  The expected times are those of a circle.
 
 (require (except-in mechanics time) "../support/checks.rkt")
 

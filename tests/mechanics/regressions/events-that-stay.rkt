@@ -1,7 +1,7 @@
 #lang racket/base
 ;; A force that acts on contact alone becomes 0 and stays so.  When it does was told as the first
 ;; of eight places in a step at which it was seen to be 0, up to an eighth of the step too late:
-;; of ⌊t⌋ = 5, that t is 5.014.  What is expected is known of a circle, x = cos t.
+;; of ⌊t⌋ = 5, that t is 5.014.  The expected times are those of a circle, x = cos t.
 
 (require (except-in mechanics time) "../support/checks.rkt")
 

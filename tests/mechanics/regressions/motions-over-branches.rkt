@@ -3,7 +3,7 @@
 ;; 0; that of atan tan x goes on beyond π/2.  So motions by the usual method went over such places
 ;; as if nothing were there: q̈ = -q/√q² to t = 20 was wrong by 2, ẋ = atan tan t by 10¹⁶.  And a
 ;; force that is nothing for so long as the series can tell was never noticed where it is nothing
-;; again at the end: ẋ = sin⁴⁰ t from 0 to 2π gave 0.  What is expected follows from formulas.
+;; again at the end: ẋ = sin⁴⁰ t from 0 to 2π gave 0.  The expected values follow from formulas.
 
 (require (except-in mechanics time) "../support/checks.rkt")
 

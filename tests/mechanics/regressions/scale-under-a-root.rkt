@@ -1,6 +1,6 @@
 #lang racket/base
-;; 0.2 is 3602879701896397/2⁵⁴, and √(0.2 (3 - y)) had the root of 2⁻⁵⁴ taken out.  What it left
-;; were integers of 16 digits, exact in looks, one of which had been rounded.
+;; 0.2 is 3602879701896397/2⁵⁴, and √(0.2 (3 - y)) had the root of 2⁻⁵⁴ taken out.  Integers of
+;; 16 digits were left, exact in looks, one of which had been rounded.
 
 (require mechanics "../support/checks.rkt")
 

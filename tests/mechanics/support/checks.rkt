@@ -3,7 +3,7 @@
 ;;
 ;; A check of rackunit expands to functions with keywords, contracts and syntax objects, and there
 ;; are thousands of checks.  Here it is a call of `run-check` with a datum that says where the
-;; check stands and how it reads.  What is counted and what a failure tells are rackunit's.
+;; check stands and how it reads.  Counting, and the words of a failure, are rackunit's.
 ;;
 ;; Its `fail` is left out: maps of the book have an argument of this name.
 

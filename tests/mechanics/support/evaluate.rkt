@@ -24,7 +24,7 @@
 
 ;; The lookup of a point ((expression . number) ...) giving values to symbols
 ;; and literal applications.  An application is known by its function and the
-;; values of its arguments.  What the point leaves out goes to `otherwise`.
+;; values of its arguments.  Leaves that the point lacks go to `otherwise`.
 (define (point-lookup point [otherwise raise-no-value])
   (define symbols (make-hasheq))
   (define applications (make-hash))

@@ -2,8 +2,8 @@
 ;; Intervals that hold a real number for certain, over any kind of endpoints.
 ;;
 ;; A kind of endpoints (flonums rounded outwards in flonum.rkt, integers at a fixed
-;; scale in fixed.rkt) is a record of what is done to intervals of it.  What only
-;; compares endpoints works for every kind and is here.
+;; scale in fixed.rkt) is a record of operations on intervals of it.  Procedures that only
+;; compare endpoints work for every kind and are here.
 
 (provide (struct-out interval) (struct-out arithmetic)
          positive-interval? negative-interval? apart?

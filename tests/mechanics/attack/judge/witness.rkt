@@ -2,8 +2,8 @@
 ;; The point a refutation names: numbers for symbols, and what literal functions are.
 ;;
 ;; An entry (V x) -> number says the value of V at one argument; applications at arguments
-;; that cannot be told apart must agree.  What no entry names may be anything: it has a
-;; value of its own.
+;; that cannot be told apart must agree.  An application that no entry names has a
+;; value of its own, which may be any number.
 
 (require racket/list
          "evaluate.rkt" "interval.rkt" "polynomial.rkt")

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; The interactions of the examples: each control is moved to its ends, and the body has a value
-;; there.  What the values are is tested beside them (examples.rkt).
+;; there.  The values are tested beside them (examples.rkt).
 
 (require (only-in mechanics/book)
          (only-in mechanics/plot)

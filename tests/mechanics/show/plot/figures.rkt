@@ -1,6 +1,6 @@
 #lang racket/base
 ;; The figures are programs, and other programs draw figures: each writes its picture to
-;; the file named on its command line.  What they draw is tested beside them, which is run here.
+;; the file named on its command line.  The drawings are tested beside them, which is run here.
 
 (require (only-in mechanics/book)
          (only-in mechanics/plot)

@@ -1,8 +1,8 @@
 #lang racket/base
-;; Places in an expression taken as a tree, and replacing what stands there.
+;; Places in an expression taken as a tree, and replacing the part there.
 ;;
-;; A place is a list of positions of operands, from the root down.  What is
-;; rebuilt is rebuilt raw: no constructor tidies up what a rewrite has made.
+;; A place is a list of positions of operands, from the root down.  A changed
+;; expression is rebuilt raw: no constructor tidies up the result of a rewrite.
 
 (require mechanics/algebra/expression/expression)
 

@@ -1,8 +1,8 @@
 #lang racket/base
-;; Sound rewrites: what is true of numbers, read in one direction, one rule a law.
+;; Sound rewrites: truths about numbers, read in one direction, one rule a law.
 ;;
-;; A rule maps a node it fits to an expression of the same value.  What it
-;; needs to be true is its kind:
+;; A rule maps a node it fits to an expression of the same value.  The
+;; condition for it to be true is its kind:
 ;;
 ;;   always    wherever both sides are defined
 ;;   positive  for positive operands, as simplification takes roots and

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The worksheets that are shipped, each exercise tried with five answers: the right one, an
-;; equivalent one, two that are wrong, and none.  What is equivalent and what is wrong follows
-;; from its kind.
+;; equivalent one, two that are wrong, and none.  The kind of an exercise decides which answers
+;; are equivalent and which are wrong.
 
 (require (prefix-in m: mechanics)
          mechanics/teaching/worksheet/exercise
