@@ -50,7 +50,7 @@ help:
 	@echo 'make test-export    exported systems in Python, over Dask and with JAX (installs them in build/export)'
 	@echo 'make test-lab     the kernel of notebooks, and notebooks in a browser (installs them in build/lab)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
-	@echo 'make mutants small changes of the library, which tests are to notice  (ROOM=..., N=10 of each, SEED=1)'
+	@echo 'make mutants small changes of the library, which tests are to notice  (ROOM=..., N=10 of each, SEED=1, AGAIN=1)'
 	@echo 'make certify proofs for the proof assistant Coq, where it is installed   (FILE=my-system.rkt; without FILE many, NEIGHBOURS=3 of each)'
 	@echo 'make lint    requires of which no name is used, long lines, tabs'
 	@echo 'make bench   run all benchmarks    (TASK=L2 for one; TASK=lab: thirty kernels)'
@@ -176,11 +176,20 @@ begin-tests:
 	@echo 'Looking for what is to be compiled ...'
 
 # N mutants of each room, or of ROOM alone; what is known of one is kept in build/mutants.rktd.
+# They are tried in a copy, where no procedure is compiled into another's code.
 JOBS ?= 2
+MUTANTS = build/mutants
 mutants: N = 10
-mutants: writable compile
-	@$(RACKET) tests/mechanics/support/mutation/random-mutants.rkt --count $(N) --seed $(SEED) \
-	  --jobs $(JOBS) $(if $(ROOM),--room $(ROOM))
+mutants: writable racket
+	@mkdir -p $(MUTANTS)/build
+	@git ls-files -co --exclude-standard | tar cf - -T - | tar xf - -C $(MUTANTS)
+	@touch build/tests.fasl build/mutants.rktd
+	@ln -sf ../../tests.fasl ../../mutants.rktd $(MUTANTS)/build
+	@cd $(MUTANTS) && export PLTCOLLECTS='$(CURDIR)/$(MUTANTS):' && \
+	  { find mechanics tests -name '*.rkt' -not -path '*fixture*' | \
+	    xargs -P $(JOBS) -n 20 $(RACO) make --disable-inline 2>/dev/null || :; } && \
+	  $(RACKET) tests/mechanics/support/mutation/random-mutants.rkt --count $(N) --seed $(SEED) \
+	    --jobs $(JOBS) $(if $(ROOM),--room $(ROOM)) $(if $(AGAIN),--again)
 
 # N claims of each class; CLASS=disguised for identities in disguise alone.
 N    ?= 2000

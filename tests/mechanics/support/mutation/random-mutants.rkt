@@ -1,12 +1,12 @@
 #lang racket/base
 ;; Do the tests notice random mutants?
 ;;
-;;     racket random-mutants.rkt [--room ROOM] [--count N] [--seed S] [--jobs J]
+;;     racket random-mutants.rkt [--room ROOM] [--count N] [--seed S] [--jobs J] [--again]
 ;;
 ;; Draws mutants from a room's files, or N from each room's, and runs on each the tests that loaded
 ;; its file in the last run of `make test`, those of its room first, until one fails.  What is known
-;; of a mutant is kept in build/mutants.rktd and not asked again while its file is as it was; a
-;; break loses nothing.  Mutants that no behaviour tells, or only a limit or a layout, are listed in
+;; of a mutant is kept in build/mutants.rktd and not asked again while its file is as it was, but
+;; for what survived, with --again; a break loses nothing.  Mutants that no behaviour tells, or only a limit or a layout, are listed in
 ;; equivalent-mutants.rktd: (file "the line as it was" "as it is" "reason" [limit or layout]).
 
 (require file/sha1
@@ -54,7 +54,7 @@
 ;; Tests of a file: those that loaded it, its room's first, then those of the rooms beside, the
 ;; shortest first among each
 
-(define most-seconds 15)
+(define most-seconds 10)
 
 ;; -> list of (test seconds)
 (define (tests-of file room entries)
@@ -89,7 +89,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Trying
 
-;; -> (killed test), (survived) or (untested)
+;; -> (killed test), (survived), (refused) where it does not compile, or (untested)
 (define (try file m tests)
   (define text (file->string (full-path file)))
   (define fit (filter (lambda (t) (hash-ref passing (car t) #t)) tests))
@@ -127,7 +127,7 @@
 (define (verdict-in lines ended?)
   (or (for/or ([line (in-list lines)])
         (match (with-handlers ([void void]) (read (open-input-string line)))
-          [(and v (or '(survived) (list 'killed _))) v]
+          [(and v (or '(survived) '(refused) (list 'killed _))) v]
           [_ #f]))
       (list 'killed (if ended? "the process died" "it did not end"))))
 
@@ -146,6 +146,10 @@
   (with-output-to-file kept #:exists 'append
     (lambda () (writeln (list* k file (mutation-line m) verdict)))))
 
+(define (without-survivors known)
+  (for/hash ([(k found) (in-hash known)] #:unless (equal? (last found) 'survived))
+    (values k found)))
+
 (define equivalents (if (file-exists? equivalent-file) (file->list equivalent-file) '()))
 
 (define (line-of text n) (string-trim (list-ref (string-split text "\n" #:trim? #f) (sub1 n))))
@@ -163,9 +167,9 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; -> (room verdict) for each, several at once
-(define (judge all jobs)
-  (define before (known))
+;; -> (room verdict) for each, several at once; what survived before is asked where `again?`
+(define (judge all jobs again?)
+  (define before (if again? (without-survivors (known)) (known)))
   (define entries (record-entries (read-record)))
   (define to-do (make-channel))
   (define done (make-channel))
@@ -209,18 +213,19 @@
   (define (count-of kind of) (count (lambda (a) (eq? (caadr a) kind)) of))
   (for ([group (in-list (group-by car answers))])
     (define killed (count-of 'killed group))
-    (define asked (- (length group) (count-of 'marked group)))
+    (define asked (- (length group) (count-of 'marked group) (count-of 'refused group)))
     (printf "~a ~a of ~a noticed\n" (caar group) killed asked))
   (printf "~a of ~a noticed\n" (count-of 'killed answers)
-          (- (length answers) (count-of 'marked answers))))
+          (- (length answers) (count-of 'marked answers) (count-of 'refused answers))))
 
 (provide drawn try tests-of mutants-of)
 
 (module+ main
-  (define-values (room count seed jobs) (values #f 10 1 2))
+  (define-values (room count seed jobs again?) (values #f 10 1 2 #f))
   (command-line #:once-each
                 [("--room") r "only this room" (set! room r)]
                 [("--count") n "mutants of each room" (set! count (string->number n))]
                 [("--seed") s "seed" (set! seed (string->number s))]
-                [("--jobs") j "at once" (set! jobs (string->number j))])
-  (summary (judge (drawn room count seed) jobs)))
+                [("--jobs") j "at once" (set! jobs (string->number j))]
+                [("--again") "ask what survived before" (set! again? #t)])
+  (summary (judge (drawn room count seed) jobs again?)))

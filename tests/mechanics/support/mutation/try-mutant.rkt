@@ -1,17 +1,17 @@
 #lang racket/base
 ;; One mutant and tests of it:  racket try-mutant.rkt FILE TEST SECONDS ...
 ;;
-;; The changed text comes from the standard input.  The tests run one after another, in this
-;; process, each with modules of its own, with the file as it is changed and all others as they
-;; are compiled, until one fails.  The last line printed is the datum (killed TEST) or (survived).
-;; A test that takes much more of the processor than its seconds will not end, and has noticed.
-;;
-;; A procedure so small that it was compiled into others' code is not replaced there.
+;; The changed text comes from the standard input.  It is compiled into a folder that stands before
+;; the compiled files, for this process and for all that its tests start.  The tests run one after
+;; another, each with modules of its own, until one fails.  The last line printed is the datum
+;; (killed TEST), (survived) or, of what is no program, (refused).  A test that takes much more of the processor than its seconds will
+;; not end, and has noticed.
 
-(require racket/path
+(require racket/file
+         racket/path
          racket/port
          rackunit/log
-         "mutate.rkt"
+         syntax/modread
          "../../runner/module-space.rkt")
 
 (define (failures) (car (test-log)))
@@ -57,16 +57,46 @@
                 (look)))))
   (begin0 (work) (kill-thread watch)))
 
+;; Puts the mutant of the file where its compiled code is looked for first; #f if it is no program.
+(define (compiled-into? root file text)
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    (define code (compiled-text file text))
+    (define-values (folder name _) (split-path (reroot-path file root)))
+    (define compiled (build-path folder "compiled" (path-add-extension name #".zo")))
+    (make-parent-directory* compiled)
+    (call-with-output-file compiled (lambda (out) (write code out)))
+    #t))
+
+(define (compiled-text file text)
+  (define port (open-input-string text))
+  (port-count-lines! port)
+  (define form
+    (check-module-form
+     (with-module-reading-parameterization (lambda () (read-syntax file port))) 'mutant file))
+  (parameterize ([current-namespace (make-base-empty-namespace)]
+                 [current-load-relative-directory (path-only file)]
+                 [current-module-declare-name (make-resolved-module-path file)])
+    (compile form)))
+
+(define (first-fails tests)
+  (let try ([tests tests])
+    (cond [(null? tests) '(survived)]
+          [(call-watched (car tests) (string->number (cadr tests))
+                         (lambda () (notices? (car tests))))
+           (list 'killed (car tests))]
+          [else (try (cddr tests))])))
+
 (module+ main
   (define arguments (vector->list (current-command-line-arguments)))
-  (define file (simple-form-path (car arguments)))
   (define text (port->string (current-input-port)))
-  (define (killed-by? test seconds)
-    (call-watched test seconds (lambda () (notices? test))))
+  (define root (make-temporary-file "mutant~a" 'directory))
+  (void (plumber-add-flush! (current-plumber)
+                            (lambda (_) (delete-directory/files root #:must-exist? #f))))
+  (void (putenv "PLTCOMPILEDROOTS" (format "~a:" root))
+        (putenv "PLT_COMPILED_FILE_CHECK" "exists"))
   (answer
-   (parameterize ([current-load/use-compiled (load-replaced file text (current-load/use-compiled))]
+   (parameterize ([current-compiled-file-roots (cons root (current-compiled-file-roots))]
                   [use-compiled-file-check 'exists])
-     (let try ([tests (cdr arguments)])
-       (cond [(null? tests) '(survived)]
-             [(killed-by? (car tests) (string->number (cadr tests))) (list 'killed (car tests))]
-             [else (try (cddr tests))])))))
+     (if (compiled-into? root (simple-form-path (car arguments)) text)
+         (first-fails (cdr arguments))
+         '(refused)))))
