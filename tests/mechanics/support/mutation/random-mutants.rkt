@@ -54,7 +54,7 @@
 ;; Tests of a file: those that loaded it, its room's first, then those of the rooms beside, the
 ;; shortest first among each
 
-(define most-seconds 10)
+(define most-seconds 15)
 
 ;; -> list of (test seconds)
 (define (tests-of file room entries)
