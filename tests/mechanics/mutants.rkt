@@ -38,7 +38,13 @@
   (define some (drawn "pendulum" 5 1))
   (check-equal? some (drawn "pendulum" 5 1))
   (check-not-equal? some (drawn "pendulum" 5 2))
-  (check-equal? (remove-duplicates (map car some)) '("pendulum/")))
+  (check-equal? (remove-duplicates (map mutant-room some)) '("pendulum/")))
+
+(test-case "mutants of which a verdict is kept are drawn first"
+  (define all (drawn "pendulum" 20 1))
+  (define known (mutant-key (last all)))
+  (check-equal? (drawn "pendulum" 5 1 (hash known '("pendulum/phase.rkt" 1 survived)))
+                (cons (last all) (take all 4))))
 
 ;; The fixed sample of what `make mutants` does in the large
 (test-case "a changed sign is noticed, no change is not, and a test that always fails counts not"

@@ -8,7 +8,7 @@
 (require racket/list
          syntax/modread)
 
-(provide mutations-of mutated-text (struct-out mutation))
+(provide mutations-of mutated-text program-of (struct-out mutation))
 
 ;; kind : symbol;  from, to : places in the text;  new : what stands there instead
 (struct mutation (kind line from to new) #:prefab)
@@ -19,10 +19,13 @@
 
 ;; file : for messages of the reader -> list of mutations, in the order of the text
 (define (mutations-of text file)
+  (sort (found-in text (program-of text file)) < #:key mutation-from))
+
+;; -> syntax
+(define (program-of text file)
   (define port (open-input-string text))
   (port-count-lines! port)
-  (define form (with-module-reading-parameterization (lambda () (read-syntax file port))))
-  (sort (found-in text form) < #:key mutation-from))
+  (with-module-reading-parameterization (lambda () (read-syntax file port))))
 
 (define unchanged
   '(require provide quote quasiquote quote-syntax syntax quasisyntax syntax-case syntax-rules

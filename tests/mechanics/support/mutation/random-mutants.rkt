@@ -5,9 +5,10 @@
 ;;
 ;; Draws mutants from a room's files, or N from each room's, and runs on each the tests that loaded
 ;; its file in the last run of `make test`, those of its room first, until one fails.  What is known
-;; of a mutant is kept in build/mutants.rktd and not asked again while its file is as it was, but
-;; for what survived, with --again; a break loses nothing.  Mutants that no behaviour tells, or only a limit or a layout, are listed in
-;; equivalent-mutants.rktd: (file "the line as it was" "as it is" "reason" [limit or layout]).
+;; of a mutant is kept in build/mutants.rktd and not asked again while its program, comments aside,
+;; is as it was, but for what survived, with --again; a break loses nothing.  Mutants that no
+;; behaviour tells, or only a limit or a layout, are listed in equivalent-mutants.rktd:
+;; (file "the line as it was" "as it is" "reason" [limit or layout]).
 
 (require file/sha1
          racket/cmdline
@@ -30,25 +31,40 @@
 ;; ---------------------------------------------------------------------------
 ;; Drawing
 
-;; -> list of (room file mutation), of each room `count` by chance
-(define (drawn only count seed)
-  (parameterize ([current-pseudo-random-generator (make-pseudo-random-generator)])
-    (random-seed seed)
-    (for*/list ([room (in-list (map car rooms))]
-                #:when (member only (list #f room (string-trim room "/" #:left? #f)))
-                [found (in-value (mutants-of room))]
-                [m (in-list (take (shuffle found) (min count (length found))))])
-      (cons room m))))
+;; key : that of a verdict kept
+(struct mutant (room file change key) #:prefab)
 
-(define (room-name file)
-  (define place (room-of file))
-  (and place (car (list-ref rooms place))))
+;; -> list of mutants, of each room `count`: those of which a verdict is kept, then others by
+;; chance.  A change of one file leaves the draw of others as it is.
+(define (drawn only count seed [before (hash)])
+  (define (place m) (list (if (hash-has-key? before (mutant-key m)) "" "new") (chance m seed)))
+  (for*/list ([room (in-list (map car rooms))]
+              #:when (member only (list #f room (string-trim room "/" #:left? #f)))
+              [found (in-value (sort (mutants-of room) places<? #:key place #:cache-keys? #t))]
+              [m (in-list (take found (min count (length found))))])
+    m))
+
+(define (places<? a b)
+  (or (string<? (car a) (car b)) (and (string=? (car a) (car b)) (string<? (cadr a) (cadr b)))))
 
 (define (mutants-of room)
   (for*/list ([file (in-list (library-files))]
               #:when (equal? (room-name file) room)
-              [m (in-list (mutations-of (file->string (full-path file)) file))])
-    (list file m)))
+              [text (in-value (file->string (full-path file)))]
+              [program (in-value (hash-of file (syntax->datum (program-of text file))))]
+              [(m n) (in-indexed (mutations-of text file))])
+    (mutant room file m (hash-of program n (mutation-kind m)))))
+
+(define (hash-of . parts) (sha1 (open-input-string (format "~s" parts))))
+
+;; A place in an order that depends on the seed, the line and the change in it alone
+(define (chance m seed)
+  (define-values (was is) (lines-of m))
+  (hash-of seed (mutant-file m) was is))
+
+(define (room-name file)
+  (define place (room-of file))
+  (and place (car (list-ref rooms place))))
 
 ;; ---------------------------------------------------------------------------
 ;; Tests of a file: those that loaded it, its room's first, then those of the rooms beside, the
@@ -134,17 +150,16 @@
 ;; ---------------------------------------------------------------------------
 ;; What is known
 
-(define (key file m) (sha1 (open-input-string (format "~s ~a" m (file->string (full-path file))))))
-
 (define (known)
   (if (file-exists? kept)
       (for/hash ([entry (in-list (file->list kept))]) (values (car entry) (cdr entry)))
       (hash)))
 
-(define (remember! k file m verdict)
+(define (remember! m verdict)
   (make-parent-directory* kept)
   (with-output-to-file kept #:exists 'append
-    (lambda () (writeln (list* k file (mutation-line m) verdict)))))
+    (lambda ()
+      (writeln (list* (mutant-key m) (mutant-file m) (mutation-line (mutant-change m)) verdict)))))
 
 (define (without-survivors known)
   (for/hash ([(k found) (in-hash known)] #:unless (equal? (last found) 'survived))
@@ -155,58 +170,58 @@
 (define (line-of text n) (string-trim (list-ref (string-split text "\n" #:trim? #f) (sub1 n))))
 
 ;; -> the line as it was, and as it is
-(define (lines-of file m)
-  (define text (file->string (full-path file)))
-  (values (line-of text (mutation-line m)) (line-of (mutated-text text m) (mutation-line m))))
+(define (lines-of m)
+  (define-values (text change) (values (text-of m) (mutant-change m)))
+  (values (line-of text (mutation-line change))
+          (line-of (mutated-text text change) (mutation-line change))))
 
-(define (marked? file m)
-  (define-values (was is) (lines-of file m))
+(define (text-of m) (file->string (full-path (mutant-file m))))
+
+(define (marked? m)
+  (define-values (was is) (lines-of m))
   (for/or ([e (in-list equivalents)])
     (match-define (list marked before after _ (or 'limit 'layout) ...) e)
-    (equal? (list marked before after) (list file was is))))
+    (equal? (list marked before after) (list (mutant-file m) was is))))
 
 ;; ---------------------------------------------------------------------------
 
-;; -> (room verdict) for each, several at once; what survived before is asked where `again?`
-(define (judge all jobs again?)
-  (define before (if again? (without-survivors (known)) (known)))
+;; -> (room verdict) for each, several at once
+(define (judge all jobs before)
   (define entries (record-entries (read-record)))
   (define to-do (make-channel))
   (define done (make-channel))
   (for ([_ (in-range jobs)])
     (thread (lambda ()
               (let next ()
-                (define one (channel-get to-do))
+                (define m (channel-get to-do))
                 (define verdict
                   (with-handlers ([exn:fail? (lambda (e) (list 'untested (exn-message e)))])
-                    (judge-one one before entries)))
-                (channel-put done (list one verdict))
+                    (judge-one m before entries)))
+                (channel-put done (list m verdict))
                 (next)))))
-  (thread (lambda () (for ([one (in-list all)]) (channel-put to-do one))))
+  (thread (lambda () (for ([m (in-list all)]) (channel-put to-do m))))
   (for/list ([_ (in-list all)])
-    (define answer (channel-get done))
-    (report-one (car answer) (cadr answer))
-    (list (caar answer) (cadr answer))))
+    (match-define (list m verdict) (channel-get done))
+    (report-one m verdict)
+    (list (mutant-room m) verdict)))
 
-(define (judge-one one before entries)
-  (match-define (list room file m) one)
-  (define k (key file m))
-  (define found (hash-ref before k #f))
-  (cond [(marked? file m) '(marked)]
-        [found (cddr found)]
+(define (judge-one m before entries)
+  (cond [(marked? m) '(marked)]
+        [(hash-ref before (mutant-key m) #f) => cddr]
         [else
-         (define verdict (try file m (tests-of file room entries)))
-         (remember! k file m verdict)
+         (define file (mutant-file m))
+         (define verdict (try file (mutant-change m) (tests-of file (mutant-room m) entries)))
+         (remember! m verdict)
          verdict]))
 
-(define (report-one one verdict)
-  (match-define (list room file m) one)
+(define (report-one m verdict)
+  (define-values (file change) (values (mutant-file m) (mutant-change m)))
   (case (car verdict)
     [(survived untested)
-     (define-values (was is) (lines-of file m))
-     (printf "~a  ~a:~a (~a)\n  - ~a\n  + ~a\n" (car verdict) file (mutation-line m)
-             (mutation-kind m) was is)]
-    [else (printf "~a  ~a:~a ~a\n" (car verdict) file (mutation-line m) (cdr verdict))])
+     (define-values (was is) (lines-of m))
+     (printf "~a  ~a:~a (~a)\n  - ~a\n  + ~a\n" (car verdict) file (mutation-line change)
+             (mutation-kind change) was is)]
+    [else (printf "~a  ~a:~a ~a\n" (car verdict) file (mutation-line change) (cdr verdict))])
   (flush-output))
 
 (define (summary answers)
@@ -218,7 +233,7 @@
   (printf "~a of ~a noticed\n" (count-of 'killed answers)
           (- (length answers) (count-of 'marked answers) (count-of 'refused answers))))
 
-(provide drawn try tests-of mutants-of)
+(provide drawn try (struct-out mutant))
 
 (module+ main
   (define-values (room count seed jobs again?) (values #f 10 1 2 #f))
@@ -228,4 +243,6 @@
                 [("--seed") s "seed" (set! seed (string->number s))]
                 [("--jobs") j "at once" (set! jobs (string->number j))]
                 [("--again") "ask what survived before" (set! again? #t)])
-  (summary (judge (drawn room count seed) jobs again?)))
+  (define before (known))
+  (summary (judge (drawn room count seed before) jobs
+                  (if again? (without-survivors before) before))))

@@ -4,14 +4,15 @@
 ;; The changed text comes from the standard input.  It is compiled into a folder that stands before
 ;; the compiled files, for this process and for all that its tests start.  The tests run one after
 ;; another, each with modules of its own, until one fails.  The last line printed is the datum
-;; (killed TEST), (survived) or, of what is no program, (refused).  A test that takes much more of the processor than its seconds will
-;; not end, and has noticed.
+;; (killed TEST), (survived) or, of a text that is no program, (refused).  A test that takes much
+;; more of the processor than its seconds will not end, and has noticed.
 
 (require racket/file
          racket/path
          racket/port
          rackunit/log
          syntax/modread
+         "mutations.rkt"
          "../../runner/module-space.rkt")
 
 (define (failures) (car (test-log)))
@@ -68,11 +69,7 @@
     #t))
 
 (define (compiled-text file text)
-  (define port (open-input-string text))
-  (port-count-lines! port)
-  (define form
-    (check-module-form
-     (with-module-reading-parameterization (lambda () (read-syntax file port))) 'mutant file))
+  (define form (check-module-form (program-of text file) 'mutant file))
   (parameterize ([current-namespace (make-base-empty-namespace)]
                  [current-load-relative-directory (path-only file)]
                  [current-module-declare-name (make-resolved-module-path file)])
