@@ -9,7 +9,10 @@
 
 (require "../worksheet/answer-data.rkt" "../worksheet/read-untrusted.rkt")
 
-(provide write-line-of read-answer-lines)
+(provide write-line-of read-answer-lines ready-line)
+
+;; The first line, once the process has loaded the library.
+(define ready-line #"(*ready* unanswered)\n")
 
 ;; d : an answer as answer->datum gives it
 (define (write-line-of name d out)

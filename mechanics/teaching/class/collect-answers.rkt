@@ -10,7 +10,7 @@
          "answer-lines.rkt" "process-cost.rkt" "evaluate.rkt" "isolation.rkt" "submission.rkt"
          "../worksheet/exercise.rkt")
 
-(provide collect-answers collected-from (struct-out collected))
+(provide collect-answers request->text collected-from (struct-out collected))
 
 ;; answers : hasheq of answers (answer-lines.rkt), by name
 ;; problem : why there are not more, or #f
@@ -45,8 +45,7 @@
             #f 0 '() '() #f))
 
 (define (run i request)
-  (define-values (process out in err)
-    (start-isolated i '("-l" "racket/base" "-l" "mechanics/lang/command/evaluate-submission")))
+  (define-values (process out in err) (start-evaluator i))
   (thread (lambda ()
             (with-handlers ([exn:fail? void]) (write-string request in) (close-output-port in))))
   (thread (lambda () (copy-port err (open-output-nowhere))))
@@ -71,7 +70,7 @@
 
 ;; start : a reading; read-on : last reading -> the present one
 ;; -> text; done, late or long; and the cost since the process wrote its first line, which says
-;; that it has loaded the library and read its request
+;; that it has loaded the library
 (define (read-within seconds in start read-on)
   (define buffer (make-bytes 65536))
   (let loop ([parts '()] [size 0] [start start] [now start])

@@ -6,7 +6,7 @@
 ;; program that escapes from the sandbox is in a process that can reach nothing (isolation.rkt).
 ;; Where an answer ends the program, the program is opened anew for the next answers.
 ;;
-;; It reads a request, and writes a line for each answer (answer-lines.rkt).
+;; It says that it is ready, reads a request, and writes a line for each answer (answer-lines.rkt).
 
 (require "answer-lines.rkt" "notebook-answers.rkt" "open-program.rkt"
          "../worksheet/check-answers.rkt" "../worksheet/exercise-kind.rkt"
@@ -20,11 +20,12 @@
 
 ;; in, out : ports; run-cell : source of a cell -> why it fails, or #f
 (define (evaluate-request in out run-cell)
-  (define r (read in))
   (define (write-lines name d)
     (write-line-of name d out)
     (flush-output out))
-  (write-lines '*ready* '(unanswered))
+  (write-bytes ready-line out)
+  (flush-output out)
+  (define r (read in))
   (define open
     (with-handlers ([exn:fail? (lambda (x) (lambda () (program #f (reason x) (hasheq))))])
       (opener r run-cell (lambda (outline) (write-lines '*outline* (list 'text outline))))))

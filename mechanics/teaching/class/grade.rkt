@@ -46,16 +46,18 @@
 
 ;; class : participants; worksheet-of : the key of one -> the worksheet with that student's numbers
 ;; strictest : the level of isolation that is tried first
-;; tell : called after each submission with the number graded so far
+;; collect : isolation, exercises, submission -> collected; tell : called after each submission with
+;; the number graded so far
 (define (grade-class w submissions
                      #:class [class '()] #:worksheet-of [worksheet-of (lambda (key) w)]
                      #:seconds [seconds 10] #:megabytes [megabytes 512]
-                     #:strictest [strictest 'namespaces] #:tell [tell void])
+                     #:strictest [strictest 'namespaces] #:collect [collect collect-answers]
+                     #:tell [tell void])
   (define c (course w class worksheet-of (make-hash)))
   (call-with-isolation
    megabytes seconds #:strictest strictest
    (lambda (i)
-     (define all (grade-all i c submissions tell))
+     (define all (grade-all i c submissions collect tell))
      (class-report w (level-warning (isolation-level i)) all class
                    (append (remarks-on-class class all)
                            (likenesses (for/list ([g (in-list all)]) (as-handed-in c g))))))))
@@ -63,8 +65,10 @@
 ;; known : table of the judgments made so far
 (struct course (worksheet class worksheet-of known))
 
-(define (grade-all i c submissions tell)
-  (for/list ([next (in-list (start-all i (exercises-of (course-worksheet c)) submissions))]
+(define (grade-all i c submissions collect tell)
+  (define exercises (exercises-of (course-worksheet c)))
+  (define (answers-of s) (collect-one (lambda () (collect i exercises s)) s))
+  (for/list ([next (in-list (start-all answers-of submissions))]
              [s (in-list submissions)]
              [n (in-naturals 1)])
     (begin0 (grade-one c s (next) (isolation-seconds i))
@@ -102,24 +106,22 @@
 ;; Evaluation
 
 ;; Starts as many at a time as there are processors. -> procedures that wait for a result each
-(define (start-all i exercises submissions)
+(define (start-all answers-of submissions)
   (define seats (make-semaphore (max 1 (min 4 (processor-count)))))
   (for/list ([s (in-list submissions)])
     (define result (make-channel))
     (thread (lambda ()
-              (channel-put result
-                           (call-with-semaphore seats
-                                                (lambda () (collect-one i exercises s))))))
+              (channel-put result (call-with-semaphore seats (lambda () (answers-of s))))))
     (lambda () (channel-get result))))
 
 ;; Gives a result even where the system has no process left to start: a thread waits for it.
-(define (collect-one i exercises s)
+(define (collect-one collect s)
   (define (none problem) (collected (hasheq) problem 0 #f))
   (with-handlers ([exn:fail? (lambda (x)
                                (none (string-append "it could not be evaluated: "
                                                     (exn-message x))))])
     (if (submission-text s)
-        (collect-answers i exercises s)
+        (collect)
         (none (submission-problem s)))))
 
 ;; ---------------------------------------------------------------------------

@@ -20,21 +20,21 @@
          racket/file
          racket/list
          racket/path
-         racket/port
          setup/dirs
-         "process-cost.rkt"
+         "answer-lines.rkt" "process-cost.rkt"
          "../../error/complain.rkt")
 
 (provide call-with-isolation isolation-levels
          isolation-seconds isolation-megabytes isolation-level isolation-complete?
          level-warning
-         start-isolated)
+         start-isolated start-evaluator)
 
 ;; megabytes, seconds : that each submission may cost (process-cost.rkt)
 ;; limits? : does prlimit set limits?  nobody? : does setpriv change the user?
 ;; level   : of isolation-levels
 ;; folder  : the mount point of the root directory, or the place of a copied library, or #f
-(struct isolation (megabytes seconds limits? nobody? level folder))
+;; idle    : box of an evaluator that waits for a request, as a thunk of its values, or of #f
+(struct isolation (megabytes seconds limits? nobody? level folder idle))
 
 (define isolation-levels '(namespaces nobody own))
 
@@ -59,15 +59,20 @@
       "Do not run submissions of people whom you do not trust here; use a virtual machine with "
       "Linux.")]))
 
-;; Calls `use` with the strictest isolation that works; its folder is deleted afterwards in any
-;; case.  strictest : the first of isolation-levels that is tried
+;; Calls `use` with the strictest isolation that works; its folder is deleted and its idle
+;; evaluator ended afterwards in any case.  strictest : the first of isolation-levels that is tried
 (define (call-with-isolation megabytes seconds use #:strictest [strictest 'namespaces])
   (check-compiled)
+  (define evaluators (make-custodian))
   (define folder #f)
   (dynamic-wind
    (lambda () (set! folder (make-folder)))
-   (lambda () (use (find-isolation megabytes seconds folder (memq strictest isolation-levels))))
-   (lambda () (when folder (delete-directory/files folder #:must-exist? #f)))))
+   (lambda ()
+     (use (parameterize ([current-custodian evaluators])
+            (find-isolation megabytes seconds folder (memq strictest isolation-levels)))))
+   (lambda ()
+     (custodian-shutdown-all evaluators)
+     (when folder (delete-directory/files folder #:must-exist? #f)))))
 
 ;; Each submission would compile the library in memory, for longer than it is given.
 (define (check-compiled)
@@ -91,7 +96,7 @@
   (define setpriv? (and (find "setpriv") #t))
   (define nobody? (and setpriv? (root?)))
   (define (try level nobody? folder)
-    (define i (isolation megabytes seconds prlimit? nobody? level folder))
+    (define i (isolation megabytes seconds prlimit? nobody? level folder (box #f)))
     (and (memq level allowed) (works? i) i))
   (or (and folder prlimit? setpriv? (find "unshare")
            (or (and nobody? (try 'namespaces #t folder))
@@ -100,13 +105,11 @@
            (or (try 'nobody #t #f)
                (and folder (memq 'nobody allowed) (copy-library folder) (try 'nobody #t folder))))
       (try 'own #f #f)
-      (isolation megabytes seconds #f #f 'own #f)))
+      (isolation megabytes seconds #f #f 'own #f (box #f))))
 
 (define (find name) (let ([p (find-executable-path name)]) (and p (path->string p))))
 
-(define (root?)
-  (define id (find "id"))
-  (and id (equal? "0\n" (output-of (lambda () (subprocess #f #f #f id "-u"))))))
+(define (root?) (eqv? 0 (owner "/proc/self")))
 
 ;; Copies the library for everybody to read, with the times by which compiled files are known to be
 ;; up to date. -> was there room for it?
@@ -237,26 +240,23 @@ sh
 ;; ---------------------------------------------------------------------------
 ;; Does it work?
 
-;; All that a submission loads is loaded, under all its limits.
+;; An evaluator is started under all limits, and loads all that a submission loads; the first
+;; submission is given to it.
 (define (works? i)
-  (define arguments
-    '("-l" "racket/base" "-l" "mechanics" "-l" "mechanics/answers"
-      "-l" "mechanics/teaching/class/evaluate" "-e" "(display 'here)"))
-  (equal? "here" (output-of (lambda () (start-isolated i arguments)))))
+  (with-handlers ([exn:fail? (lambda (e) #f)])
+    (define-values (process out in err) (start-isolated i evaluator))
+    (define ready? (equal? ready-line (peek-bytes (bytes-length ready-line) 0 out)))
+    (if ready?
+        (set-box! (isolation-idle i) (lambda () (values process out in err)))
+        (subprocess-kill process #t))
+    ready?))
 
-;; -> the output of a process, "" if it cannot be started.  A break ends the process.
-(define (output-of start)
-  (with-handlers ([exn:fail? (lambda (e) "")])
-    (define-values (process out in err) (start))
-    (thread (lambda ()
-              (copy-port err (open-output-nowhere))
-              (close-input-port err)))
-    (dynamic-wind
-     void
-     (lambda ()
-       (close-output-port in)
-       (port->string out))
-     (lambda ()
-       (subprocess-kill process #t)
-       (subprocess-wait process)
-       (close-input-port out)))))
+(define evaluator '("-l" "racket/base" "-l" "mechanics/lang/command/evaluate-submission"))
+
+;; Starts a process that evaluates one submission, or gives the idle one; results as of
+;; start-isolated.
+(define (start-evaluator i)
+  (define idle (unbox (isolation-idle i)))
+  (if (and idle (box-cas! (isolation-idle i) idle #f))
+      (idle)
+      (start-isolated i evaluator)))
