@@ -2,7 +2,7 @@
 ;; Submissions that wish the teacher ill, or are merely broken: what each is, its text, and what
 ;; is to be said of it.
 
-(provide (struct-out hostile) slow-programs quick-programs with-answer)
+(provide (struct-out hostile) slow-programs quick-programs harmless? with-answer)
 
 ;; expected : a regexp that matches the problem of the program, or the status of its answer
 (struct hostile (name text expected))
@@ -46,8 +46,15 @@
 
 ;; canary : path of a file that is to stay; port : of a server that is to hear nothing
 (define (quick-programs canary port key)
-  (append (against-the-system canary port) (against-the-teacher key) (against-the-report)
-          (merely-broken)))
+  (append (against-the-system canary port) against-the-process against-the-report
+          (harmless-programs key)))
+
+(define (harmless-programs key)
+  (append (against-the-teacher key) against-the-reader merely-broken))
+
+;; Could the program of this name do nothing to the process that it runs in?
+(define (harmless? name)
+  (for/or ([h (in-list (harmless-programs ""))]) (equal? name (hostile-name h))))
 
 (define (against-the-system canary port)
   (list
@@ -91,21 +98,8 @@
             #rx"")
    (hostile "environment" (with-answer "(putenv \"PATH\" \"/tmp\")") 'any)))
 
-(define (against-the-teacher key)
+(define against-the-process
   (list
-   (hostile "redefines-the-questions"
-            (program "(define (verify-solution . _) (prove-zero 0))"
-                     "(define (verify-equal . _) (prove-zero 0))" "(define (proved? v) #t)"
-                     "(define frequency 'wrong)")
-            'wrong)
-   (hostile "a-verdict-for-an-answer" (answering "(prove-zero 0)") 'failed)
-   (hostile "forged-kind"
-            (program "(require mechanics/generic/kind)"
-                     "(struct trap () #:property prop:kind"
-                     "  (make-kind #:rank 0 #:describe (lambda (x) \"x\")"
-                     "             #:datum (lambda (x) '(sqrt (/ k m)))))"
-                     "(define frequency (trap))")
-            'failed)
    (hostile "raises-what-prints-itself"
             (program "(struct trap () #:property prop:custom-write"
                      "  (lambda (x port mode) (write-string \"(frequency answer k)\" port)))"
@@ -126,7 +120,23 @@
    (hostile "plumber"
             (with-answer "(plumber-add-flush! (current-plumber) (lambda (h) (error \"no\")))") 'any)
    (hostile "logger"
-            (with-answer "(for ([i 10000]) (log-error \"line ~a\" i))") 'right)
+            (with-answer "(for ([i 10000]) (log-error \"line ~a\" i))") 'right)))
+
+(define (against-the-teacher key)
+  (list
+   (hostile "redefines-the-questions"
+            (program "(define (verify-solution . _) (prove-zero 0))"
+                     "(define (verify-equal . _) (prove-zero 0))" "(define (proved? v) #t)"
+                     "(define frequency 'wrong)")
+            'wrong)
+   (hostile "a-verdict-for-an-answer" (answering "(prove-zero 0)") 'failed)
+   (hostile "forged-kind"
+            (program "(require mechanics/generic/kind)"
+                     "(struct trap () #:property prop:kind"
+                     "  (make-kind #:rank 0 #:describe (lambda (x) \"x\")"
+                     "             #:datum (lambda (x) '(sqrt (/ k m)))))"
+                     "(define frequency (trap))")
+            'failed)
    (hostile "looks-for-the-key"
             (program (format "(define frequency (dynamic-require '(file ~s) 'worksheet))" key))
             #rx"does not run")
@@ -134,7 +144,7 @@
             (program "(assume '(< k 0))" "(automatic-assumptions #f)" "(define frequency 0)")
             'wrong)))
 
-(define (against-the-report)
+(define against-the-reader
   (list
    (hostile "name-of-a-quantity"
             (answering "(string->symbol \"k) (motion answer 0)\\n(motion answer\")") 'failed)
@@ -142,14 +152,17 @@
             (answering "(string->symbol \"<script>alert(1)</script>\")") 'failed)
    (hostile "too-many-parts"
             (answering "(for/fold ([e 'x]) ([i 30]) (* (sin e) (cos e)))") 'failed)
-   (hostile "number-too-long" (answering "(expt 7 20000)") 'failed)
+   (hostile "number-too-long" (answering "(expt 7 20000)") 'failed)))
+
+(define against-the-report
+  (list
    (hostile "markup-for-a-reason"
             (with-answer ";; Name: =HYPERLINK(\"http://x\",\"y\")<img src=x onerror=alert(1)>"
                          "(define why \"</p><script>alert(1)</script>\")")
             'right)
    (hostile "quotes'\"<b>and&spaces in its name" (with-answer) 'right)))
 
-(define (merely-broken)
+(define merely-broken
   (list
    (hostile "no-language" "(define frequency 1)" #rx"does not run")
    (hostile "unbalanced" "#lang mechanics\n(define frequency (sqrt" #rx"does not run")

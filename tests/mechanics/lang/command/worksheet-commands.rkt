@@ -69,6 +69,13 @@
     ("motion" "(lambda (theta t) (- (* 'l (((expt D 2) theta) t)) (* 'g (sin (theta t)))))")
     ("period" "2.0")))
 
+;; What a file prints when it is run, which judges its answers too.
+(define (run-file name)
+  (define out (open-output-string))
+  (parameterize ([current-output-port out] [current-namespace (make-base-namespace)])
+    (dynamic-require (in-folder name) #f))
+  (get-output-string out))
+
 (define (student-with answers)
   (for/fold ([text (text "first-student.rkt")]) ([a (in-list answers)])
     (string-replace text (format "(define ~a unanswered)" (first a))
@@ -95,12 +102,12 @@
   (write-text "late.rkt" "#lang mechanics/worksheet" "(title \"Late\")"
               "(exercise two number \"?\" (key 2) (hint \"soon\") (hint \"late\" #:after 2))")
   (command "worksheet" "late.rkt")
-  (define (hints-for answer)
+  (define (hints-for answer check)
     (write-text "tried.rkt" (string-replace (text "late-student.rkt") "two unanswered)"
                                             (format "two ~a)" answer)))
-    (regexp-match* #rx"hint: ([a-z]+)" (second (command "check" "tried.rkt"))
-                   #:match-select cadr))
-  (check-equal? (map hints-for '(5 5 7 5 2))
+    (regexp-match* #rx"hint: ([a-z]+)" (check "tried.rkt") #:match-select cadr))
+  (define (checked name) (second (command "check" name)))
+  (check-equal? (map hints-for '(5 5 7 5 2) (list checked run-file run-file checked run-file))
                 '(("soon") ("soon") ("soon" "late") ("soon" "late") ())))
 
 ;; ---------------------------------------------------------------------------
@@ -126,14 +133,15 @@
   (check-regexp-match #rx"4. period: no answer could be had [^\n]*\n   /: division by zero" said))
 
 (test-case "habits of other programs are told, with the line"
-  (define (told answer) (checked "habit.rkt" (list "period" answer)))
-  (check-regexp-match #px"line \\d+: define: period has one value, and a decimal has a point"
-                      (told "1,5"))
-  (check-regexp-match #px"line \\d+: unquote: [^\n]*\n[^\n]*\n  no comma separates arguments, and"
-                      (told "(* 2 1,5)"))
-  (check-regexp-match #px"line \\d+: application: brackets are parentheses here" (told "[1 2]"))
+  (define said
+    (checked "habits.rkt" '("L-pendulum" "1,5") '("motion" "(* 2 1,5)") '("period" "[1 2]")))
+  (check-regexp-match #px"line \\d+: define: L-pendulum has one value, and a decimal has a point"
+                      said)
+  (check-regexp-match #px"line \\d+: unquote: [^\n]*\n[^\n]*\n  +no comma separates arguments, and"
+                      said)
+  (check-regexp-match #px"application: brackets are parentheses here" said)
   (check-regexp-match #px"line \\d+: [*][*]: unbound identifier; powers are [(]expt x 2[)]"
-                      (told "(** 'x 2)")))
+                      (checked "power.rkt" '("period" "(** 'x 2)"))))
 
 (test-case "an answer may be a text, and what was read is told"
   (define said
@@ -165,14 +173,10 @@
   (define said (second (command "check" "misspelt.rkt")))
   (check-regexp-match
    #rx"^period is not defined; perod is: is that its answer[?]\n1. .*: proved" said)
-  (define run (open-output-string))
-  (parameterize ([current-output-port run] [current-namespace (make-base-namespace)])
-    (dynamic-require (in-folder "misspelt.rkt") #f))
   (check-regexp-match #rx"^period is not defined; perod is: is that its answer[?]\n1. .*: proved"
-                      (get-output-string run)))
+                      (run-file "misspelt.rkt")))
 
 (test-case "all that is right makes the status 0"
-  (write-text "right.rkt" (student-with '(("L-pendulum" "unanswered"))))
   (write-text "small.rkt" "#lang mechanics/worksheet" "(title \"Small\")"
               "(exercise two number \"What is one and one?\" (key 2))")
   (command "worksheet" "small.rkt")
