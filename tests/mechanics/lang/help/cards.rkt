@@ -79,22 +79,34 @@
   (and (regexp-match? #px"^([^\\s(\"]+|[(].*[)]): " text)
        (not (regexp-match? #rx"^(proved|refuted|undecided|equivalent): " text))))
 
-;; Names whose examples show a refusal.
+;; These show what is refused.
 (define refusals '(animation-save export-system graphics-save unequal-contraction))
 
 (define needs-bigfloats #rx"bigfloat|ode-precision")
 
+;; (card . texts), what the examples print
+(define printed
+  (for/list ([c (in-list (all-cards))]
+             #:when (card-demonstration c)
+             #:unless (and (not bigfloats?)
+                           (regexp-match? needs-bigfloats (format "~s" (card-demonstration c)))))
+    (cons c (printed-lines c))))
+
 (test-case "the examples run by themselves; errors are only where they are shown"
   (define failing
-    (for/list ([c (in-list (all-cards))]
-               #:when (card-demonstration c)
-               #:unless (and (not bigfloats?)
-                             (regexp-match? needs-bigfloats (format "~s" (card-demonstration c))))
-               #:when (ormap complaint? (printed-lines c)))
-      c))
+    (for/list ([p (in-list printed)] #:when (ormap complaint? (cdr p))) (car p)))
   (check-equal? (names-of failing) refusals))
 
-;; The manual's output after the expressions of a card.
+;; Messages are not broken into lines.
+(test-case "no line that an example prints, but of formulas and messages, is longer than 78"
+  (for* ([p (in-list printed)]
+         #:unless (memq (card-name (car p)) (cons '^ refusals))
+         [text (in-list (cdr p))]
+         [line (in-list (string-split text "\n"))]
+         #:unless (regexp-match? #rx"[()0-9]" line))
+    (check-true (<= (string-length line) 78) line)))
+
+;; What a prompt of the manual prints after the expressions of a card.
 (define (manual-answers c)
   (define e (card-demonstration c))
   (define session (make-session))

@@ -4,6 +4,7 @@
 (require mechanics/lang/unknown-name/known-name
          mechanics/lang/paper-notation/line-habits
          mechanics/lang/prompt/typed-forms
+         racket/list
          racket/string
          "../../support/checks.rkt" "../../support/run-text.rkt")
 
@@ -164,12 +165,25 @@
   (check-equal? errors "")
   (cddr output))
 
+;; What each of the lines is answered, all at one prompt.
+(define (answers-to . input)
+  (define mark "\"the next line\"")
+  (let next ([answers (apply answers-of (add-between input mark))])
+    (define-values (first rest) (splitf-at answers (lambda (line) (not (equal? line mark)))))
+    (cons first (if (null? rest) '() (next (cdr rest))))))
+
 (test-case "help and ? are commands"
-  (define commands (answers-of ",help"))
-  (for ([line '("help" "help()" "?" " ? ")]) (check-equal? (answers-of line) commands line))
-  (define card (answers-of "(help cube)"))
-  (for ([line '("help cube" "? cube" "?cube")]) (check-equal? (answers-of line) card line))
-  (check-equal? (answers-of "help \"Noether\"") (answers-of "(help \"Noether\")")))
+  (define input
+    '(",help" "help" "help()" "?" " ? " "(help cube)" "help cube" "? cube" "?cube"
+      "(help \"Noether\")" "help \"Noether\""))
+  (define answers (apply answers-to input))
+  (check-equal? (length answers) (length input))
+  (define-values (commands others) (split-at answers 5))
+  (define-values (cards found) (split-at others 4))
+  (for ([same (list commands cards found)])
+    (check-pred pair? (car same))
+    (for ([lines (in-list same)]) (check-equal? lines (car same))))
+  (check-false (check-duplicates (map car (list commands cards found)))))
 
 (test-case "quit and exit leave, unless they are the reader's"
   (for ([line '("quit" "exit" "bye" "quit()" "exit ( )")])

@@ -3,7 +3,9 @@
 ;;
 ;; It is tested in a process of its own, which has that display.
 
-(require racket/list
+;; for-label: compiled with this file, for processes that run it.
+(require (for-label "../../runner/fixture/player.rkt")
+         racket/list
          racket/runtime-path
          "../../support/checks.rkt" "../../support/display.rkt" "../../support/skip.rkt")
 

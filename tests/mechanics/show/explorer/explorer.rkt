@@ -2,7 +2,9 @@
 ;; The window in which maps are explored, where there is a display or a program, Xvfb, that
 ;; stands for one.  It is tested in a process of its own, which has that display.
 
-(require racket/list
+;; for-label: compiled with this file, for processes that run it.
+(require (for-label "../../runner/fixture/explorer.rkt")
+         racket/list
          racket/runtime-path
          "../../support/checks.rkt" "../../support/display.rkt" "../../support/skip.rkt")
 
