@@ -183,6 +183,13 @@
 ;; ---------------------------------------------------------------------------
 ;; The prompt
 
+;; One prompt for what disturbs nothing that follows.
+(define ask (open-prompt "-I" "mechanics"))
+
+(define (answers . input)
+  (define-values (output errors) (apply ask input))
+  output)
+
 (test-case "racket -I mechanics simplifies, defines and redefines"
   (check-equal? (answers "(define x 3)"
                          "x"
@@ -217,34 +224,31 @@
 
 (test-case "an error leaves the prompt usable and speaks our language"
   (define-values (output errors)
-    (session '("-I" "mechanics")
-             "(define (f (up a b)) a)"
-             "(f 3)"
-             "('x 't)"
-             "(f (up 'u 1))"))
+    (ask "(define (f (up a b)) a)"
+         "(f 3)"
+         "('x 't)"
+         "(f (up 'u 1))"))
   (check-equal? output '("u"))
   (check-regexp-match #rx"f: the argument does not match the pattern \\(up a b\\)" errors)
   (check-regexp-match #rx"the symbol x is a number here, not a function" errors))
 
 (test-case "an unbound name at the prompt is told from a symbol; it may be defined later"
-  (for ([arguments '(("-I" "mechanics") ("-i" "-l" "racket/base" "-l" "mechanics"))])
+  (for ([ask (list ask (open-prompt "-i" "-l" "racket/base" "-l" "mechanics"))])
     (define-values (output errors)
-      (session arguments
-               "(define ((L m) (up t q v)) (* m v))"
-               "(L m)"
-               "(define (f) (g 1))"
-               "(define (g x) x)"
-               "(f)"))
+      (ask "(define ((L m) (up t q v)) (* m v))"
+           "(L m)"
+           "(define (f) (g 1))"
+           "(define (g x) x)"
+           "(f)"))
     (check-equal? output '("1"))
     (check-regexp-match #rx"m: undefined;.*top-level\n.*  as a symbol it is written 'm\n" errors)
     (check-false (regexp-match? #rx"'g" errors))))
 
 (test-case "an unknown name at the prompt that is nearly spelt as a known one"
   (define-values (output errors)
-    (session '("-I" "mechanics")
-             "(determinent 'M)"
-             "(define (kinetic-energy v) v)"
-             "(kinetic-enrgy 'v)"))
+    (ask "(determinent 'M)"
+         "(define (kinetic-energy v) v)"
+         "(kinetic-enrgy 'v)"))
   (check-equal? output '())
   (check-regexp-match
    #rx"did you mean determinant[?]\n.*as a symbol it is written 'determinent" errors)
@@ -252,11 +256,10 @@
 
 (test-case "an unknown name at the prompt that another library of the package defines"
   (define-values (output errors)
-    (session '("-I" "mechanics")
-             "(plot-function 1)"
-             "(L-central-polar 'm 'U)"
-             "(require mechanics/book)"
-             "((L-free-particle 'm) (up 't 'x 'v))"))
+    (ask "(plot-function 1)"
+         "(L-central-polar 'm 'U)"
+         "(require mechanics/book)"
+         "((L-free-particle 'm) (up 't 'x 'v))"))
   (check-equal? output '("(* 1/2 m (expt v 2))"))
   (check-regexp-match #rx"top-level\n.*[(]require mechanics/plot[)] defines it\n.*'plot-function\n"
                       errors)
@@ -264,14 +267,13 @@
 
 (test-case "a keyword at the prompt, or a number of arguments, that the procedure does not take"
   (define-values (output errors)
-    (session '("-I" "mechanics")
-             "(define (swing #:amplitude [a 1] #:phase [p 0]) a)"
-             "(swing #:amplitud 3)"
-             "(swing #:mass 3)"
-             "(define (fall height [speed 0] #:drag [drag 0]) height)"
-             "(fall)"
-             "(fall #:drag 1)"
-             "(swing #:phase 3)"))
+    (ask "(define (swing #:amplitude [a 1] #:phase [p 0]) a)"
+         "(swing #:amplitud 3)"
+         "(swing #:mass 3)"
+         "(define (fall height [speed 0] #:drag [drag 0]) height)"
+         "(fall)"
+         "(fall #:drag 1)"
+         "(swing #:phase 3)"))
   (check-equal? output '("1"))
   (check-regexp-match #rx"given keyword: #:amplitud\n.*did you mean #:amplitude[?]\n" errors)
   (define fall
@@ -284,13 +286,12 @@
 
 (test-case "a function that is undefined is noticed before its arguments are evaluated"
   (define-values (output errors)
-    (session '("-I" "mechanics")
-             "(undefined-f (displayln 1))"
-             "(define (f x) (undefined-g (displayln x)))"
-             "(f 2)"
-             "(define (undefined-g y) 'done)"
-             "(undefined-g (displayln 3))"
-             "(f 4)"))
+    (ask "(undefined-f (displayln 1))"
+         "(define (f x) (undefined-g (displayln x)))"
+         "(f 2)"
+         "(define (undefined-g y) 'done)"
+         "(undefined-g (displayln 3))"
+         "(f 4)"))
   (check-equal? output '("3" "done" "4" "done"))
   (check-regexp-match #rx"undefined-f: undefined;.*undefined-g: undefined;" errors))
 
@@ -343,15 +344,14 @@
 
 (test-case "a text of several lines says once how they are seen"
   (define-values (output errors)
-    (session '("-I" "mechanics") "(->text (/ 'a 'b))" "\"a\\nb\"" "\"plain\\n\""))
+    (ask "(->text (/ 'a 'b))" "\"a\\nb\"" "\"plain\\n\""))
   (check-equal? errors "; a text of several lines: (display ...) shows them as lines\n"))
 
 (test-case "equal? of what = could find equal says so, once, where it says no"
   (define-values (output errors)
-    (session '("-I" "mechanics")
-             "(equal? 'a 'b)" "(equal? (* 2 'x) (* 2 'x))"
-             "(equal? (* 2 'a 'b) (+ (* 'a 'b) (* 'a 'b)))" "(equal? (up 1 'a) (up 1 (+ 'a 1)))"
-             "(define (equal? a b) 'mine)" "(equal? (* 2 'x) 'x)"))
+    (ask "(equal? 'a 'b)" "(equal? (* 2 'x) (* 2 'x))"
+         "(equal? (* 2 'a 'b) (+ (* 'a 'b) (* 'a 'b)))" "(equal? (up 1 'a) (up 1 (+ 'a 1)))"
+         "(define (equal? a b) 'mine)" "(equal? (* 2 'x) 'x)"))
   (check-equal? output '("#f" "#t" "#f" "#f" "mine"))
   (check-equal? (car (string-split errors "\n"))
                 "; equal? compares how values are made; (= a b) asks whether they are equal")

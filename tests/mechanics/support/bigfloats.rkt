@@ -6,8 +6,10 @@
 
 (define library 'math/bigfloat)
 
-;; The export of that name.
-(define (big name) (dynamic-require library name))
+;; The export of that name, kept: what a typed module exports is expanded at each dynamic-require.
+(define big
+  (let ([known (make-hasheq)])
+    (lambda (name) (hash-ref! known name (lambda () (dynamic-require library name))))))
 
 ;; Without the shared library bigfloats load but cannot be made.
 (define bigfloats?

@@ -7,7 +7,7 @@
 
 (provide lines run-module run-submodule declare instantiate namespace syntax-message
          language prints refusal failure
-         session answers)
+         session answers open-prompt)
 
 (define-namespace-anchor here)
 
@@ -103,3 +103,21 @@
 (define (answers . input)
   (define-values (output errors) (apply session '("-I" "mechanics") input))
   output)
+
+;; -> procedure that takes lines of input at one and the same prompt of `racket argument ...`, and
+;; answers as `session` does; the prompt ends with this process
+(define (open-prompt . arguments)
+  (define-values (process out in err)
+    (apply subprocess #f #f #f racket-program (append arguments '("-q"))))
+  (define mark "the end of the input")
+  (define end (format "(begin (displayln ~s) (eprintf \"~~a\\n\" ~s))" mark mark))
+  (lambda input
+    (write-string (apply lines (append input (list end))) in)
+    (flush-output in)
+    (define errors (text-before mark err))
+    (values (without-prompts (text-before mark out)) errors)))
+
+;; The lines up to one that ends with the mark, behind prompts, or to the end.
+(define (text-before mark in)
+  (apply lines
+         (for/list ([line (in-lines in)] #:break (string-suffix? line mark)) line)))

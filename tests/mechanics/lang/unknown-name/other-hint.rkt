@@ -5,11 +5,13 @@
          racket/string
          "../../support/checks.rkt" "../../support/run-text.rkt")
 
-;; The answer to an input on the error port, without its first line; which of those
-;; lines are ours is known by their end.
+(define ask (open-prompt "-I" "mechanics"))
+
+;; The last line of what each input is answered with, on the error port; whether it is ours is known
+;; by its end.
 (define (last-lines . inputs)
   (for/list ([input (in-list inputs)])
-    (define-values (output errors) (session '("-I" "mechanics") input))
+    (define-values (output errors) (ask input))
     (define lines (string-split errors "\n"))
     (and (pair? lines) (string-trim (car (reverse lines))))))
 
