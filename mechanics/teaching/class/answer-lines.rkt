@@ -41,7 +41,7 @@
 (define (plain-line? line)
   (not (or (regexp-match? #rx"[]#\"|\\`',@;{}[]" line)
            (regexp-match? #px"[0-9.][a-zA-Z][+-]?[0-9]{4,}" line)
-           (regexp-match? #px"[0-9]{2000,}" line))))
+           (many-digits? line))))
 
 ;; A failure under the name of the line, if the line has one.
 (define (refused-line line)

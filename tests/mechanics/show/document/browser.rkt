@@ -22,38 +22,36 @@
                    (shown (for/list ([i 3]) (list i (exp (* 1. i)) (exp (* -1. i)))))
                    (failure (make-string 200 #\x))))))
 
-(define folder (make-temporary-file "pages~a" 'directory))
-(define (of-page width expression)
-  (car (measure folder '("page.html") width expression)))
+(define script
+  (string-append
+   "({screen: d.documentElement.scrollWidth,"
+   " cut: [...d.querySelectorAll('pre.code')].map(e => e.scrollWidth - e.clientWidth),"
+   " heights: [d.querySelector('math'), d.querySelector('math mo')]"
+   ".map(e => e.getBoundingClientRect().height),"
+   " shown: [...d.querySelectorAll('.wide, .narrow')].filter(e => e.offsetParent)"
+   ".map(e => e.className)})"))
 
-(display-to-file page (build-path folder "page.html"))
+(define widths '(1200 390 320))
 
-(test-case "a page is as wide as the screen, on a desk and on a phone"
-  (skip-unless (browser?) "pages in a browser: Chromium is not here"
-    (for ([width '(1200 390 320)])
-      (check-equal? (of-page width "d.documentElement.scrollWidth") width))))
+;; width -> hasheq of what is measured there
+(define (measured-pages)
+  (define folder (make-temporary-file "pages~a" 'directory))
+  (display-to-file page (build-path folder "page.html"))
+  (begin0 (for/hasheqv ([width (in-list widths)])
+            (values width (car (measure folder '("page.html") width script))))
+          (delete-directory/files folder)))
 
-(test-case "no line of a program is cut"
-  (skip-unless (browser?) "pages in a browser: Chromium is not here"
-    (for ([width '(1200 390 320)])
-      (define beyond
-        (of-page width (string-append "[...d.querySelectorAll('pre.code')]"
-                                      ".map(e => e.scrollWidth - e.clientWidth)")))
-      (check-equal? beyond '(0)))))
-
-(test-case "brackets stretch, for the page has its font"
-  (skip-unless (browser?) "pages in a browser: Chromium is not here"
-    (define heights
-      (of-page 1200 (string-append "[d.querySelector('math'), d.querySelector('math mo')]"
-                                   ".map(e => e.getBoundingClientRect().height)")))
+(skip-unless (browser?) "pages in a browser: Chromium is not here"
+  (define pages (measured-pages))
+  (define (of-page width name) (hash-ref (hash-ref pages width) name))
+  (test-case "a page is as wide as the screen, on a desk and on a phone"
+    (for ([width widths]) (check-equal? (of-page width 'screen) width)))
+  (test-case "no line of a program is cut"
+    (for ([width widths]) (check-equal? (of-page width 'cut) '(0))))
+  (test-case "brackets stretch, for the page has its font"
+    (define heights (of-page 1200 'heights))
     (check-true (> (cadr heights) (* 0.8 (car heights))) (format "~s" heights))
-    (check-true (> (car heights) 60))))
-
-(test-case "the formula for which there is room is shown"
-  (skip-unless (browser?) "pages in a browser: Chromium is not here"
-    (define shown-class
-      "[...d.querySelectorAll('.wide, .narrow')].filter(e => e.offsetParent).map(e => e.className)")
-    (check-equal? (of-page 1200 shown-class) '("formula wide"))
-    (check-equal? (of-page 390 shown-class) '("formula narrow"))))
-
-(delete-directory/files folder)
+    (check-true (> (car heights) 60)))
+  (test-case "the formula for which there is room is shown"
+    (check-equal? (of-page 1200 'shown) '("formula wide"))
+    (check-equal? (of-page 390 'shown) '("formula narrow"))))
