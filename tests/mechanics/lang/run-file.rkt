@@ -2,9 +2,11 @@
 ;; `make run FILE=...`: programs, and what is none.
 
 (require compiler/find-exe
+         mechanics/lang/run-file
          racket/file
          racket/port
-         "../support/checks.rkt" "../support/folder.rkt"
+         racket/string
+         "../support/checks.rkt" "../support/folder.rkt" "../support/messages.rkt"
          "../support/run-text.rkt" "../support/skip.rkt" "../support/terminal.rkt")
 
 ;; f : the folder ->
@@ -68,31 +70,9 @@
      (check-refused '("") "run: which file? as in  make run FILE=my-system.rkt")
      (check-refused '() "run: which file? as in  make run FILE=my-system.rkt")
      (check-refused '("sistem.rkt") "run: there is no file sistem.rkt; did you mean system.rkt?")
-     (check-refused '("other.rkt")
-                    (string-append "run: there is no file other.rkt; the programs in its folder: "
-                                   "closed.rkt, empty.rkt, long-form.rkt, marked.rkt, "
-                                   "misspelt.rkt, mixed.rkt, no-lang.rkt, open.rkt, ..."))
-     (check-refused '("there/a.rkt")
-                    "run: there is no file there/a.rkt; the programs in its folder: none")
-     (check-refused '(".")
-                    (string-append "run: . is a folder; the programs in it: "
-                                   "closed.rkt, empty.rkt, long-form.rkt, marked.rkt, "
-                                   "misspelt.rkt, mixed.rkt, no-lang.rkt, open.rkt, ..."))
-     (for ([name '("no-lang.rkt" "empty.rkt")])
-       (check-refused (list name)
-                      (string-append "run: " name " does not say its language: its first line is "
-                                     "to be  #lang mechanics")))
-     (check-refused '("misspelt.rkt")
-                    (string-append "run: misspelt.rkt is in a language that is not installed: "
-                                   "#lang mechanic; did you mean #lang mechanics?"))
-     (check-refused '("unknown.rkt")
-                    (string-append "run: unknown.rkt is in a language that is not installed: "
-                                   "#lang fortran"))
      (check-refused '("open.rkt")
                     "run: open.rkt, line 2: the ( there is never closed"
                     "  indentation suggests a missing `)` before line 4")
-     (check-refused '("closed.rkt") "run: closed.rkt, line 2: there is a ) too many")
-     (check-refused '("mixed.rkt") "run: mixed.rkt, line 2: the ( there is closed by a ]")
      (check-refused '("racket.rkt")
                     "*: contract violation" "  expected: number?" "  given: 'x"
                     (string-append "; racket.rkt is in #lang racket/base, without mechanics: "
@@ -102,11 +82,44 @@
                     "  in: Lagrange-equations"
                     (string-append "; unbound.rkt is in #lang racket/base, without mechanics: "
                                    "begin it with  #lang mechanics"))
-     (check-refused '("text.rkt") "run: text.rkt, line 2: the \" there has no other to close it")
      (check-refused '("wrong.rkt")
                     "f: takes 1 argument; it was given 2"
                     "  it is called as (f x)"
                     "  in: wrong.rkt, line 3: (f 1 2)"))))
+
+;; As the process tells it, without one.
+(test-case "so is what is no program, or cannot be read"
+  (call-in-folder
+   files
+   (lambda (folder)
+     (define (check-told name . said)
+       (check-equal? (parameterize ([current-directory folder]
+                                    [current-namespace (make-base-namespace)])
+                       (message-of (run-file name '()) exn:fail?))
+                     (string-join said "\n")))
+     (check-told "other.rkt"
+                 (string-append "run: there is no file other.rkt; the programs in its folder: "
+                                "closed.rkt, empty.rkt, long-form.rkt, marked.rkt, "
+                                "misspelt.rkt, mixed.rkt, no-lang.rkt, open.rkt, ..."))
+     (check-told "there/a.rkt"
+                 "run: there is no file there/a.rkt; the programs in its folder: none")
+     (check-told "."
+                 (string-append "run: . is a folder; the programs in it: "
+                                "closed.rkt, empty.rkt, long-form.rkt, marked.rkt, "
+                                "misspelt.rkt, mixed.rkt, no-lang.rkt, open.rkt, ..."))
+     (for ([name '("no-lang.rkt" "empty.rkt")])
+       (check-told name
+                   (string-append "run: " name " does not say its language: its first line is "
+                                  "to be  #lang mechanics")))
+     (check-told "misspelt.rkt"
+                 (string-append "run: misspelt.rkt is in a language that is not installed: "
+                                "#lang mechanic; did you mean #lang mechanics?"))
+     (check-told "unknown.rkt"
+                 (string-append "run: unknown.rkt is in a language that is not installed: "
+                                "#lang fortran"))
+     (check-told "closed.rkt" "run: closed.rkt, line 2: there is a ) too many")
+     (check-told "mixed.rkt" "run: mixed.rkt, line 2: the ( there is closed by a ]")
+     (check-told "text.rkt" "run: text.rkt, line 2: the \" there has no other to close it"))))
 
 (test-case "names that are defined again are told with their lines, once in a run"
   (call-in-folder

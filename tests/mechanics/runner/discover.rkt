@@ -56,8 +56,9 @@
 ;; Those that take longest are begun first where nothing is known of an earlier run.
 (define long-test
   '("manual.rkt" "show/plot/figures.rkt" "teaching/class/hostile.rkt" "scale/export/C.rkt"
-    "lang/command/worksheet-commands.rkt" "show/explorer/explorer.rkt" "test-runner.rkt"
-    "scale/export/python.rkt" "dynamics/invariant-circles.rkt" "exercises.rkt"))
+    "certificate/checked-by-Coq.rkt" "teaching/class/hostile-notebooks.rkt" "attack.rkt"
+    "lang/command/class-commands.rkt" "lang/help/cards.rkt" "show/display/program-end.rkt"
+    "exercises.rkt" "examples.rkt" "scale/export/python.rkt" "test-runner.rkt"))
 
 (define (long-test? file)
   (and (member (path->string (find-relative-path tests file)) long-test) #t))

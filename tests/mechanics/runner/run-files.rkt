@@ -62,7 +62,7 @@
 ;; mark : what begins the line of a result; files : how many it has run
 (struct worker (process in out mark [files #:mutable]))
 
-(define most-files 40)           ; in one process, so that its memory stays small
+(define most-files 80)           ; in one process, so that its memory stays small
 
 (define (usable? w)
   (and (not (port-closed? (worker-out w)))

@@ -1,32 +1,14 @@
 #lang racket/base
 ;; A class from its list to its grades: worksheets with each student's numbers, the list and the
-;; points in `raco mechanics check`, an archive in place of a folder, and the autograder.
+;; points in `raco mechanics check`, and an archive in place of a folder.
 
-(require compiler/find-exe
-         file/unzip file/zip
+(require file/zip
          json
-         mechanics/lang/command/raco
          (only-in mechanics/lang/command/written-files plain-file-name)
          racket/file
          racket/list
-         racket/path
          racket/string
-         racket/system
-         "../../support/checks.rkt")
-
-(define folder (make-temporary-file "mechanics-class~a" 'directory))
-(define (in-folder name) (build-path folder name))
-(define (text name) (file->string (in-folder name)))
-(define (write-text name . lines)
-  (display-to-file #:exists 'truncate (string-join lines "\n") (in-folder name)))
-
-;; -> status, and what was printed, without the lines on isolation
-(define (command . arguments)
-  (define out (open-output-string))
-  (define status
-    (parameterize ([current-output-port out] [current-error-port out] [current-directory folder])
-      (run-command-line arguments)))
-  (list status (regexp-replace #rx"^Submissions were run[^\n]*\n\n" (get-output-string out) "")))
+         "../../support/checks.rkt" "../../support/worksheet-folder.rkt")
 
 (write-text "w.rkt" "#lang mechanics/worksheet" "(title \"Numbers\")"
             "(deadline \"2026-11-20 12:00 Z\" #:per-day 1/4)" "(credit #:sign 1/2)"
@@ -74,21 +56,20 @@
 
 ;; ---------------------------------------------------------------------------
 
-(define (answered student . answers)
-  (for/fold ([text (text (format "w-students/~a@uni.edu.rkt" student))])
-            ([a (in-list answers)] [name '("double" "root" "why")])
-    (string-replace text (format "(define ~a unanswered)" name) (format "(define ~a ~a)" name a))))
+(define (answers-of student . answers)
+  (answered (text (format "w-students/~a@uni.edu.rkt" student))
+            (for/list ([a (in-list answers)] [name '("double" "root" "why")]) (list name a))))
 
 (make-directory (in-folder "class"))
 (write-text "class/ann@uni.edu.rkt"
-            (answered "ann" "(* 2 l)" "(sqrt (/ 'g l))" "\"Since it must.\""))
+            (answers-of "ann" "(* 2 l)" "(sqrt (/ 'g l))" "\"Since it must.\""))
 (write-text "class/Bob Bell_12_assignsubmission_file_.rkt"
-            (answered "ann" "(* 2 l)" "(- (sqrt (/ 'g l)))"))
-(write-text "class/cem.rkt" (answered "cem" "(* 2 l)" "(- (sqrt (/ 'g l)))"))
-(write-text "class/eve.rkt" (answered "dan" "(* 2 l)"))
+            (answers-of "ann" "(* 2 l)" "(- (sqrt (/ 'g l)))"))
+(write-text "class/cem.rkt" (answers-of "cem" "(* 2 l)" "(- (sqrt (/ 'g l)))"))
+(write-text "class/eve.rkt" (answers-of "dan" "(* 2 l)"))
 
-(define (check-class . more)
-  (apply command "check" "class" "--worksheet" "w.rkt" "--class" "list.csv" "--seconds" "600" more))
+(define (check-class class . more)
+  (apply command "check" class "--worksheet" "w.rkt" "--class" "list.csv" "--seconds" "600" more))
 
 (define listed
   (list "Arbor, Ann  4 of 8, 1 left to you" #rx"Bob Bell  [0-9.]+ of 8" "Cem  3 of 8"
@@ -102,7 +83,7 @@
                 (format "~s in ~s" e lines))))
 
 (test-case "a class is judged by its list: numbers, lateness, extensions, nobody's submissions"
-  (define result (check-class "--points" "points.csv" "--moodle" "m.csv" "--report" "r.json"
+  (define result (check-class "class" "--points" "points.csv" "--moodle" "m.csv" "--report" "r.json"
                               "--report" "r.html"))
   (check-equal? (first result) 0)
   (check-lines (second result) (cons "m.csv: 1 answer left to you, with no points in it yet"
@@ -116,23 +97,17 @@
   (check-true (regexp-match? #rx"What went wrong.*root</td><td>the sign is" (text "r.html"))
               "of numbers of their own, too"))
 
-(test-case "points that are entered count, and are kept"
+(test-case "points that are entered count, and are kept; an archive is judged as its folder is"
   (define table (text "points.csv"))
   (check-regexp-match #rx"\"ann@uni.edu\",\"Arbor, Ann\",\"why\",\"Since it must.\",\"4\",\"\",\"\""
                       table)
   (write-text "points.csv" (string-replace table "\"4\",\"\",\"\"" "\"4\",\"3.5\",\"and why?\""))
-  (check-lines (second (check-class "--points" "points.csv" "--moodle" "m.csv"))
-               '("Arbor, Ann  7.5 of 8"))
+  (parameterize ([current-directory folder]) (zip "class.zip" "class"))
+  (check-lines (second (check-class "class.zip" "--points" "points.csv" "--moodle" "m.csv"))
+               (cons "Arbor, Ann  7.5 of 8" (rest listed)))
   (check-regexp-match #rx"\"3.5\",\"and why[?]\"" (text "points.csv"))
   (check-regexp-match #rx"\"ann@uni.edu\",\"7.5\",\".*marked by the teacher \\(3.5 of 4 points\\); "
                       (text "m.csv")))
-
-(test-case "an archive is judged as its folder is, with the points that were entered"
-  (parameterize ([current-directory folder]) (zip "class.zip" "class"))
-  (check-lines (second (command "check" "class.zip" "--worksheet" "w.rkt" "--class" "list.csv"
-                                "--seconds" "600" "--points" "points.csv"))
-               (cons "Arbor, Ann  7.5 of 8" (rest listed)))
-  (check-regexp-match #rx"\"3.5\",\"and why[?]\"" (text "points.csv")))
 
 (test-case "one file is judged with the numbers of its student"
   (define one (in-folder "class/cem.rkt"))
@@ -141,11 +116,6 @@
                                        "--student" "cem@uni.edu"))))
 
 ;; ---------------------------------------------------------------------------
-
-(define (check-refused pattern . arguments)
-  (define result (apply command arguments))
-  (check-equal? (first result) 2 (format "~s" arguments))
-  (check-regexp-match pattern (second result)))
 
 (write-text "bad.zip" "no archive")
 (write-text "twins.csv" "username\nann/a\nAnn_A\n")
@@ -178,21 +148,7 @@
   (check-refused #rx"^check: it is no ZIP archive" "check" "bad.zip" "--worksheet" "w.rkt"
                  "--class" "list.csv"))
 
-(test-case "an autograder of a worksheet that is none, or not whole, is refused"
-  (check-refused #rx"^autograder: it is no worksheet" "autograder" "class/cem.rkt")
-  (check-refused #rx"^autograder: it writes a file that ends with .zip" "autograder" "w.rkt" "-o"
-                 "a.tar")
-  (write-text "mine.rkt" "#lang mechanics" "(provide two)" "(define two 2)")
-  (write-text "parts.rkt" "#lang mechanics/worksheet" "(require \"mine.rkt\")" "(title \"Parts\")"
-              "(exercise a number \"?\" (key two))")
-  (check-refused #rx"^autograder: the worksheet requires other files; put .*\n  files: mine.rkt\n"
-                 "autograder" "parts.rkt"))
-
 (define title "(title \"Bad\")")
-(define (check-worksheet pattern . lines)
-  (define name (format "~a.rkt" (gensym 'bad)))
-  (apply write-text name "#lang mechanics/worksheet" lines)
-  (check-refused pattern "worksheet" name))
 
 (test-case "a worksheet's mistakes with deadlines, parameters and credit are told"
   (check-worksheet #rx"deadline: a deadline is a time, with what lateness costs perhaps" title
@@ -207,47 +163,4 @@
   (check-worksheet #rx"^a: the credit of a slip is a share" title "(credit #:sign 2)"
                    "(exercise a number \"?\" (key 1))"))
 
-;; ---------------------------------------------------------------------------
-;; The autograder, in a folder with Gradescope's places; the library is that of here, compiled
-
-(define root (in-folder "autograder"))
-(define (in-root . parts) (apply build-path root parts))
-
-(define (run-autograder)
-  (parameterize ([current-environment-variables
-                  (environment-variables-copy (current-environment-variables))])
-    (putenv "AUTOGRADER" (path->string root))
-    (putenv "PATH" (string-append (path->string (path-only (find-exe))) ":" (getenv "PATH")))
-    (system* "/bin/sh" (in-root "source" "run_autograder"))))
-
-(define (results) (call-with-input-file (in-root "results" "results.json") read-json))
-
-(test-case "the autograder's archive is unpacked, and grades what it finds"
-  (check-equal? (command "autograder" "w.rkt") '(0 "autograder.zip\n"))
-  (make-directory* (in-root "submission"))
-  (make-directory (in-root "source"))
-  (parameterize ([current-directory (in-root "source")]) (unzip (in-folder "autograder.zip")))
-  (check-equal? (map path->string (directory-list (in-root "source")))
-                '("mechanics" "run_autograder" "setup.sh" "worksheet.rkt"))
-  (delete-directory/files (in-root "source" "mechanics"))
-  (make-file-or-directory-link (collection-path "mechanics") (in-root "source" "mechanics"))
-  (display-to-file
-   (jsexpr->string (hasheq 'created_at "2026-11-20T13:00:00.000000+01:00"
-                           'users (list (hasheq 'email "Cem@uni.edu" 'name "Cem" 'id 1))))
-   (in-root "submission_metadata.json"))
-  (copy-file (in-folder "class/cem.rkt") (in-root "submission" "mine.rkt"))
-  (check-true (run-autograder))
-  (check-equal? (hash-ref (results) 'score) 3.0)
-  (check-equal? (map (lambda (t) (hash-ref t 'score)) (hash-ref (results) 'tests)) '(2.0 1.0 0.0)))
-
-(test-case "nothing handed in, and a failure of the autograder itself, are results, too"
-  (delete-file (in-root "submission" "mine.rkt"))
-  (check-true (run-autograder))
-  (check-equal? (hash-ref (results) 'score) 0.0)
-  (check-regexp-match #rx"no file that ends with .rkt or .ipynb" (hash-ref (results) 'output))
-  (delete-file (in-root "submission_metadata.json"))
-  (check-false (run-autograder))
-  (check-regexp-match #rx"^It could not be graded; tell your teacher: "
-                      (hash-ref (results) 'output)))
-
-(delete-directory/files folder)
+(delete-folder)

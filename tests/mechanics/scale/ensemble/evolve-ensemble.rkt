@@ -35,7 +35,6 @@
   (for ([state alone] [start starts] [ps parameters] [k count] #:when (zero? (modulo k 9)))
     (define one ((apply state-advancer pendulum ps) start 5))
     (for ([a (structure->list state)] [b (structure->list one)]) (check-= a b 1e-8)))
-  (check-equal? (follow) alone)
   (check-equal? (follow #:jobs 3) alone))
 
 (test-case "values of the last states are collected, there or here, and folded in order"
@@ -89,8 +88,8 @@
 
 (test-case "starts may be a sequence without an end in sight, all methods by name"
   (define (rows) (sequence-map (lambda (k) (up 0 (* 0.01 k) 0)) (in-range 33)))
-  (check-equal? (length (evolve-ensemble (pendulum 1.0 1.0 9.8) (rows) 1)) 33)
   (define by-taylor (evolve-ensemble (pendulum 1.0 1.0 9.8) (rows) 1))
+  (check-equal? (length by-taylor) 33)
   (for ([method '(Dormand-Prince-853 Radau-IIA-5 bulirsch-stoer)])
     (for ([a by-taylor] [b (evolve-ensemble (pendulum 1.0 1.0 9.8) (rows) 1 #:method method)])
       (check-= (ref a 1) (ref b 1) 1e-7))))

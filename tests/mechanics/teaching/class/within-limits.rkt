@@ -58,7 +58,7 @@
 (test-case "what is long to judge is left to a person, with what follows it in that submission"
   (define r (grade-class w (list (submission-of "k" "quick") (submission-of "l" "slow")
                                  (submission-of "k" "slow"))
-                         #:seconds (processor-seconds 3)))
+                         #:seconds (processor-seconds 2)))
   (check-equal? (for/list ([g (in-list (class-report-graded r))])
                   (map judgment-status (graded-judgments g)))
                 '((right right wrong) (undecided undecided undecided) (undecided right wrong))
