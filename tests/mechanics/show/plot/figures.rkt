@@ -5,13 +5,18 @@
 (require (only-in mechanics/book)
          (only-in mechanics/plot)
          (only-in mechanics/show/plot/on-demand why-not)
+         (only-in racket/class send)
          racket/file
+         racket/lazy-require
+         racket/list
          racket/path
          racket/runtime-path
          racket/string
          "../../support/checks.rkt"
          "../../support/example-programs.rkt" "../../support/picture-programs.rkt"
          "../../support/skip.rkt")
+
+(lazy-require [racket/draw (read-bitmap)])
 
 (define-runtime-path figures "../../../../examples/mechanics/figures")
 (define-runtime-path constraints "../../../../examples/mechanics/constraints")
@@ -83,10 +88,43 @@
   (in-a-folder
    (define file (string-append "picture." extension))
    (define printed (run program file #:in shared))
-   (check-true (string-prefix? printed "(frame x from ") printed)
+   (check-frame printed)
    (check-true (string-suffix? printed (format "written: ~a\n" file)) printed)
    (check-equal? (map path->string (directory-list)) (list file))
-   (check-true (> (file-size file) 2500))))
+   (check-true (> (file-size file) 2500))
+   (check-drawn file extension)))
+
+;; It is told from where to where the axes go, and that something is drawn.
+(define (check-frame printed)
+  (define m
+    (regexp-match (pregexp (format "^\\(frame x from ~a to ~a, y from ~a to ~a: \\d+ \\w+"
+                                   number number number number))
+                  printed))
+  (define ends (if m (map string->number (cdr m)) '()))
+  (with-check-info (['printed printed])
+    (check-equal? (length ends) 4)
+    (check-true (and (< (first ends) (second ends)) (< (third ends) (fourth ends))))))
+
+(define number "([-+\\d.e]+)")
+
+;; A picture that is empty has the size of one that is not, or nearly.
+(define (check-drawn file extension)
+  (case extension
+    [("svg") (check-regexp-match #rx#"^<[?]?(xml|svg).*<svg.*<(path|circle|image|use) .*</svg>"
+                                 (file->bytes file))]
+    [("pdf") (check-regexp-match #rx#"^%PDF-.*%%EOF" (file->bytes file))]
+    [else (check-true (> (length (colors-of file)) 2) "the picture has two colours at most")]))
+
+;; -> the colours, as bytes, that occur in every tenth column
+(define (colors-of file)
+  (define bitmap (read-bitmap file))
+  (define-values (width height) (values (send bitmap get-width) (send bitmap get-height)))
+  (define column (make-bytes (* 4 height)))
+  (define colors (make-hash))
+  (for ([x (in-range 0 width 10)])
+    (send bitmap get-argb-pixels x 0 1 height column)
+    (for ([y (in-range height)]) (hash-set! colors (subbytes column (* 4 y) (* 4 (+ y 1))) #t)))
+  (hash-keys colors))
 
 (for ([program (in-list programs)] [extension (in-cycle '("svg" "png" "pdf"))])
   (define name (name-of (path-replace-extension program #"")))
