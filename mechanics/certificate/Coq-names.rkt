@@ -9,7 +9,7 @@
          "../scale/export/variable-names.rkt")
 
 (provide make-names names-without names-called name-of names-symbols names-functions names-texts
-         function-type function-of function-order flat-arguments
+         function-type function-of function-order flat-arguments derivative-nodes
          (struct-out unknown-function))
 
 ;; table : symbol or unknown-function -> string
@@ -64,6 +64,17 @@
                     (list a)))
               (node-args n)))
 
+;; The derivatives of a literal function, by each of these arguments
+(define (derivative-nodes n)
+  (define args (node-args n))
+  (define (paths a)
+    (if (and (node? a) (memq (node-head a) (list op:up op:down))) (numbered (node-args a)) '(())))
+  (define (numbered args)
+    (for*/list ([(a k) (in-parallel args (in-naturals))] [path (in-list (paths a))])
+      (cons k path)))
+  (for/list ([path (in-list (if (null? (cdr args)) (paths (car args)) (numbered args)))])
+    (make-node (literal-head-derivative (node-head n) path) args)))
+
 (define (function-symbol f)
   (define prefix
     (for/list ([entry (in-list (unknown-function-index f))])
@@ -100,5 +111,6 @@
 ;; Names of hypotheses and of facts in proofs
 (define numbered-names
   (for*/list ([k (in-range 1 200)]
-              [base (in-list '("given" "kernel" "law" "moves" "rate" "equation" "place" "speed"))])
+              [base (in-list '("given" "kernel" "law" "moves" "rate" "equation" "place" "speed"
+                             "differentiable"))])
     (format "~a_~a" base k)))

@@ -166,6 +166,9 @@
     [(<>) (between "<>" left right)]
     [(=) (between "=" left right)]
     [(is-derivative)
-     (format "is_derive ~a ~a ~a" (function-name left ns)
-             (term (car (flat-arguments left)) ns atom) (term right ns atom))]
+     (define xs (flat-arguments left))
+     (string-join
+      (list* (if (null? (cdr xs)) "is_derive" (format "differentiable_~a" (length xs)))
+             (function-name left ns)
+             (for/list ([e (in-list (append xs (cddr d)))]) (term e ns atom))))]
     [else (give-up "it rests on ~a" (value->text d))]))

@@ -112,5 +112,5 @@
           (arguments-text M ns) given lines
           (wrapped (string-join (names-defined M) ", "))
           (refine-text (length (claims M ns)))
-          (derivative-proof tactic) tactic
+          (derivative-proof tactic ns) tactic
           "Qed.\nEnd transformation.\n\n"))

@@ -74,17 +74,20 @@
   (with-handlers ([no-certificate? no-certificate-reason])
     (cond [(motion-claim? c)
            (certified motion-theorem
-                      (string-append "the path is a motion of the Lagrangian"
-                                     (with-outside (motion-claim-force c)
-                                                   (motion-claim-constraints c))))]
+                      (format "the path is a motion of the ~a~a"
+                              (system-name (motion-claim-p c))
+                              (with-outside (motion-claim-force c)
+                                            (motion-claim-constraints c))))]
           [(conserved-claim? c)
            (certified conserved-theorem
                       (format "the quantity is conserved along the motions of the ~a~a"
-                              (if (conserved-claim-Hamiltonian? c) "Hamiltonian" "Lagrangian")
+                              (system-name (conserved-claim-Hamiltonian? c))
                               (with-outside (conserved-claim-force c) #f)))]
           [(canonical-claim? c)
            (certified bracket-theorem "the transformation keeps all Poisson brackets")]
           [else #f])))
+
+(define (system-name Hamiltonian?) (if Hamiltonian? "Hamiltonian" "Lagrangian"))
 
 ;; Words for a force and constraints, each of them #f where there is none
 (define (with-outside force constraints)

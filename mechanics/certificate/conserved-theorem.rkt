@@ -235,12 +235,12 @@
    (string-join (map (lambda (s) (name-of ns s)) (state-symbols M)) " ") " " given ".\n"
    lines
    (format "  unfold ~a.\n  ~a;\n  ~a. }\n" unfold
-           (refine-text (* 2 (length (flow-xs M)))) (derivative-proof tactic))
+           (refine-text (* 2 (length (flow-xs M)))) (derivative-proof tactic ns))
    (format "  unfold hypotheses, motion. intros ~a ~a ~a ~a.\n"
            (string-join (append (x-paths M) (y-paths M)) " ") t given (motion-pattern M))
    (format "  unfold ~a in *.\n" unfold)
    lines-along
-   (string-append* (map (lambda (E k) (law-text E k tactic-along))
+   (string-append* (map (lambda (E k) (law-text E k (derivative-proof tactic-along ns)))
                         (law-texts M along) (range 1 (+ 1 (length (flow-laws M))))))
    (format "  ~a.\n" (refine-text (length (flow-Qs M))))
    (string-append* (map (lambda (k) (quantity-proof M k along tactic-along))
@@ -267,26 +267,24 @@
                  (format "~a - ~a" (in-parentheses p) (in-parentheses f))))))
 
 ;; By derivatives of unknown functions
-(define (law-text E k tactic)
+(define (law-text E k derivative)
   (format "  assert (equation_~a : ~a = 0).\n  { ~a.\n    ~a. }\n" k E
           (format "refine (same_derivative _ _ _ _ _ law_~a)" k)
-          (derivative-proof tactic)))
+          derivative))
 
 (define (quantity-proof M k along tactic)
-  (cond [(flow-Hamiltonian? M) (format "  ~a.\n" (derivative-proof tactic))]
+  (cond [(flow-Hamiltonian? M) (format "  ~a.\n" (derivative-proof tactic along))]
         [else
          (define ws (list-ref (flow-multipliers M) k))
          (define terms
            (for/list ([w (in-list ws)] [E (in-list (law-texts M along))] [k (in-naturals 1)]
                       #:unless (eqv? w 0))
              (cons (format "(~a) * (~a)" (term w along) E) k)))
-         (format (string-append "  { auto_derive; [conditions | derivatives_known].\n"
-                                "    transitivity (~a).\n    ~a\n    ~a }\n")
-                 (wrapped (if (null? terms) "0" (string-join (map car terms) " + ")))
-                 (format "{ first [~a | unfold Rminus, Rdiv in *; ~a]. }" tactic tactic)
-                 (format "~a ring."
-                         (string-append* (for/list ([t (in-list terms)])
-                                           (format "rewrite equation_~a. " (cdr t))))))]))
+         (define sum (if (null? terms) "0" (string-join (map car terms) " + ")))
+         (format "  { assert (law : ~a = 0) by (~aring).\n    ~a. }\n" (wrapped sum)
+                 (string-append* (for/list ([t (in-list terms)])
+                                   (format "rewrite equation_~a; " (cdr t))))
+                 (derivative-proof (format "(refine (eq_trans _ law); ~a)" tactic) along))]))
 
 ;; ---------------------------------------------------------------------------
 ;; An example: a motion at a point where the hypotheses hold

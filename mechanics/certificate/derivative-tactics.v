@@ -29,7 +29,56 @@ Ltac derivatives_known :=
   | H : is_derive ?f ?x ?d |- context [Derive ?g ?x] =>
       replace (Derive g x) with d by (symmetry; exact (is_derive_unique g x d H))
   end.
+(* Functions of several variables.  Along a path each of them becomes a function of one variable,
+   whose derivative is known. *)
+Ltac head_of u := lazymatch u with ?f _ => head_of f | _ => u end.
+Ltac first_argument u :=
+  lazymatch u with ?f ?a => lazymatch f with _ _ => first_argument f | _ => a end end.
+Ltac of_several s e use :=
+  match e with
+  | context [?f ?a ?b] =>
+      let h := head_of f in is_var h;
+      lazymatch type of (f a b) with R => idtac end;
+      lazymatch constr:(f a b) with context [s] => idtac end;
+      first [of_several s f use | of_several s a use | of_several s b use | use (f a b)]
+  end.
+Ltac path_derivative :=
+  first [ match goal with H : is_derive ?f ?x _ |- is_derive ?f ?x _ => exact H end
+        | auto_derive; [conditions | derivatives_known; reflexivity] ].
+Ltac by_paths :=
+  match goal with
+  | H : ?known |- is_derive ?f ?t _ =>
+      let value := eval cbv beta in (f t) in
+      let function := head_of value in
+      let g := first_argument known in
+      constr_eq g function;
+      eapply H; lazymatch goal with
+                | |- is_derive _ _ _ => path_derivative
+                | |- _ => first [reflexivity | ring]
+                end
+  end.
+Ltac along_paths :=
+  repeat match goal with
+  | |- is_derive ?f ?t ?d =>
+      let path := constr:(fun s : R => ltac:(
+        let e := eval cbv beta in (f s) in of_several s e ltac:(fun u => exact u))) in
+      let along := fresh "along" in
+      pose (along := path);
+      eassert (is_derive along t _) by (unfold along; by_paths);
+      let g := constr:(fun s : R => ltac:(
+        let e := eval cbv beta in (f s) in let u := eval cbv beta in (path s) in
+        match e with context C [u] => let r := context C [along s] in exact r end)) in
+      change (is_derive g t d)
+  end.
+Ltac paths_back :=
+  repeat match goal with along := fun _ : R => _ |- _ => subst along end; cbv beta.
+
 Ltac polynomial_derivative := auto_derive; [exact I | field].
+Ltac polynomial_derivatives :=
+  hnf; intros;
+  auto_derive;
+  [ conditions
+  | derivatives_known; repeat match goal with H : _ = _ |- _ => rewrite H end; field ].
 
 (* At the numbers of an example *)
 Lemma derivative_as : forall (f : R -> R) (x a b : R), is_derive f x a -> a = b -> is_derive f x b.

@@ -37,14 +37,7 @@
 
 ;; n : a node -> of an unknown function that it has the derivative it is said to have
 (define (unknown-derivatives n)
-  (define h (node-head n))
-  (cond [(not (literal-head? h)) '()]
-        [(pair? (cdr (flat-arguments n)))
-         (give-up "it takes derivatives of an unknown function of several variables")]
-        [else (list (list 'is-derivative n (derivative-of-node n)))]))
-
-(define (derivative-of-node n)
-  (make-node (literal-head-derivative (node-head n) '()) (node-args n)))
+  (if (literal-head? (node-head n)) (list (list* 'is-derivative n (derivative-nodes n))) '()))
 
 ;; ---------------------------------------------------------------------------
 ;; Texts
@@ -102,6 +95,9 @@
           (wrapped tactic)))
 
 ;; auto_derive writes x - y as x + - y, and x / y as x * / y.
-(define (derivative-proof tactic)
-  (format "(auto_derive; [conditions | derivatives_known; ~a])"
-          (format "first [~a | unfold Rminus, Rdiv in *; ~a]" tactic tactic)))
+(define (derivative-proof tactic ns)
+  (define several? (ormap (lambda (f) (> (unknown-function-arity f) 1)) (names-functions ns)))
+  (define equal (format "first [~a | unfold Rminus, Rdiv in *; ~a]" tactic tactic))
+  (if several?
+      (format "(along_paths; auto_derive; [conditions | derivatives_known; paths_back; ~a])" equal)
+      (format "(auto_derive; [conditions | derivatives_known; ~a])" equal)))

@@ -84,7 +84,8 @@
   (for/list ([u (in-list unknowns)] [i (in-naturals)]) (cons u (coordinate i k))))
 
 ;; Functions that are derivatives of others with polynomials as values: r (1 + x + x²/2 ...), which
-;; ends where it is differentiated no more.  derivatives : functions
+;; ends where it is differentiated no more; of several variables x is their sum, so that all
+;; derivatives are alike.  derivatives : functions
 (define (with-polynomials values derivatives)
   (define (same? f g) (and (unknown-function? f) (eq? (unknown-function-name f)
                                                       (unknown-function-name g))))
@@ -107,10 +108,20 @@
 ;; As a term; of a function, of what it makes of its arguments
 (define (value-text u x ns)
   (if (unknown-function? u)
-      (format "(fun ~a => ~a)"
-              (if (number? x) (string-join (make-list (unknown-function-arity u) "_")) "s")
-              (term x (names-called ns (list (cons argument "s")))))
+      (let ([variables (variables-of u)])
+        (format "(fun ~a => ~a)"
+                (if (number? x)
+                    (string-join (map (lambda (_) "_") variables))
+                    (string-join variables))
+                (term x (names-called ns (list (cons argument (sum-text variables)))))))
       (format "(~a)" (term x ns))))
+
+;; Names of the variables of a function, and their sum
+(define (variables-of u)
+  (define n (unknown-function-arity u))
+  (if (= n 1) '("s") (for/list ([k (in-range 1 (+ n 1))]) (format "s_~a" k))))
+(define (sum-text variables)
+  (if (null? (cdr variables)) (car variables) (format "(~a)" (string-join variables " + "))))
 
 ;; The i-th number of the k-th place
 (define (coordinate i k)
@@ -150,9 +161,10 @@
   (define x (cdr (or known (assoc (function-of leaf) values))))
   (if (number? x) x (value-at (applied x leaf) values)))
 
-;; The polynomial x at the argument of n
+;; The polynomial x at the argument of n, or at the sum of these
 (define (applied x n)
-  (in-place x (list (cons argument (car (flat-arguments n))))))
+  (define args (flat-arguments n))
+  (in-place x (list (cons argument (if (null? (cdr args)) (car args) (make-node op:+ args))))))
 
 ;; e with other leaves for some, nothing evaluated
 (define (in-place e leaves)

@@ -6,7 +6,8 @@
 ;; are called: v is the derivative of q, p the derivative of L by its velocity, f by its coordinate,
 ;; and the derivative of p is f and the force, with those of constraints: multipliers times their
 ;; derivatives. What has to have a value is a hypothesis, its relations strict, so that it holds at
-;; times around t as well.
+;; times around t as well.  Of a Hamiltonian H the functions are q and p with the derivatives of H,
+;; and Hamilton's equations.
 
 (require racket/list racket/string
          "Coq-names.rkt" "derivative-theorem.rkt"
@@ -16,6 +17,7 @@
          "../calculus/derivative.rkt"
          "../constraint/constraint.rkt" "../constraint/constraint-jacobian.rkt"
          "../generic/arithmetic.rkt" "../generic/up-down.rkt"
+         "../hamiltonian/Hamilton-equations.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/matrix/linear-algebra.rkt" "../value/shape.rkt" "../value/simplify.rkt"
          (only-in "../value/structure.rkt" list->down)
@@ -26,7 +28,8 @@
 ;; The expressions of a motion: t, and those of each coordinate, in the order of the coordinates.
 ;; q, v, p, f, Q : expressions in t; L : in t and the symbols x and w of coordinates and velocities
 ;; ties : of the constraints
-(struct motion (t L xs ws qs vs ps fs Qs ties) #:authentic)
+;; Hamiltonian? : is L one, w and v the momenta, and p the derivatives by these?
+(struct motion (t L xs ws qs vs ps fs Qs ties Hamiltonian?) #:authentic)
 
 ;; G       : the constraint, in t, x and w
 ;; first   : the place, among t, x and w, of the first by which it is differentiated
@@ -39,7 +42,7 @@
   (define M (expressions-of m))
   (define ties (motion-ties M))
   (define differentiated
-    (append (motion-qs M) (motion-ps M)
+    (append (motion-qs M) (if (motion-Hamiltonian? M) (motion-vs M) (motion-ps M))
             (map (lambda (e) (along-path M e)) (cons (motion-L M) (map tie-G ties)))))
   (define along
     (append differentiated (motion-vs M) (motion-fs M) (motion-Qs M)
@@ -64,18 +67,18 @@
 ;; Expressions
 
 (define (expressions-of m)
-  (define-values (L q force)
-    (values (motion-claim-L m) (motion-claim-q m) (motion-claim-force m)))
+  (define-values (L force) (values (motion-claim-system m) (motion-claim-force m)))
   (define t 't)
   (when (parameter? t m) (give-up "the symbol ~a is a parameter, and the time as well" t))
-  (define local ((Gamma q) t))
+  (define states (states-of m))
+  (define local (states t))
   (define state (up t (symbols-for (coordinate local) "q") (symbols-for (velocity local) "v")))
   (define-values (xs ws) (values (scalars-in (coordinate state)) (scalars-in (velocity state))))
   (define-values (qs vs) (values (scalars-in (coordinate local)) (scalars-in (velocity local))))
   (define (along x)
     (for/list ([e (in-list (scalars-in x))])
       (in-place-of (append (map cons xs qs) (map cons ws vs)) e)))
-  (define (momentum t) (((partial 2) L) ((Gamma q) t)))
+  (define (momentum t) (((partial 2) L) (states t)))
   (define fs (along (((partial 1) L) state)))
   (define Qs (if force (along (force state)) (map (lambda (_) 0) xs)))
   (define (residual)
@@ -83,28 +86,34 @@
     (for/list ([p (in-list rates)] [f (in-list fs)] [Q (in-list Qs)])
       (g:- p (g:+ f Q))))
   (motion t (L state) xs ws qs vs (along (((partial 2) L) state)) fs Qs
-          (ties-of m local state residual)))
+          (ties-of m local state residual) (and (motion-claim-p m) #t)))
+
+;; t -> local tuple, or state with momenta
+(define (states-of m)
+  (if (motion-claim-p m)
+      (states-along 'certificate (motion-claim-q m) (motion-claim-p m))
+      (Gamma (motion-claim-q m))))
 
 ;; Does the symbol occur in what is asked, at another time?
 (define (parameter? name m)
-  (define local ((Gamma (motion-claim-q m)) (string->uninterned-symbol "t")))
+  (define local ((states-of m) (string->uninterned-symbol "t")))
   (define-values (force constraints multipliers)
     (values (motion-claim-force m) (motion-claim-constraints m) (motion-claim-multipliers m)))
   (define all
     (list local
-          ((motion-claim-L m) local)
+          ((motion-claim-system m) local)
           (if force (force local) 0)
           (if multipliers (multipliers (time local)) 0)
           (if constraints
               (constraint-values 'certificate
-                                 (gather-with 'certificate (motion-claim-L m) constraints) local)
+                                 (gather-with 'certificate (motion-claim-system m) constraints) local)
               0)))
   (for*/or ([x (in-list all)] [e (in-list (scalars-in x))]) (occurs? name e)))
 
 ;; find-residual : -> what the forces of constraints have to be, where no multipliers are given
 (define (ties-of m local state find-residual)
   (define-values (L constraints multipliers)
-    (values (motion-claim-L m) (motion-claim-constraints m) (motion-claim-multipliers m)))
+    (values (motion-claim-system m) (motion-claim-constraints m) (motion-claim-multipliers m)))
   (define cs (if constraints (constraint-set-parts (gather-with 'certificate L constraints)) '()))
   (define (values-at c state)
     (scalars-in (value-of 'certificate c (time state) (coordinate state) (velocity state))))
@@ -146,8 +155,15 @@
 ;; ---------------------------------------------------------------------------
 ;; The text
 
+;; The names that a file of a Hamiltonian has for the same
+(define names-for-Hamiltonian
+  (hash "L" "H" "path" "coordinate" "velocity" "momentum" "momentum" "rate"))
+
+(define (own-name base M)
+  (if (motion-Hamiltonian? M) (hash-ref names-for-Hamiltonian base base) base))
+
 ;; The names of the functions of all coordinates: path, or path_0, path_1 ...
-(define (names-like base M) (numbered base (length (motion-qs M))))
+(define (names-like base M) (numbered (own-name base M) (length (motion-qs M))))
 
 (define (names-tied base M)
   (if (null? (motion-ties M)) '() (numbered base (length (motion-ties M)))))
@@ -158,59 +174,75 @@
 
 ;; The names that the file defines, whether or not there is a force
 (define (names-defined M)
-  (append (list "L") (append-map (lambda (base) (names-like base M))
-                                 '("path" "velocity" "momentum" "slope" "force"))
+  (append (list (own-name "L" M))
+          (append-map (lambda (base) (names-like base M))
+                      '("path" "velocity" "momentum" "slope" "force"))
           (names-tied "constraint" M) (names-tied "multiplier" M) (append* (normal-names M))))
 
 (define (forced? M) (not (andmap (lambda (Q) (eqv? Q 0)) (motion-Qs M))))
 
 (define (definitions M ns)
   (define state (cons (motion-t M) (append (motion-xs M) (motion-ws M))))
-  (define (defined names arguments es)
-    (for/list ([name (in-list names)] [e (in-list es)]) (definition-text name arguments e ns)))
-  (define (of-time base es) (defined (names-like base M) (list (motion-t M)) es))
+  (define (defined comment names arguments es)
+    (if (null? names)
+        '()
+        (cons (format "(* ~a *)" comment)
+              (for/list ([name (in-list names)] [e (in-list es)])
+                (definition-text name arguments e ns)))))
+  (define (of-time comment bases . es)
+    (defined comment (append-map (lambda (base) (names-like base M)) bases) (list (motion-t M))
+             (append* es)))
   (define ties (motion-ties M))
+  (define-values (system second path)
+    (if (motion-Hamiltonian? M)
+        (values "Hamiltonian" "momenta" "The path: coordinates and momenta")
+        (values "Lagrangian" "velocities" "The path and, the theorem says, its velocity")))
   (string-join
    (append
-    (list "Section motion." (parameters-text ns (list (motion-t M)))
-          "(* The Lagrangian, of the time, the coordinates and the velocities *)")
-    (defined '("L") state (list (motion-L M)))
-    (list "(* The path and, the theorem says, its velocity *)")
-    (of-time "path" (motion-qs M)) (of-time "velocity" (motion-vs M))
-    (list "(* The derivatives of L along it, by the velocities and by the coordinates *)")
-    (of-time "momentum" (motion-ps M)) (of-time "slope" (motion-fs M))
+    (list "Section motion." (parameters-text ns (list (motion-t M))))
+    (defined (format "The ~a, of the time, the coordinates and the ~a" system second)
+             (list (own-name "L" M)) state (list (motion-L M)))
+    (of-time path '("path" "velocity") (motion-qs M) (motion-vs M))
+    (of-time (format "The derivatives of ~a along it, by the ~a and by the coordinates"
+                     (own-name "L" M) second)
+             '("momentum" "slope") (motion-ps M) (motion-fs M))
     (if (forced? M)
-        (cons "(* The force outside the Lagrangian *)" (of-time "force" (motion-Qs M)))
+        (of-time (format "The force outside the ~a" system) '("force") (motion-Qs M))
         '())
-    (if (null? ties) '() (list "(* The constraints, their derivatives and multipliers *)"))
-    (defined (names-tied "constraint" M) state (map tie-G ties))
-    (defined (append* (normal-names M)) (list (motion-t M)) (append-map tie-normals ties))
-    (defined (names-tied "multiplier" M) (list (motion-t M)) (map tie-multiplier ties))
+    (defined "The constraints" (names-tied "constraint" M) state (map tie-G ties))
+    (defined "their derivatives" (append* (normal-names M)) (list (motion-t M))
+             (append-map tie-normals ties))
+    (defined "and multipliers" (names-tied "multiplier" M) (list (motion-t M))
+             (map tie-multiplier ties))
     '("" ""))
    "\n"))
 
 (define (claims M ns)
   (define t (name-of ns (motion-t M)))
-  (define-values (qs vs) (values (names-like "path" M) (names-like "velocity" M)))
-  (define state (cons t (append (at qs t) (at vs t))))
-  (define n (length qs))
+  (define state
+    (cons t (append (at (names-like "path" M) t) (at (names-like "velocity" M) t))))
   (append
-   (append*
-    (for/list ([q (in-list qs)] [v (in-list vs)] [p (in-list (names-like "momentum" M))]
-               [f (in-list (names-like "slope" M))] [Q (in-list (names-like "force" M))]
-               [k (in-naturals)])
-      (list (format "is_derive ~a ~a (~a ~a)" q t v t)
-            (derivative-text "L" state (+ 1 n k) (format "~a ~a" p t))
-            (derivative-text "L" state (+ 1 k) (format "~a ~a" f t))
-            (format "is_derive ~a ~a (~a ~a~a)" p t f t
-                    (string-append (if (forced? M) (format " + ~a ~a" Q t) "")
-                                   (constraint-force M k t))))))
+   (append* (for/list ([k (in-range (length (motion-qs M)))]) (equations M k state t)))
    (for/list ([name (in-list (names-tied "constraint" M))])
      (format "~a ~a = 0" name (string-join state " ")))
    (for*/list ([(G normals name) (in-parallel (motion-ties M) (normal-names M)
                                               (names-tied "constraint" M))]
                [(normal k) (in-parallel normals (in-naturals (tie-first G)))])
      (derivative-text name state k (format "~a ~a" normal t)))))
+
+;; Of the k-th coordinate
+(define (equations M k state t)
+  (define-values (q v p f Q)
+    (apply values (for/list ([base (in-list '("path" "velocity" "momentum" "slope" "force"))])
+                    (list-ref (names-like base M) k))))
+  (define (slope f place) (derivative-text (own-name "L" M) state place (format "~a ~a" f t)))
+  (define-values (rate moved sign)
+    (if (motion-Hamiltonian? M) (values p v "- ") (values v p "")))
+  (list (format "is_derive ~a ~a (~a ~a)" q t rate t)
+        (slope p (+ 1 k (length (motion-qs M))))
+        (slope f (+ 1 k))
+        (format "is_derive ~a ~a (~a~a ~a~a~a)" moved t sign f t
+                (if (forced? M) (format " + ~a ~a" Q t) "") (constraint-force M k t))))
 
 ;; Multipliers times the derivatives by the k-th coordinate
 (define (constraint-force M k t)
@@ -230,6 +262,6 @@
           (wrapped (string-join all ", "))
           (refine-text (length (claims M ns)))
           (if (null? (motion-ties M))
-              (derivative-proof tactic)
-              (format "first [~a | ~a]" (derivative-proof tactic) tactic))
+              (derivative-proof tactic ns)
+              (format "first [~a | ~a]" (derivative-proof tactic ns) tactic))
           "Qed.\nEnd motion.\n\n"))

@@ -2,7 +2,7 @@
 ;; Common to the files of all theorems: hypotheses as a definition, that they hold
 ;; together at a point, names and lines.
 
-(require racket/list racket/string
+(require racket/format racket/list racket/string
          "Coq-names.rkt" "Coq-term.rkt" "example-point.rkt" "kernel-facts.rkt" "proof-script.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/read.rkt"
@@ -79,12 +79,34 @@
     (append (listed "assumed" (filter assumed? relations))
             (listed "domain: each part of the claim has a value"
                     (filter (lambda (d) (not (assumed? d))) relations))))
-  (format "Definition hypotheses ~a : Prop :=\n~a.\n\n" (binders ns)
+  (format "~aDefinition hypotheses ~a : Prop :=\n~a.\n\n"
+          (differentiable-texts relations) (binders ns)
           (if (null? groups)
               "  True"
               (string-join (for/list ([g (in-list groups)])
                              (format "~a\n  ~a" (car g) (string-join (cdr g) " /\\\n  ")))
                            " /\\\n"))))
+
+;; Of functions of several variables, for each number of these that there is
+(define (differentiable-texts relations)
+  (define counts
+    (for/list ([d (in-list relations)] #:when (eq? (car d) 'is-derivative)) (length (cddr d))))
+  (string-append*
+   (for/list ([n (in-list (sort (remove-duplicates (remv* '(1) counts)) <))])
+     (define (each text) (for/list ([k (in-range 1 (+ n 1))]) (string-replace text "#" (~a k))))
+     (define (words text) (string-join (each text) " "))
+     (format
+      (string-append
+       "(* Differentiable at x, with derivatives d: along each path through x that has a velocity v,\n"
+       "   f has the rate d v. *)\n"
+       "Definition differentiable_~a (f : ~aR) (~a ~a : R) : Prop :=\n"
+       "  forall (~a : R -> R) (t ~a : R),\n    ~a ->\n    ~a ->\n    ~a.\n\n")
+      n (string-append* (make-list n "R -> ")) (words "x_#") (words "d_#") (words "p_#")
+      (words "v_#")
+      (string-join (each "p_# t = x_#") " -> ")
+      (wrapped (string-join (each "is_derive p_# t v_#") " -> "))
+      (wrapped (format "is_derive (fun s => f ~a) t (~a)" (words "(p_# s)")
+                       (string-join (each "d_# * v_#") " + ")))))))
 
 ;; The pattern that takes so many hypotheses apart, as given_1, given_2 ...
 (define (given-pattern count)
@@ -133,7 +155,9 @@
 ;; A hypothesis about what simplifies there is proved by the identity, and of the simpler
 ;; expression.
 (define (at-numbers d values ns)
-  (if (eq? (car d) 'is-derivative) "polynomial_derivative." (relation-at-numbers d values ns)))
+  (cond [(not (eq? (car d) 'is-derivative)) (relation-at-numbers d values ns)]
+        [(null? (cdddr d)) "polynomial_derivative."]
+        [else "polynomial_derivatives."]))
 
 (define (relation-at-numbers d values ns)
   (define side (car (relation-sides d)))

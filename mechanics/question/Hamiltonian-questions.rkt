@@ -49,6 +49,7 @@
                #:surveys (lambda () (surveys-of-states (Hamiltonian->state-derivative H #:force F)
                                                        states residual domain))
                #:meaning (lambda () (meaning-of-states H states))
+               #:about (motion-claim H q p F #f #f)
                #:again (lambda (change)
                          (verify-Hamiltonian-solution (change H) (change q) (change p)
                                                       #:force (and F (change F)))))))

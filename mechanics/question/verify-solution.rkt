@@ -40,7 +40,7 @@
       #:remarks (lambda () (remarks-on-solution L q n))
       #:surveys (lambda () (surveys-of-solution L q n outside constraints residual))
       #:meaning (lambda () (meaning-of-solution L q n outside))
-      #:about (and (eqv? n 1) (motion-claim L q outside constraints multipliers))
+      #:about (and (eqv? n 1) (motion-claim L q #f outside constraints multipliers))
       #:again (lambda (change)
                 (define (if-any x) (and x (change x)))
                 (verify-solution (change L) (change q) (if-any dissipation)

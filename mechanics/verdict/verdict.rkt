@@ -61,9 +61,9 @@
 (struct claim (value domain subject) #:authentic)
 ;; left and right are equal.
 (struct equality-claim (left right) #:authentic)
-;; The path q is a motion of the Lagrangian L under a force outside L, or #f, and constraints, or
-;; #f; multipliers : of these, a function of the time, or #f
-(struct motion-claim (L q force constraints multipliers) #:authentic)
+;; The path q is a motion of a Lagrangian, or with momenta p, else #f, of a Hamiltonian, under a force
+;; outside it, or #f, and constraints, or #f; multipliers : of these, a function of the time, or #f
+(struct motion-claim (system q p force constraints multipliers) #:authentic)
 ;; The quantity Q, a function of the state, a tuple of symbols, keeps its value along the motions of
 ;; the Lagrangian or Hamiltonian under a force outside it, or #f.
 (struct conserved-claim (system Q state force Hamiltonian?) #:authentic)
