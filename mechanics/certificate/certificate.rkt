@@ -3,7 +3,7 @@
 
 (require racket/list racket/path racket/string
          "bracket-theorem.rkt" "conserved-theorem.rkt" "Coq-names.rkt" "Coq-term.rkt"
-         "identity-theorem.rkt" "motion-theorem.rkt"
+         "gauge-theorem.rkt" "identity-theorem.rkt" "motion-theorem.rkt"
          "proof-tactics.rkt" "theorem-text.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
@@ -85,6 +85,11 @@
                               (with-outside (conserved-claim-force c) #f)))]
           [(canonical-claim? c)
            (certified bracket-theorem "the transformation keeps all Poisson brackets")]
+          [(gauge-claim? c)
+           (certified gauge-theorem
+                      (if (gauge-claim-first c)
+                          "the Lagrangians differ by a total time derivative"
+                          "the function is a total time derivative"))]
           [else #f])))
 
 (define (system-name Hamiltonian?) (if Hamiltonian? "Hamiltonian" "Lagrangian"))

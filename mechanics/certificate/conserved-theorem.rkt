@@ -136,17 +136,10 @@
   (append (list (base M)) (by-ys-names M) (by-xs-names M) (if (forced? M) (force-names M) '())
           (quantity-names M)))
 
-;; Along a motion x is (path t).  Of equal nodes, b + a and a + b, the text is to be that of the
-;; definitions: they are written first, in their order.
 (define (names-along M ns relations stated)
-  (define t (name-of ns (flow-t M)))
-  (define along
-    (names-called ns (append (map cons (flow-xs M) (at (x-paths M) t))
-                             (map cons (flow-ys M) (at (y-paths M) t))
-                             (map cons (flow-as M) (accelerations M)))))
-  (hypothesis-texts relations along)
-  (for ([e (in-list stated)]) (term e along))
-  along)
+  (names-on-paths ns (flow-t M) (append (flow-xs M) (flow-ys M)) (append (x-paths M) (y-paths M))
+                  relations stated
+                  (map cons (flow-as M) (accelerations M))))
 
 ;; ---------------------------------------------------------------------------
 ;; The statement
@@ -313,10 +306,7 @@
 (define (through-text M values ns)
   (define (number s) (value-text s (cdr (assoc s values)) ns))
   (define (at-point e) (format "(~a)" (term (put-numbers e values) ns)))
-  (define (through k x rate second path . names)
-    (format "  destruct (path_through ~a ~a ~a ~a) as (~a & ~a).\n" x rate second
-            (number (flow-t M)) path
-            (string-replace (string-join names " & ") "~a" (number->string k))))
+  (define t (number (flow-t M)))
   (define xs (map number (flow-xs M)))
   (define ys (map number (flow-ys M)))
   (define rates (map at-point (flow-accelerated M)))
@@ -324,10 +314,10 @@
    (if (flow-Hamiltonian? M)
        (for/list ([z (in-list (append xs ys))] [rate (in-list rates)] [k (in-naturals 1)]
                   [path (in-list (append (x-paths M) (y-paths M)))])
-         (through k z rate 0 path "speed_~a" "place_~a" "_" "moves_~a" "_"))
+         (path-through k z rate "0" t path (format "velocity_~a" k) "_"))
        (for/list ([x (in-list xs)] [y (in-list ys)] [rate (in-list rates)] [k (in-naturals 1)]
                   [path (in-list (x-paths M))] [velocity (in-list (y-paths M))])
-         (through k x y rate path velocity "place_~a" "speed_~a" "moves_~a" "rate_~a")))))
+         (path-through k x y rate t path velocity)))))
 
 ;; Puts the point in place of the paths.
 (define (placed M)

@@ -16,6 +16,7 @@
 
 (provide scalars-in open-relations numbered
          parameters-text definition-text derivative-text at
+         names-on-paths path-through
          conjunction pattern-of refine-text
          known-lines derivative-proof)
 
@@ -70,6 +71,21 @@
 
 ;; (f t), of each
 (define (at fs t) (for/list ([f (in-list fs)]) (format "(~a ~a)" f t)))
+
+;; Along paths x is (path t).  Of equal nodes, b + a and a + b, the text is to be that of the
+;; definitions: they are written first, in their order.
+;; more : further symbols with their texts
+(define (names-on-paths ns t xs paths relations stated [more '()])
+  (define along (names-called ns (append (map cons xs (at paths (name-of ns t))) more)))
+  (hypothesis-texts relations along)
+  (for ([e (in-list stated)]) (term e along))
+  along)
+
+;; The k-th path through a place with a velocity and an acceleration, and what is known of it
+(define (path-through k place speed acceleration t path velocity [rate (format "rate_~a" k)])
+  (format "  destruct (path_through ~a ~a ~a ~a) as (~a & ~a & ~a & ~a & moves_~a & ~a).\n"
+          place speed acceleration t path velocity
+          (format "place_~a" k) (format "speed_~a" k) k rate))
 
 (define (conjunction texts [indent "  "])
   (string-join (map wrapped texts) (format " /\\\n~a" indent)))

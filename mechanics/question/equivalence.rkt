@@ -93,7 +93,8 @@
     (judged (map (lambda (a b) (g:- b (g:* c a))) E1 E2) local
             (lambda () (list (survey-of-difference (g:- L2 (g:* c L1)) local domain)))
             domain
-            (nonzero-conditions c (assumptions-in-force))))
+            (nonzero-conditions c (assumptions-in-force))
+            (gauge-claim L1 L2 c ((clip-state 3) local))))
   (and (proved? v)
        (equivalence kind c (gauge-at (g:- L2 (g:* c L1)) ((clip-state 3) local)) v)))
 
@@ -111,9 +112,10 @@
   survey)
 
 ;; relied-on : conditions under which the Lagrangians have the same motions if xs are zero
-(define (judged xs local surveys domain [relied-on '()])
+(define (judged xs local surveys domain [relied-on '()] [subject #f])
   (prove-zero (single-or list->down xs)
-              #:domain domain #:variables (scalars local) #:surveys surveys #:resting-on relied-on))
+              #:domain domain #:variables (scalars local) #:surveys surveys #:resting-on relied-on
+              #:about subject))
 
 ;; The quotient of two components if it is no function of the state; else #f.
 (define (constant-ratio E1 E2 local)

@@ -75,7 +75,8 @@
   (prove-residual-zero (lambda () ((Euler-Lagrange-operator F-scalar #:order n) longer))
                        (scalars longer)
                        #:domain (lambda () (values-at (list F) local))
-                       #:order (add1 n)))
+                       #:order (add1 n)
+                       #:about (gauge-claim #f F-scalar 1 local)))
 
 (define (check-exact F v)
   (unless (proved? v)

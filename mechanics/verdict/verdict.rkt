@@ -16,7 +16,7 @@
          ;; for certificates
          verdict-claim verdict-tests verdict-formatted
          (struct-out claim) (struct-out equality-claim) (struct-out motion-claim)
-         (struct-out conserved-claim) (struct-out canonical-claim))
+         (struct-out conserved-claim) (struct-out canonical-claim) (struct-out gauge-claim))
 
 ;; residual    : the value judged, simplified
 ;; tests       : the zero-test of each of its scalars, in order
@@ -67,6 +67,9 @@
 ;; The quantity Q, a function of the state, a tuple of symbols, keeps its value along the motions of
 ;; the Lagrangian or Hamiltonian under a force outside it, or #f.
 (struct conserved-claim (system Q state force Hamiltonian?) #:authentic)
+;; The function `second` of local tuples, or its difference from `first` times the factor, if there
+;; is a first, is a total time derivative.
+(struct gauge-claim (first second factor local) #:authentic)
 ;; The transformation C keeps Poisson brackets at the state, a tuple of symbols.
 (struct canonical-claim (C state) #:authentic)
 
