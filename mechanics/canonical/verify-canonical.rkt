@@ -34,7 +34,8 @@
      (check-question 'verify-canonical state C H H-prime)
      (judged state (list C H H-prime) (lambda () ((canonical? C H H-prime) state))
              (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state))
-             (lambda () (remarks-on-time C state)))]
+             (lambda () (remarks-on-time C state))
+             (canonical-claim C H H-prime state))]
     [arguments
      (complain-of-arity 'verify-canonical
                         (string-append "takes a transformation and a state, or a transformation, "
@@ -59,7 +60,7 @@
   (judged state (list C) (lambda () ((residual C) state))
           (lambda (change) (verify-brackets who (change C) state residual))
           (lambda () (remarks-on-brackets C state))
-          (canonical-claim C state)))
+          (canonical-claim C #f #f state)))
 
 ;; The brackets do not depend on the rate of the old time: where it differs from that of the new
 ;; time, the difference is judged as well.
@@ -75,7 +76,7 @@
 
 ;; about : the transformation, and Hamiltonians; find-residual : -> the residual, called while the
 ;; kinks that derivatives pass over are noted
-(define (judged state about find-residual again [remarks (lambda () '())] [subject #f])
+(define (judged state about find-residual again remarks subject)
   (define (domain) (values-at about state))
   (define-values (residual survey)
     (survey-derivatives find-residual (scalars state) #:domain domain #:functions domain))

@@ -16,14 +16,16 @@
 ;; arguments : the symbols of the state, n coordinates among them
 ;; names, es : of the old coordinates and momenta
 ;; slopes    : for each of them ((name . expression) ...), its derivatives by arguments 1 ... 2n
-(struct transformation (arguments n names es slopes) #:authentic)
+;; clock     : the old time in a list; none if it is the new one
+(struct transformation (arguments n names es slopes clock) #:authentic)
 
 ;; c : canonical-claim; assumed : datums of relations
 (define (bracket-theorem c assumed)
   (define M (transformation-of c))
   (define slopes (append* (map (lambda (row) (map cdr row)) (transformation-slopes M))))
-  (define all (append (transformation-es M) slopes))
-  (define domain (open-relations all (transformation-es M)))
+  (define mapped (append (transformation-es M) (transformation-clock M)))
+  (define all (append mapped slopes))
+  (define domain (open-relations all mapped))
   (define relations (all-hypotheses assumed domain))
   (define ns
     (make-names (append all (append-map relation-sides relations) (transformation-arguments M))
@@ -39,7 +41,6 @@
 (define (transformation-of c)
   (define-values (C state) (values (canonical-claim-C c) (canonical-claim-state c)))
   (define old (C state))
-  (unless (equal? (time old) (time state)) (give-up "the transformation changes the time"))
   (define n (shape-length (coordinate state)))
   (define names (append (numbered "coordinate" n) (numbered "momentum" n)))
   (define (by k) (cdr (scalars-in ((derivative-by C k) state))))
@@ -47,7 +48,8 @@
   (transformation (scalars-in state) n names (cdr (scalars-in old))
                   (for/list ([name (in-list names)] [i (in-naturals)])
                     (for/list ([column (in-list columns)] [k (in-naturals 1)])
-                      (cons (format "D~a_~a" k name) (list-ref column i))))))
+                      (cons (format "D~a_~a" k name) (list-ref column i))))
+                  (if (equal? (time old) (time state)) '() (list (time old)))))
 
 ;; The derivative of C by the coordinate or momentum of that place
 (define ((derivative-by C k) state)
@@ -56,8 +58,11 @@
     (value-and-derivative-along C state (list->structure state direction)))
   slope)
 
+(define (clock-names M) (map (lambda (_) "time") (transformation-clock M)))
+
 (define (names-defined M)
-  (append (transformation-names M)
+  (append (clock-names M)
+          (transformation-names M)
           (append-map (lambda (row) (map car row)) (transformation-slopes M))))
 
 ;; ---------------------------------------------------------------------------
@@ -70,7 +75,8 @@
   (string-join
    (append (list "Section transformation." (parameters-text ns arguments)
                  "(* The old coordinates and momenta, by the new ones *)")
-           (each (transformation-names M) (transformation-es M))
+           (each (append (clock-names M) (transformation-names M))
+                 (append (transformation-clock M) (transformation-es M)))
            (list "(* and, the theorem says, their derivatives *)")
            (append* (for/list ([row (in-list (transformation-slopes M))])
                       (each (map car row) (map cdr row))))
@@ -83,6 +89,8 @@
 (define (claims M ns)
   (define arguments (for/list ([a (in-list (transformation-arguments M))]) (name-of ns a)))
   (append
+   (for*/list ([name (in-list (clock-names M))] [k (in-range (length arguments))])
+     (derivative-text name arguments k (if (= k 0) "1" "0")))
    (for*/list ([(name row) (in-parallel (transformation-names M) (transformation-slopes M))]
                [(slope k) (in-parallel row (in-naturals 1))])
      (derivative-text name arguments k (string-join (cons (car slope) arguments) " ")))

@@ -83,6 +83,9 @@
                       (format "the quantity is conserved along the motions of the ~a~a"
                               (system-name (conserved-claim-Hamiltonian? c))
                               (with-outside (conserved-claim-force c) #f)))]
+          [(and (canonical-claim? c) (canonical-claim-H c))
+           (certified conserved-theorem
+                      "the transformation takes motions of the new Hamiltonian to those of the old")]
           [(canonical-claim? c)
            (certified bracket-theorem "the transformation keeps all Poisson brackets")]
           [(gauge-claim? c)

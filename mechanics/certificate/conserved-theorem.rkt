@@ -5,6 +5,9 @@
 ;; known: velocity is the derivative of path, and Lagrange's equations hold at t; or, of functions
 ;; coordinate and momentum, Hamilton's.  With E = 0 for these equations the rate of the quantity
 ;; is Σ w E, with multipliers w that are found here and checked there.
+;;
+;; A canonical transformation takes motions of the new Hamiltonian to motions of the old: so the old
+;; time, coordinates and momenta are quantities with rates that the old Hamiltonian tells.
 
 (require racket/list racket/string
          "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "derivative-theorem.rkt"
@@ -22,7 +25,6 @@
 
 ;; t, xs, ys   : the symbols of the state
 ;; as          : symbols for the rates of ys
-;; base        : 'L or 'H
 ;; function    : the expression of L or H
 ;; bys, byx    : its derivatives, by ys and by xs
 ;; Fs          : forces outside, or zeros
@@ -31,23 +33,38 @@
 ;; multipliers : of each quantity, those of the laws; of a Hamiltonian none
 ;; rates       : expressions that the rates of the quantities hold, for what stands in them
 ;; accelerated : the rates along motions of ys; of a Hamiltonian, of xs and ys
-(struct flow (Hamiltonian? t xs ys as function by-ys by-xs Fs Qs laws multipliers rates accelerated)
+;; old         : of a transformation, the old Hamiltonian; else #f
+(struct flow (Hamiltonian? t xs ys as function by-ys by-xs Fs Qs laws multipliers rates accelerated
+                           old)
   #:authentic)
 
-;; c : conserved-claim; assumed : datums of relations
+;; H : of the symbols of an old state; there : at the image of the state, as its derivatives
+(struct old (symbols H there by-ps by-qs) #:authentic)
+
+;; c : conserved-claim, or canonical-claim with Hamiltonians; assumed : datums of relations
 (define (conserved-theorem c assumed)
-  (define M (if (conserved-claim-Hamiltonian? c) (Hamiltonian-flow c) (Lagrangian-flow c)))
+  (define M
+    (cond [(canonical-claim? c) (transformed-flow c)]
+          [(conserved-claim-Hamiltonian? c) (Hamiltonian-flow c)]
+          [else (Lagrangian-flow c)]))
+  (define before (flow-old M))
   (define stated
-    (append (list (flow-function M)) (flow-by-ys M) (flow-by-xs M) (flow-Fs M) (flow-Qs M)))
+    (append (list (flow-function M)) (flow-by-ys M) (flow-by-xs M) (flow-Fs M) (flow-Qs M)
+            (if before (cons (old-there before) (old-slopes before)) '())))
   (define proved (append stated (flow-laws M) (append* (flow-multipliers M)) (flow-rates M)))
   (define domain
     (open-relations (append stated (append* (flow-multipliers M)))
                     (append (list (flow-function M)) (flow-Qs M)
+                            (if before (list (old-there before)) '())
                             (if (flow-Hamiltonian? M) '() (flow-by-ys M)))))
   (define relations (all-hypotheses assumed domain))
+  (define symbols (if before (old-symbols before) '()))
   (define ns
-    (make-names (append stated (append-map relation-sides relations) (state-symbols M))
-                (append (list "s" "motion" "path" "velocity") (names-defined M))))
+    (names-without
+     (make-names (append stated (append-map relation-sides relations) (state-symbols M) symbols
+                         (if before (list (old-H before)) '()))
+                 (append (list "s" "motion" "path" "velocity") (names-defined M)))
+     symbols))
   (define along (names-along M ns relations stated))
   (theorem (string-append (hypotheses-text assumed relations ns)
                           (definitions M ns)
@@ -55,6 +72,8 @@
                           (proof M stated proved relations ns along)
                           (example M relations ns along))
            (hypothesis-texts relations ns)))
+
+(define (old-slopes before) (append (old-by-ps before) (old-by-qs before)))
 
 (define (state-symbols M) (cons (flow-t M) (append (flow-xs M) (flow-ys M))))
 
@@ -79,12 +98,26 @@
         (for/list ([k (in-range n)])
           (laws-multipliers number (lambda (s) (list-ref (scalars-in (Q s)) k)) state))
         (append (rates P) (rates Q))
-        (scalars-in (simplify ((Lagrangian->acceleration L #:force force) state)))))
+        (scalars-in (simplify ((Lagrangian->acceleration L #:force force) state)))
+        #f))
 
 (define (Hamiltonian-flow c)
-  (define-values (H Q state force)
-    (values (conserved-claim-system c) (conserved-claim-Q c) (conserved-claim-state c)
-            (conserved-claim-force c)))
+  (flow-of-Hamiltonian (conserved-claim-system c) (conserved-claim-Q c) (conserved-claim-state c)
+                       (conserved-claim-force c) #f))
+
+(define (transformed-flow c)
+  (define-values (C state) (values (canonical-claim-C c) (canonical-claim-state c)))
+  (define H (number-valued 'verify-canonical (canonical-claim-H c)))
+  (define image (C state))
+  (define any
+    (up (symbols-for (time state) "T") (symbols-for (coordinate state) "Q")
+        (symbols-for (velocity state) "P")))
+  (flow-of-Hamiltonian (canonical-claim-H-prime c) C state #f
+                       (old (scalars-in any) (H any) (H image)
+                            (scalars-in (((partial 2) H) image))
+                            (scalars-in (((partial 1) H) image)))))
+
+(define (flow-of-Hamiltonian H Q state force before)
   (define number (number-valued 'verify-conserved H))
   (define by-ps (((partial 2) number) state))
   (define by-qs (((partial 1) number) state))
@@ -93,7 +126,8 @@
   (flow #t (time state) (scalars-in (coordinate state)) (scalars-in (velocity state)) '()
         (number state) (scalars-in by-ps) (scalars-in by-qs) Fs (scalars-in (Q state)) '() '()
         (along-flow Q state q-rates p-rates)
-        (append (scalars-in q-rates) (scalars-in p-rates))))
+        (append (scalars-in q-rates) (scalars-in p-rates))
+        before))
 
 (define (forces force state like)
   (if force (scalars-in (force state)) (map (lambda (_) 0) like)))
@@ -115,8 +149,13 @@
 ;; Names
 
 (define (names-like M base) (numbered base (length (flow-xs M))))
-(define (quantity-names M) (numbered "quantity" (length (flow-Qs M))))
-(define (base M) (if (flow-Hamiltonian? M) "H" "L"))
+(define (quantity-names M)
+  (if (flow-old M)
+      (cons "old_time" (append (names-like M "old_coordinate") (names-like M "old_momentum")))
+      (numbered "quantity" (length (flow-Qs M)))))
+(define (base M) (cond [(flow-old M) "new_H"] [(flow-Hamiltonian? M) "H"] [else "L"]))
+(define (old-rate-names M) (if (flow-old M) (names-like M "old_rate") '()))
+(define (old-slope-names M) (if (flow-old M) (names-like M "old_slope") '()))
 (define (by-ys-names M) (names-like M (if (flow-Hamiltonian? M) "rate" "momentum")))
 (define (by-xs-names M) (names-like M "slope"))
 (define (force-names M) (names-like M "force"))
@@ -129,12 +168,15 @@
 
 (define (names-defined M)
   (append (list (base M)) (by-ys-names M) (by-xs-names M) (force-names M) (quantity-names M)
-          (x-paths M) (y-paths M) (accelerations M)))
+          (x-paths M) (y-paths M) (accelerations M) (of-old-only M)))
+
+(define (of-old-only M)
+  (if (flow-old M) (cons "old_H" (append (old-rate-names M) (old-slope-names M))) '()))
 
 ;; The names of functions that the file defines and that proofs unfold
 (define (to-unfold M)
   (append (list (base M)) (by-ys-names M) (by-xs-names M) (if (forced? M) (force-names M) '())
-          (quantity-names M)))
+          (quantity-names M) (of-old-only M)))
 
 (define (names-along M ns relations stated)
   (names-on-paths ns (flow-t M) (append (flow-xs M) (flow-ys M)) (append (x-paths M) (y-paths M))
@@ -162,12 +204,20 @@
         (each (format "The force outside the ~a" (if H? "Hamiltonian" "Lagrangian"))
               (force-names M) (flow-Fs M))
         '())
-    (each "The quantity" (quantity-names M) (flow-Qs M))
+    (each (if (flow-old M) "The transformation" "The quantity") (quantity-names M) (flow-Qs M))
+    (if (flow-old M) (old-definitions M each ns) '())
     (list "(* What a motion does at the time t *)"
           (format "Definition motion (~a : R -> R) (t : R) : Prop :=\n  ~a.\n\n"
                   (string-join (append (x-paths M) (y-paths M)) " ")
                   (conjunction (motion-parts M)))))
    "\n"))
+
+(define (old-definitions M each ns)
+  (define before (flow-old M))
+  (list* "(* The old Hamiltonian *)"
+         (definition-text "old_H" (old-symbols before) (old-H before) ns)
+         (each "and, the theorem says, its derivatives by the old momenta and coordinates"
+               (append (old-rate-names M) (old-slope-names M)) (old-slopes before))))
 
 ;; f t (x t) (y t)
 (define (value-along M f t)
@@ -195,11 +245,24 @@
   (define (each names first-place)
     (for/list ([name (in-list names)] [k (in-naturals first-place)])
       (derivative-text (base M) arguments k (string-join (cons name arguments) " "))))
-  (append (each (by-ys-names M) (+ n 1)) (each (by-xs-names M) 1)))
+  (define (there f) (string-join (cons f arguments) " "))
+  (define image (map (lambda (Q) (format "(~a)" (there Q))) (quantity-names M)))
+  (define (each-old names first-place)
+    (for/list ([name (in-list names)] [k (in-naturals first-place)])
+      (derivative-text "old_H" image k (there name))))
+  (append (each (by-ys-names M) (+ n 1)) (each (by-xs-names M) 1)
+          (each-old (old-rate-names M) (+ n 1)) (each-old (old-slope-names M) 1)))
 
 (define (conserved M t)
-  (for/list ([Q (in-list (quantity-names M))])
-    (format "is_derive (fun s => ~a) ~a 0" (value-along M Q "s") t)))
+  (define changes
+    (if (flow-old M)
+        (cons "1" (append (for/list ([f (in-list (old-rate-names M))]) (value-along M f t))
+                          (for/list ([f (in-list (old-slope-names M))])
+                            (format "- ~a" (value-along M f t)))))
+        (map (lambda (_) "0") (flow-Qs M))))
+  (for/list ([Q (in-list (quantity-names M))] [change (in-list changes)])
+    (format "is_derive (fun s => ~a) ~a ~a" (value-along M Q "s") t
+            (if (string-contains? change " ") (format "(~a)" change) change))))
 
 (define (statement M ns along)
   (define t (name-of ns (flow-t M)))
@@ -228,7 +291,8 @@
    (string-join (map (lambda (s) (name-of ns s)) (state-symbols M)) " ") " " given ".\n"
    lines
    (format "  unfold ~a.\n  ~a;\n  ~a. }\n" unfold
-           (refine-text (* 2 (length (flow-xs M)))) (derivative-proof tactic ns))
+           (refine-text (* (if (flow-old M) 4 2) (length (flow-xs M))))
+           (derivative-proof tactic ns))
    (format "  unfold hypotheses, motion. intros ~a ~a ~a ~a.\n"
            (string-join (append (x-paths M) (y-paths M)) " ") t given (motion-pattern M))
    (format "  unfold ~a in *.\n" unfold)
@@ -337,7 +401,8 @@
       (put-numbers (in-place-of rates e) values)))
   (define-values (lines tactic) (known-lines es '() ns))
   (define unfold
-    (remove* (quantity-names M) (cons "motion" (remove (base M) (to-unfold M)))))
+    (remove* (append (quantity-names M) (of-old-only M))
+             (cons "motion" (remove (base M) (to-unfold M)))))
   (define here (string-append (placed M) "; cbv beta"))
   (define equal
     (format "first [numbers_equal | ~a]"

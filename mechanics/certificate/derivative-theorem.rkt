@@ -12,9 +12,9 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt"
          (only-in "../generic/irrational.rkt" irrational-as-expression)
-         (only-in "../value/shape.rkt" scalars))
+         (only-in "../value/shape.rkt" scalars scalars->structure shape-length symbols-like))
 
-(provide scalars-in open-relations numbered
+(provide scalars-in symbols-for open-relations numbered
          parameters-text definition-text derivative-text at
          names-on-paths path-through
          conjunction pattern-of refine-text
@@ -22,6 +22,12 @@
 
 ;; The scalars of a value, of which theorems speak as expressions
 (define (scalars-in x) (map irrational-as-expression (scalars x)))
+
+;; Symbols that the user cannot have, in the shape of x
+(define (symbols-for x name)
+  (if (= 1 (shape-length x))
+      (scalars->structure x (lambda (_) (string->uninterned-symbol name)))
+      (symbols-like x (string-append name "_"))))
 
 ;; Where all parts of es have values and derivatives; differentiated : those of es of which
 ;; derivatives are taken.  All relations hold around the point as well: a radicand is positive.

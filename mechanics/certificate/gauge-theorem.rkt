@@ -52,7 +52,8 @@
                 (g:- second (g:* (gauge-claim-factor c) first)))
         (values (list (cons "F" (number second))) 0 second)))
   (define f
-    (with-handlers ([refusal? (lambda (_) (give-up "no formula was found of which it is the rate"))])
+    (with-handlers ([refusal?
+                     (lambda (_) (give-up "no formula was found of which it is the rate"))])
       ((gauge-function F local) local)))
   (gauge (time local) (scalars-in (coordinate local)) (scalars-in (velocity local))
          parts factor (car (scalars-in f))))
@@ -89,9 +90,10 @@
           (wrapped
            (format "is_derive (fun s => gauge ~a) ~a (~a)"
                    (string-join (cons "s" (at (positions M) "s")) " ") t
-                   (if (null? (cdr (gauge-parts M)))
-                       (format "F ~a" state)
-                       (format "L_2 ~a - ~a * L_1 ~a" state (term (gauge-factor M) ns 3) state))))))
+                   (cond [(null? (cdr (gauge-parts M))) (format "F ~a" state)]
+                         [(eqv? 1 (gauge-factor M)) (format "L_2 ~a - L_1 ~a" state state)]
+                         [else (format "L_2 ~a - ~a * L_1 ~a" state
+                                       (term (gauge-factor M) ns 2) state)])))))
 
 (define (moves M t)
   (for/list ([x (in-list (positions M))] [v (in-list (velocities M))])

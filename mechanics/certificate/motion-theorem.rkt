@@ -106,7 +106,8 @@
           (if multipliers (multipliers (time local)) 0)
           (if constraints
               (constraint-values 'certificate
-                                 (gather-with 'certificate (motion-claim-system m) constraints) local)
+                                 (gather-with 'certificate (motion-claim-system m) constraints)
+                                 local)
               0)))
   (for*/or ([x (in-list all)] [e (in-list (scalars-in x))]) (occurs? name e)))
 
@@ -140,12 +141,6 @@
                                    (list->down (for/list ([b (in-list rows)]) (dot a b))))))
          (define J-r (list->down (map (lambda (a) (dot a r)) rows)))
          (scalars-in (simplify (solve-linear-left J-J J-r)))]))
-
-;; Symbols that the user cannot have, in the shape of x
-(define (symbols-for x name)
-  (if (= 1 (shape-length x))
-      (scalars->structure x (lambda (_) (string->uninterned-symbol name)))
-      (symbols-like x (string-append name "_"))))
 
 (define (along-path M e)
   (in-place-of (append (map cons (motion-xs M) (motion-qs M))

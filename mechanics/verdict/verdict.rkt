@@ -61,8 +61,9 @@
 (struct claim (value domain subject) #:authentic)
 ;; left and right are equal.
 (struct equality-claim (left right) #:authentic)
-;; The path q is a motion of a Lagrangian, or with momenta p, else #f, of a Hamiltonian, under a force
-;; outside it, or #f, and constraints, or #f; multipliers : of these, a function of the time, or #f
+;; The path q is a motion of a Lagrangian, or with momenta p, else #f, of a Hamiltonian, under a
+;; force outside it, or #f, and constraints, or #f; multipliers : of these, a function of the time,
+;; or #f
 (struct motion-claim (system q p force constraints multipliers) #:authentic)
 ;; The quantity Q, a function of the state, a tuple of symbols, keeps its value along the motions of
 ;; the Lagrangian or Hamiltonian under a force outside it, or #f.
@@ -70,8 +71,9 @@
 ;; The function `second` of local tuples, or its difference from `first` times the factor, if there
 ;; is a first, is a total time derivative.
 (struct gauge-claim (first second factor local) #:authentic)
-;; The transformation C keeps Poisson brackets at the state, a tuple of symbols.
-(struct canonical-claim (C state) #:authentic)
+;; The transformation C keeps Poisson brackets at the state, a tuple of symbols; or, if there is an
+;; H, it takes motions of H-prime to motions of H.
+(struct canonical-claim (C H H-prime state) #:authentic)
 
 ;; The verdict with one more remark, before the others.
 (define (with-remark v text)

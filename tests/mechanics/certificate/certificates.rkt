@@ -200,7 +200,7 @@
    (regexp-quote (string-append "differentiable_5 H_ t x y px py (D0_H t x y px py) "
                                 "(D1_0_H t x y px py) (D1_1_H t x y px py) "
                                 "(D2_0_H t x y px py) (D2_1_H t x y px py)"))
-   (statement (verify-conserved H (lambda (s) (+ 1 (* 0 (H s)))) (up 't (up 'x 'y) (down 'px 'py))))))
+   (statement (verify-conserved H (lambda (s) 1) (up 't (up 'x 'y) (down 'px 'py))))))
 
 (test-case "a motion of a Hamiltonian: coordinates, momenta and Hamilton's equations"
   (define (H s) (+ (/ (square (momentum s)) (* 2 'm)) (* 1/2 'k (square (coordinate s)))))
@@ -208,7 +208,8 @@
   (define v
     (verify-Hamiltonian-solution H (lambda (t) (* 'a (cos (* w t))))
                                  (lambda (t) (* -1 'm w 'a (sin (* w t))))))
-  (check-regexp-match #rx"the path is a motion of the Hamiltonian under" (format "~a" (certificate v)))
+  (check-regexp-match #rx"the path is a motion of the Hamiltonian under"
+                      (format "~a" (certificate v)))
   (check-regexp-match
    (regexp-quote
     (string-append "is_derive coordinate t (rate t) /\\ "
@@ -216,6 +217,55 @@
                    "is_derive (fun s => H t s (momentum t)) (coordinate t) (slope t) /\\ "
                    "is_derive momentum t (- slope t)."))
    (statement v)))
+
+(test-case "a total time derivative: the function whose rate it is along every path"
+  (define local (up 't 'x 'v))
+  (check-regexp-match
+   (regexp-quote
+    (string-append "Definition gauge (t x : R) : R := a * x ^ 2. "
+                   "Theorem claim : forall (path velocity : R -> R) (t : R), "
+                   "hypotheses a (path t) (velocity t) t -> "
+                   "is_derive path t (velocity t) -> "
+                   "is_derive (fun s => gauge s (path s)) t (F t (path t) (velocity t))."))
+   (statement (verify-total-time-derivative (lambda (s) (* 2 'a (coordinate s) (velocity s)))
+                                            local)))
+  (define (L1 s) (* 1/2 'm (square (velocity s))))
+  (define ((L2 k) s) (+ (* k (L1 s)) (* 'b (velocity s))))
+  (define (rate k) (statement (verify-equivalent-Lagrangians L1 (L2 k) local)))
+  (check-regexp-match
+   (regexp-quote "t (L_2 t (path t) (velocity t) - L_1 t (path t) (velocity t)).") (rate 1))
+  (check-regexp-match
+   (regexp-quote "t (L_2 t (path t) (velocity t) - 2 * k * L_1 t (path t) (velocity t)).")
+   (rate (* 2 'k)))
+  (define F (literal-function 'F (-> (X Real Real) Real)))
+  (define unknown (verify-total-time-derivative (Dt (lambda (s) (F (time s) (coordinate s)))) local))
+  (check-equal? (certificate-gap (certificate unknown))
+                "no formula was found of which it is the rate"))
+
+(test-case "a transformation with two Hamiltonians takes motions to motions"
+  (define (moving s) (up (time s) (+ (coordinate s) (* 'u (time s))) (momentum s)))
+  (define (H s) (/ (square (momentum s)) (* 2 'm)))
+  (define (new-H s) (- (H (moving s)) (* 'u (momentum s))))
+  (define v (verify-canonical moving H new-H (up 't 'q 'p)))
+  (check-regexp-match #rx"takes motions of the new Hamiltonian to those of the old"
+                      (format "~a" (certificate v)))
+  (define text (statement v))
+  (check-regexp-match #rx"Definition old_H \\(T Q P : R\\) : R := P [*] P / \\(2 [*] m\\)[.]" text)
+  (check-regexp-match
+   (regexp-quote
+    (string-append
+     "is_derive (fun s => old_time s (coordinate s) (momentum s)) t 1 /\\ "
+     "is_derive (fun s => old_coordinate s (coordinate s) (momentum s)) t "
+     "(old_rate t (coordinate t) (momentum t)) /\\ "
+     "is_derive (fun s => old_momentum s (coordinate s) (momentum s)) t "
+     "(- old_slope t (coordinate t) (momentum t)))."))
+   text))
+
+(test-case "a transformation that shifts the time: its old time goes as the new one"
+  (check-regexp-match
+   (regexp-quote "is_derive (fun s => time s q p) t (1) /\\ is_derive (fun s => time t s p) q (0)")
+   (statement (verify-canonical (lambda (s) (up (+ (time s) 'dt) (coordinate s) (momentum s)))
+                                (up 't 'q 'p)))))
 
 (test-case "a question of level 2 that has a certificate of level 1 only knows why"
   (define c
