@@ -7,12 +7,13 @@
          "proof-tactics.rkt" "theorem-text.rkt"
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
-         "../generic/describe.rkt" "../generic/output-file.rkt" "../generic/value-struct.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/output-file.rkt"
+         "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
          "../value/algebra.rkt"
          "../verdict/verdict.rkt")
 
-(provide certificate write-certificate certificate-or-reason certificate?
+(provide certificate write-certificate certificate-or-reason certificate-in-time certificate?
          certificate-text certificate-level certificate-gap
          ;; for tests
          theorem-file)
@@ -28,13 +29,13 @@
 (define certificate-text proof-certificate-text)
 (define certificate-gap proof-certificate-gap)
 
-(define (certificate v)
+(define-plain (certificate v)
   (check-proved 'certificate v)
-  (define c (certificate-or-reason v))
+  (define c (certificate-in-time v))
   (when (string? c) (complain 'certificate "no certificate yet: ~a" c))
   c)
 
-(define (write-certificate v file)
+(define-plain (write-certificate v file)
   (define who 'write-certificate)
   (check-comes-first who (and (path-string? v) (or (verdict? file) (certificate? file)))
                      "verdict" "name of the file")
@@ -61,6 +62,20 @@
   (with-handlers ([no-certificate? no-certificate-reason])
     (define c (derivative-certificate v))
     (if (certificate? c) c (identity-certificate v c))))
+
+;; The same where writing ends within a minute, else a string that says so
+(define (certificate-in-time v)
+  (define found (make-channel))
+  (define (find) (channel-put found (with-handlers ([void values]) (certificate-or-reason v))))
+  (define finder (thread find))
+  (define c
+    (dynamic-wind void
+                  (lambda () (sync/timeout/enable-break most-seconds found))
+                  (lambda () (kill-thread finder))))
+  (cond [(exn? c) (raise c)]
+        [else (or c (format "it takes more than ~a seconds to write" most-seconds))]))
+
+(define most-seconds 60)
 
 ;; -> certificate of level 2; or #f for another question, or a string: why there is none yet
 (define (derivative-certificate v)
@@ -107,7 +122,8 @@
   (define c (verdict-claim v))
   (define readings (append-map zero-test-decimals (verdict-tests v)))
   (define equations (filter (lambda (q) (not (equal? q '(0 . 0)))) (equations-of v)))
-  (when (null? equations) (give-up "it vanishes as it is formed, and nothing is left to state"))
+  (when (null? equations)
+    (give-up "arithmetic makes 0 of it while it is formed, and no equation is left to state"))
   (define th
     (identity-theorem (remove-duplicates equations)
                       (for/list ([e (in-list (claim-domain c))]) (with-decimals-read e readings))

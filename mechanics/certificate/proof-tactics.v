@@ -144,7 +144,7 @@ Ltac turn_3 :=
   replace (1 / 3 * PI) with (PI / 3) by field; first [ rewrite sin_PI3 | rewrite cos_PI3 ]; field.
 Ltac turn_4 :=
   replace (1 / 4 * PI) with (PI / 4) by field; first [ rewrite sin_PI4 | rewrite cos_PI4 ];
-  apply half_root.
+  rewrite half_root; field.
 Ltac turn_6 :=
   replace (1 / 6 * PI) with (PI / 6) by field; first [ rewrite sin_PI6 | rewrite cos_PI6 ]; field.
 

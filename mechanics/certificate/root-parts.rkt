@@ -52,19 +52,20 @@
             (if (odd? (cdr f)) (cons (car f) primes) primes))))
 
 ;; -> the number, and ((base . exponent) ...)
-(define (product-parts e [k 1])
+;; plain? : are divisors within kernels the only ones left in sums?
+(define (product-parts e [k 1] [plain? #f])
   (define args (if (node? e) (node-args e) '()))
   (define (all es ks)
     (for/fold ([number 1] [factors '()]) ([a (in-list es)] [k (in-list ks)])
-      (define-values (n more) (product-parts a k))
+      (define-values (n more) (product-parts a k plain?))
       (values (* number n) (append factors more))))
   (cond [(number? e) (values (expt (rational-constant e) k) '())]
         [(headed? e op:*) (all args (map (lambda (_) k) args))]
         [(headed? e op:/) (all args (list k (- k)))]
-        [(and (node? e) (integer-power? e)) (product-parts (car args) (* k (cadr args)))]
-        [(some-node? (lambda (n) (headed? n op:/)) e)
+        [(and (node? e) (integer-power? e)) (product-parts (car args) (* k (cadr args)) plain?)]
+        [(and (not plain?) (some-node? (lambda (n) (headed? n op:/)) e))
          (define-values (above below) (plain-fraction e))
-         (product-parts (e:/ above below) k)]
+         (product-parts (e:/ above below) k #t)]
         [else (values 1 (list (cons e k)))]))
 
 ;; Numerator and denominator as sums of terms, without divisors in them: a/b - 1 is (a - b)/b.

@@ -1,10 +1,11 @@
 #lang racket/base
 ;; `raco mechanics certify FILE`: a certificate for each proved verdict that a program shows, and
-;; Coq's answer to it.
+;; what Coq says of it.
 
 (require racket/file (only-in racket/list count) racket/path racket/string
          "program-verdicts.rkt" "written-files.rkt"
          "../../certificate/certificate.rkt" "../../certificate/Coq-check.rkt"
+         "../../error/complain.rkt"
          "../../error/message-words.rkt"
          "../../generic/describe.rkt"
          "../../verdict/verdict.rkt")
@@ -16,10 +17,13 @@
 (define (certify-command arguments)
   (define-values (file option) (read-arguments who arguments #:switches '("--write")))
   (define path (simple-form-path file))
-  (define-values (all problem) (program-verdicts who path file))
-  (define proved (filter (lambda (s) (proved? (shown-verdict-verdict s))) all))
   (define folder
     (simple-form-path (or (option "-o") (path-replace-extension path "-certificates"))))
+  (when (file-exists? folder)
+    (complain who "certificates go into a folder, and there is a file of that name\n  given: ~a"
+              (short-path folder)))
+  (define-values (all problem) (program-verdicts who path file))
+  (define proved (filter (lambda (s) (proved? (shown-verdict-verdict s))) all))
   (define coqc (and (not (option "--write")) (find-Coq)))
   (when problem (eprintf "certify: ~a did not run to its end:\n~a\n" file problem))
   (define good (certify-all proved folder (identifier-of path) coqc))
@@ -38,29 +42,16 @@
   (for/sum ([s (in-list proved)] [k (in-naturals 1)])
     (printf "~a\n" (brief (shown-verdict-form s)))
     (flush-output)
-    (define c (certificate-in-time (shown-verdict-verdict s)))
+    ;; what fails with one verdict leaves the others theirs
+    (define c
+      (with-handlers ([exn:fail? (lambda (e) (first-line (exn-message e)))])
+        (certificate-in-time (shown-verdict-verdict s))))
     (cond [(string? c) (printf "    no certificate yet: ~a\n" c) 0]
           [else
            (define file (build-path folder (format "~a_~a.v" name k)))
            (write-certificate c file)
            (printf "    ~a: ~a\n" (short-path file) c)
            (if (or (not coqc) (accepted? coqc c)) 1 0)])))
-
-;; -> certificate, or the reason why there is none.  A failure with one verdict, or an endless
-;; search, leaves the others theirs.
-(define (certificate-in-time v)
-  (define found (make-channel))
-  (define (find)
-    (channel-put found
-                 (with-handlers ([exn:fail? (lambda (e) (first-line (exn-message e)))])
-                   (certificate-or-reason v))))
-  (define finder (thread find))
-  (or (with-handlers ([exn:break? (lambda (e) (kill-thread finder) (raise e))])
-        (sync/timeout/enable-break most-seconds found))
-      (begin (kill-thread finder)
-             (format "it takes more than ~a seconds to write" most-seconds))))
-
-(define most-seconds 60)
 
 (define (first-line text) (car (string-split text "\n" #:trim? #f)))
 

@@ -352,12 +352,13 @@ accepted, in how many seconds, and what has none and why.
        @elem{none: Coq's library has no such function})
  (list @elem{sines of parts of π other than halves, thirds, quarters and sixths; angles that are
  more than eight times another} @elem{none yet})
- (list @elem{a residual that vanishes as it is formed} @elem{none: nothing is left to state})
+ (list @elem{a residual of which arithmetic makes 0 while it is formed}
+       @elem{none: no equation is left to state})
  (list @elem{a parameter called @tt{t} in a path} @elem{the identity}))]
 
 Of the 473 proved verdicts that the examples, exercises, the README and the guide show, 432 have a
 certificate; of the 77 that the second level is for, 69 have it by Coq's derivatives. Without one
-are 37 residuals that vanish as they are formed, and 4 with the angle of two arguments. Coq is known
+are 37 residuals of which arithmetic makes 0, and 4 with the angle of two arguments. Coq is known
 not to accept within twenty seconds those of identities with dozens of literal functions, of fields
 on a manifold, and some with hyperbolic functions as divisors; @exec{make certify} lists all.}
 

@@ -5,7 +5,7 @@
 (require racket/file racket/string
          mechanics mechanics/book
          (only-in mechanics/certificate/certificate
-                  certificate-gap certificate-level certificate-or-reason certificate-text)
+                  certificate-gap certificate-level certificate-or-reason certificate-text certificate?)
          "../support/checks.rkt" "../support/messages.rkt")
 
 ;; The text from the definition of hypotheses to the proof of the claim, spaces aside
@@ -319,7 +319,24 @@
   (check-regexp-match #rx"^write-certificate: there is no such folder\n  file: nowhere/swing[.]v"
                       (message-of (write-certificate sum "nowhere/swing.v") exn:fail?)))
 
+(test-case "an identity of numbers that arithmetic settles has nothing to state"
+  (check-equal? (certificate-or-reason (verify-symplectic (matrix-by-rows '(1 0) '(0 1))))
+                "arithmetic makes 0 of it while it is formed, and no equation is left to state"))
+
+(test-case "a divisor within a hyperbolic function does not stand in its logarithm's way"
+  (define (rate t) (* t (sqrt (/ 'k 'm))))
+  (check-pred certificate?
+              (certificate-or-reason
+               (assuming ('(> m 0) '(> k 0))
+                 (verify-equal (log (square (cosh (rate 't)))) (* 2 (log (cosh (rate 't)))))))))
+
 (says
+ [(certificate)
+  "certificate: takes 1 argument; it was given none"]
+ [(certificate sum #:level 2)
+  "certificate: there is no keyword #:level here"]
+ [(write-certificate sum)
+  "write-certificate: takes 2 arguments; it was given 1"]
  [(certificate 'x)
   "certificate: expected a verdict, such as verify-solution or verify-equal gives\n"
   "  given: the symbol x"]

@@ -58,6 +58,12 @@
                          "gets a certificate\n")))
   (check-false (directory-exists? (build-path folder "none-certificates"))))
 
+(test-case "a folder that is a file is told before the program runs"
+  (program "spring.rkt" "(verify-equal (* 2 'x) (+ 'x 'x))")
+  (check-equal? (answer "spring.rkt" "-o" "none.rkt")
+                (list 2 (string-append "certify: certificates go into a folder, "
+                                       "and there is a file of that name\n  given: none.rkt\n"))))
+
 (test-case "verdicts that are printed, or stand in lists, are certified as well, each once"
   (program "printed.rkt"
            "(define sum (verify-equal (* 2 'x) (+ 'x 'x)))"
