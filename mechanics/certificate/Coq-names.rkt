@@ -9,7 +9,8 @@
          "../scale/export/variable-names.rkt")
 
 (provide make-names names-without names-called name-of names-symbols names-functions names-texts
-         function-type function-of function-order flat-arguments derivative-nodes
+         function-type function-of function-order flat-arguments
+         derivative-nodes derivative-orders
          (struct-out unknown-function))
 
 ;; table : symbol or unknown-function -> string
@@ -66,14 +67,23 @@
 
 ;; The derivatives of a literal function, by each of these arguments
 (define (derivative-nodes n)
+  (for/list ([path (in-list (argument-paths n))])
+    (make-node (literal-head-derivative (node-head n) path) (node-args n))))
+
+;; How often it is differentiated by each of them
+(define (derivative-orders n)
+  (for/list ([path (in-list (argument-paths n))])
+    (cdr (or (assoc path (literal-head-index (node-head n))) '(_ . 0)))))
+
+;; The places of the arguments, as the index of a literal head has them
+(define (argument-paths n)
   (define args (node-args n))
   (define (paths a)
-    (if (and (node? a) (memq (node-head a) (list op:up op:down))) (numbered (node-args a)) '(())))
-  (define (numbered args)
+    (if (and (node? a) (memq (node-head a) (list op:up op:down))) (within (node-args a)) '(())))
+  (define (within args)
     (for*/list ([(a k) (in-parallel args (in-naturals))] [path (in-list (paths a))])
       (cons k path)))
-  (for/list ([path (in-list (if (null? (cdr args)) (paths (car args)) (numbered args)))])
-    (make-node (literal-head-derivative (node-head n) path) args)))
+  (if (null? (cdr args)) (paths (car args)) (within args)))
 
 (define (function-symbol f)
   (define prefix
@@ -100,7 +110,9 @@
     "Set SProp then Type using where with by Axiom Definition Theorem Lemma Ltac Proof Qed Section "
     "True False not and or ex eq conj nat Rlt Rle Rgt Rge Rplus Rminus Rmult Rdiv Rinv Ropp pow "
     "IZR Rgt_not_eq ln_exp exp_ln exp_pos f_equal sqrt_lem_1 sqrt_sqrt Coquelicot "
-    "I given hypotheses claim not_vacuous is_derive ex_derive Derive locally auto_derive")))
+    "I given hypotheses claim not_vacuous is_derive ex_derive Derive locally auto_derive "
+    "differentiable_2 differentiable_3 differentiable_4 differentiable_5 differentiable_6 "
+    "differentiable_7 differentiable_8 differentiable_9")))
 
 ;; The names that proof-tactics.v and derivative-tactics.v define
 (define (lemmas-in-file)
@@ -111,6 +123,5 @@
 ;; Names of hypotheses and of facts in proofs
 (define numbered-names
   (for*/list ([k (in-range 1 200)]
-              [base (in-list '("given" "kernel" "law" "moves" "rate" "equation" "place" "speed"
-                             "differentiable"))])
+              [base (in-list '("given" "kernel" "law" "moves" "rate" "equation" "place" "speed"))])
     (format "~a_~a" base k)))

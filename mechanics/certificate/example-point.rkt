@@ -21,8 +21,8 @@
 (define (example-values relations ns)
   (define unknowns (append (names-symbols ns) (names-functions ns)))
   (define differentiable
-    (for/list ([d (in-list relations)] #:when (eq? (car d) 'is-derivative))
-      (function-of (caddr d))))
+    (for*/hash ([d (in-list relations)] #:when (eq? (car d) 'is-derivative) [n (in-list (cdr d))])
+      (values (function-of n) (derivative-orders n))))
   (define (at k) (with-polynomials (place unknowns k) differentiable))
   (define angles (append-map angles-in (append-map cdr relations)))
   (define (found good?)
@@ -83,45 +83,60 @@
 (define (place unknowns k)
   (for/list ([u (in-list unknowns)] [i (in-naturals)]) (cons u (coordinate i k))))
 
-;; Functions that are derivatives of others with polynomials as values: r (1 + x + x²/2 ...), which
-;; ends where it is differentiated no more; of several variables x is their sum, so that all
-;; derivatives are alike.  derivatives : functions
-(define (with-polynomials values derivatives)
-  (define (same? f g) (and (unknown-function? f) (eq? (unknown-function-name f)
-                                                      (unknown-function-name g))))
-  (for/list ([v (in-list values)])
-    (define above (filter (lambda (g) (same? (car v) g)) derivatives))
-    (if (null? above)
-        v
-        (let ([r (cdr (findf (lambda (w) (same? (car w) (car above))) values))]
-              [last-order (apply max (map function-order above))])
-          (cons (car v) (polynomial r (- last-order (function-order (car v)))))))))
+;; Functions that are derivatives of others with polynomials as values.  With E = 1 + x + x²/2 ...,
+;; which ends where it is differentiated no more, they are r E(x); and of several variables
+;; r E(x + y ...) + r (2 E(x) + E(y) ...), so that neither gradients of several functions depend on
+;; each other nor second derivatives of one.
+;; orders : function -> how often it is differentiated by each of its variables
+(define (with-polynomials values orders)
+  (define (of-name f)
+    (for/list ([(g ns) (in-hash orders)]
+               #:when (eq? (unknown-function-name f) (unknown-function-name g)))
+      (apply + ns)))
+  (for/list ([v (in-list values)] [i (in-naturals)])
+    (define own (hash-ref orders (car v) #f))
+    (if own
+        (let ([root (findf (lambda (w) (and (unknown-function? (car w))
+                                            (eq? (unknown-function-name (car w))
+                                                 (unknown-function-name (car v)))))
+                           values)])
+          (cons (car v) (polynomials (cdr root) own (apply max (of-name (car v)))
+                                     (index-of values root))))
+        v)))
 
-(define argument (string->uninterned-symbol "s"))
+(define (polynomials r orders last-order i)
+  (define left (- last-order (apply + orders)))
+  (define xs (take arguments (length orders)))
+  (define own
+    (for/list ([x (in-list xs)] [k (in-naturals)]
+               #:when (for/and ([n (in-list orders)] [l (in-naturals)]) (or (= l k) (= n 0))))
+      (polynomial (if (= 0 (modulo (+ i k) (length xs))) (* 2 r) r) left x)))
+  (cond [(null? (cdr xs)) (polynomial r left (car xs))]
+        [(= left 0) (apply + r own)]
+        [else (make-node op:+ (cons (polynomial r left (make-node op:+ xs)) own))]))
+
+;; The variables of all functions
+(define arguments (for/list ([_ (in-range 100)]) (string->uninterned-symbol "s")))
 
 ;; r + r x + (r / 2) x² ..., up to the power n
-(define (polynomial r n)
+(define (polynomial r n x)
   (for/fold ([sum r] [c r] #:result sum) ([k (in-range 1 (+ n 1))])
     (define next (/ c k))
-    (values (make-node op:+ (list sum (make-node op:* (cons next (make-list k argument))))) next)))
+    (values (make-node op:+ (list sum (make-node op:* (cons next (make-list k x))))) next)))
 
 ;; As a term; of a function, of what it makes of its arguments
 (define (value-text u x ns)
-  (if (unknown-function? u)
-      (let ([variables (variables-of u)])
-        (format "(fun ~a => ~a)"
-                (if (number? x)
-                    (string-join (map (lambda (_) "_") variables))
-                    (string-join variables))
-                (term x (names-called ns (list (cons argument (sum-text variables)))))))
-      (format "(~a)" (term x ns))))
-
-;; Names of the variables of a function, and their sum
-(define (variables-of u)
-  (define n (unknown-function-arity u))
-  (if (= n 1) '("s") (for/list ([k (in-range 1 (+ n 1))]) (format "s_~a" k))))
-(define (sum-text variables)
-  (if (null? (cdr variables)) (car variables) (format "(~a)" (string-join variables " + "))))
+  (cond [(not (unknown-function? u)) (format "(~a)" (term x ns))]
+        [else
+         (define n (unknown-function-arity u))
+         (define variables
+           (cond [(number? x) (make-list n "_")]
+                 [(= n 1) '("s")]
+                 [else (for/list ([k (in-range 1 (+ n 1))]) (format "s_~a" k))]))
+         (format "(fun ~a => ~a)" (string-join variables)
+                 (term x (names-called ns (for/list ([s (in-list arguments)]
+                                                     [variable (in-list variables)])
+                                            (cons s variable)))))]))
 
 ;; The i-th number of the k-th place
 (define (coordinate i k)
@@ -161,10 +176,9 @@
   (define x (cdr (or known (assoc (function-of leaf) values))))
   (if (number? x) x (value-at (applied x leaf) values)))
 
-;; The polynomial x at the argument of n, or at the sum of these
+;; The polynomial x at the arguments of n
 (define (applied x n)
-  (define args (flat-arguments n))
-  (in-place x (list (cons argument (if (null? (cdr args)) (car args) (make-node op:+ args))))))
+  (in-place x (for/list ([s (in-list arguments)] [a (in-list (flat-arguments n))]) (cons s a))))
 
 ;; e with other leaves for some, nothing evaluated
 (define (in-place e leaves)

@@ -243,3 +243,96 @@
  (let ((H (make-Hamiltonian (lambda (s) (+ (/ (square (momentum s)) (* 2 'm))
                                            (* 'm 'g 'l (- 1 (cos (coordinate s)))))))))
    (verify-conserved H H (up 't 'theta 'p))))
+
+;; ---- Unknown functions of several variables
+(energy-in-the-plane
+ (let* ((V (literal-function 'V (-> (X Real Real) Real)))
+        (L (lambda (s) (- (* 1/2 'm (square (velocity s)))
+                          (V (ref (coordinate s) 0) (ref (coordinate s) 1))))))
+   (verify-conserved L (Lagrangian->energy L) (up 't (up 'x 'y) (up 'vx 'vy)))))
+(energy-by-an-unknown-metric
+ (let* ((f (lambda (name s) ((literal-function name (-> (X Real Real) Real))
+                             (ref (coordinate s) 0) (ref (coordinate s) 1))))
+        (L (lambda (s) (let ((vx (ref (velocity s) 0)) (vy (ref (velocity s) 1)))
+                         (+ (* 1/2 (f 'E s) (square vx)) (* (f 'F s) vx vy)
+                            (* 1/2 (f 'G s) (square vy)))))))
+   (verify-conserved L (Lagrangian->energy L) (up 't (up 'x 'y) (up 'vx 'vy)))))
+(energy-of-an-unknown-Lagrangian
+ (let* ((F (literal-function 'F (-> (X Real Real) Real)))
+        (L (lambda (s) (F (coordinate s) (velocity s)))))
+   (verify-conserved L (Lagrangian->energy L) (up 't 'x 'v))))
+(momentum-beside-a-wall
+ (let ((V (literal-function 'V (-> (X Real Real) Real))))
+   (verify-conserved (lambda (s) (- (* 1/2 'm (square (velocity s)))
+                                    (V (time s) (ref (coordinate s) 1))))
+                     (lambda (s) (* 'm (ref (velocity s) 0)))
+                     (up 't (up 'x 'y) (up 'vx 'vy)))))
+(Hamiltonian-energy-in-space
+ (let* ((V (literal-function 'V (-> (UP Real Real Real) Real)))
+        (H (make-Hamiltonian (lambda (s) (+ (/ (square (momentum s)) (* 2 'm))
+                                            (V (coordinate s)))))))
+   (verify-conserved H H (up 't (up 'x 'y 'z) (down 'p_x 'p_y 'p_z)))))
+(gradient-as-momentum
+ (let ((S (literal-function 'S (-> (X Real Real) Real))))
+   (verify-canonical
+    (lambda (s) (let ((x (ref (coordinate s) 0)) (y (ref (coordinate s) 1)))
+                  (up (time s) (coordinate s)
+                      (+ (momentum s) (down (((partial 0) S) x y) (((partial 1) S) x y))))))
+    (up 't (up 'x 'y) (down 'p_x 'p_y)))))
+(moving-coordinates
+ (let ((F (literal-function 'F (-> (X Real Real) Real))))
+   (verify-canonical (F->CT (lambda (s) (F (time s) (coordinate s)))) (up 't 'q 'p))))
+(pushed-along-any-path
+ (let ((x (literal-function 'x)) (V (literal-function 'V (-> (X Real Real) Real))))
+   (verify-solution (lambda (s) (- (* 1/2 'm (square (velocity s))) (V (coordinate s) (time s)))) x
+                    #:force (lambda (s) (+ (* 'm (((expt D 2) x) (time s)))
+                                           (((partial 0) V) (x (time s)) (time s)))))))
+
+;; ---- Total time derivatives
+(gauge-of-time
+ (verify-total-time-derivative
+  (lambda (s) (let ((x (ref (coordinate s) 0)) (y (ref (coordinate s) 1)))
+                (+ (* (cos (time s)) x y)
+                   (* (sin (time s)) (+ (* x (ref (velocity s) 1)) (* y (ref (velocity s) 0)))))))
+  (up 't (up 'x 'y) (up 'vx 'vy))))
+(gauge-by-logarithm
+ (verify-total-time-derivative (lambda (s) (/ (velocity s) (coordinate s))) (up 't 'x 'v)))
+(gauge-of-unknown
+ (let ((F (literal-function 'F (-> (X Real Real) Real))))
+   (verify-total-time-derivative (Dt (lambda (s) (F (time s) (coordinate s)))) (up 't 'x 'v))))
+(Galilean-Lagrangians
+ (let ((L (lambda (s) (* 1/2 'm (square (velocity s))))))
+   (verify-equivalent-Lagrangians
+    L (lambda (s) (* 1/2 'm (square (+ (velocity s) 'u)))) (up 't 'x 'v))))
+(proportional-Lagrangians
+ (let ((L (lambda (s) (* 1/2 'm (square (velocity s))))))
+   (verify-equivalent-Lagrangians
+    L (lambda (s) (* 3 'k (+ (L s) (* 'b (velocity s))))) (up 't 'x 'v))))
+
+;; ---- Motions of a Hamiltonian, and transformations of them
+(Hamilton-solution-with-friction
+ (verify-Hamiltonian-solution (lambda (s) (/ (square (momentum s)) (* 2 'm)))
+                              (lambda (t) (* 'a (exp (* -1 'c t))))
+                              (lambda (t) (* -1 'm 'a 'c (exp (* -1 'c t))))
+                              #:force (lambda (s) (* -1 'c (momentum s)))))
+(moving-frame
+ (let* ((C (lambda (s) (up (time s) (+ (coordinate s) (* 'u (time s))) (momentum s))))
+        (H (lambda (s) (+ (/ (square (momentum s)) (* 2 'm))
+                          ((literal-function 'V) (coordinate s))))))
+   (verify-canonical C H (lambda (s) (- (H (C s)) (* 'u (momentum s)))) (up 't 'q 'p))))
+(rotating-frame
+ (let* ((C (F->CT (lambda (s) (let ((r (ref (coordinate s) 0))
+                                    (phi (+ (ref (coordinate s) 1) (* 'Omega (time s)))))
+                                (up (* r (cos phi)) (* r (sin phi)))))))
+        (H (lambda (s) (/ (square (momentum s)) (* 2 'm)))))
+   (verify-canonical C H (lambda (s) (- (H (C s)) (* 'Omega (ref (momentum s) 1))))
+                     (up 't (up 'r 'phi) (down 'p_r 'p_phi)))))
+(later
+ (let ((C (lambda (s) (up (+ (time s) 'dt) (coordinate s) (momentum s)))))
+   (verify-canonical C (up 't 'q 'p))))
+(fall-with-quadratic-drag
+ (assuming ('(> m 0))
+   (verify-solution (lambda (s) (- (* 1/2 'm (square (velocity s))) (* 'm 'g (coordinate s))))
+                    (lambda (t) (* -1 (/ 'm 'k) (log (cosh (* (sqrt (/ (* 'g 'k) 'm)) t)))))
+                    #:force (lambda (s) (* 'k (square (velocity s)))))))
+(eighth-of-turn (verify-equal (sin (/ ':pi 4)) (/ 1 (sqrt 2))))

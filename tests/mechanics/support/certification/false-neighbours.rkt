@@ -149,8 +149,7 @@
                (with-one-more-term (certificate-text x) name))))
 
 (define (functions-defined text)
-  (filter (lambda (name) (not (member name '("hypotheses" "motion"))))
-          (map cadr (regexp-match* #px"Definition (\\w+) " text #:match-select values))))
+  (map cadr (regexp-match* #px"Definition (\\w+) \\([^()]*\\) : R :=" text #:match-select values)))
 
 ;; The first coordinate is added, or of a function of the time alone the time.
 (define (with-one-more-term text name)
