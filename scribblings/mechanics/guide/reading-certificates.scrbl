@@ -150,6 +150,32 @@ equation holds at the time t. Beside what @tt{momentum} and @tt{slope} are, the 
 
 And @tt{not_vacuous} proves that there is such a motion.
 
+@section{Functions that nobody knows}
+
+A literal function stands for any function that has derivatives; that it has them is a hypothesis:
+
+@examples[#:eval session #:label #f
+(define U (literal-function 'U (-> (X Real Real) Real)))
+(define (L-plane s)
+  (- (* 1/2 'm (square (velocity s))) (U (ref (coordinate s) 0) (ref (coordinate s) 1))))
+(certificate (verify-conserved L-plane (Lagrangian->energy L-plane)
+                               (up 't (up 'x 'y) (up 'vx 'vy))))]
+
+Of a function of one variable it would read @tt{is_derive U x (DU x)}. Two partial derivatives say
+less than one might think: a function can have both at a point and jump there. So the file says what
+is meant, that the function has a rate along each path through the point that has a velocity:
+
+@verbatim[#:indent 2]|{
+Definition differentiable_2 (f : R -> R -> R) (x_1 x_2 d_1 d_2 : R) : Prop :=
+  forall (p_1 p_2 : R -> R) (t v_1 v_2 : R),
+    p_1 t = x_1 -> p_2 t = x_2 ->
+    is_derive p_1 t v_1 -> is_derive p_2 t v_2 ->
+    is_derive (fun s => f (p_1 s) (p_2 s)) t (d_1 * v_1 + d_2 * v_2).
+}|
+
+In finitely many dimensions this is total differentiability, as textbooks define it: no function
+that has a derivative there is left out. The proof that the hypotheses can hold takes polynomials.
+
 What has a certificate of which level is in the table of
 @secref["reference-verdicts"].
 

@@ -303,12 +303,16 @@ is replaced. There are two levels:
 @item{@emph{The identity}: both sides, or the residual and 0, are equal as the question states them,
 for all real values of the symbols. The derivatives in it are ours. A literal function and its
 derivatives are any functions.}
-@item{@emph{The claim itself}, by Coq's own derivatives. Of @racket[verify-solution]: the Lagrangian
-and the path are functions, and Lagrange's equations hold, constraints with their multipliers
-included. Of @racket[verify-conserved]: along every motion, which is defined there, the derivative
-of the quantity by the time is 0. Of @racket[verify-canonical] and @racket[verify-symplectic]: all
-Poisson brackets are what they are to be. That a literal function has the derivative it is said to
-have is a hypothesis.}]
+@item{@emph{The claim itself}, by Coq's own derivatives. Of @racket[verify-solution] and
+@racket[verify-Hamiltonian-solution]: the Lagrangian or Hamiltonian and the path are functions, and
+Lagrange's or Hamilton's equations hold, constraints with their multipliers included. Of
+@racket[verify-conserved]: along every motion, which is defined there, the derivative of the
+quantity by the time is 0. Of @racket[verify-canonical] and @racket[verify-symplectic]: all Poisson
+brackets are what they are to be; with two Hamiltonians: every motion of the new one becomes a
+motion of the old one. Of @racket[verify-total-time-derivative] and
+@racket[verify-equivalent-Lagrangians]: there is a function, which is written down, of which it is
+the rate along every path. That a literal function has the derivatives it is said to have is a
+hypothesis; one of several variables is differentiable along each path.}]
 
 What the verdict assumes is a hypothesis, and so is each divisor, radicand and argument of a
 logarithm: Coq's functions have values everywhere, 1/0 is 0 there. Each file proves that its
@@ -337,17 +341,21 @@ accepted, in how many seconds, and what has none and why.
 @tabular[#:sep @hspace[2] #:row-properties '(bottom-border top)
 (list
  (list @bold{Verdict} @bold{Certificate})
- (list @elem{@racket[verify-solution], with forces, constraints, literal functions of one variable}
+ (list @elem{@racket[verify-solution], with forces and constraints; literal functions anywhere}
        @elem{the claim})
- (list @elem{@racket[verify-conserved], of Lagrangians and Hamiltonians, with forces}
-       @elem{the claim})
- (list @elem{@racket[verify-canonical] and @racket[verify-symplectic] of a transformation that keeps
-             the time} @elem{the claim})
- (list @elem{these with Lagrangians of higher order, literal functions of several variables,
-             decimals that the proof reads as exact numbers} @elem{the identity})
- (list @elem{@racket[verify-equal], @racket[prove-zero], @racket[verify-Hamiltonian-solution],
-             @racket[verify-total-time-derivative] and all other questions}
-       @elem{the identity})
+ (list @elem{@racket[verify-Hamiltonian-solution], with forces} @elem{the claim})
+ (list @elem{@racket[verify-conserved], of Lagrangians and Hamiltonians, with forces; Noether's
+             integrals} @elem{the claim})
+ (list @elem{@racket[verify-canonical] and @racket[verify-symplectic] of a transformation; also of
+             one that depends on the time, or shifts it} @elem{the claim, all brackets})
+ (list @elem{@racket[verify-canonical] with two Hamiltonians} @elem{the claim, of all motions})
+ (list @elem{@racket[verify-total-time-derivative] without accelerations, where a formula of the
+             function is found; @racket[verify-equivalent-Lagrangians] where these, one of them
+             with a constant factor, differ by one} @elem{the claim})
+ (list @elem{these with Lagrangians of higher order, or decimals that the proof reads as exact
+             numbers} @elem{the identity})
+ (list @elem{@racket[verify-equal], @racket[prove-zero], @racket[verify-symplectic] of a matrix, and
+             all other questions} @elem{the identity})
  (list @elem{with the angle of two arguments, erf, acosh, atanh, sgn, or complex numbers}
        @elem{none: Coq's library has no such function})
  (list @elem{sines of parts of π other than halves, thirds, quarters and sixths; angles that are

@@ -192,7 +192,8 @@
         "is_derive p_1 t v_1 -> is_derive p_2 t v_2 -> "
         "is_derive (fun s => f (p_1 s) (p_2 s)) t (d_1 * v_1 + d_2 * v_2)."))
   (has "differentiable_2 V x y (D0_V x y) (D1_V x y).")
-  (has (string-append "exists (1), (1), (fun s_1 s_2 => 1 + 1 * (s_1 + s_2) + 2 + 2 * s_1 + 1 + 1 * s_2), "
+  (has (string-append "exists (1), (1), "
+                      "(fun s_1 s_2 => 1 + 1 * (s_1 + s_2) + 2 + 2 * s_1 + 1 + 1 * s_2), "
                       "(fun _ _ => 3), (fun _ _ => 2),")))
 
 (test-case "derivatives of a function of tuples are named by their places"
