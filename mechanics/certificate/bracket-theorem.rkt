@@ -70,16 +70,14 @@
 
 (define (definitions M ns)
   (define arguments (transformation-arguments M))
-  (define (each names es)
-    (for/list ([name (in-list names)] [e (in-list es)]) (definition-text name arguments e ns)))
+  (define (each comment names es) (definition-lines comment names arguments es ns))
+  (define slopes (append* (transformation-slopes M)))
   (string-join
-   (append (list "Section transformation." (parameters-text ns arguments)
-                 "(* The old coordinates and momenta, by the new ones *)")
-           (each (append (clock-names M) (transformation-names M))
+   (append (list "Section transformation." (parameters-text ns arguments))
+           (each "The old coordinates and momenta, by the new ones"
+                 (append (clock-names M) (transformation-names M))
                  (append (transformation-clock M) (transformation-es M)))
-           (list "(* and, the theorem says, their derivatives *)")
-           (append* (for/list ([row (in-list (transformation-slopes M))])
-                      (each (map car row) (map cdr row))))
+           (each "and, the theorem says, their derivatives" (map car slopes) (map cdr slopes))
            '("" ""))
    "\n"))
 

@@ -80,35 +80,37 @@
 ;; -> certificate of level 2; or #f for another question, or a string: why there is none yet
 (define (derivative-certificate v)
   (define c (claim-subject (verdict-claim v)))
-  (define (certified make text)
-    (cond [(pair? (verdict-readings v)) "the procedures hold the decimals themselves"]
+  (define-values (make claim) (theorem-about c))
+  (with-handlers ([no-certificate? no-certificate-reason])
+    (cond [(not make) #f]
+          [(pair? (verdict-readings v)) "the procedures hold the decimals themselves"]
           [else
            (define th (make c (verdict-assumptions v)))
-           (proof-certificate 2 (words text th "by Coq's own derivatives")
-                              (theorem-file th #t) #f)]))
-  (with-handlers ([no-certificate? no-certificate-reason])
-    (cond [(motion-claim? c)
-           (certified motion-theorem
-                      (format "the path is a motion of the ~a~a"
-                              (system-name (motion-claim-p c))
-                              (with-outside (motion-claim-force c)
-                                            (motion-claim-constraints c))))]
-          [(conserved-claim? c)
-           (certified conserved-theorem
-                      (format "the quantity is conserved along the motions of the ~a~a"
-                              (system-name (conserved-claim-Hamiltonian? c))
-                              (with-outside (conserved-claim-force c) #f)))]
-          [(and (canonical-claim? c) (canonical-claim-H c))
-           (certified conserved-theorem
-                      "the transformation takes motions of the new Hamiltonian to those of the old")]
-          [(canonical-claim? c)
-           (certified bracket-theorem "the transformation keeps all Poisson brackets")]
-          [(gauge-claim? c)
-           (certified gauge-theorem
-                      (if (gauge-claim-first c)
-                          "the Lagrangians differ by a total time derivative"
-                          "the function is a total time derivative"))]
-          [else #f])))
+           (proof-certificate 2 (words claim th "by Coq's own derivatives")
+                              (theorem-file th #t) #f)])))
+
+;; c : a claim's subject -> the function that makes its theorem, and words; or #f and #f
+(define (theorem-about c)
+  (cond [(motion-claim? c)
+         (values motion-theorem
+                 (format "the path is a motion of the ~a~a" (system-name (motion-claim-p c))
+                         (with-outside (motion-claim-force c) (motion-claim-constraints c))))]
+        [(conserved-claim? c)
+         (values conserved-theorem
+                 (format "the quantity is conserved along the motions of the ~a~a"
+                         (system-name (conserved-claim-Hamiltonian? c))
+                         (with-outside (conserved-claim-force c) #f)))]
+        [(and (canonical-claim? c) (canonical-claim-H c))
+         (values conserved-theorem
+                 "the transformation takes motions of the new Hamiltonian to those of the old")]
+        [(canonical-claim? c)
+         (values bracket-theorem "the transformation keeps all Poisson brackets")]
+        [(gauge-claim? c)
+         (values gauge-theorem
+                 (if (gauge-claim-first c)
+                     "the Lagrangians differ by a total time derivative"
+                     "the function is a total time derivative"))]
+        [else (values #f #f)]))
 
 (define (system-name Hamiltonian?) (if Hamiltonian? "Hamiltonian" "Lagrangian"))
 

@@ -188,10 +188,7 @@
 
 (define (definitions M ns)
   (define arguments (state-symbols M))
-  (define (each comment names es)
-    (cons (format "(* ~a *)" comment)
-          (for/list ([name (in-list names)] [e (in-list es)])
-            (definition-text name arguments e ns))))
+  (define (each comment names es) (definition-lines comment names arguments es ns))
   (define H? (flow-Hamiltonian? M))
   (string-join
    (append
@@ -214,10 +211,10 @@
 
 (define (old-definitions M each ns)
   (define before (flow-old M))
-  (list* "(* The old Hamiltonian *)"
-         (definition-text "old_H" (old-symbols before) (old-H before) ns)
-         (each "and, the theorem says, its derivatives by the old momenta and coordinates"
-               (append (old-rate-names M) (old-slope-names M)) (old-slopes before))))
+  (append
+   (definition-lines "The old Hamiltonian" '("old_H") (old-symbols before) (list (old-H before)) ns)
+   (each "and, the theorem says, its derivatives by the old momenta and coordinates"
+         (append (old-rate-names M) (old-slope-names M)) (old-slopes before))))
 
 ;; f t (x t) (y t)
 (define (value-along M f t)

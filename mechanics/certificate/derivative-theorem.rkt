@@ -15,7 +15,7 @@
          (only-in "../value/shape.rkt" scalars scalars->structure shape-length symbols-like))
 
 (provide scalars-in symbols-for open-relations numbered
-         parameters-text definition-text derivative-text at
+         parameters-text definition-lines derivative-text at
          names-on-paths path-through
          conjunction pattern-of refine-text
          known-lines derivative-proof)
@@ -69,6 +69,14 @@
    (format "Definition ~a (~a : R) : R := ~a." name
            (string-join (for/list ([a (in-list arguments)]) (name-of ns a)) " ")
            (term e ns))))
+
+;; Definitions of functions of these arguments, a comment before them; none without names
+(define (definition-lines comment names arguments es ns)
+  (if (null? names)
+      '()
+      (cons (format "(* ~a *)" comment)
+            (for/list ([name (in-list names)] [e (in-list es)])
+              (definition-text name arguments e ns)))))
 
 ;; f, of the arguments (texts), has by the one of place k the derivative d.
 (define (derivative-text f arguments k d)

@@ -67,17 +67,17 @@
 ;; The text
 
 (define (definitions M ns)
-  (define (defined name arguments e) (definition-text name arguments e ns))
+  (define parts (gauge-parts M))
   (string-join
    (append
-    (list "Section gauge." (parameters-text ns (symbols-of M))
-          (if (null? (cdr (gauge-parts M)))
-              "(* Of the time, the coordinates and the velocities *)"
-              "(* The Lagrangians *)"))
-    (for/list ([p (in-list (gauge-parts M))]) (defined (car p) (symbols-of M) (cdr p)))
-    (list "(* The function whose rate it is, the theorem says *)"
-          (defined "gauge" (cons (gauge-t M) (gauge-xs M)) (gauge-f M))
-          "" ""))
+    (list "Section gauge." (parameters-text ns (symbols-of M)))
+    (definition-lines (if (null? (cdr parts))
+                          "Of the time, the coordinates and the velocities"
+                          "The Lagrangians")
+                      (map car parts) (symbols-of M) (map cdr parts) ns)
+    (definition-lines "The function whose rate it is, the theorem says" '("gauge")
+                      (cons (gauge-t M) (gauge-xs M)) (list (gauge-f M)) ns)
+    '("" ""))
    "\n"))
 
 (define (statement M ns along)
