@@ -3,32 +3,37 @@
 
 (require racket/file racket/string racket/system)
 
-(provide find-Coq check-by-Coq (struct-out judgement))
+(provide find-Coq check-by-Coq judgement-accepted? (struct-out judgement))
 
 ;; The compiler of Coq, or #f where there is none.
 (define (find-Coq) (find-executable-path "coqc"))
 
-;; accepted? : by Coq, and resting on the axioms of the real numbers alone
-;; message   : what Coq said, of a certificate that is not accepted
-(struct judgement (accepted? seconds message) #:authentic)
+;; outcome : 'accepted, resting on the axioms of the real numbers alone; 'rejected, or 'unfinished
+;; seconds : of the processor, where no other process ended meanwhile
+;; message : what Coq said, of a certificate that is not accepted
+(struct judgement (outcome seconds message) #:authentic)
 
-(define (check-by-Coq coqc text)
+(define (judgement-accepted? j) (eq? 'accepted (judgement-outcome j)))
+
+;; most-seconds : by the clock
+(define (check-by-Coq coqc text [most-seconds 300])
   (define folder (make-temporary-file "certificate~a" 'directory))
-  (define start (current-inexact-milliseconds))
-  (define-values (ok? said)
+  (define (spent) (current-process-milliseconds 'subprocesses))
+  (define start (spent))
+  (define-values (outcome said)
     (dynamic-wind
      void
      (lambda ()
        (display-to-file text (build-path folder "certificate.v"))
-       (parameterize ([current-directory folder]) (run-Coq coqc "certificate.v")))
+       (parameterize ([current-directory folder]) (run-Coq coqc "certificate.v" most-seconds)))
      (lambda () (delete-directory/files folder))))
-  (define strange (if ok? (strange-axioms said) '()))
-  (judgement (and ok? (null? strange))
-             (/ (- (current-inexact-milliseconds) start) 1000.0)
-             (if ok? (string-join strange "\n") said)))
+  (define strange (if (eq? 'accepted outcome) (strange-axioms said) '()))
+  (judgement (if (null? strange) outcome 'rejected)
+             (/ (- (spent) start) 1000.0)
+             (if (eq? 'accepted outcome) (string-join strange "\n") said)))
 
-;; -> is it accepted, and the text that Coq prints
-(define (run-Coq coqc file)
+;; -> outcome, and the text that Coq prints
+(define (run-Coq coqc file most-seconds)
   (define out (open-output-string))
   (define control
     (list-ref (process*/ports out (open-input-string "") out coqc "-q" "-w" "none" file) 4))
@@ -37,11 +42,9 @@
    void
    (lambda ()
      (if (sync/timeout/enable-break most-seconds waiter)
-         (values (eq? 'done-ok (control 'status)) (get-output-string out))
-         (values #f (format "it takes more than ~a seconds" most-seconds))))
+         (values (if (eq? 'done-ok (control 'status)) 'accepted 'rejected) (get-output-string out))
+         (values 'unfinished (format "it takes more than ~a seconds" most-seconds))))
    (lambda () (control 'kill))))
-
-(define most-seconds 300)
 
 ;; Axioms that are not those of Coq's real numbers, by the lines of Print Assumptions
 (define (strange-axioms said)

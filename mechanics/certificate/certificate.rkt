@@ -186,4 +186,4 @@
    (if derivatives? "From Coquelicot Require Import Coquelicot.\n" "")
    "Open Scope R_scope.\n\n"
    (proof-tactics) "\n" (if derivatives? (derivative-tactics) "") "\n" (theorem-text th)
-   "Print Assumptions claim.\nPrint Assumptions not_vacuous.\n"))
+   "Definition certificate := conj claim not_vacuous.\nPrint Assumptions certificate.\n"))

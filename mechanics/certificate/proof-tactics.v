@@ -50,7 +50,31 @@ Proof. intros x y H E. rewrite <- (exp_ln x H), <- E, !exp_plus. ring. Qed.
 Lemma exp_part_6 : forall x y : R, 0 < x -> y + y + y + y + y + y = ln x -> exp y ^ 6 = x.
 Proof. intros x y H E. rewrite <- (exp_ln x H), <- E, !exp_plus. ring. Qed.
 
+(* Of a divisor that is not 0 its factors are not. *)
+Lemma power_nonzero : forall (x : R) (n : nat), x ^ S n <> 0 -> x <> 0.
+Proof. intros x n H E. apply H. rewrite E. simpl. ring. Qed.
+Lemma left_factor : forall x y : R, x * y <> 0 -> x <> 0.
+Proof. intros x y H E. apply H. rewrite E. ring. Qed.
+Lemma right_factor : forall x y : R, x * y <> 0 -> y <> 0.
+Proof. intros x y H E. apply H. rewrite E. ring. Qed.
+Lemma radicand_positive : forall x : R, sqrt x <> 0 -> 0 < x.
+Proof. intros x H. apply Rnot_le_lt. intro. apply H, sqrt_neg_0. assumption. Qed.
+Ltac new_nonzero x proof :=
+  lazymatch x with IZR _ => fail | _ => idtac end;
+  lazymatch goal with _ : x <> 0 |- _ => fail | _ => assert (x <> 0) by exact proof end.
+Ltac divisors :=
+  repeat match goal with
+  | H : sqrt ?x <> 0 |- _ => new_nonzero x (Rgt_not_eq _ _ (radicand_positive _ H))
+  | H : ?x ^ S _ <> 0 |- _ => new_nonzero x (power_nonzero _ _ H)
+  | H : ?x * _ <> 0 |- _ => new_nonzero x (left_factor _ _ H)
+  | H : _ * ?x <> 0 |- _ => new_nonzero x (right_factor _ _ H)
+  end.
+
 (* Signs, by the form of an expression and by what is given. *)
+Lemma right_sign : forall x y : R, 0 <= x * y -> 0 < x -> 0 <= y.
+Proof. intros x y H P. apply (Rmult_le_reg_l x); [exact P | rewrite Rmult_0_r; exact H]. Qed.
+Lemma left_sign : forall x y : R, 0 <= x * y -> 0 < y -> 0 <= x.
+Proof. intros x y. rewrite Rmult_comm. apply right_sign. Qed.
 Ltac positive :=
   first [ assumption | lra
         | match goal with
@@ -70,6 +94,7 @@ Ltac positive :=
         | match goal with
           | H : ?x <> 0 |- 0 < ?x =>
               apply Rnot_le_lt; intro; apply H; apply Rle_antisym; [assumption | nonnegative]
+          | H : sqrt ?x <> 0 |- 0 < ?x => exact (radicand_positive x H)
           | H : ?x <> 0 |- 0 < ?x * ?x => apply Rsqr_pos_lt, H
           | H : ?x <> 0 |- 0 < ?x ^ 2 => rewrite <- Rsqr_pow2; apply Rsqr_pos_lt, H
           end
@@ -94,9 +119,20 @@ with nonnegative :=
           | H : 0 < ?x / ?y |- 0 <= ?x =>
               replace x with (x / y * y) by (field; nonzero_factor);
               apply Rmult_le_pos; [left; exact H | nonnegative]
+          | H : 0 <= ?p |- 0 <= ?x => lazymatch p with context [x] => sign_of x H end
           end
         | left; positive
         | nra ]
+with sign_of x H :=                     (* of a factor x in what H says not to be negative *)
+  lazymatch type of H with
+  | 0 <= x => exact H
+  | 0 <= ?a * ?b =>
+      let G := fresh in
+      lazymatch b with
+      | context [x] => assert (G : 0 <= b) by (apply (right_sign a b H); clear H; positive)
+      | _ => assert (G : 0 <= a) by (apply (left_sign a b H); clear H; positive)
+      end; sign_of x G
+  end
 with nonzero_factor :=
   first [ assumption
         | lra

@@ -10,7 +10,7 @@
          "../../generic/describe.rkt"
          "../../verdict/verdict.rkt")
 
-(provide certify-command)
+(provide certify-command certificate-in-time)
 
 (define who 'certify)
 

@@ -93,10 +93,11 @@ A theorem whose hypotheses contradict each other would be true, and empty. So ea
 there are numbers for which all of its hypotheses hold.
 
 @verbatim[#:indent 2]|{
-Print Assumptions claim.
+Definition certificate := conj claim not_vacuous.
+Print Assumptions certificate.
 }|
 
-Coq is asked what the theorem rests on. It names the axioms of its real numbers; there is none of
+Coq is asked what both theorems rest on. It names the axioms of its real numbers; there is none of
 ours, and no gap in the proof would stay unsaid.
 
 @section{Functions that have a value everywhere}

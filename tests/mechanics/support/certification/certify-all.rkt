@@ -3,176 +3,167 @@
 ;; README and the pages of the guide prove, given to Coq, and false neighbours of the claims, which
 ;; it has to reject.
 ;;
-;;     racket certify-all.rkt --jobs 2 --neighbours 3
+;;     racket certify-all.rkt --neighbours 3          all, or what is left of the last run
+;;     racket certify-all.rkt --only exercise-5       programs of such a name
+;;     racket certify-all.rkt --record                accepted.txt as of this run
 ;;
-;; The table is written to build/certificates.txt too. The exit code is 1 if Coq rejects a
-;; certificate or accepts a false neighbour.
+;; The table is written to build/certificates.txt too. The exit code is 1 if Coq does not accept what
+;; accepted.txt names, or accepts a false neighbour.
 
-(require racket/cmdline racket/file racket/list racket/path racket/runtime-path
+(require racket/cmdline racket/file racket/format racket/list racket/runtime-path racket/string
          mechanics/certificate/certificate mechanics/certificate/Coq-check
-         mechanics/lang/command/program-verdicts mechanics/show/notebook/program-cells
-         mechanics/verdict/verdict
-         "../../../../scribblings/mechanics/guide-notebook.rkt"
-         "false-neighbours.rkt" "proved-claims.rkt")
+         "false-neighbours.rkt" "harvest.rkt" "kept-judgements.rkt" "proved-claims.rkt")
 
 (define-runtime-path top "../../../..")
+(define-runtime-path record-file "accepted.txt")
 
-;; ---------------------------------------------------------------------------
-;; Claims
-
-;; name : string; content : certificate, or why there is none
-(struct entry (name content) #:authentic)
-
-(define (entries-of-claims)
-  (for/list ([c (in-list (proved-claims))])
-    (entry (symbol->string (asked-name c)) (certificate-or-reason (asked-verdict c)))))
-
-(define folders
-  '("chapter-1" "constraints" "exercises" "forces" "geometry" "geometry/exercises" "questions"
-    "rigid" "variational"))
-
-(define (entries-of-examples)
-  (define examples (build-path top "examples" "mechanics"))
-  (define files
-    (append (list (build-path examples "demo.rkt"))
-            (for*/list ([folder (in-list folders)]
-                        [file (in-list (directory-list (build-path examples folder) #:build? #t))]
-                        #:when (path-has-extension? file #".rkt"))
-              file)))
-  (append-map entries-of-program files))
-
-(define (entries-of-program file)
-  (define-values (all problem) (program-verdicts 'certify (simple-form-path file) file))
-  (for/list ([s (in-list all)] [k (in-naturals 1)] #:when (proved? (shown-verdict-verdict s)))
-    (entry (format "~a ~a" (file-name-from-path file) k)
-           (certificate-or-reason (shown-verdict-verdict s)))))
-
-;; The forms of the README and of each page of the guide, as programs
-(define (entries-of-texts)
-  (define folder (make-temporary-file "texts~a" 'directory))
-  (define (entries name forms)
-    (define file (build-path folder (string-append name ".rkt")))
-    (display-lines-to-file (cons "#lang mechanics" forms) file)
-    (entries-of-program file))
-  (begin0
-    (append (entries "README" (forms-of-README))
-            (append* (for/list ([p (in-list (guide-pages (build-path guide "guide.scrbl")))])
-                       (entries (guide-page-name p) (forms-of-page p)))))
-    (delete-directory/files folder)))
-
-(define guide (build-path top "scribblings" "mechanics"))
-
-(define (forms-of-page p)
-  (for/list ([c (in-list (guide-page-cells p))]
-             #:when (eq? 'code (cell-kind c)) #:unless (memq c (guide-page-failing p)))
-    (cell-source c)))
-
-;; The forms after its prompts
-(define (forms-of-README)
-  (define text (file->string (build-path top "README.md")))
-  (for/list ([place (in-list (regexp-match-positions* #rx"(?m:^    > )" text))])
-    (format "~s" (read (open-input-string (substring text (cdr place)))))))
-
-;; ---------------------------------------------------------------------------
-;; Judging
-
-(define longest 20)                     ; seconds in which a certificate is to be accepted
-
-;; outcome : 'accepted, 'slow, 'rejected or 'none; line : of the table
+;; outcome : 'accepted, 'rejected, 'unfinished, 'none, or of neighbours 'unreadable
 ;; level   : of its certificate; best : of those that there are for such a question, 1 or 2
-(struct row (outcome level best line) #:authentic)
+;; writing : the time of the certificate by that of the proof, or #f
+(struct row (name kind outcome level best seconds writing why) #:authentic)
 
 (define (judge e coqc)
   (define c (entry-content e))
-  (cond [(string? c) (row 'none #f 1 (format "~a: no certificate yet: ~a" (entry-name e) c))]
+  (define (row-of outcome level best seconds why)
+    (row (entry-name e) (entry-kind e) outcome level best seconds
+         (and level (> (entry-proof e) 0) (/ (entry-writing e) (entry-proof e) 1.0)) why))
+  (cond [(string? c) (row-of 'none #f 1 0 c)]
         [else
-         (define j (check-by-Coq coqc (certificate-text c)))
-         (define outcome
-           (cond [(not (judgement-accepted? j)) 'rejected]
-                 [(> (judgement-seconds j) longest) 'slow]
-                 [else 'accepted]))
-         (row outcome (certificate-level c) (if (certificate-gap c) 2 (certificate-level c))
-              (format "~a: level ~a~a ~a in ~a s~a" (entry-name e) (certificate-level c)
-                      (if (certificate-gap c) (format " (not 2: ~a)" (certificate-gap c)) "")
-                      outcome (/ (round (* 10 (judgement-seconds j))) 10.0)
-                      (if (eq? outcome 'rejected)
-                          (string-append "\n" (judgement-message j))
-                          "")))]))
+         (define j (judged coqc (entry-name e) (certificate-text c)))
+         (define gap (certificate-gap c))
+         (row-of (judgement-outcome j) (certificate-level c) (if gap 2 (certificate-level c))
+                 (judgement-seconds j)
+                 (string-append (if gap (format "(not level 2: ~a) " gap) "")
+                                (judgement-message j)))]))
 
 (define (judge-neighbour n coqc)
-  (define j (check-by-Coq coqc (neighbour-text n)))
-  (row (if (judgement-accepted? j) 'accepted 'rejected) #f #f
-       (format "~a: ~a" (neighbour-name n) (if (judgement-accepted? j) "ACCEPTED" "rejected"))))
+  (define j (judged coqc (neighbour-name n) (neighbour-text n)))
+  (row (neighbour-name n) (neighbour-kind n)
+       (if (and (eq? 'rejected (judgement-outcome j)) (not (rejected-by-proof? j)))
+           'unreadable
+           (judgement-outcome j))
+       #f #f (judgement-seconds j) #f (judgement-message j)))
 
-;; -> rows in order, by as many threads as jobs; each is printed when it is known
-(define (judge-all judge xs coqc jobs)
-  (define results (make-vector (length xs) #f))
-  (define next (make-channel))
-  (define workers
-    (for/list ([_ (in-range jobs)])
-      (thread (lambda ()
-                (let loop ()
-                  (define task (channel-get next))
-                  (when task
-                    (define r (judge (cdr task) coqc))
-                    (vector-set! results (car task) r)
-                    (printf "~a\n" (row-line r))
-                    (flush-output)
-                    (loop)))))))
-  (for ([x (in-list xs)] [k (in-naturals)]) (channel-put next (cons k x)))
-  (for ([_ (in-list workers)]) (channel-put next #f))
-  (for-each thread-wait workers)
-  (vector->list results))
+(define (row->text r)
+  (format "~a: ~a~a~a~a~a" (row-name r)
+          (if (row-level r) (format "level ~a " (row-level r)) "")
+          (row-outcome r)
+          (if (eq? 'none (row-outcome r)) "" (format " in ~a s" (~r (row-seconds r) #:precision 1)))
+          (if (row-writing r) (format ", writing ~a" (~r (row-writing r) #:precision 2)) "")
+          (if (string=? "" (row-why r)) "" (string-append "\n    " (brief (row-why r))))))
 
-(define (share rows outcomes)
-  (define n (count (lambda (r) (memq (row-outcome r) outcomes)) rows))
-  (format "~a of ~a (~a %)" n (length rows) (quotient (* 100 n) (max 1 (length rows)))))
+(define (brief text)
+  (define line (string-normalize-spaces text))
+  (if (> (string-length line) 300) (string-append (substring line 0 300) " ...") line))
 
-(define (summary title rows)
-  (define levels (filter (lambda (r) (eqv? 2 (row-best r))) rows))
-  (define by-Coq
-    (for/sum ([r (in-list levels)])
-      (if (and (eqv? 2 (row-level r)) (memq (row-outcome r) '(accepted slow))) 1 0)))
-  (format (string-append "~a: accepted ~a, rejected ~a, slower than ~a s ~a, "
-                         "without certificate ~a; by Coq's derivatives ~a of ~a\n")
-          title (share rows '(accepted slow)) (share rows '(rejected)) longest
-          (share rows '(slow)) (share rows '(none)) by-Coq (length levels)))
+(define (shown! r)
+  (printf "~a\n" (row->text r))
+  (flush-output)
+  r)
+
+;; ---------------------------------------------------------------------------
+;; Tables
+
+(define (count-of rows good?) (~a (count good? rows)))
+(define ((of-outcome . outcomes) r) (memq (row-outcome r) outcomes))
+(define (second-level? r) (eqv? 2 (row-best r)))
+
+;; titles : of columns; columns : rows -> string, each
+(define (table rows titles columns)
+  (define kinds (sort (remove-duplicates (map row-kind rows)) string<?))
+  (define (line name rows) (cons name (for/list ([c (in-list columns)]) (c rows))))
+  (define lines
+    (list* titles
+           (append (for/list ([k (in-list kinds)])
+                     (line k (filter (lambda (r) (equal? k (row-kind r))) rows)))
+                   (list (line "all" rows)))))
+  (string-append*
+   (for/list ([cells (in-list lines)])
+     (format "| ~a |\n" (string-join (for/list ([c (in-list cells)]) (~a c #:min-width 9)) " | ")))))
+
+(define (verdict-table rows)
+  (define (number . outcomes) (lambda (rows) (count-of rows (apply of-outcome outcomes))))
+  (table rows
+         '("question" "proved" "written" "accepted" "rejected" "over 20 s" "level 2 for" "level 2")
+         (list (lambda (rows) (~a (length rows)))
+               (number 'accepted 'rejected 'unfinished)
+               (number 'accepted) (number 'rejected) (number 'unfinished)
+               (lambda (rows) (count-of rows second-level?))
+               (lambda (rows)
+                 (count-of rows (lambda (r) (and (eqv? 2 (row-level r))
+                                                 (eq? 'accepted (row-outcome r)))))))))
+
+(define (neighbour-table rows)
+  (define (number outcome) (lambda (rows) (count-of rows (of-outcome outcome))))
+  (table rows '("false neighbours" "written" "rejected" "over 20 s" "unreadable" "ACCEPTED")
+         (list (lambda (rows) (~a (length rows))) (number 'rejected) (number 'unfinished)
+               (number 'unreadable) (number 'accepted))))
+
+(define (writing-text rows)
+  (define all (sort (filter-map row-writing rows) <))
+  (define (at part) (~r (list-ref all (exact-floor (* part (- (length all) 1)))) #:precision 2))
+  (if (null? all)
+      ""
+      (format "writing takes ~a times the proof (median), ~a (90th percentile), ~a (most)\n"
+              (at 1/2) (at 9/10) (at 1))))
+
+(define (exact-floor x) (inexact->exact (floor x)))
+
+;; ---------------------------------------------------------------------------
+
+;; only : regexp or #f -> rows of verdicts
+(define (verdict-rows coqc only)
+  (define (rows-of entries) (for/list ([e (in-list entries)]) (shown! (judge e coqc))))
+  (define (rows-of-programs ps)
+    (append*
+     (for/list ([p (in-list ps)] #:when (or (not only) (regexp-match? only (car p))))
+       (rows-of (entries-of-program (car p) (cdr p))))))
+  (define folder (make-temporary-file "texts~a" 'directory))
+  (begin0
+    (append (if only '() (rows-of (entries-of-claims)))
+            (rows-of-programs (program-files))
+            (if (or (not only) (regexp-match? only "guide/"))
+                (rows-of-programs (text-files folder))
+                '()))
+    (delete-directory/files folder)))
+
+(define (neighbour-rows coqc most)
+  (for/list ([n (in-list (all-neighbours (proved-claims) most))])
+    (shown! (judge-neighbour n coqc))))
+
+;; Names that the record has and that are not accepted now
+(define (lost rows)
+  (define accepted (map row-name (filter (of-outcome 'accepted) rows)))
+  (if (file-exists? record-file) (remove* accepted (file->lines record-file)) '()))
+
+(define (record! rows)
+  (display-lines-to-file (map row-name (filter (of-outcome 'accepted) rows)) record-file
+                         #:exists 'truncate))
 
 (module+ main
-  (define-values (jobs most examples?)
-    (let ([jobs 1] [most 3] [examples? #t])
+  (define-values (most only record?)
+    (let ([most 3] [only #f] [record? #f])
       (command-line
        #:once-each
-       ["--jobs" n "how many of Coq at once" (set! jobs (string->number n))]
        ["--neighbours" n "how many false neighbours of each claim" (set! most (string->number n))]
-       ["--claims-only" "without examples and texts" (set! examples? #f)])
-      (values jobs most examples?)))
+       ["--only" name "programs of such a name" (set! only (regexp name))]
+       ["--record" "what is accepted becomes the record" (set! record? #t)])
+      (values most only record?)))
   (define coqc (find-Coq))
   (unless coqc
     (printf "skipped: Coq is not there; on Debian, apt-get install coq libcoq-coquelicot\n")
     (exit 0))
-  (define needed '(square-root exponential-of-logarithm quotient geometric cube-root))
-  (define claims (judge-all judge (entries-of-claims) coqc jobs))
-  (define examples
-    (if examples?
-        (judge-all judge (append (entries-of-examples) (entries-of-texts)) coqc jobs)
-        '()))
-  (define neighbours
-    (judge-all judge-neighbour
-               (append (false-neighbours (proved-claims) most)
-                       (neighbours-by-hypotheses (proved-claims needed))
-                       (neighbours-by-definitions (proved-claims) most))
-               coqc jobs))
+  (define verdicts (verdict-rows coqc only))
+  (define neighbours (if only '() (neighbour-rows coqc most)))
+  (when record? (record! verdicts))
+  (define missing (if only '() (lost verdicts)))
+  (define wrong (filter (of-outcome 'accepted) neighbours))
   (define text
-    (string-append (summary "claims" claims)
-                   (if examples? (summary "examples and texts" examples) "")
-                   (format "false neighbours: rejected ~a\n" (share neighbours '(rejected)))))
+    (string-append
+     (verdict-table verdicts) "\n" (neighbour-table neighbours) "\n" (writing-text verdicts)
+     (format "not accepted, though the record says so: ~a\n" (if (null? missing) "none" missing))
+     (format "false neighbours accepted: ~a\n" (if (null? wrong) "none" (map row-name wrong)))))
   (display text)
-  (make-directory* (build-path top "build"))
-  (display-lines-to-file
-   (append (map row-line (append claims examples neighbours)) (list text))
-   (build-path top "build" "certificates.txt") #:exists 'truncate)
-  (exit (if (or (memq 'rejected (map row-outcome (append claims examples)))
-                (memq 'accepted (map row-outcome neighbours)))
-            1
-            0)))
+  (display-lines-to-file (append (map row->text (append verdicts neighbours)) (list text))
+                         (build-path top "build" "certificates.txt") #:exists 'truncate)
+  (exit (if (and (null? missing) (null? wrong)) 0 1)))

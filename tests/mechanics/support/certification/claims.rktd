@@ -215,6 +215,20 @@
 (arc-tangent (verify-equal (tan (atan 'x)) 'x))
 
 ;; ---- Constraints, transformations, forces with unknown functions
+(conical-pendulum
+ (verify-solution (lambda (s) (- (* 1/2 'm (square (velocity s))) (* 'm 'g (ref (coordinate s) 2))))
+                  (lambda (t)
+                    (let ((w (sqrt (/ 'g 'h))))
+                      (up (* 'R (cos (* w t))) (* 'R (sin (* w t))) (- 'h))))
+                  #:constraints (holonomic (lambda (t q) (- (square q) (square 'R) (square 'h))))
+                  #:multipliers (lambda (t) (/ (* -1/2 'm 'g) 'h))))
+(shear
+ (verify-symplectic (lambda (s) (up (time s) (coordinate s) (+ (momentum s) (* 'a (coordinate s)))))
+                    (up 't 'q 'p)))
+(shear-by-any
+ (verify-symplectic (lambda (s) (up (time s) (coordinate s)
+                                    (+ (momentum s) ((literal-function 'f) (coordinate s)))))
+                    (up 't 'q 'p)))
 (circle-on-a-string
  (verify-solution (L-free-particle 'm)
                   (lambda (t) (up (* 'l (cos (* 'w t))) (* 'l (sin (* 'w t)))))

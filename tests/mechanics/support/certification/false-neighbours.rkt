@@ -12,13 +12,19 @@
          mechanics/certificate/Coq-term mechanics/certificate/identity-theorem
          mechanics/generic/describe
          mechanics/verdict/verdict
-         "proved-claims.rkt")
+         "harvest.rkt" "proved-claims.rkt")
 
-(provide false-neighbours neighbours-by-hypotheses neighbours-by-definitions
+(provide all-neighbours false-neighbours neighbours-by-hypotheses neighbours-by-definitions
          (struct-out neighbour))
 
-;; name : string; text : of the file
-(struct neighbour (name text) #:authentic)
+;; name, kind : strings; text : of the file
+(struct neighbour (name kind text) #:authentic)
+
+;; Of all claims, at most `most` changes of each
+(define (all-neighbours claims most)
+  (append (false-neighbours claims most)
+          (neighbours-by-hypotheses claims)
+          (neighbours-by-definitions claims most)))
 
 ;; ---------------------------------------------------------------------------
 ;; Changed claims
@@ -41,7 +47,7 @@
       (define text (and (refuted-at-a-point? e) (certificate-of e assumed)))
       (if text (cons text found) found)))
   (for/list ([text (in-list (reverse false))] [k (in-naturals 1)])
-    (neighbour (format "~a, changed ~a" (asked-name c) k) text)))
+    (neighbour (format "~a, changed ~a" (asked-name c) k) (kind-of c "changed claim") text)))
 
 (define (in-some-order xs)
   (parameterize ([current-pseudo-random-generator (make-pseudo-random-generator)])
@@ -84,55 +90,86 @@
 ;; ---------------------------------------------------------------------------
 ;; Changed hypotheses
 
-;; claims : those of which each hypothesis is needed, with Coq's total functions too: there
-;; x^a x^b = x^(a + b) holds for negative x as well
+;; Each with one of those that it needs less, of which the file ends with its claim, and with one
+;; more that contradicts what there is, with the step that would prove it of the example.
 (define (neighbours-by-hypotheses claims)
-  (append*
-   (for/list ([c (in-list claims)])
-     (define text (certificate-text (certificate-or-reason (asked-verdict c))))
-     (define name (asked-name c))
-     (append
-      (for/list ([k (in-range (count-hypotheses text))])
-        (neighbour (format "~a, without hypothesis ~a" name (+ k 1)) (without-hypothesis text k)))
-      (list (neighbour (format "~a, hypotheses that contradict each other" name)
-                       (with-hypothesis text "1 < 0"))
-            (neighbour (format "~a, an empty domain" name)
-                       (with-hypothesis text "(forall x : R, 0 <= - 1 - x * x)")))))))
+  (for*/list ([needed (in-list with-needed)]
+              [c (in-list claims)] #:when (eq? (asked-name c) (car needed))
+              [text (in-value (certificate-text (certificate-or-reason (asked-verdict c))))]
+              [n (in-list
+                  (append (for/list ([k (in-list (cdr needed))])
+                            (list (format "without hypothesis ~a" k) "dropped hypothesis"
+                                  (without-hypothesis text k)))
+                          (for/list ([more (in-list (contradictions text))])
+                            (list (car more) (car more)
+                                  (with-hypothesis text (cadr more))))))])
+    (neighbour (format "~a, ~a" (asked-name c) (car n)) (kind-of c (cadr n)) (caddr n))))
+
+;; Names, and places of hypotheses without which they are false: with Coq's total functions
+;; x^a x^b = x^(a + b) holds for negative x as well, and others imply some.
+(define with-needed
+  '((square-root 1) (exponential-of-logarithm 1) (quotient 1) (geometric 1) (cube-root 1)
+    (oscillator 2) (damped-oscillator 2) (two-modes 2) (driven 1) (constant-force 1)
+    (conical-pendulum 2) (tension) (circle-on-a-string)
+    (energy) (energy-in-any-potential 1) (central-energy 1) (central-angular-momentum 1)
+    (rectangular-angular-momentum 2) (Hamiltonian-energy 1) (friction-and-energy)
+    (polar-coordinates 1) (polar-transformation) (turned-phase-space) (shear) (shear-by-any 1)
+    (force-on-an-unknown-path 1 2)))
+
+(define (contradictions text)
+  (define derivative (regexp-match #px"is_derive (\\w+) (\\w+) \\((\\w+ \\w+)\\)" (hypotheses-of text)))
+  (append '(("contradiction" "1 < 0") ("empty domain" "(forall x : R, 0 <= - 1 - x * x)"))
+          (if derivative
+              (list (list "two derivatives"
+                          (apply format "is_derive ~a ~a (1 + ~a)" (cdr derivative))))
+              '())))
+
+(define (kind-of c change)
+  (define kind (claim-kind (asked-verdict c)))
+  (format "~a: ~a" kind change))
 
 (define hypotheses-part #px"(Definition hypotheses[^=]*:=\n)(.*?)(\\.\n\n)")
+(define (hypotheses-of text) (caddr (regexp-match hypotheses-part text)))
 
-(define (hypotheses-of text)
-  (filter (lambda (line) (not (regexp-match? #px"^\\s*\\(\\*" line)))
-          (string-split (caddr (regexp-match hypotheses-part text)) "\n")))
-
-(define (count-hypotheses text)
-  (define all (hypotheses-of text))
-  (if (equal? all '("  True")) 0 (length all)))
-
-(define (with-hypotheses text lines pattern)
-  (define body (string-join (for/list ([l (in-list lines)]) (string-trim l " /\\" #:left? #f))
-                            " /\\\n"))
-  (regexp-replace
-   #px"(\n  intro[^\n]*|unfold hypotheses[.] intros [^(.]*?)(\\(given_1[^)]*\\)|given_1|given)[.]"
-   (regexp-replace hypotheses-part text
-                   (lambda (_ before middle after) (string-append before body after)))
-   (lambda (_ before old) (format "~a~a." before pattern))))
-
-(define (without-hypothesis text k)
-  (define lines (hypotheses-of text))
-  (define given (for/list ([i (in-range 1 (+ 1 (length lines)))]) (format "given_~a" i)))
-  (define (without xs) (append (take xs k) (drop xs (+ k 1))))
-  (if (= 1 (length lines))
-      (with-hypotheses text '("  True") "given")
-      (with-hypotheses text (without lines) (pattern-of (without given)))))
+;; The pattern that takes the hypotheses apart, after `intros`
+(define given #px"\\(given_1( & given_[0-9]+)*\\)|\\bgiven_1\\b|\\bgiven\\b")
+(define (with-patterns text change)
+  (regexp-replace* #px"(?m:intros [^.]*)" text
+                   (lambda (line) (regexp-replace given line (lambda (p . _) (change p))))))
 
 (define (with-hypothesis text more)
-  (define lines (if (= 0 (count-hypotheses text)) '() (hypotheses-of text)))
-  (define given (for/list ([i (in-range 1 (+ 1 (length lines)))]) (format "given_~a" i)))
-  (with-hypotheses text (cons (string-append "  " more) lines) (pattern-of (cons "given_0" given))))
+  (define changed
+    (regexp-replace hypotheses-part text
+                    (lambda (_ before body after)
+                      (string-append before "  " more " /\\\n" body after))))
+  (string-replace (with-patterns changed (lambda (p) (format "(given_0 & ~a)" p)))
+                  "unfold hypotheses. cbv beta.\n"
+                  (string-append "unfold hypotheses. cbv beta.\n"
+                                 "  apply and_later. { first [at_numbers | polynomial_derivative]. }"
+                                 " intro given_0.\n")))
 
-(define (pattern-of names)
-  (if (null? (cdr names)) (car names) (format "(~a)" (string-join names " & "))))
+(define (without-hypothesis text k)
+  (define lines (string-split (hypotheses-of text) "\n"))
+  (define (comment? line) (regexp-match? #px"^\\s*\\(\\*" line))
+  (define kept (without-place (filter (lambda (l) (not (comment? l))) lines) k))
+  (define body
+    (string-join (for/list ([l (in-list (if (null? kept) '("  True") kept))])
+                   (string-trim l " /\\" #:left? #f))
+                 " /\\\n"))
+  (define (pattern p)
+    (define names (without-place (regexp-match* #rx"given_[0-9]+" p) k))
+    (case (length names)
+      [(0) "given"]
+      [(1) (car names)]
+      [else (format "(~a)" (string-join names " & "))]))
+  (car (string-split
+        (with-patterns (regexp-replace hypotheses-part text
+                                       (lambda (_ before middle after)
+                                         (string-append before body after)))
+                       pattern)
+        "Theorem not_vacuous")))
+
+(define (without-place xs k) (append (take xs (- k 1)) (drop xs k)))
 
 ;; ---------------------------------------------------------------------------
 ;; Changed definitions
@@ -145,7 +182,7 @@
               #:when (and (certificate? x) (eqv? 2 (certificate-level x)))
               [names (in-value (in-some-order (functions-defined (certificate-text x))))]
               [name (in-list (take names (min most (length names))))])
-    (neighbour (format "~a, another ~a" (asked-name c) name)
+    (neighbour (format "~a, another ~a" (asked-name c) name) (kind-of c "changed definition")
                (with-one-more-term (certificate-text x) name))))
 
 (define (functions-defined text)
