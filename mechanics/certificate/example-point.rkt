@@ -4,17 +4,19 @@
 ;; derivatives.
 ;;
 ;; The numbers are between 1 and 3/2, where sines and cosines are positive; or, if none of these
-;; will do, others.
+;; will do, such that all angles are 0; or others.
 
 (require racket/list racket/string
          "Coq-names.rkt" "Coq-term.rkt"
          (only-in "../algebra/assumption/reference-point.rkt" real-value)
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt"
-         "../algebra/expression/read.rkt" "../algebra/expression/substitute.rkt"
+         "../algebra/expression/read.rkt" "../algebra/expression/size.rkt"
+         "../algebra/expression/substitute.rkt"
+         "../algebra/expression/symbols.rkt"
          "../value/algebra.rkt")
 
-(provide example-values put-numbers value-text)
+(provide example-values put-numbers simpler value-text)
 
 ;; relations : ((sign left right) ...); ns : names
 ;; -> alist: symbol -> number, or function -> expression in `argument`
@@ -25,16 +27,23 @@
       (values (function-of n) (derivative-orders n))))
   (define (at k) (with-polynomials (place unknowns k) differentiable))
   (define angles (append-map angles-in (append-map cdr relations)))
-  (define (found good?)
-    (for/first ([k (in-range most-tries)]
-                #:when (let ([values (at k)])
-                         (and (good? values) (all-hold? relations values))))
-      (at k)))
+  (define (found good? [tries most-tries] [change values])
+    (for*/first ([k (in-range tries)]
+                 [point (in-value (change (at k)))]
+                 #:when (and (good? point) (all-hold? relations point)))
+      point))
   (define (all-acute? values) (andmap (lambda (a) (acute? a values)) angles))
+  (define (all-vanish? values)
+    (for/and ([a (in-list angles)]) (let ([x (value-at a values)]) (and x (zero? x)))))
+  (define (still values)
+    (for/fold ([values values]) ([s (in-list (remove-duplicates (append-map symbols-in angles)))])
+      (define stiller (map (lambda (v) (if (eq? s (car v)) (cons s 0) v)) values))
+      (if (all-hold? relations stiller) stiller values)))
   (or (found (lambda (values)
                (and (all-acute? values)
                     (all-hold? relations values)
                     (andmap (lambda (d) (easy? d values)) relations))))
+      (found all-vanish? 60 still)
       (found all-acute?)
       (found (lambda (values) #t))
       (give-up "no point was found where all its hypotheses hold")))
@@ -66,13 +75,19 @@
         [(eq? head op:tan) (/ s c)]
         [else #f]))
 
-;; Does it hold whatever the waves are in it, or in what its left side simplifies to?
+;; Does it hold whatever the waves are in it, or in the simpler form of its left side?
 (define (easy? d values)
   (define left (cadr d))
   (or (null? (angles-in left))
       (all-hold? (with-waves-anyhow d) values)
-      (let ([simple (simplify-expression (put-numbers left values))])
-        (all-hold? (with-waves-anyhow (list* (car d) simple (cddr d))) values))))
+      (let ([simple (simpler (put-numbers left values))])
+        (and simple
+             (all-hold? (with-waves-anyhow (list* (car d) simple (cddr d))) values)))))
+
+;; The form that e simplifies to, if it is smaller, else #f
+(define (simpler e)
+  (define simple (simplify-expression e))
+  (and (< (expression-size simple) (expression-size e)) simple))
 
 (define (acute? angle values)
   (define x (value-at angle values))

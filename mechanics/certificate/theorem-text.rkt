@@ -6,7 +6,6 @@
          "Coq-names.rkt" "Coq-term.rkt" "example-point.rkt" "kernel-facts.rkt" "proof-script.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/read.rkt"
-         "../algebra/expression/size.rkt"
          "../value/algebra.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt" no-assumptions))
 
@@ -162,10 +161,8 @@
 (define (relation-at-numbers d values ns)
   (define side (car (relation-sides d)))
   (define left (put-numbers (if (headed? side op:abs) (car (node-args side)) side) values))
-  (define simple (simplify-expression left))
-  (cond [(and (node? left)
-              (some-node? kernel-node? left)
-              (< (expression-size simple) (expression-size left)))
+  (define simple (and (node? left) (some-node? kernel-node? left) (simpler left)))
+  (cond [simple
          (define-values (lines tactic)
            (proof-lines (kernel-facts (list left simple) no-assumptions ns) ns))
          (format (string-append "~a assert (number : ~a = ~a). { ~a. } "

@@ -10,24 +10,31 @@
 
 (provide program-verdicts (struct-out shown-verdict))
 
-;; form : as a datum
-(struct shown-verdict (form verdict) #:authentic)
+;; form : as a datum; milliseconds : of the processor since the verdict before
+(struct shown-verdict (form verdict milliseconds) #:authentic)
 
 ;; who : in whose name is complained; name : of the file, as it was given
 ;; -> shown verdicts, and the message of the error that ended the program early, or #f
 (define (program-verdicts who file name)
   (check-program who name file)
   (define stx (call-with-program file (lambda (port) (read-whole-program who name file port))))
-  (define-values (number found) (values 0 '()))
-  (define (note! v) (set! found (cons (cons number v) found)))
+  (define-values (number found start) (values 0 '() #f))
+  (define (note! v)
+    (unless (assq v found)
+      (define now (current-process-milliseconds))
+      (set! found (cons (list v number (- now start)) found))
+      (set! start now)))
+  (define (begins! n)
+    (set! number n)
+    (unless start (set! start (current-process-milliseconds))))
   (define o
     (parameterize ([verdict-formatted note!])
-      (run-program stx file #:begins (lambda (n) (set! number n))
+      (run-program stx file #:begins begins!
                    #:shown (lambda (x) (for-each note! (verdicts-in x))))))
   (define end (outcome-end o))
   (define forms (list->vector (map syntax->datum (module-forms stx))))
-  (values (for/list ([f (in-list (remove-duplicates (reverse found) eq? #:key cdr))])
-            (shown-verdict (vector-ref forms (car f)) (cdr f)))
+  (values (for/list ([f (in-list (reverse found))])
+            (shown-verdict (vector-ref forms (cadr f)) (car f) (caddr f)))
           (and end (early-end-message end))))
 
 ;; Verdicts in lists and other values as well

@@ -6,17 +6,17 @@
          mechanics/certificate/certificate
          mechanics/lang/command/certify-program mechanics/lang/command/program-verdicts
          mechanics/show/notebook/program-cells
-         mechanics/value/assumptions
          mechanics/verdict/verdict
          "../../../../scribblings/mechanics/guide-notebook.rkt"
          "proved-claims.rkt")
 
-(provide program-files text-files entries-of-program entries-of-claims entry-of claim-kind
+(provide program-files text-files entries-of-program entries-of-claims claim-kind
          (struct-out entry))
 
 ;; kind    : of the question
 ;; content : certificate, or why there is none
-;; proof, writing : milliseconds that the question takes when it is asked again, and the certificate
+;; proof   : milliseconds of the program since the proved verdict before, or 0 where unknown
+;; writing : milliseconds that the certificate takes
 (struct entry (name kind content proof writing) #:authentic)
 
 (define-runtime-path top "../../../..")
@@ -64,23 +64,16 @@
   (define-values (all problem) (program-verdicts 'certify (simple-form-path file) file))
   (when problem (printf "~a did not run to its end: ~a\n" name problem))
   (for/list ([s (in-list all)] [k (in-naturals 1)] #:when (proved? (shown-verdict-verdict s)))
-    (entry-of (format "~a ~a" name k) (shown-verdict-verdict s))))
+    (entry-of (format "~a ~a" name k) (shown-verdict-verdict s) (shown-verdict-milliseconds s))))
 
 (define (entries-of-claims)
   (for/list ([c (in-list (proved-claims))])
-    (entry-of (format "claim ~a" (asked-name c)) (asked-verdict c))))
+    (entry-of (format "claim ~a" (asked-name c)) (asked-verdict c) 0)))
 
-(define (entry-of name v)
-  (define-values (content writing) (timed (lambda () (certificate-in-time v))))
-  (define-values (again proof)
-    (timed (lambda ()
-             (call-assuming (verdict-given v) (lambda () ((verdict-question v) values)) 'certify))))
-  (entry name (claim-kind v) content proof writing))
-
-(define (timed find)
+(define (entry-of name v proof)
   (define start (current-process-milliseconds))
-  (define x (find))
-  (values x (- (current-process-milliseconds) start)))
+  (define content (certificate-in-time v))
+  (entry name (claim-kind v) content proof (- (current-process-milliseconds) start)))
 
 (define (claim-kind v)
   (define s (claim-subject (verdict-claim v)))
