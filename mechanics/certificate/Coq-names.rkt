@@ -27,9 +27,10 @@
   (define symbols (remove-duplicates (append-map symbols-in es) eq?))
   (define functions
     (sort (remove-duplicates (append-map functions-in es)) < #:key function-order))
+  (define all (append symbols (map function-symbol functions)))
   (define texts
-    (identifiers (append symbols (map function-symbol functions))
-                 (append taken words-of-Coq (lemmas-in-file) numbered-names)))
+    (identifiers all (append taken words-of-Coq (names-in-tactics)
+                             (filter numbered? (identifiers all '())))))
   (names (for/hash ([x (in-list (append symbols functions))] [text (in-list texts)])
            (values x text))
          symbols functions (make-hash)))
@@ -114,14 +115,6 @@
     "differentiable_2 differentiable_3 differentiable_4 differentiable_5 differentiable_6 "
     "differentiable_7 differentiable_8 differentiable_9")))
 
-;; The names that proof-tactics.v and derivative-tactics.v define
-(define (lemmas-in-file)
-  (map cadr (regexp-match* #px"(?m:^(?:Lemma|Ltac|with) (\\w+))"
-                           (string-append (proof-tactics) (derivative-tactics))
-                           #:match-select values)))
-
-;; Names of hypotheses and of facts in proofs
-(define numbered-names
-  (for*/list ([k (in-range 1 200)]
-              [base (in-list '("given" "kernel" "law" "moves" "rate" "equation" "place" "speed"))])
-    (format "~a_~a" base k)))
+;; Is it a name of hypotheses and of facts in proofs?
+(define (numbered? text)
+  (regexp-match? #px"^(given|kernel|law|moves|rate|equation|place|speed)_[0-9]+$" text))

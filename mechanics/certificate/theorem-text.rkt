@@ -172,12 +172,19 @@
 
 (define (kernel-node? n) (not (arithmetic-node? n)))
 
-;; Lines of at most so many columns, broken at spaces.
+;; Lines of at most so many columns, broken at spaces
 (define (wrapped text)
-  (define-values (lines line)
-    (for/fold ([lines '()] [line #f]) ([word (in-list (string-split text " "))])
-      (cond [(not line) (values lines word)]
-            [(> (+ (string-length line) (string-length word)) 94)
-             (values (cons line lines) (string-append "    " word))]
-            [else (values lines (string-append line " " word))])))
-  (string-join (reverse (cons (or line "") lines)) "\n"))
+  (define out (open-output-string))
+  (define n (string-length text))
+  (let loop ([start 0] [column #f])
+    (define end
+      (or (for/first ([k (in-range start n)] #:when (eqv? #\space (string-ref text k))) k) n))
+    (define size (- end start))
+    (define-values (before from)
+      (cond [(not column) (values "" 0)]
+            [(> (+ column size) 94) (values "\n    " 4)]
+            [else (values " " (+ column 1))]))
+    (write-string before out)
+    (write-string text out start end)
+    (when (< end n) (loop (+ end 1) (+ from size))))
+  (get-output-string out))
