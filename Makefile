@@ -208,7 +208,7 @@ ifdef FILE
 	@$(RUN_COMMAND) certify $(if $(OUT),-o "$(OUT)") "$(FILE)"
 else
 	@$(call try-to-compile,$(CERTIFY))
-	@$(RACKET) $(CERTIFY) --jobs $(JOBS) --neighbours $(NEIGHBOURS)
+	@$(RACKET) $(CERTIFY) --neighbours $(NEIGHBOURS) $(if $(ONLY),--only "$(ONLY)") $(if $(RECORD),--record)
 endif
 
 CERTIFY = tests/mechanics/support/certification/certify-all.rkt

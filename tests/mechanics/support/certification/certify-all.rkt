@@ -29,20 +29,23 @@
          (and level (> (entry-proof e) 0) (/ (entry-writing e) (entry-proof e) 1.0)) why))
   (cond [(string? c) (row-of 'none #f 1 0 c)]
         [else
-         (define j (judged coqc (entry-name e) (certificate-text c)))
+         (define j (judge-alone coqc (entry-name e) (certificate-text c)))
          (define gap (certificate-gap c))
-         (row-of (judgement-outcome j) (certificate-level c) (if gap 2 (certificate-level c))
+         (row-of (outcome-of j) (certificate-level c) (if gap 2 (certificate-level c))
                  (judgement-seconds j)
                  (string-append (if gap (format "(not level 2: ~a) " gap) "")
                                 (judgement-message j)))]))
 
 (define (judge-neighbour n coqc)
-  (define j (judged coqc (neighbour-name n) (neighbour-text n)))
-  (row (neighbour-name n) (neighbour-kind n)
-       (if (and (eq? 'rejected (judgement-outcome j)) (not (rejected-by-proof? j)))
-           'unreadable
-           (judgement-outcome j))
-       #f #f (judgement-seconds j) #f (judgement-message j)))
+  (define j (judge-alone coqc (neighbour-name n) (neighbour-text n)))
+  (define outcome
+    (if (and (eq? 'rejected (judgement-outcome j)) (not (rejected-by-proof? j)))
+        'unreadable
+        (outcome-of j)))
+  (row (neighbour-name n) (neighbour-kind n) outcome #f #f (judgement-seconds j) #f
+       (judgement-message j)))
+
+(define (outcome-of j) (if (judgement-late? j) 'unfinished (judgement-outcome j)))
 
 (define (row->text r)
   (format "~a: ~a~a~a~a~a" (row-name r)
@@ -99,6 +102,12 @@
          (list (lambda (rows) (~a (length rows))) (number 'rejected) (number 'unfinished)
                (number 'unreadable) (number 'accepted))))
 
+(define (sum-text rows)
+  (define (number . outcomes) (count-of rows (apply of-outcome outcomes)))
+  (format "~a proved: ~a accepted by Coq, ~a rejected, ~a longer than ~a s, ~a not certified\n"
+          (length rows) (number 'accepted) (number 'rejected) (number 'unfinished) longest
+          (number 'none)))
+
 (define (writing-text rows)
   (define all (sort (filter-map row-writing rows) <))
   (define (at part) (~r (list-ref all (exact-floor (* part (- (length all) 1)))) #:precision 2))
@@ -113,23 +122,29 @@
 
 ;; only : regexp or #f -> rows of verdicts
 (define (verdict-rows coqc only)
-  (define (rows-of entries) (for/list ([e (in-list entries)]) (shown! (judge e coqc))))
-  (define (rows-of-programs ps)
+  (define (entries-of-programs ps)
     (append*
      (for/list ([p (in-list ps)] #:when (or (not only) (regexp-match? only (car p))))
-       (rows-of (entries-of-program (car p) (cdr p))))))
+       (entries-of-program (car p) (cdr p)))))
   (define folder (make-temporary-file "texts~a" 'directory))
   (begin0
-    (append (if only '() (rows-of (entries-of-claims)))
-            (rows-of-programs (program-files))
+    (append (if only '() (rows-of (entries-of-claims) coqc))
+            (rows-of (entries-of-programs (program-files)) coqc)
             (if (or (not only) (regexp-match? only "guide/"))
-                (rows-of-programs (text-files folder))
+                (rows-of (entries-of-programs (text-files folder)) coqc)
                 '()))
     (delete-directory/files folder)))
 
+(define (rows-of entries coqc)
+  (judge-all coqc (for*/list ([e (in-list entries)]
+                              [c (in-value (entry-content e))] #:when (certificate? c))
+                    (certificate-text c)))
+  (for/list ([e (in-list entries)]) (shown! (judge e coqc))))
+
 (define (neighbour-rows coqc most)
-  (for/list ([n (in-list (all-neighbours (proved-claims) most))])
-    (shown! (judge-neighbour n coqc))))
+  (define all (all-neighbours (proved-claims) most))
+  (expect-rejections (map neighbour-text all))
+  (for/list ([n (in-list all)]) (shown! (judge-neighbour n coqc))))
 
 ;; Names that the record has and that are not accepted now
 (define (lost rows)
@@ -161,6 +176,7 @@
   (define text
     (string-append
      (verdict-table verdicts) "\n" (neighbour-table neighbours) "\n" (writing-text verdicts)
+     (sum-text verdicts)
      (format "not accepted, though the record says so: ~a\n" (if (null? missing) "none" missing))
      (format "false neighbours accepted: ~a\n" (if (null? wrong) "none" (map row-name wrong)))))
   (display text)

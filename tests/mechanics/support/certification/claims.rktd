@@ -61,6 +61,15 @@
 (circle-radius (assuming ('(> r 0))
                  (verify-equal (sqrt (+ (square (* 'r (cos 'phi))) (square (* 'r (sin 'phi))))) 'r)))
 
+;; Divisors of which factors are not 0, and products that give the sign of a factor
+(divided-by-a-square (verify-equal (/ (- (square 'a) (square 'b)) (square (- (square 'b) (square 'a))))
+                                   (/ (- (* 2 'a 'a) (* 2 'b 'b))
+                                      (* 2 (square (- (square 'b) (square 'a)))))))
+(root-as-a-factor (verify-equal (/ (square (sqrt (* 2 (sqrt (* 'k 'm)) 'I))) (sqrt (* 'k 'm)))
+                                (* 2 'I)))
+(pendulum-frequency (verify-equal (/ (* 'm 'l 'l (square (sqrt (/ 'g 'l)))) (* 'm 'l 'l))
+                                  (/ 'g 'l)))
+
 ;; ---- Exponentials, hyperbolic functions, logarithms
 (exponential-sum (verify-equal (exp (+ 'x 'y)) (* (exp 'x) (exp 'y))))
 (exponential-double (verify-equal (square (exp 'x)) (exp (* 2 'x))))

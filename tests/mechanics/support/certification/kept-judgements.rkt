@@ -1,16 +1,20 @@
 #lang racket/base
 ;; What Coq says of files, kept in build/certification/ between runs: a text that it has accepted or
-;; rejected is not given to it again; one that it did not finish in time is.
+;; rejected is not given to it again; one that it did not finish in time is, alone.
+;;
+;; Loading Coq's libraries takes longer than most proofs.  So files go to it by tens, as modules of
+;; one; where that is not accepted, or not in the time of one, each goes alone.
 
-(require file/sha1 racket/file racket/runtime-path racket/string
+(require file/sha1 racket/file racket/list racket/runtime-path racket/string racket/system
          mechanics/certificate/Coq-check)
 
-(provide judged longest rejected-by-proof?)
+(provide judge-all judge-alone expect-rejections longest rejected-by-proof? judgement-late?)
 
 (define-runtime-path folder "../../../../build/certification")
 (define (kept-file) (build-path folder "judgements.rktd"))
 
 (define longest 20)                     ; seconds in which a certificate is to be accepted
+(define patience (* 6 longest))         ; by the clock
 
 ;; hash from texts' digests to (outcome seconds message)
 (define kept #f)
@@ -19,27 +23,110 @@
   (make-directory* folder)
   (set! kept (make-hash (if (file-exists? (kept-file)) (file->list (kept-file)) '()))))
 
-;; -> judgement; its text stands in the folder under the name while it is not accepted
-(define (judged coqc name text)
-  (unless kept (load-kept!))
-  (define key (sha1 (open-input-string text)))
-  (define old (hash-ref kept key #f))
-  (define j (if old (apply judgement old) (check-by-Coq coqc text (* 2 longest))))
-  (define late? (or (eq? 'unfinished (judgement-outcome j)) (> (judgement-seconds j) longest)))
-  (unless (or old late?) (keep! key j))
-  (define file (build-path folder (string-append (regexp-replace* #px"[^A-Za-z0-9]" name "_") ".v")))
-  (if (judgement-accepted? j)
-      (when (file-exists? file) (delete-file file))
-      (display-to-file text file #:exists 'truncate))
-  (if late? (struct-copy judgement j [outcome 'unfinished]) j))
+(define (digest text) (sha1 (open-input-string text)))
 
-(define (keep! key j)
+;; -> judgement, or #f where it has none, or did not end
+(define (kept-judgement text)
+  (define old (known text))
+  (and old (not (eq? 'unfinished (car old))) (apply judgement old)))
+
+(define (known text)
+  (unless kept (load-kept!))
+  (hash-ref kept (digest text) #f))
+
+(define (keep! text j)
   (define value (list (judgement-outcome j) (judgement-seconds j) (judgement-message j)))
-  (hash-set! kept key value)
+  (hash-set! kept (digest text) value)
   (call-with-output-file (kept-file) #:exists 'append
-    (lambda (out) (writeln (cons key value) out))))
+    (lambda (out) (writeln (cons (digest text) value) out))))
+
+(define (judgement-late? j)
+  (or (eq? 'unfinished (judgement-outcome j)) (> (judgement-seconds j) longest)))
 
 ;; Does Coq's message speak of a proof, and not of a text that it cannot read?
 (define (rejected-by-proof? j)
   (not (regexp-match? #rx"Syntax error|not found in the current environment|has type"
                       (judgement-message j))))
+
+;; -> judgement; the text stands in the folder under the name while it is not accepted
+(define (judge-alone coqc name text)
+  (define old (kept-judgement text))
+  (define j (or old (check-by-Coq coqc text patience)))
+  (unless old (keep! text (if (judgement-late? j) (struct-copy judgement j [outcome 'unfinished]) j)))
+  (define file (build-path folder (string-append (regexp-replace* #px"[^A-Za-z0-9]" name "_") ".v")))
+  (if (judgement-accepted? j)
+      (when (file-exists? file) (delete-file file))
+      (display-to-file text file #:exists 'truncate))
+  j)
+
+;; Judges many texts of certificates, most of which will be accepted.
+(define (judge-all coqc texts)
+  (define new (filter (lambda (t) (not (known t))) (remove-duplicates texts)))
+  (for* ([alike (in-list (group-by preamble new))]
+         [some (in-list (in-tens alike))] #:when (pair? (cdr some)))
+    (define j (check-by-Coq coqc (as-modules some) patience))
+    (when (and (judgement-accepted? j) (not (judgement-late? j)))
+      (for ([t (in-list some)])
+        (keep! t (judgement 'accepted (/ (judgement-seconds j) (length some)) ""))))))
+
+(define (in-tens xs)
+  (if (> (length xs) 10) (cons (take xs 10) (in-tens (drop xs 10))) (list xs)))
+
+;; What the files have in common, and the rest
+(define (preamble text) (car (parts text)))
+(define (parts text)
+  (define start (caar (regexp-match-positions #rx"Definition hypotheses" text)))
+  (list (substring text 0 start) (substring text start)))
+
+(define (as-modules texts)
+  (define last-line "Print Assumptions certificate.\n")
+  (define names (for/list ([_ (in-list texts)] [k (in-naturals 1)]) (format "File_~a" k)))
+  (string-append
+   (preamble (car texts))
+   (string-append*
+    (for/list ([t (in-list texts)] [name (in-list names)])
+      (format "Module ~a.\n~aEnd ~a.\n\n" name (string-replace (cadr (parts t)) last-line "") name)))
+   (format "Definition certificate := ~a.\n~a"
+           (for/fold ([all "I"]) ([name (in-list names)]) (format "(conj ~a.certificate ~a)" name all))
+           last-line)))
+
+;; ---------------------------------------------------------------------------
+;; Texts that are to be rejected, in one session of Coq, which goes on after errors
+
+;; Keeps the judgement of each that is rejected or not finished; what has no error goes to coqc.
+(define (expect-rejections texts)
+  (define coqtop (find-executable-path "coqtop"))
+  (for* ([alike (in-list (group-by preamble (filter (lambda (t) (not (known t))) texts)))]
+         [some (in-list (in-tens alike))] #:when coqtop)
+    (define start (current-process-milliseconds 'subprocesses))
+    (define said (said-in-session coqtop some))
+    (define seconds (/ (- (current-process-milliseconds 'subprocesses) start) 1000.0 (length some)))
+    (for ([t (in-list some)] [message (in-list said)])
+      (define e (regexp-match #rx"Error:(.*?)\n\n" message))
+      (when e
+        (define late? (regexp-match? #rx"Timeout" (cadr e)))
+        (keep! t (judgement (if late? 'unfinished 'rejected) seconds (string-trim (cadr e))))))))
+
+;; -> what Coq says of each; a step may take so long as a certificate
+(define (said-in-session coqtop texts)
+  (define in (make-temporary-file "session~a.v"))
+  (define out (make-temporary-file "session~a.txt"))
+  (display-to-file (session texts) in #:exists 'truncate)
+  (call-with-output-file out #:exists 'truncate
+    (lambda (said)
+      (call-with-input-file in
+        (lambda (commands)
+          (define control
+            (list-ref (process*/ports said commands 'stdout coqtop "-q" "-w" "none") 4))
+          (control 'wait)))))
+  (begin0
+    (cdr (regexp-split #rx"mark_[0-9]+ is defined" (file->string out)))
+    (delete-file in)
+    (delete-file out)))
+
+(define (session texts)
+  (format "~aSet Default Timeout ~a.\n~a" (preamble (car texts)) longest
+          (string-append*
+           (for/list ([t (in-list texts)] [k (in-naturals)])
+             (format "Definition mark_~a := tt.\n~a\nAbort All.\nReset mark_~a.\n"
+                     k (cadr (parts t)) k)))))
