@@ -10,10 +10,11 @@
 
 (provide proof-lines)
 
-;; facts : those that an equality rests on; ns : names of all in them
+;; facts : those that an equality rests on; ns : names of all in them; first : lines before
 ;; -> lines that assert them, and the tactic that proves the equality after these
-(define (proof-lines facts ns)
-  (for/fold ([lines '("divisors.")] [known '()] #:result (values (reverse lines) (equality-tactic known)))
+(define (proof-lines facts ns [first '("divisors.")])
+  (for/fold ([lines first] [known '()]
+             #:result (values (reverse lines) (equality-tactic known)))
             ([f (in-list facts)] [i (in-naturals 1)])
     (define name (format "kernel_~a" i))
     (define-values (claim script) (values (fact-text f ns) (script-text f known)))

@@ -7,8 +7,8 @@
 ;;     racket certify-all.rkt --only exercise-5       programs of such a name
 ;;     racket certify-all.rkt --record                accepted.txt as of this run
 ;;
-;; The table is written to build/certificates.txt too. The exit code is 1 if Coq does not accept what
-;; accepted.txt names, or accepts a false neighbour.
+;; The table is written to build/certificates.txt too. The exit code is 1 if Coq does not accept
+;; what accepted.txt names, or accepts a false neighbour.
 
 (require racket/cmdline racket/file racket/format racket/list racket/runtime-path racket/string
          mechanics/certificate/certificate mechanics/certificate/Coq-check
@@ -82,7 +82,7 @@
                    (list (line "all" rows)))))
   (string-append*
    (for/list ([cells (in-list lines)])
-     (format "| ~a |\n" (string-join (for/list ([c (in-list cells)]) (~a c #:min-width 9)) " | ")))))
+     (format "| ~a |\n" (string-join cells " | ")))))
 
 (define (verdict-table rows)
   (define (number . outcomes) (lambda (rows) (count-of rows (apply of-outcome outcomes))))

@@ -117,7 +117,8 @@
     (force-on-an-unknown-path 1 2)))
 
 (define (contradictions text)
-  (define derivative (regexp-match #px"is_derive (\\w+) (\\w+) \\((\\w+ \\w+)\\)" (hypotheses-of text)))
+  (define derivative
+    (regexp-match #px"is_derive (\\w+) (\\w+) \\((\\w+ \\w+)\\)" (hypotheses-of text)))
   (append '(("contradiction" "1 < 0") ("empty domain" "(forall x : R, 0 <= - 1 - x * x)"))
           (if derivative
               (list (list "two derivatives"

@@ -52,8 +52,10 @@
 (define (judge-alone coqc name text)
   (define old (kept-judgement text))
   (define j (or old (check-by-Coq coqc text patience)))
-  (unless old (keep! text (if (judgement-late? j) (struct-copy judgement j [outcome 'unfinished]) j)))
-  (define file (build-path folder (string-append (regexp-replace* #px"[^A-Za-z0-9]" name "_") ".v")))
+  (unless old
+    (keep! text (if (judgement-late? j) (struct-copy judgement j [outcome 'unfinished]) j)))
+  (define plain (regexp-replace* #px"[^A-Za-z0-9]" name "_"))
+  (define file (build-path folder (string-append plain ".v")))
   (if (judgement-accepted? j)
       (when (file-exists? file) (delete-file file))
       (display-to-file text file #:exists 'truncate))
@@ -85,9 +87,11 @@
    (preamble (car texts))
    (string-append*
     (for/list ([t (in-list texts)] [name (in-list names)])
-      (format "Module ~a.\n~aEnd ~a.\n\n" name (string-replace (cadr (parts t)) last-line "") name)))
+      (define rest (string-replace (cadr (parts t)) last-line ""))
+      (format "Module ~a.\n~aEnd ~a.\n\n" name rest name)))
    (format "Definition certificate := ~a.\n~a"
-           (for/fold ([all "I"]) ([name (in-list names)]) (format "(conj ~a.certificate ~a)" name all))
+           (for/fold ([all "I"]) ([name (in-list names)])
+             (format "(conj ~a.certificate ~a)" name all))
            last-line)))
 
 ;; ---------------------------------------------------------------------------
