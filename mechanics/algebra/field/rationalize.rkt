@@ -27,14 +27,13 @@
     (if (fraction-polynomial? f) f (rationalize-by F r f))))
 
 ;; A short numerator without them instead: (√a - 1)/(a - 1) is 1/(1 + √a).  f itself
-;; if nothing changes, or no ring has room.
+;; if nothing changes, or the ring has no room: such a form would be longer.
 (define (rationalize-above F f)
   (define R (field-ring F))
   (if (and (not (fraction-polynomial? f))
            (<= 2 (poly-term-count (fraction-numerator f)) 6)
            (for/or ([i (in-list (poly-variables R (fraction-numerator f)))]) (relation-of F i)))
-      (with-handlers ([exn:algebra:degree-overflow?
-                      (lambda (x) (if (< (ring-max-degree R) degree-limit) (raise x) f))])
+      (with-handlers ([exn:algebra:degree-overflow? (lambda (x) f)])
         (fraction-invert R (rationalize F (fraction-invert R f))))
       f))
 

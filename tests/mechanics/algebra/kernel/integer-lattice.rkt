@@ -33,6 +33,21 @@
   (define multiples (list (vector-scale 2 difference) (vector-scale 3 difference)))
   (check-equal? (length (check-basis multiples)) 1))
 
+;; Sparse, with few dimensions among more atoms, so that coordinates of any kind occur.
+(define (random-combination generators)
+  (for/fold ([v '()]) ([g (in-list generators)])
+    (vector-add v (vector-scale (* 1/6 (- (random 13) 6)) g))))
+
+(test-case "any vectors are integer combinations of their basis, whose coordinates are sparse"
+  (random-seed 43)
+  (for ([_ (in-range 60)])
+    (define generators
+      (list (list (cons 0 1) (cons 2 (+ 1 (random 3))) (cons 4 -1)) '((1 . 2) (2 . 1) (3 . 5))))
+    (define vectors (for/list ([_ (in-range 5)]) (random-combination generators)))
+    (check-basis vectors)
+    (define-values (basis coordinates) (integer-basis vectors))
+    (for* ([c (in-list coordinates)] [entry (in-list c)]) (check-not-equal? (cdr entry) 0))))
+
 (test-case "a basis by atoms does not depend on the combinations given"
   (define (basis-of . vectors)
     (define-values (basis coordinates) (modest-basis/atoms vectors 1000))

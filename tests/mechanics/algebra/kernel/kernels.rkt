@@ -84,7 +84,9 @@
   (check-forms
    [(log (exp (+ a b))) (+ a b)]
    [(log (/ x y)) (log (/ x y))]
-   [(- (log (* x y)) (log x) (log y)) 0])
+   [(- (log (* x y)) (log x) (log y)) 0]
+   [(- (log (expt x 1/3)) (* 1/3 (log x))) 0]
+   [(+ (log (* (sqrt x) (expt y 2/3))) (log y)) (+ (* 1/2 (log x)) (* 5/3 (log y)))])
   (check-equal? (assumptions '(- (log (* x y)) (log x) (log y))) '())
   (check-equal? (assumptions '(- (log (* x y)) (log y))) '())
   (check-equal? (assumptions '(log (* (expt x 2) (exp y)))) '((>= x 0))))

@@ -105,3 +105,27 @@
  "(define dots (apply hc-append (* 0.08 size) (for/list ([_ (in-range n)]) dot)))"
  "(define dots (apply hc-append (* 0.16 size) (for/list ([_ (in-range n)]) dot)))"
  "the dots are some pixels further apart" layout)
+("algebra/kernel/circle.rkt"
+ "(define o (circle u sign #f #f))"
+ "(define o (circle u sign #t #f))"
+ "the sine is set two lines below, before anyone asks for it")
+("algebra/kernel/kernel.rkt"
+ "[else 0]))"
+ "[else 1]))"
+ "the rank of a kernel without others, to which ranks are compared")
+("algebra/kernel/kernel-collector.rkt"
+ "(define form-limit 40)"
+ "(define form-limit 41)"
+ "from how many terms on a sum is an angle of its own" limit)
+("algebra/field/field.rkt"
+ "(and (or (not alone?) (single-term? p))"
+ "(or (or (not alone?) (single-term? p))"
+ "every fraction is reduced, those too where nothing is to be reduced: only time is lost" limit)
+("algebra/field/field.rkt"
+ "(if (and (fraction-polynomial? f) (short? (fraction-numerator f) 300))"
+ "(if (and (fraction-polynomial? f) (short? (fraction-numerator f) 301))"
+ "from how many terms on a product is reduced at once, and not at the end" limit)
+("algebra/field/work-bounds.rkt"
+ "(cond [(> (* terms n) bound) (raise-obstacle)]"
+ "(cond [(>= (* terms n) bound) (raise-obstacle)]"
+ "a bound of the work, one term less" limit)
