@@ -35,6 +35,14 @@
    [(- (/ 1 (- x 1)) (/ 1 (+ x 1))) (/ 2 (- (expt x 2) 1))]
    [(- (/ (+ a b) c) (/ a c) (/ b c)) 0]))
 
+(test-case "a fraction has one form, whichever of numerator and denominator had the root or sine"
+  (check-forms
+   [(/ 1 (+ 1 (sin x))) (/ 1 (+ 1 (sin x)))]
+   [(/ (- 1 (sin x)) (expt (cos x) 2)) (/ 1 (+ 1 (sin x)))]
+   [(/ (- a (sinh x)) (- (expt a 2) (expt (sinh x) 2))) (/ 1 (+ a (sinh x)))]
+   [(/ (- (+ a b c d) (sqrt e)) (- (expt (+ a b c d) 2) e)) (/ 1 (+ a b c d (sqrt e)))]
+   [(/ (- (sqrt (+ (expt x 9) 1)) 1) (expt x 9)) (/ 1 (+ 1 (sqrt (+ 1 (expt x 9)))))]))
+
 (test-case "squares of sine and cosine add to one"
   (check-forms
    [(+ (expt (sin x) 2) (expt (cos x) 2)) 1]

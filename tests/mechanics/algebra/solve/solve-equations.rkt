@@ -2,14 +2,15 @@
 ;; Equations solved by factors: known ones, and every solution put back.
 
 (require (only-in mechanics
-                  + - * / expt square sin cos acos asin exp cosh sinh pi expression simplify
-                  substitute proved? prove-zero)
+                  + - * / expt square sin cos acos asin exp cosh sinh pi expression simplify sqrt abs
+                  magnitude substitute proved? prove-zero)
          mechanics/algebra/assumption/assumption-set
-         mechanics/algebra/solve/solve-equations
+         mechanics/algebra/expression/constant-value
+         mechanics/algebra/solve/solve-by-cases mechanics/algebra/solve/solve-equations
          "../../support/checks.rkt" "../../support/random.rkt")
 
-(define (solutions equations unknowns)
-  (define found (solve-equations equations unknowns no-assumptions))
+(define (solutions equations unknowns #:by [solve solve-equations])
+  (define found (solve equations unknowns no-assumptions))
   (and found
        (for/list ([s found])
          (cons (for/list ([entry (car s)]) (list (car entry) (expression (cdr entry))))
@@ -91,6 +92,57 @@
                 '((((x 0) (y 0)))))
   (check-equal? (solutions (list (- 'x 'y)) '(x y)) '((((x y))))))
 
+(define (put equation values)
+  (apply substitute equation (apply append (for/list ([p values]) (list (car p) (cdr p))))))
+
+(test-case "a cosine and a sine have as many zeros in a turn of x as the angle goes round, twice"
+  (for* ([n '(1 3)] [amplitudes '((3 4) (-3 4) (4 -3) (-1 -2))] [c '(2 -1 7)])
+    (define u (+ (* n 'x) 1/5))
+    (define e (+ (* (car amplitudes) (cos u)) (* (cadr amplitudes) (sin u)) c))
+    (define found (solve-equations (list e) '(x) no-assumptions))
+    (define hypotenuse² (apply + (map square amplitudes)))
+    (check-equal? (length found) (if (< (* c c) hypotenuse²) (* 2 n) 0))
+    (for ([s found]) (check-within (constant-value (put e (car s))) 0.0 1e-13))
+    (define places (for/list ([s found]) (exp (* +i (constant-value (cdaar s))))))
+    (for* ([z places] [w places] #:unless (eq? z w)) (check-true (> (magnitude (- z w)) 1e-3)))))
+
+(test-case "of an angle found the sine and cosine are put into the others"
+  (check-equal? (solutions (list (sin 'x) (- (cos 'x) 1)) '(x)) '((((x 0)))))
+  (check-equal? (solutions (list (- (* 3 (cos 'x)) 1) (- 'y (sin 'x))) '(x y))
+                '((((x (acos 1/3)) (y (* 2/3 (sqrt 2)))))
+                  (((x (* -1 (acos 1/3))) (y (* -2/3 (sqrt 2)))))))
+  (check-equal? (solutions (list (- (* 3 (sin 'x)) 1) (- 'y (* 3 (sin 'x)))) '(x y))
+                '((((x (asin 1/3)) (y 1))) (((x (- :pi (asin 1/3))) (y 1))))))
+
+(test-case "powers of one power"
+  (define (roots e) (map cadaar (solutions (list e) '(x))))
+  (check-equal? (roots (+ (expt 'x 4) (* -13 (square 'x)) 36)) '(3 2 -2 -3))
+  (check-equal? (roots (+ (expt 'x 6) (* -7 (expt 'x 3)) -8)) '(2 -1))
+  (check-equal? (roots (+ (expt 'x 3) 8)) '(-2))
+  (check-equal? (solutions (list (- (expt 'x 3) 'a)) '(x))
+                '((((x (* (sgn a) (expt (abs a) 1/3)))))))
+  (check-equal? (solutions (list (- (expt 'x 4) 'a)) '(x))
+                '((((x (expt a 1/4))) (>= a 0)) (((x (* -1 (expt a 1/4)))) (>= a 0)))))
+
+(test-case "a divisor is no factor, even one that cannot be solved"
+  (check-equal? (solutions (list (/ (- 'x 1) (+ (expt 'x 5) 'x 1))) '(x)) '((((x 1))))))
+
+(test-case "one equation with flonums makes the quotients of all flonums"
+  (check-equal? (solutions (list (- (* 2.0 'x) 1) (- (* 3 'y) 1)) '(x y))
+                `((((x 0.5) (y ,(/ 1.0 3.0)))))))
+
+(test-case "each side of an absolute value by itself, its border once"
+  (define (cases e) (solutions (list e) '(x) #:by solve-by-cases))
+  (check-equal? (cases (- (abs (- 'x 1/2)) 1/4)) '((((x 3/4))) (((x 1/4)))))
+  (check-equal? (cases (- (abs (- 'x 0.1)) (* 2 (- 'x 0.1)))) '((((x 0.1)))))
+  (check-equal? (cases (- (abs 'x) 'a)) '((((x a)) (> a 0)) (((x (* -1 a))) (> a 0)))))
+
+(test-case "where the equation would divide by zero, a condition is strict"
+  (define (cases e) (solutions (list e) '(x) #:by solve-by-cases))
+  (check-equal? (cases (- (sqrt 'x) 'b)) '((((x (expt b 2))) (>= b 0))))
+  (check-equal? (cases (- (/ 'a (sqrt 'x)) 'b))
+                '((((x (/ (expt a 2) (expt b 2)))) (> (* a b) 0)))))
+
 (test-case "what no factor can be solved for is answered by #f"
   (check-false (solutions (list (+ (expt 'x 5) 'x 1)) '(x)))
   (check-false (solutions (list (- (sin 'x) 'x)) '(x))))
@@ -104,6 +156,4 @@
       (define found (solve-equations equations '(x y) no-assumptions))
       (check-equal? (length found) 2)
       (for* ([s found] [e equations])
-        (define at
-          (apply substitute e (apply append (for/list ([p (car s)]) (list (car p) (cdr p))))))
-        (check-pred proved? (prove-zero at))))))
+        (check-pred proved? (prove-zero (put e (car s))))))))

@@ -129,3 +129,19 @@
  "(cond [(> (* terms n) bound) (raise-obstacle)]"
  "(cond [(>= (* terms n) bound) (raise-obstacle)]"
  "a bound of the work, one term less" limit)
+("algebra/field/work-bounds.rkt"
+ "[(and (< i k) (> n 1)) (loop (+ i 1) (/ (* terms (+ n i -1)) i))]"
+ "[(and (< i k) (> n 2)) (loop (+ i 1) (/ (* terms (+ n i -1)) i))]"
+ "a large power of two terms is given up by the meter, a second later, with the same outcome" limit)
+("algebra/field/work-bounds.rkt"
+ "(cond [(> (* terms n) bound) (raise-obstacle)]"
+ "(cond [(> (+ terms n) bound) (raise-obstacle)]"
+ "a bound of the work, foreseen one factor later" limit)
+("algebra/field/field-extension.rkt"
+ "(define sine² (if (eqv? (circle-sign o) 1) (poly- R one cosine²) (poly- R cosine² one)))"
+ "(define sine² (if (eqv? (circle-sign o) 1) (poly- R one cosine²) (poly- cosine² cosine² one)))"
+ "a difference of polynomials asks nothing of their ring")
+("algebra/field/expression-value.rkt"
+ "[(symbol? e) (resolved-value w e (resolution w e))]"
+ ""
+ "a symbol's value goes through the table of nodes: it is the same, a little later" limit)
