@@ -3,6 +3,7 @@
 ;; remainder sequences alone, and hard cases.
 
 (require (only-in mechanics/algebra/polynomial/gcd poly-gcd)
+         (only-in mechanics/algebra/polynomial/modular nth-prime)
          (only-in mechanics/algebra/polynomial/square-free poly-square-free)
          mechanics/algebra/polynomial/polynomial
          (only-in mechanics/algebra/polynomial/remainder-gcd remainder-gcd)
@@ -110,6 +111,13 @@
   (define b (sum (product x y (sum u z)) (product z x) (number 2)))
   (check-gcd (product g g a) (product g b) g)
   (check-gcd (product g g a) (product g g b) (product g g)))
+
+(test-case "coefficients that vanish modulo one of the primes"
+  (for ([n 3])
+    (define P (nth-prime n))
+    (define g (sum (product x x y) (poly-scale R P (product y z)) (poly-scale R (* 2 P) x)
+                   (poly-scale R (+ P 5) z) (number 3)))
+    (check-gcd (product g (sum x y (number 1))) (product g (sum x z (number 2))) g)))
 
 (test-case "coefficients beyond many primes"
   (define big (expt 7 200))
