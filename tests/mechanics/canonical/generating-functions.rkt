@@ -92,6 +92,13 @@
     (check-identity (- (F 't 'x 'y) (F 't 0 0)) (cubic 't 'x 'y))
     (check-pred proved? (verify-generating-function (to-old cubic) F line #:type k))))
 
+(test-case "to a frame that moves, at all times"
+  (define (boost (up t q p)) (up t (+ q (* 'v t)) (+ p (* 'm 'v))))
+  (define F2 (generating-function boost line #:type 2))
+  (check-identity (F2 't 'x 'y) (+ (* 'x 'y) (* 'm 'v 'x) (* -1 'v 't 'y)))
+  (define F3 (generating-function boost line #:type 3))
+  (check-identity (F3 't 'x 'y) (+ (* -1 'x 'y) (* 'm 'v 'y) (* -1 'v 't 'x))))
+
 ;; ---------------------------------------------------------------------------
 ;; Functions that generate nothing
 

@@ -126,6 +126,27 @@
   (check-equal? (statuses P 'without-angles) '((0 proved) (1 refuted) (2 proved)))
   (check-equal? (statuses P 'inverse) '((1 proved) (2 proved))))
 
+;; A wave of one of two angles, of which the coefficient is a momentum
+(define (one-angle-each (up t (up theta phi) (down p P)))
+  (+ (* 'a (sin theta)) (* 'b p (sin phi))))
+
+(test-case "sines of one of two angles, the one removed, the other kept"
+  (define P
+    (perturbation-series driven-rotor one-angle-each two #:order 2 #:keep '((0 1)) #:parameter 1))
+  (check-pred proved? (verify-perturbation P))
+  (check-equal? (map (lambda (r) (list (car r) (cadr r))) (perturbation-resonances P))
+                '((1 (0 1))))
+  (check-identity (caddr (car (perturbation-resonances P))) (* 'b 'p (sin 'phi)))
+  (check-identity (series:ref ((perturbation-Hamiltonian P) two) 2)
+                  (/ (* 'alpha (square 'a)) (* 4 (square 'p))))
+  (check-true (regexp-match? #rx"^perturbation to order 2\n" (format "~a" P))))
+
+;; Near p the rotor p³/6 is a pendulum with A = p.
+(test-case "the width of a resonance where the energy is no square of the momentum"
+  (define (cubic s) (/ (expt (momentum s) 3) 6))
+  (define (wave s) (* 8 (cos (coordinate s))))
+  (check-equal? (resonance-width cubic wave '(1) (up 0 0 2)) 4))
+
 (test-case "what no choice of momenta removes is kept, and named"
   (define (oscillators (up t q (down I J))) (+ (* 2 I) J))
   (define (coupling (up t (up a b) (down I J))) (* I (sqrt J) (cos (- a (* 2 b)))))
@@ -192,6 +213,8 @@
  [(perturbation-series 'H0 gravity line)
   "perturbation-series: a Hamiltonian is a function of the state (up t q p); given the symbol H0"
   "\n  with its quote it is only a name; the function itself is H0"]
+ [(resonance-width rotor gravity 1 line)
+  "resonance-width: expected the integers of a wave, a list of 1; given the number 1"]
  [(perturbation-inverse 3)
   "perturbation-inverse: expected what perturbation-series gives\n  given: the number 3"]
  [(perturbation-solution (perturbation-series driven-rotor drive two #:keep '((1 -1))))

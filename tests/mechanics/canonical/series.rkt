@@ -4,7 +4,7 @@
 
 (require mechanics
          mechanics/book
-         "../support/checks.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define line (up 't 'q 'p))
 
@@ -44,6 +44,23 @@
 (test-case "what makes a series of operators prints as that"
   (check-equal? (format "~a" (exp (* 'epsilon (Lie-derivative (W 'alpha 'beta)))))
                 "(exp (* epsilon (Lie-derivative W)))"))
+
+(test-case "derivatives and transforms print as the calls that make them"
+  (define (cubic s) (expt (momentum s) 3))
+  (define L (Lie-derivative cubic))
+  (check-equal? (format "~a" (L coordinate)) "((Lie-derivative cubic) coordinate)")
+  (check-equal? (format "~a" ((expt L 2) coordinate))
+                "((expt (Lie-derivative cubic) 2) coordinate)")
+  (check-equal? (format "~a" (Lie-transform cubic 'epsilon)) "(Lie-transform cubic epsilon)"))
+
+(says
+ [(Lie-derivative 3)
+  "Lie-derivative: a Hamiltonian is a function of the state (up t q p); given the number 3"]
+ [(Lie-derivative-procedure 3)
+  "Lie-derivative-procedure: a Hamiltonian is a function of the state (up t q p); "
+  "given the number 3"]
+ [((Lie-derivative coordinate) 3)
+  "Lie-derivative: a quantity is a function of the state (up t q p); given the number 3"])
 
 ;; ---------------------------------------------------------------------------
 ;; Terms that would swell
