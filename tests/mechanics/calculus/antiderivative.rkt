@@ -1,12 +1,8 @@
 #lang racket/base
 ;; Antiderivatives: known ones, and the derivative of each is what it was asked of.
 
-(require (only-in mechanics + - * / expt sqrt square exp log sin cos tan literal-function D
-
-
-                             partial
-                  expression proved?
-                  verify-equal)
+(require (only-in mechanics + - * / expt sqrt square exp log sin cos tan asin atan sinh cosh tanh
+                  literal-function D partial expression proved? verify-equal)
          mechanics/algebra/assumption/assumption-set
          mechanics/calculus/antiderivative
          mechanics/calculus/expression-function
@@ -33,7 +29,11 @@
 (test-case "waves"
   (check-integral (cos (* 'omega 'x)) '(/ (sin (* omega x)) omega))
   (check-integral (* 'x (cos 'x)) '(+ (* x (sin x)) (cos x)))
-  (check-integral (square (sin 'x)) '(- (* 1/2 x) (* 1/4 (sin (* 2 x))))))
+  (check-integral (square (sin 'x)) '(- (* 1/2 x) (* 1/4 (sin (* 2 x)))))
+  (check-integral (expt (cos 'x) 4)
+                  '(+ (* 3/8 x) (* 1/4 (sin (* 2 x))) (* 1/32 (sin (* 4 x)))))
+  (check-integral (expt (cos (+ (* 2 'x) 'b)) 3)
+                  '(+ (* 3/8 (sin (+ b (* 2 x)))) (* 1/24 (sin (+ (* 3 b) (* 6 x)))))))
 
 (test-case "substitutions"
   (check-integral (/ 'x (sqrt (+ (square 'x) (square 'y)))) '(sqrt (+ (expt x 2) (expt y 2))))
@@ -50,6 +50,15 @@
   (check-integral (((expt D 2) V) 'x) '((D V) x))
   (check-integral (+ (cos 'x) (* 'a ((D V) 'x))) '(+ (* a (V x)) (sin x)))
   (check-integral (((partial 1) U) (vector 't 'x)) '(U (up t x))))
+
+(test-case "each integral of a known function, with arcs and signs, has it for its derivative"
+  (for ([e (list (log 'x) (cosh 'x) (sinh 'x) (tanh 'x) (asin 'x) (atan 'x)
+                 (/ 1 (square (cosh 'x))) (/ 1 (square (cos 'x))) (/ 1 (square (sin 'x)))
+                 (/ 1 (cos 'x)) (/ 1 (sin 'x)) (/ 1 (+ 2 (cos 'x))) (exp (* -4 (square 'x))))])
+    (define found (antiderivative e 'x no-assumptions #t))
+    (with-check-info (['integrand e] ['found found])
+      (check-not-false found)
+      (check-pred proved? (verify-equal (expression-derivative found 'x) e)))))
 
 (test-case "what has none of these is answered by #f"
   (for ([e (list (exp (square 'x)) (/ (sin 'x) 'x) ((literal-function 'f) 'x) (exp (cos 'x)))])

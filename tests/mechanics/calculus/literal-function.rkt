@@ -5,6 +5,7 @@
          mechanics/generic/elementary
          mechanics/value/compose
          mechanics/value/signature
+         mechanics/value/series/series mechanics/value/series/series-access
          mechanics/value/structure
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
@@ -50,6 +51,11 @@
   (check-equal? (text (((partial 2) H) (up 't (up 'x 'y) (down 'p 'q))))
                 (string-append "(up (((partial 2 0) H) (up t (up x y) (down p q)))"
                                " (((partial 2 1) H) (up t (up x y) (down p q))))")))
+
+(test-case "of a power series, the Taylor series about its first term"
+  (define s (x (power-series 'a 'b)))
+  (check-equal? (text (series:ref s 0)) "(x a)")
+  (check-equal? (text (series:ref s 1)) "(* ((D x) a) b)"))
 
 (test-case "a signature quoted is the same signature"
   (for ([d '((-> Real Real) (-> (X Real Real) Real) (-> (UP Real (UP Real Real)) Real))]

@@ -145,3 +145,15 @@
  "[(symbol? e) (resolved-value w e (resolution w e))]"
  ""
  "a symbol's value goes through the table of nodes: it is the same, a little later" limit)
+("calculus/moving-places.rkt"
+ "(let loop ([distance (* 1e-13 (+ 1.0 (abs end)))])"
+ "(let loop ([distance (* 1e-13 (+ 2.0 (abs end)))])"
+ "the first of the distances at which a function is tried beside an end, all within rounding" limit)
+("calculus/gradient-tape.rkt"
+ "(begin-block! t (fxmin (fxmax (fx* 2 k) 16) longest-block) (flvector? slopes))"
+ "(begin-block! t (fxmin (fxmax (fx* 3 k) 16) longest-block) (flvector? slopes))"
+ "how long the blocks of a tape become: memory and speed alone" limit)
+("calculus/moving-places.rkt"
+ "[else (loop (* 4.0 distance))])))"
+ "[else (loop (* 8.0 distance))])))"
+ "the next of these distances" limit)
