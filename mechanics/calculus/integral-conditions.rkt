@@ -29,7 +29,7 @@
          "../algebra/expression/read.rkt"
          (only-in "../algebra/expression/simplifier.rkt" left-unexpanded?)
          "../algebra/expression/substitute.rkt" "../algebra/expression/symbols.rkt"
-         "../algebra/solve/nonzero-conditions.rkt"
+         "../algebra/solve/nonzero-conditions.rkt" (only-in "../algebra/solve/root.rkt" applied)
          "../algebra/simplify/declare-relations.rkt" "../algebra/simplify/known-sign.rkt"
          "../algebra/simplify/simplify-expression.rkt"
          "../algebra/zero/zero-test.rkt" "../error/failure.rkt")
@@ -304,7 +304,7 @@
 (define (quadratic-without-zero u discriminant p)
   (define slope (derivative u p))
   (define (root sign)
-    (e:/ (e:- (e:* sign (e:apply op:sqrt discriminant)) (at slope p 0)) (derivative slope p)))
+    (e:/ (e:- (e:* sign (applied op:sqrt discriminant)) (at slope p 0)) (derivative slope p)))
   (case (known-sign discriminant (path-A p))
     [(-1) '()]
     [(1) (append-map (lambda (sign) (same-sign-at-ends (e:- (path-x p) (root sign)) p))

@@ -80,6 +80,23 @@
              (lambda ()
                (assuming ('(> a 0) '(< b 0)) (definite-integral (lambda (x) (/ 1 x)) 'a 'b)))))
 
+;; The roots of x² + 5x + 5 are (−5 ± √5)/2, about -3.6 and -1.4; x² + 4x + 5 has none.
+(test-case "no root of a quadratic polynomial lies between the ends"
+  (define (over-roots x) (/ (+ 5 (* 2 x)) (+ 5 (* 5 x) (* x x))))
+  (check-equal? (conditions over-roots -1 'b)
+                '((> (+ 5/2 b (* -1/2 (sqrt 5))) 0) (> (+ 5/2 b (* 1/2 (sqrt 5))) 0)))
+  (check-equal? (conditions over-roots -3 -2) '())
+  (for ([ends '((-2 0) (-4 -3) (-4 0))])
+    (check-exn #rx"^integral-conditions: the integrand has no integral between these ends"
+               (lambda () (apply integral-conditions over-roots ends))))
+  (check-equal? (conditions (lambda (x) (/ (+ 4 (* 2 x)) (+ 5 (* 4 x) (* x x)))) 'a 'b) '()))
+
+(test-case "waves below a fraction, and in a cosine below"
+  (check-equal? (conditions (lambda (x) (/ (sin x) (+ 'a (* 'b (cos x))))) 0 'T)
+                '((> (- (expt a 2) (expt b 2)) 0) (> (abs b) 0)))
+  (check-equal? (conditions (lambda (x) (/ 1 (cos x))) 'a 'b)
+                '((> (- :pi (abs (- a b))) 0) (> (* (cos a) (cos b)) 0))))
+
 (test-case "a verdict on an integral rests on its conditions, and they are among those used"
   (define v (verify-integral (lambda (x) (exp (* 'k x))) 0 'T (/ (- (exp (* 'k 'T)) 1) 'k)))
   (check-pred proved? v)
