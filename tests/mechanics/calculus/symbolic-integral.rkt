@@ -95,7 +95,10 @@
   (check-equal? (conditions (lambda (x) (/ (sin x) (+ 'a (* 'b (cos x))))) 0 'T)
                 '((> (- (expt a 2) (expt b 2)) 0) (> (abs b) 0)))
   (check-equal? (conditions (lambda (x) (/ 1 (cos x))) 'a 'b)
-                '((> (- :pi (abs (- a b))) 0) (> (* (cos a) (cos b)) 0))))
+                '((> (- :pi (abs (- a b))) 0) (> (* (cos a) (cos b)) 0)))
+  (check-exn #rx"^integral-conditions: the integrand has no integral between these ends"
+             (lambda () (conditions (lambda (x) (/ (- (* 5 (expt x 4)) 1) (+ 'a (expt x 5) (- x))))
+                                    0 'T))))
 
 (test-case "a verdict on an integral rests on its conditions, and they are among those used"
   (define v (verify-integral (lambda (x) (exp (* 'k x))) 0 'T (/ (- (exp (* 'k 'T)) 1) 'k)))

@@ -196,3 +196,23 @@
   "Birkhoff-normal-form: there is no equilibrium of <function> at (up t 1 0)\n"
   "  derivatives there: (-4 0)\n"
   "  one is at (up t 3.0 0.0)"])
+
+;; ---------------------------------------------------------------------------
+;; Equilibria found
+
+(define (swing s) (- (/ (square (momentum s)) 2) (cos (coordinate s))))
+
+(test-case "an equilibrium next to the state named, or to the origin"
+  (define (shifted s)
+    (+ (coordinate s) (/ (square (coordinate s)) 2) (/ (square (momentum s)) 2)))
+  (define (near q) (coordinate (normal-form-equilibrium
+                                (Birkhoff-normal-form swing line #:degree 3 #:at (up 0 q 0)))))
+  (check-equal? (coordinate (normal-form-equilibrium (Birkhoff-normal-form shifted line))) -1)
+  (check-equal? (near 0.1) 0)
+  (check-= (near 3.1) pi 1e-12)
+  (check-= (near 6.2) (* 2 pi) 1e-12))
+
+(says
+ [(Birkhoff-normal-form swing line #:at (up 0 0.15 0))
+  "Birkhoff-normal-form: there is no equilibrium of swing at (up t 0.15 0)\n"
+  "  derivatives there: (0.14943813247359922 0)\n  one is at (up t 0.0 0.0)"])

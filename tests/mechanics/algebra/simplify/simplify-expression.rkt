@@ -2,6 +2,8 @@
 ;; Simplified forms: what the book prints, and what a physicist would write.
 
 (require mechanics/algebra/expression/expression
+         mechanics/algebra/assumption/assumption-set
+         mechanics/algebra/simplify/known-sign
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/read
          "../../support/checks.rkt")
@@ -69,3 +71,8 @@
    [(sqrt (- (* 3 x) (* 2 (sqrt 2) x))) (- (* (sqrt 2) (sqrt x)) (sqrt x))]
    [(sqrt (- (* 2 (sqrt 2) x) (* 3 x))) (* (- (sqrt 2) 1) (sqrt (* -1 x)))]
    [(sqrt (* -1 x (+ 3 (* 2 (sqrt 2))))) (* (+ 1 (sqrt 2)) (sqrt (* -1 x)))]))
+
+(test-case "a sign is known by the form, or it is not; nothing is taken for granted"
+  (define (sign d) (known-sign (datum->expression d) no-assumptions))
+  (check-equal? (map sign '((- (cos x) 2) (exp x) (- x x) (cos x) (- 3) (sqrt 2)))
+                '(-1 1 0 #f -1 1)))

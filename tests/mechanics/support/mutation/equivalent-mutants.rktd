@@ -157,3 +157,7 @@
  "[else (loop (* 4.0 distance))])))"
  "[else (loop (* 8.0 distance))])))"
  "the next of these distances" limit)
+("calculus/infinitesimal-part.rkt"
+ "(cond [(perturbed? x) (from-perturbed x)]"
+ "(cond"
+ "a dual number goes by the last clause: it is a leaf, for which the same is done, a little later" limit)
