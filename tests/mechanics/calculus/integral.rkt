@@ -88,6 +88,14 @@
 (define (take-two f)
   (definite-integral f 0 1 #:report (lambda (value bound count) (list value bound))))
 
+(test-case "a narrow peak is found by its place in the formula, however that is written"
+  (define (check-peak u)
+    (check-= (definite-integral (lambda (x) (g:exp (g:negate (g:square (u x))))) 0 1)
+             (* 1e-5 (sqrt (acos -1.0))) 1e-12))
+  (check-peak (lambda (x) (g:* 1e5 (g:- x 0.3123))))
+  (check-peak (lambda (x) (g:/ (g:- x 0.3123) 1e-5)))
+  (check-peak (lambda (x) (g:- (g:/ x 1e-5) 31230))))
+
 (test-case "the bound of an integral of which nothing was seen is infinite, and a note tells"
   (define ((narrow f) x) (g:exp (g:negate (g:square (g:* 1e8 (g:- (f x) 0.3))))))
   (define (beyond x) (if (< 0.31 x 0.3100001) 1.0 0.0))
