@@ -41,8 +41,6 @@
         [(eq? head op:-) (each - (car ps) (cadr ps))]
         [(eq? head op:*)
          (for/fold ([s (car ps)]) ([p (in-list (cdr ps))]) #:break (not s) (product s p))]
-        [(and (eq? head op:/) (constant (cadr ps)))
-         => (lambda (c) (each * (car ps) (vector (/ 1.0 c) (/ 1.0 c) (/ 1.0 c))))]
         [(and (eq? head op:expt) (eqv? 2.0 (constant (cadr ps)))) (product (car ps) (car ps))]
         [(and (operation? head) (operation-numeric head) (andmap constant ps))
          => (lambda (_)

@@ -90,11 +90,11 @@
 
 (test-case "a narrow peak is found by its place in the formula, however that is written"
   (define (check-peak u)
-    (check-= (definite-integral (lambda (x) (g:exp (g:negate (g:square (u x))))) 0 1)
-             (* 1e-5 (sqrt (acos -1.0))) 1e-12))
-  (check-peak (lambda (x) (g:* 1e5 (g:- x 0.3123))))
-  (check-peak (lambda (x) (g:/ (g:- x 0.3123) 1e-5)))
-  (check-peak (lambda (x) (g:- (g:/ x 1e-5) 31230))))
+    (check-= (definite-integral (lambda (x) (g:exp (g:negate (g:square (u x))))) 0 1 1e-6)
+             (* 1e-9 (sqrt (acos -1.0))) 1e-15))
+  (check-peak (lambda (x) (g:* 1e9 (g:- x 0.3123))))
+  (check-peak (lambda (x) (g:/ (g:- x 0.3123) 1e-9)))
+  (check-peak (lambda (x) (g:- (g:/ (g:+ x 1) 1e-9) 13123e5))))
 
 (test-case "the bound of an integral of which nothing was seen is infinite, and a note tells"
   (define ((narrow f) x) (g:exp (g:negate (g:square (g:* 1e8 (g:- (f x) 0.3))))))
