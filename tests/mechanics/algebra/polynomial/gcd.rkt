@@ -4,6 +4,7 @@
 
 (require (only-in mechanics/algebra/polynomial/gcd poly-gcd)
          (only-in mechanics/algebra/polynomial/modular nth-prime)
+         (only-in mechanics/algebra/polynomial/sparse-gcd sparse-divisor)
          (only-in mechanics/algebra/polynomial/square-free poly-square-free)
          mechanics/algebra/polynomial/polynomial
          (only-in mechanics/algebra/polynomial/remainder-gcd remainder-gcd)
@@ -112,12 +113,15 @@
   (check-gcd (product g g a) (product g b) g)
   (check-gcd (product g g a) (product g g b) (product g g)))
 
-(test-case "coefficients that vanish modulo one of the primes"
+(test-case "coefficients that vanish modulo one of the primes are found from the others"
+  (define (gcd-of ps) (for/fold ([g (number 0)]) ([p ps]) (poly-gcd R g p)))
   (for ([n 3])
     (define P (nth-prime n))
     (define g (sum (product x x y) (poly-scale R P (product y z)) (poly-scale R (* 2 P) x)
                    (poly-scale R (+ P 5) z) (number 3)))
-    (check-gcd (product g (sum x y (number 1))) (product g (sum x z (number 2))) g)))
+    (define-values (p q) (values (product g (sum x y (number 1))) (product g (sum x z (number 2)))))
+    (check-gcd p q g)
+    (when (> n 0) (check-equal? (sparse-divisor R p q '(0 1 2) '(2 1 1) gcd-of 0) g))))
 
 (test-case "coefficients beyond many primes"
   (define big (expt 7 200))

@@ -161,3 +161,11 @@
  "(cond [(perturbed? x) (from-perturbed x)]"
  "(cond"
  "a dual number goes by the last clause: it is a leaf, for which the same is done, a little later" limit)
+("algebra/polynomial/gcd.rkt"
+ "[else (gcd-by-images R p q (poly-variables R p) (poly-variables R q) 0)]))"
+ "[else (gcd-by-images R p q (poly-variables R p) (poly-variables R q) 1)]))"
+ "the heuristic method, which is for the first try, is passed over: the gcd is the same, found by another" limit)
+("algebra/polynomial/division.rkt"
+ "[(single-term? q) (divide-by-term R p (car q) integral?)]"
+ ""
+ "by a single term, too, the general division gives the quotient: only time is lost" limit)
