@@ -57,6 +57,10 @@
  [((state->action-angle (oscillator 1 1) #:center 9) (up 0 1 0))
   "state->action-angle: the motion through (up 0 1 0) does not pass the coordinate 9 forwards; "
   "#:center names one"]
+ [(state->action-angle 3)
+  "state->action-angle: a Hamiltonian is a function of the state (up t q p); given the number 3"]
+ [(action-angle->state 3)
+  "action-angle->state: a Hamiltonian is a function of the state (up t q p); given the number 3"]
  [((action-angle->state (oscillator 1 1)) (up 0 1 -1))
   "action-angle->state: expected an angle and a positive action, in numbers; given (up 0 1 -1)"])
 

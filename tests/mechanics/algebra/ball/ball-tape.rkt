@@ -46,7 +46,18 @@
   (check op:atan 1 -2)
   (check op:atan 0 -2))
 
+(test-case "at the exact numbers where some have exact values, too"
+  (for* ([op (in-list unary)] [x (in-list '(0 1 2 -1 -2 1/2))])
+    (define expected
+      (with-handlers ([exn:fail:contract? (lambda (_) #f)]) ((operation-numeric op) x)))
+    (when (and (real? expected) (rational? expected))
+      (check-= (number (value-at (make-node op (list 'x)) x)) expected 1e-12
+               (format "~a of ~a" (operation-name op) x)))))
+
 (test-case "exact values stay exact"
+  (check-eqv? (value '(expt (- x 2) (- x 1))) 0)
+  (check-eqv? (value '(expt (- x 1) (sqrt x))) 1)
+  (check-= (number (value '(* (- x 1) (exp x)))) (exp 2.0) 1e-12)
   (check-eqv? (value '(+ (* 1/2 x) (sin (- x x)) (cos 0) (sqrt (* 2 x)))) 4)
   (check-eqv? (value '(expt (* 2 x) 3/2)) 8)
   (check-eqv? (value '(* (exp 1) (- x x))) 0)

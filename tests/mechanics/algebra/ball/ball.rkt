@@ -56,6 +56,19 @@
     (define sum (ball+ (exact->ball x 60) (exact->ball y 60) 60))
     (check-true (holds? sum (+ x y)))))
 
+(test-case "balls of few units, and those around 0, hold the values at their ends"
+  (define halved (ball/ (ball 5 5 0) (exact->ball 1/2 60) 60))
+  (check-true (and (holds? halved 0) (holds? halved 20)))
+  (define root (ball-sqrt (ball 4 1 0) 60))
+  (check-true (and (<= (expt (lower root) 2) 3) (>= (expt (upper root) 2) 5)))
+  (define size (ball-abs (ball 1 3 0)))
+  (check-true (and (holds? size 0) (holds? size 4))))
+
+(test-case "a sum of exact numbers is known to nearly all bits"
+  (for ([p (in-list precisions)] [x (list 1 (expt 2 -40) (expt 2 200))])
+    (define sum (ball+ (exact->ball x p) (exact->ball 1/3 p) p))
+    (check-true (< (- (upper sum) (lower sum)) (* (expt 2 (- 8 p)) (+ x 1))))))
+
 ;; ---------------------------------------------------------------------------
 ;; Functions
 
@@ -165,8 +178,8 @@
   (check-pred ball? (attempt ball-angle (exact->ball 1 60) zero 60)))
 
 (test-case "what is known to within more than 1 has no sine, what is enormous no exponential"
-  (for ([f (in-list (list ball-sin ball-cos ball-exp))])
-    (check-eq? (attempt f (ball 0 3 0) 60) unknown))
+  (for* ([f (in-list (list ball-sin ball-cos ball-exp))] [b (list (ball 0 3 0) (ball 0 1 3))])
+    (check-eq? (attempt f b 60) unknown))
   (check-eq? (attempt ball-exp (exact->ball (expt 10 9) 60) 60) unknown)
   (check-eq? (attempt ball-sin (exact->ball (expt 2 5000) 60) 60) unknown)
   (check-eq? (attempt ball-integer-power (exact->ball 3 60) (expt 10 18) 60) unknown))
