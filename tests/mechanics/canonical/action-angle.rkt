@@ -83,7 +83,10 @@
 
 (test-case "close to the separatrix, where larger momenta turn"
   (define found ((action-angle->state unit-pendulum) (up 0 0 2.2)))
-  (check-close (pendulum-oscillating-action 1 1 (unit-pendulum found)) 2.2 1e-8))
+  (check-close (pendulum-oscillating-action 1 1 (unit-pendulum found)) 2.2 1e-8)
+  ;; at the angle 0 it passes the center, rising
+  (check-= (coordinate found) 0 1e-12)
+  (check-true (> (momentum found) 1.9)))
 
 (test-case "a turning motion, there and back"
   (define state (up 0 1.0 3.0))

@@ -169,3 +169,83 @@
  "[(single-term? q) (divide-by-term R p (car q) integral?)]"
  ""
  "by a single term, too, the general division gives the quotient: only time is lost" limit)
+("algebra/elimination/block-form.rkt"
+ "(define inversions (count (lambda (y) (< y (car xs))) (cdr xs)))"
+ "(define inversions (count (lambda (y) (<= y (car xs))) (cdr xs)))"
+ "the numbers are distinct")
+("algebra/elimination/exact-coefficients.rkt"
+ "(for/fold ([d 0]) ([p (in-vector row)]) (max d (poly-total-degree R p)))))"
+ "(for/fold ([d 0]) ([p (in-vector row)]) (min d (poly-total-degree R p)))))"
+ "an estimate of how many terms there will be: it tells when elimination is not tried" limit)
+("algebra/elimination/exact-coefficients.rkt"
+ "(for/fold ([d 0]) ([p (in-vector row)]) (max d (poly-total-degree R p)))))"
+ "(for/fold ([d 1]) ([p (in-vector row)]) (max d (poly-total-degree R p)))))"
+ "the same estimate, a little greater" limit)
+("algebra/elimination/elimination.rkt"
+ "(and (<= (coefficients-most-terms c) limit)"
+ "(and (< (coefficients-most-terms c) limit)"
+ "a limit of the work, one term less" limit)
+("algebra/ball/ball.rkt"
+ "(define extra (max 0 (- 53 (integer-length m))))"
+ "(define extra (max 0 (- 54 (integer-length m))))"
+ "the same flonum in units half as large")
+("algebra/ball/ball-elementary.rkt"
+ "(unless (or (eqv? r 0) (<= (+ (integer-length r) (ball-scale b)) 0)) (raise unknown)))"
+ "(unless (or (eqv? r 0) (< (+ (integer-length r) (ball-scale b)) 0)) (raise unknown)))"
+ "from which uncertainty on, 1/2 or 1, a sine is not looked for" limit)
+("algebra/ball/ball-elementary.rkt"
+ "(unless (< (abs d) (arithmetic-shift one -8)) (raise unknown))"
+ "(unless (< d (arithmetic-shift one -8)) (raise unknown))"
+ "a guard: d is what the logarithm of flonums is off by, on either side")
+("algebra/ball/ball-elementary.rkt"
+ "(define k (whole-quotient (+ (* 4 X) pi) (* 2 pi)))"
+ "(define k (whole-quotient (- (* 4 X) pi) (* 2 pi)))"
+ "one quarter turn more is left in the angle: the series has a few terms more" limit)
+("algebra/expression/operation.rkt"
+ "(if (or (< y low) (>= y cut)) low y)]))"
+ "(if (or (<= y low) (>= y cut)) low y)]))"
+ "where both are equal either is the answer")
+("algebra/expression/numeric-functions.rkt"
+ "[(and (real? x) (< (abs x) 1e-2))   ; Taylor: no cancellation near 0"
+ "[(and (real? x) (<= (abs x) 1e-2))   ; Taylor: no cancellation near 0"
+ "at 0.01 the series and the formula differ by roundings" limit)
+("algebra/radical/radical-sum.rkt"
+ "(define most-parts 40)"
+ "(define most-parts 41)"
+ "up to how many parts a sum of roots is kept exactly" limit)
+("algebra/radical/radical-sum.rkt"
+ "(<= (for/sum ([(radical c) (in-hash s)])"
+ "(< (for/sum ([(radical c) (in-hash s)])"
+ "the same limit, one part less" limit)
+("algebra/radical/radical-sum.rkt"
+ "(if (and (rational? sum) (> (abs sum) (* 1/4 (apply + (map abs terms)))))"
+ "(if (and (rational? sum) (> sum (* 1/4 (apply + (map abs terms)))))"
+ "the decimals of a negative sum, too, are found by integers: slower, to within the last place" limit)
+("algebra/radical/radical-sum.rkt"
+ "(if (and (rational? sum) (> (abs sum) (* 1/4 (apply + (map abs terms)))))"
+ "(if (and (rational? sum) (>= (abs sum) (* 1/4 (apply + (map abs terms)))))"
+ "from how much cancellation on decimals are found by integers" limit)
+("canonical/Lie/Lie-derivative.rkt"
+ "(cond [(<= n end) (vector-ref known n)]"
+ "(cond [(< n end) (vector-ref known n)]"
+ "one power more than is asked for is found, and kept" limit)
+("canonical/Lie/Lie-derivative.rkt"
+ "(if (and (> size large) (> size (* swelling (graph-size e)))) e simple))"
+ "(if (and (> size large) (>= size (* swelling (graph-size e)))) e simple))"
+ "from how much swelling on a form stays as it is: either form has the same value" limit)
+("canonical/perturbation/complex-polynomial.rkt"
+ "(values (make-vector n 0) (make-vector (* 2 n) '()) (make-vector (* 2 n) '())))"
+ "(values (make-vector n 1) (make-vector (* 2 n) '()) (make-vector (* 2 n) '())))"
+ "the blocks set all of them: each coordinate is in one")
+("canonical/perturbation/normal-form-verdict.rkt"
+ "#:when (> (magnitude c) (* rounded (hash-ref bounds e 0.0))))"
+ "#:when (> (magnitude c) (* rounded (hash-ref bounds e 1.0))))"
+ "each term of the difference has its bound, the sum of the magnitudes of what was added")
+("canonical/quadratic/Hermitian-modes.rkt"
+ "(if (> (magnitude z) (* 1e-6 (real-part (inner v v)))) (sqrt z) (leading v)))"
+ "(if (> (magnitude z) (* 2e-6 (real-part (inner v v)))) (sqrt z) (leading v)))"
+ "from which size on a sum of squares tells the phase: any phase makes a normal form" limit)
+("canonical/quadratic/Hermitian-modes.rkt"
+ "(for/first ([x (in-vector v)] #:when (> (magnitude x) (* 0.3 greatest))) x))"
+ "(for/first ([x (in-vector v)] #:when (>= (magnitude x) (* 0.3 greatest))) x))"
+ "from which size on a component leads, which flonums never have exactly" limit)
