@@ -94,6 +94,9 @@
  [(Lagrangian->Routhian pair #:momenta '(1 1))
   "Lagrangian->Routhian: #:momenta names coordinates by their places, as 1 or '(1 2), each once\n"
   "  given: (1 1)"]
+ [(Lagrangian->Routhian pair #:momenta '(1 x))
+  "Lagrangian->Routhian: #:momenta names coordinates by their places, as 1 or '(1 2), each once\n"
+  "  given: (1 x)"]
  [((Lagrangian->Routhian pair #:momenta 2) (up 't (up 'x 'y) (up 'v 'p)))
   "Lagrangian->Routhian: there is no coordinate 2 to have a momentum; there are 2, from 0 on"]
  [((Lagrangian-state->Routhian-state pair #:momenta '(0 1)) (up 't (up 'x 'y) (up 'v 'w)))

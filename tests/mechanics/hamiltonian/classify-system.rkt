@@ -187,9 +187,6 @@
  [(Lagrangian->state-derivative (make-Hamiltonian H-by-place))
   "Lagrangian->state-derivative: expected a Lagrangian; this is known to be a Hamiltonian: "
   "H-by-place\n  the rates of its states are (Hamiltonian->state-derivative H)"]
- [((Lagrange-equations (make-Hamiltonian H-by-place)) sin)
-  "Lagrange-equations: expected a Lagrangian; this is known to be a Hamiltonian: H-by-place\n"
-  "  its equations of motion are (Hamilton-equations H)"]
  [(Lagrangian->energy (make-Hamiltonian H-by-place))
   "Lagrangian->energy: expected a Lagrangian; this is known to be a Hamiltonian: H-by-place\n"
   "  it is the energy itself, as a function of the momenta"]

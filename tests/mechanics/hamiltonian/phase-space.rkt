@@ -69,6 +69,13 @@
  [(Routh-equations 3)
   "Routh-equations: a Routhian is a function of the state (up t (up x y) (up vx p_y)); "
   "given the number 3"]
+ [(Routhian->acceleration 3)
+  "Routhian->acceleration: a Routhian is a function of the state (up t (up x y) (up vx p_y)); "
+  "given the number 3"]
+ [((Lagrangian-state->Routhian-state (lambda (s) (square (velocity s)))) (up 't 'q 'v))
+  "Lagrangian-state->Routhian-state: expected coordinates in two parts, of which the second has "
+  "momenta: (up t (up x y) (up vx p_y))\n  given: (up t q v)\n"
+  "  more coordinates are tuples within: (up theta (up phi psi))"]
  [((Routh-equations (lambda (s) 0)) sin cos)
   "(Routh-equations <function>): takes three paths, x, y and p_y; it was given 2"]
  [(Hamiltonian-action (H-harmonic 1 1) (lambda (t) (up t t)) (lambda (t) (up 1 1)) 0 1)

@@ -12,6 +12,7 @@
          mechanics/lagrangian/Lagrange-equations
          mechanics/lagrangian/generalized-LE
          mechanics/lagrangian/local-tuple
+         (only-in mechanics/hamiltonian/Hamiltonian make-Hamiltonian)
          (only-in mechanics/book L-free-particle L-harmonic L-central-polar)
          "../support/checks.rkt"
          "../support/messages.rkt" "../support/same.rkt" "../support/systems.rkt")
@@ -166,10 +167,18 @@
     (check-same (((generalized-LE L #:order n) x) 't)
                 (g:* (if (even? n) -1 1) (((Lagrange-equations L #:order n) x) 't))))
   (check-same ((generalized-LE L) (up 't 'q 'v 'a 'j 's)) (g:- (g:+ (g:* 'm 'a) (g:* 'k 'q))))
+  (check-same (((generalized-LE (lambda (s) (g:* 1/2 (g:square (acceleration s))))) x) 't)
+              (((g:expt D 4) x) 't))
   (check-same ((generalized-LE (lambda (s) (g:* 1/2 (g:square (ref s 4)))))
                (up 't 'q 'v 'a 'j 's 'c 'p))
               'p)
   (check-equal? (format "~a" (generalized-LE (literal-function (quote L)))) "(generalized-LE L)"))
+
+(test-case "a local tuple has an even number of components"
+  (check-message
+   (string-append "generalized-LE: expected a path or a local tuple of 4 or 6 or ... components: "
+                  "(up t q v a)\n  given: (up t q v a j), an up tuple of 5")
+   ((generalized-LE (L-free-particle 'm)) (up 't 'q 'v 'a 'j))))
 
 (test-case "V7: the general form for an unknown Lagrangian with accelerations"
   ;; -D²(∂₃L) + D(∂₂L) - ∂₁L, along the path
@@ -209,6 +218,13 @@
   (check-message
    "Lagrange-equations: a Lagrangian is a function of the local tuple (up t q v); given the symbol L\n  with its quote it is only a name; the function itself is L"
    (Lagrange-equations 'L)))
+
+(test-case "a function that is known to be a Hamiltonian"
+  (define (H s) (g:square (ref s 2)))
+  (check-message
+   (string-append "Lagrange-equations: expected a Lagrangian; this is known to be a Hamiltonian: H\n"
+                  "  its equations of motion are (Hamilton-equations H)")
+   (Lagrange-equations (make-Hamiltonian H))))
 
 (test-case "a Lagrangian whose parameters were forgotten"
   (define (L m local) 0)
