@@ -20,6 +20,11 @@
   (check-exn #rx"^constraint-integral: the constraint is not integrable\n"
              (lambda () (constraint-integral blade q))))
 
+;; ω = dy − x dθ allows (1, 0, 0) and (0, x, 1), to which dω = −dx∧dθ gives −1.
+(test-case "one number decides about one form of three coordinates"
+  (define v (Frobenius-test (form (t (x y θ) (vx vy ω)) (- vy (* x ω))) q))
+  (check-eqv? (verdict-residual v) -1))
+
 (test-case "a wheel is nonholonomic, a wheel that keeps its direction is not"
   (define wheel-coordinates (up 'x 'y 'φ 'θ))
   (define (rolling t q v)

@@ -96,6 +96,43 @@
                ((constrained-accelerations no-inertia (holonomic (lambda (t q) (ref q 0))))
                 state))))
 
+(define (L-unit (up t q v)) (- (* 1/2 (square v)) (ref q 1)))
+
+(test-case "it is told by whom, and they print as they were made"
+  (define on-unit-circle (holonomic (lambda (t q) (- (square q) 1))))
+  (check-message
+   (string-append "Frobenius-test: a constraint must be linear in the velocities\n"
+                  "  constraint: (nonholonomic <function>)\n"
+                  "  its value: (+ -1 (* v0 v0) (* v1 v1))")
+   (Frobenius-test (nonholonomic (lambda (t q v) (- (square v) 1))) (up 'x 'y)))
+  (check-message
+   (string-append "constrained-state-derivative: expected a force: a function of the local tuple\n"
+                  "  given: the number 3")
+   (constrained-state-derivative L-unit circle #:force 3))
+  (check-message
+   (string-append "constrained-state-derivative: the value of a Lagrangian is a number, "
+                  "but that of velocity is (up 0 1), an up tuple of 2")
+   ((constrained-state-derivative velocity on-unit-circle) (up 0 (up 1 0) (up 0 1))))
+  (define (texts . makers) (for/list ([make makers]) (format "~a" (make L circle))))
+  (check-equal? (texts constrained-accelerations constraint-forces consistent-state)
+                '("(constrained-accelerations L (holonomic on-circle))"
+                  "(constraint-forces L (holonomic on-circle))"
+                  "(consistent-state L (holonomic on-circle))")))
+
+;; The curves y = 0 and y = −(x + 1)² touch at x = −1.
+(test-case "a motion that begins where two constraints demand the same"
+  (define (line t q) (ref q 1))
+  (define (parabola t q) (+ (ref q 1) (square (+ 1 (ref q 0)))))
+  (check-message
+   (string-append "constrained-state-derivative: where the motion begins, constraints depend on "
+                  "each other that are independent elsewhere\n"
+                  "  state: (up 0 (up -1 0) (up 0 0))\n"
+                  "  constraint 1 demands the same as constraint 0")
+   (evolve-trajectory
+    (constrained-state-derivative L-unit (list (holonomic line) (holonomic parabola)))
+    (up 0 (up -1 0) (up 0 0)) 1)
+   exn:fail:mechanics:singular?))
+
 (test-case "an augmented Lagrangian: holonomic constraints, coordinates with multipliers"
   (check-exn #rx"^augmented-Lagrangian: with a nonholonomic constraint"
              (lambda () (augmented-Lagrangian L (nonholonomic (lambda (t q v) (ref v 0))))))

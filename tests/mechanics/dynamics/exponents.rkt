@@ -73,6 +73,8 @@
 (define (hole x y return fail) (if (< x 3) (return (+ x 1) y) (fail)))
 
 (says
+ [(Floquet-multipliers shaken (up 0 :pi 0) (up 1 2))
+  "Floquet-multipliers: expected a period that is a real number\n  given: (up 1 2), an up tuple of 2"]
  [(Lyapunov-exponents (HHsysder) (section->state 1/8 0.1 0) -1)
   "Lyapunov-exponents: expected a positive duration\n  given: the number -1"]
  [(Lyapunov-exponents (HHsysder) (section->state 1/8 0.1 0) 10 #:count 7)

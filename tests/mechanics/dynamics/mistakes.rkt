@@ -224,5 +224,9 @@
   (check-exn #rx"come back to the surface\n  an angle that goes round passes a value once; its sine"
              (lambda () (next (up 0 0 9)))
              "rotating")
+  (define failure
+    (with-handlers ([exn:fail:mechanics:not-convergent? values]) (next (up 0 0 9))))
+  (check-equal? (exn:fail:mechanics:not-convergent-value failure) (up 0 0 9))
+  (check-false (exn:fail:mechanics:not-convergent-error-estimate failure))
   (define turning (Poincare-map rates (event (compose sin coordinate) #:direction 'rising)))
   (check-= (coordinate (turning (up 0 0 9))) (* 2 pi) 1e-9))
