@@ -138,7 +138,13 @@
              (lambda () (augmented-Lagrangian L (nonholonomic (lambda (t q v) (ref v 0))))))
   (check-message
    "augmented-Lagrangian: expected coordinates with multipliers, (up q lambda); given the symbol x"
-   ((augmented-Lagrangian L circle) (up 't 'x 'v))))
+   ((augmented-Lagrangian L circle) (up 't 'x 'v)))
+  (check-message
+   (string-append "augmented-Lagrangian: the multipliers must be a number, like the constraints\n"
+                  "  multipliers: (up lambda mu)\n"
+                  "  constraints: (- (+ (* x x) (* y y)) (* l l))")
+   ((augmented-Lagrangian L circle)
+    (up 't (up (up 'x 'y) (up 'lambda 'mu)) (up (up 'vx 'vy) (up 0 0))))))
 
 (test-case "a multiplier that is a number"
   (check-message

@@ -9,6 +9,8 @@
 (define (two t q) (up q (+ q (up 'a 0))))
 (define (uneven t q) (up (up (ref q 0) 0) (up (ref q 0) (ref q 1) 0)))
 (define (upside-down t q) (down (ref q 0) (ref q 1)))
+(define (half-down t q) (up q (upside-down t q)))
+(define (wheel t x) (up (up x 1) x))
 (define (listed t q) (list (ref q 0) (ref q 1)))
 (define (of-local local) (coordinate local))
 (define ((unfinished l) t q) (* l q))
@@ -43,6 +45,13 @@
   "  masses come first, then the positions r"]
  [(kinetic-energy '() two)
   "kinetic-energy: expected a mass, or a list of the masses of several particles\n"
+  "  given: (), a list"]
+ [((kinetic-energy 'm wheel) (up 't 'x 'v))
+  "kinetic-energy: there is one mass, but the positions are those of 2 particles\n"
+  "  positions: (up (up x 1) x)\n"
+  "  several masses are a list: (list m1 m2 ...)"]
+ [(d-Alembert-equations '() plane (force 0))
+  "d-Alembert-equations: expected a mass, or a list of the masses of several particles\n"
   "  given: (), a list"]
  ;; positions
  [(kinetic-energy 'm of-local)
@@ -83,6 +92,9 @@
  [((kinetic-energy 'm listed) state)
   "kinetic-energy: positions are tuples of scalars; listed has the value (x y)\n"
   "  a list is not a tuple; use (up x y ...)"]
+ [((kinetic-energy '(m_1 m_2) half-down) state)
+  "kinetic-energy: positions are up tuples; half-down has the value (up (up x y) (down x y)), "
+  "of which a part is (down x y)"]
  ;; forces
  [(generalized-force plane 'F)
   "generalized-force: forces are a function of the time, positions and velocities, (F t r v); "
@@ -124,6 +136,10 @@
   "generalized-force: the forces must be like the positions\n"
   "  positions: (up x y)\n"
   "  forces: F"]
+ [((generalized-force plane (force (up 'X 'Y 'Z))) state)
+  "generalized-force: the forces must be like the positions\n"
+  "  positions: (up x y)\n"
+  "  forces: (up X Y Z)"]
  ;; potential energies
  [(potential->force (lambda (r) 0))
   "potential->force: a potential energy is a function of the time and the positions, (V t r); "
@@ -172,5 +188,9 @@
  ;; power
  [(((power-balance (kinetic-energy 'm plane) #:force (lambda (s) 'F)) (up sin cos)) 't)
   "power-balance: the force must be a down tuple of 2, like the momenta; given the symbol F"]
+ [((power-balance (kinetic-energy 'm plane)) 'q)
+  "power-balance: a path is a function of time, or a tuple of such functions; "
+  "given the symbol q\n"
+  "  (literal-function 'q) makes a path of that name"]
  [(power-balance 'L)
   "power-balance: a Lagrangian is a function of the local tuple (up t q v); given the symbol L\n  with its quote it is only a name; the function itself is L"])

@@ -249,3 +249,23 @@
  "(for/first ([x (in-vector v)] #:when (> (magnitude x) (* 0.3 greatest))) x))"
  "(for/first ([x (in-vector v)] #:when (>= (magnitude x) (* 0.3 greatest))) x))"
  "from which size on a component leads, which flonums never have exactly" limit)
+("lagrangian/swapped-arguments.rkt"
+ "(check-comes-first who (swapped? who L q) \"Lagrangian\" \"path\"))"
+ "(check-comes-first who (swapped? L L q) \"Lagrangian\" \"path\"))"
+ "whether the other order would do is tried, and the message of what fails there is caught")
+("dynamics/Floquet.rkt"
+ "(define angular? (and (fl< part closure-tolerance all) (angle? derivative start k)))"
+ "(define angular? (and (fl<= part closure-tolerance all) (angle? derivative start k)))"
+ "a gap that equals the tolerance is refused, taken for an angle's or not")
+("constraint/constrained-motion.rkt"
+ "(for/list ([x (in-list (scalars state))] [k (in-naturals 1)])"
+ "(for/list ([x (in-list (scalars state))] [k (in-naturals 2)])"
+ "any state beside shows whether the constraints depend on each other there alone")
+("constraint/constrained-motion.rkt"
+ "(+ x (* 1e-3 (+ 1 (abs x)) (spread-fraction k))))))"
+ "(- x (* 1e-3 (+ 1 (abs x)) (spread-fraction k))))))"
+ "any state beside shows whether the constraints depend on each other there alone")
+("constraint/constraint-jacobian.rkt"
+ "(define columns (rows-transpose (list->vector (jacobian-rows who cs state))))"
+ "(define columns (rows-transpose (list->vector (jacobian-rows cs cs state))))"
+ "the name is for values that are no numbers, and those at this state have been checked by then")

@@ -87,7 +87,10 @@
   (check-exn #rx"^derivation-steps: a path is a function of time"
              (lambda () (derivation-steps newton 'x)))
   (check-exn #rx"^show-derivation: a path is a function of time"
-             (lambda () (show-derivation newton 'x))))
+             (lambda () (show-derivation newton 'x)))
+  (check-exn #rx"^derivation-steps: the forces must be like the positions\n"
+             (lambda ()
+               (derivation-steps (d-Alembert-equations 'm pendulum (lambda (t r v) 'F)) x))))
 
 (define (verdicts-of masses r F q)
   (for/list ([s (derivation-steps (d-Alembert-equations masses r F) q)] #:when (verdict? (cdr s)))
