@@ -140,6 +140,10 @@
   "generalized-force: the forces must be like the positions\n"
   "  positions: (up x y)\n"
   "  forces: (up X Y Z)"]
+ [(((d-Alembert-equations 'm plane (force 'F)) (up sin cos)) 0)
+  "d-Alembert-equations: the forces must be like the positions\n"
+  "  positions: (up 0 1)\n"
+  "  forces: F"]
  ;; potential energies
  [(potential->force (lambda (r) 0))
   "potential->force: a potential energy is a function of the time and the positions, (V t r); "

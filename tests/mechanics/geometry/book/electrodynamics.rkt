@@ -181,6 +181,7 @@
   (define A (frame (up 1 0 0) 'v))
   (define at-rest (four-current 'rho 0 0 0 #:in A))
   (check-identity ((at-rest d/dct) an-event) (/ (- 'rho) (sqrt (- 1 (square 'v)))))
+  (check-identity (four-current 'rho 'Ix 'Iy 'Iz) (four-current 'rho 'Ix 'Iy 'Iz #:c 1))
   (check-identity ((at-rest d/dx) an-event) (/ (* 'rho 'v) (sqrt (- 1 (square 'v))))))
 
 ;; ---------------------------------------------------------------------------

@@ -173,6 +173,11 @@
  [(general-boost2 (up 1 1 0) 1/2)
   "general-boost2: a direction is a unit vector; the square of this one is 2\n"
   "  given: (up 1 1 0), an up tuple of 3"]
+ [(general-boost2 (up 1/2 0 0) 1/2)
+  "general-boost2: a direction is a unit vector; the square of this one is 1/4\n"
+  "  given: (up 1/2 0 0), an up tuple of 3"]
+ [(general-boost2 1 1/2)
+  "general-boost2: expected the direction, an up tuple of 3\n  given: the number 1"]
  [(extended-rotation 'theta)
   "extended-rotation: expected a rotation, such as (Rx 'theta)\n  given: the symbol theta"]
  [(make-SR-frame 'B 'home (up 1 0 0) 1/2 (up 0 0 0 0))
@@ -198,5 +203,9 @@
   "  given: (up 1 2 3 4), an up tuple of 4"]
  [(v/c the-ether)
   "v/c: the-ether is a base frame: it is at rest, and has no ancestor"]
+ [(boost-direction the-ether)
+  "boost-direction: the-ether is a base frame: it is at rest, and has no ancestor"]
+ [(coordinate-origin the-ether)
+  "coordinate-origin: the-ether is a base frame: it is at rest, and has no ancestor"]
  [(base-frame-maker 'home 'elsewhere)
   "base-frame-maker: a base frame has no ancestor but itself\n  given: home and elsewhere"])
