@@ -55,12 +55,21 @@
 ;; At a time of the motion.  Where the chart is singular an angle that jumps is as it was before.
 (define (track-coordinates tr t)
   (define q ((track-q-at tr) t))
-  (define before (node-coordinates (node-before (track-nodes tr) t)))
-  (define near (next-to before q (track-C tr)))
+  (define from (node-before (track-nodes tr) t))
+  (define near (next-to (node-coordinates from) q (track-C tr)))
   (if ((track-regular? tr) q)
       near
-      (list->structure q (for/list ([a (in-list (scalars before))] [b (in-list (scalars near))])
+      (list->structure q (for/list ([a (in-list (scalars (last-regular tr from t)))]
+                                    [b (in-list (scalars near))])
                            (if (< (abs (- b a)) 1e-6) b a)))))
+
+;; The coordinates after the node, as near to the time t as the chart is regular
+(define (last-regular tr from t)
+  (let closer ([q (node-coordinates from)] [way (- t (node-time from))])
+    (define next ((track-q-at tr) (- t (/ way 8))))
+    (if ((track-regular? tr) next)
+        (closer (next-to q next (track-C tr)) (/ way 8))
+        q)))
 
 ;; Bisection: the last node that is not after t.
 (define (node-before nodes t)

@@ -36,6 +36,9 @@
   "  coordinates: (up 1 2)\n  velocities: (up 1 2 3)"]
  [(evolve-on L S2-spherical (up 0 (up -1.0 0.3) (up 1 0)) 1) outside "(up -1.0 0.3)"]
  [(evolve-on L S2-spherical (up 0 (up 0 0.3) (up 1 0)) 1) outside "(up 0 0.3)"]
+ [(evolve-on L S2-spherical (up 0 (up 0.0 0.0) (up 1 0)) 1) outside "(up 0.0 0.0)"]
+ [(evolve-on L S2-spherical start 1 #:tolerance -1)
+  "evolve-on: expected a positive tolerance\n  given: the number -1"]
  [(evolve-on L S2-spherical (up 0 ((point R2-rect) (up 0 0.3)) (up 1 0)) 1)
   "point: expected a point of S2; this one is of R2\n  given: ((point R2-rect) (up 0 0.3))"]
  [(evolve-on L S2-spherical (up 0 (up 'a 0.3) (up 1 0)) 1)
@@ -63,6 +66,10 @@
  [(Lagrangian-in-chart 3 S2-spherical S2-spherical)
   "Lagrangian-in-chart: expected a Lagrangian, a function of the local tuple\n"
   "  given: the number 3"]
+ [(Lagrangian-in-chart L 'S2 S2-spherical)
+  "Lagrangian-in-chart: expected a coordinate system, such as R3-rect\n  given: the symbol S2"]
+ [(Lagrangian-in-chart L S2-spherical 'S2)
+  "Lagrangian-in-chart: expected a coordinate system, such as R3-rect\n  given: the symbol S2"]
  [(Lagrangian-in-chart L S2-spherical R2-rect)
   "Lagrangian-in-chart: the charts are of different manifolds\n  chart: R2-rect\n"
   "  home: S2-spherical"])
