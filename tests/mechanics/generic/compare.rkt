@@ -9,6 +9,7 @@
          mechanics/calculus/derivative
          mechanics/calculus/dual
          mechanics/calculus/literal-function
+         mechanics/compile/definite-integral
          "../support/checks.rkt")
 
 (define V (literal-function 'V))
@@ -131,3 +132,13 @@
 (test-case "the symbol in a dual number has no order either"
   (check-exn #rx"^<: an expression that is not a number has no order.*value: the symbol a$"
              (lambda () ((D (lambda (x) (if (g:< x 0) 0 x))) 'a))))
+
+;; Σ over x from 0 to 1 of f(x, a), as a function of a
+(define ((integral f) a) (definite-integral (lambda (x) (f x a)) 0 1))
+
+(test-case "a choice by a sign is made elsewhere when what it depends on moves"
+  (define (slope f) ((D (integral f)) 0.3))
+  (check-= (slope (lambda (x a) (if (g:negative? (g:- x a)) 1 0))) 1 1e-9)      ; a
+  (check-= (slope (lambda (x a) (if (g:positive? (g:- x a)) 1 0))) -1 1e-9)     ; 1 - a
+  (check-= (slope g:max) 0.3 1e-9)                                              ; (1 + a^2)/2
+  (check-= (slope g:min) 0.7 1e-9))                                             ; a - a^2/2

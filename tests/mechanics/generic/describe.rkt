@@ -3,6 +3,7 @@
 
 (require mechanics/algebra/expression/write
          mechanics/generic/arithmetic
+         mechanics/generic/cyclic-data
          mechanics/generic/describe
          mechanics/generic/elementary
          mechanics/generic/up-down
@@ -53,3 +54,11 @@
   (check-equal? (map-leaves add1-leaf (vector 1 (up 2))) (vector 2 (up 3)))
   (check-equal? (map-leaves add1-leaf (matrix-by-rows '(1 2))) (matrix-by-rows '(2 3)))
   (check-equal? (map-leaves add1-leaf 5) 6))
+
+(test-case "data that contain themselves are known; what is shared alone does not"
+  (define v (vector 'a 0))
+  (vector-set! v 1 (list 'b v))
+  (check-true (cyclic? v))
+  (check-true (cyclic? (list 1 (cons 'a v))))
+  (define shared (vector 1 2))
+  (check-false (cyclic? (list shared shared (vector shared)))))

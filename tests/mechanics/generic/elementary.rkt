@@ -4,6 +4,8 @@
 
 (require mechanics/generic/arithmetic
          mechanics/generic/elementary
+         mechanics/generic/up-down
+         mechanics/calculus/derivative
          "../support/checks.rkt" "../support/random.rkt" "../support/same.rkt")
 
 ;; ---------------------------------------------------------------------------
@@ -90,3 +92,10 @@
 (test-case "the sign is as exact as its argument"
   (check-equal? (map g:sgn '(-3 0 1/2 -0.5 0.0 7.5)) '(-1 0 1 -1.0 0.0 1.0))
   (check-equal? (g:sgn 3+4i) 3/5+4/5i))
+
+(test-case "the magnitude of a tuple is that of its components"
+  (check-equal? (g:abs (up 3 (down 0 +4i))) 5)
+  (check-equal? (g:abs (up 'a 0)) (g:sqrt (g:square 'a))))
+
+(test-case "D erf is 2/√π exp(−x²), at exact roots, too"
+  (check-same ((D g:erf) (g:sqrt 2)) (* (/ 2 (sqrt (acos -1.0))) (exp -2)) 1e-15))
