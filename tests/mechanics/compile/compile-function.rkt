@@ -67,7 +67,10 @@
   (define (f x) (if (flonum? x) (* 2 x) x))
   (define c (compile-function f 2.0))
   (check-true (string? (compiled-function-reason c)))
-  (check-equal? (numbers (c (flvector 4.0))) '(8.0)))
+  (check-equal? (numbers (c (flvector 4.0))) '(8.0))
+  (define both (compile-function (lambda (x) (up x (f x))) 2.0))
+  (check-true (string? (compiled-function-reason both)))
+  (check-equal? (numbers (both (flvector 4.0))) '(4.0 8.0)))
 
 (test-case "a changed global is seen by what is compiled again; the same program is compiled once"
   (define k 2)

@@ -55,7 +55,10 @@
   (check-equal? (operations (program-of '(x) (g:expt 'x 5))) '(multiply multiply multiply))
   (check-equal? (operations (program-of '(x) (g:expt 'x -2))) '(multiply divide))
   (check-equal? (operations (program-of '(x) (g:expt 'x 3/2))) '(sqrt multiply))
-  (check-equal? (operations (program-of '(x n) (g:expt 'x 'n))) '(expt)))
+  (check-equal? (operations (program-of '(x n) (g:expt 'x 'n))) '(expt))
+  (for ([n '(65 -65 129/2 -129/2)])
+    (check-equal? (operations (program-of '(x) (g:expt 'x n))) '(expt)))
+  (check-equal? (length (operations (program-of '(x) (g:expt 'x -64)))) 7))
 
 (test-case "what no output needs is left out"
   (define p (program-of '(x) (g:- (g:sin 'x) (g:sin 'x)) (g:cos 'x)))

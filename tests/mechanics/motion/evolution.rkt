@@ -5,7 +5,8 @@
          (only-in mechanics/motion/observed-systems call-watching-systems)
          (only-in racket/list remove-duplicates)
          (only-in mechanics/book harmonic-state-derivative pend-state-derivative)
-         "../support/checks.rkt" "../support/close.rkt" "../support/systems.rkt")
+         "../support/bigfloats.rkt" "../support/checks.rkt" "../support/close.rkt"
+         "../support/skip.rkt" "../support/systems.rkt")
 
 ;; ---------------------------------------------------------------------------
 ;; Systems
@@ -149,3 +150,14 @@
    (lambda ()
      ((evolve spring 4) start void 0.1 0.2)))
   (check-equal? (remove-duplicates told) (list (list spring '(4) start))))
+
+(test-case "what goes on is told the longest step, with the sign of the duration"
+  (define advance (state-advancer (lambda () (lambda (s) (up 1 (ref s 2) (- (ref s 1)))))))
+  (define (told state taken longest) (list taken longest))
+  (define (check-told duration told)
+    (check-equal? (car told) duration)
+    (check-true (<= 1/20 (/ (cadr told) duration) 1)))
+  (for ([duration '(2 -2)])
+    (check-told duration (advance (up 0 1 0) duration 1e-12 told))
+    (skip-unless bigfloats? no-bigfloats
+      (check-told duration (advance (up 0 1 0) duration 1e-12 told #:precision 64)))))

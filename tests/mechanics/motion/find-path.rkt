@@ -50,6 +50,14 @@
   (for ([t '(0 0.5 1.7 2)])
     (check-true (< (euclidean-norm (- (q t) (up (+ 1 t) (- 2 (* 3 t))))) 1e-8))))
 
+;; L = ẋ²/2 + a cos(ωt) x on paths 4 c t (1 − t): 16 c/3 + a ∫ 4 t (1 − t) cos ωt dt = 0.  A few dozen
+;; nodes tell nothing of a force that oscillates so fast.
+(test-case "the action is integrated until more nodes change nothing"
+  (define-values (a w) (values 1e4 400.0))
+  (define (L s) (+ (* 1/2 (square (velocity s))) (* a (cos (* w (time s))) (coordinate s))))
+  (define integral (* 4 (- (/ (* 2 (sin w)) (cube w)) (/ (+ 1 (cos w)) (square w)))))
+  (check-= ((find-path L 0 0 1 0 1) 1/2) (* -3/16 a integral) 1e-10))
+
 (test-case "several coordinates, in the shape they are given in"
   ;; a throw in uniform gravity is a polynomial: exact with two points or more
   (define (L-gravity s)

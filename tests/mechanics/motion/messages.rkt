@@ -3,6 +3,7 @@
 
 (require mechanics
          (only-in mechanics/book L-harmonic)
+         mechanics/motion/progress-text
          "../support/checks.rkt" "../support/messages.rkt")
 
 (define (harmonic m k) (Lagrangian->state-derivative (L-harmonic m k)))
@@ -179,3 +180,10 @@
              (lambda () (evolve-trajectory oscillator start 1 #:event '())))
   (check-exn (unknown 'cubic-spline '#:end '(#:ends #:extrapolate?))
              (lambda () (cubic-spline '(0 1) '(0 1) #:end 'natural))))
+
+(test-case "how far a run is, to a thousandth of its end"
+  (define (told t end) (progress-text 'evolve t end))
+  (check-equal? (told 37.21 100.0) "evolve: t = 37.2 of 100.0")
+  (check-equal? (told 0.1234 10.0) "evolve: t = 0.12 of 10.00")
+  (check-equal? (told 12345.6 2e6) "evolve: t = 12345.6 of 2000000.0")
+  (check-equal? (told -0.00123 -0.01) "evolve: t = -0.0012 of -0.0100"))
