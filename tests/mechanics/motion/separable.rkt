@@ -82,6 +82,8 @@
 (define (three s) (up 1 (ref s 2) (ref s 3) (- (ref s 1))))
 (define (without-time s) (up (ref s 1) (ref s 2) (- (ref s 0))))
 
+(define (rushing s) (up 1 (velocity s) (square (velocity s))))
+
 (define (follow f state method) ((state-advancer (lambda () f)) state 1 1e-10 #:method method))
 
 (define velocity-text
@@ -97,6 +99,8 @@
   "state-advancer: leapfrog " velocity-text (use "(Gauss-Legendre-2 0.01)")]
  [(follow (damped 1e-6) (up 0 1 0) (Yoshida-4 0.01))
   "state-advancer: Yoshida-4 " velocity-text (use "(Gauss-Legendre-4 0.01)")]
+ [(follow rushing (up 0 1 0) (leapfrog 0.01))
+  "state-advancer: leapfrog " velocity-text (use "(Gauss-Legendre-2 0.01)")]
  [(follow sliding (up 0 1 0.5) (Yoshida-6 0.25))
   "state-advancer: Yoshida-6 " velocity-text (use "(Gauss-Legendre-6 0.25)")]
  [(follow magnetic (up 0 (up 1 0) (up 0 0)) (Yoshida-8 0.25))

@@ -52,6 +52,19 @@
   (define-values (message end) (failure-of by-velocities velocities-at-start 1e-13 'auto))
   (check-names-the-angle message))
 
+(test-case "wherever the angle is counted from"
+  (for ([quarters '(1 2 3 -1 -2 4)] [text '("π/2" "π" "3π/2" "-π/2" "-π" "2π")])
+    (define-values (shift start) (values (* quarters 0.5 pi) (ref momenta-at-start 1 0)))
+    (define (theta-from-0 s)
+      (define q (coordinate s))
+      (up (- (ref q 0) shift) (ref q 1) (ref q 2)))
+    (define (shifted s) (L (up (time s) (theta-from-0 s) (velocity s))))
+    (define-values (message end)
+      (failure-of (Hamiltonian->state-derivative (Lagrangian->Hamiltonian shifted))
+                  (up 0.0 (up (+ start shift) 0.0 0.0) (ref momenta-at-start 2)) 1e-14 'auto))
+    (check-regexp-match (string-append "[(]ref [(]coordinate state[)] 0[)] is " text ", of which")
+                        message)))
+
 (test-case "steps do not crawl towards it for ever"
   (for ([method '(Dormand-Prince-853 Dormand-Prince-54)])
     (define-values (message end) (failure-of by-momenta momenta-at-start 1e-14 method))
