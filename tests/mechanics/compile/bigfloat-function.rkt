@@ -24,5 +24,6 @@
       (check-equal? value 3)
       traced?)
     (check-false (traced-at-all? (lambda (x) (if (symbol? x) (m:+ x 1) x))))
+    (check-false (traced-at-all? (lambda (x) (m:up x (if (symbol? x) (m:+ x 1) x)))))
     ;; where the program has no value, too
     (check-false (traced-at-all? (lambda (x) (if (symbol? x) (m:sqrt (m:- -1 (m:* x x))) x))))))

@@ -2,6 +2,8 @@
 ;; Words put together, and what is raised with them.
 
 (require mechanics/error/complain
+         mechanics/error/failure
+         mechanics/error/hint
          mechanics/error/machine-limits
          mechanics/error/message-words
          "../support/checks.rkt")
@@ -38,3 +40,25 @@
     (check "f"))
   (check-exn (lambda (e) (not (exn:fail:contract? e)))
              (lambda () (raise-unavailable 'f "no"))))
+
+(test-case "an integral that is none carries the best value, its error and the place of trouble"
+  (for ([raise-with (list raise-divergent-integral raise-unknown-integral raise-rounded-integral)]
+        [what '("does not converge" "whether it converges" "too far apart there")])
+    (define e (with-handlers ([exn:fail:mechanics? values]) (raise-with 'f 1.5 0.25 3)))
+    (check-regexp-match
+     (string-append "^f: the integral .*" what
+                    ".*\n  trouble near: 3\n  best value: 1[.]5\n  error estimate: 0[.]25$")
+     (exn-message e))
+    (check-equal? (list (exn:fail:mechanics:not-convergent-value e)
+                        (exn:fail:mechanics:not-convergent-error-estimate e)
+                        (exn:fail:mechanics:not-convergent:integral-where e))
+                  '(1.5 0.25 3))))
+
+(test-case "what to type in place of a list depends on what it looks like"
+  (check-equal? (list-hint '(1 2)) "\n  a list is not a tuple; use (up x y ...)")
+  (check-equal? (list-hint '() "(up t q v)") "\n  a list is not a tuple; use (up t q v)")
+  (for ([x '((+ a b) (sin x) (up 1 2) (sec x))])
+    (check-equal? (list-hint x) (quoted-hint x))
+    (check-regexp-match #rx"read-expression makes one of it" (list-hint x)))
+  (for ([x '(x 1 (+ a . b))]) (check-equal? (quoted-hint x) ""))
+  (check-equal? (list-hint 'x) ""))

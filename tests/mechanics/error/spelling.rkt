@@ -19,6 +19,8 @@
   (check-suggests 'determinent '(determinant))
   (check-suggests 'simplfiy '(simplify))
   (check-suggests 'sqaure '(square))
+  (check-suggests 'isnh '(sinh))
+  (check-suggests 'sonh '(sinh))
   (check-suggests 'gamma '(Gamma))
   (check-suggests 'lagrangian->Energy '(Lagrangian->energy)))
 
@@ -45,3 +47,8 @@
   (check-equal? (alternatives '(a)) "a")
   (check-equal? (alternatives '(a b)) "a or b")
   (check-equal? (alternatives '(a b c)) "a, b or c"))
+
+(test-case "among few names one slip is allowed for two letters, and for three"
+  (check-equal? (nearest-names "cat" '(cut dot)) '(cut))
+  (check-equal? (nearest-names "cat" '(dot)) '())
+  (check-equal? (nearest-names "rismg" '(rising falling)) '(rising)))

@@ -44,6 +44,12 @@
       (for ([name required]) (printf "(require ~s)\n" name))))
   file)
 
+;; What is printed where the file is expanded, as for colours, and not declared
+(define (expanded-alone folder file)
+  (racket "-e" (format "(parameterize ([read-accept-reader #t] [current-load-relative-directory ~s])
+                          (void (expand (call-with-input-file ~s read-syntax))))"
+                       (string-append folder "mechanics/") (path->string file))))
+
 (define (compile-to-file file)
   (check-equal? (racket "-N" "raco" "-l-" "raco" "make" (path->string file)) ""))
 
@@ -62,6 +68,7 @@
          (compile-to-file compiled)
          (check-equal? (racket main) advice))
        (check-equal? (racket base) "")
+       (check-equal? (expanded-alone folder main) "")
        (compile-to-file main)
        (check-equal? (racket main) ""))))
 
@@ -105,6 +112,11 @@ Programs outside of /sicm/ need not wait, once mechanics is installed:  make -C 
      (check-equal? (stale) '())
      (define in-DrRacket (list (build-path "compiled" "drracket") (string->path "compiled")))
      (check-equal? (parameterize ([use-compiled-file-paths in-DrRacket]) (stale)) '())
+     (define-values (room name _) (split-path file))
+     (define compiled
+       (file-or-directory-modify-seconds (build-path room "compiled" "uncompiled_rkt.zo")))
+     (file-or-directory-modify-seconds file compiled)
+     (check-equal? (stale) '())
      (file-or-directory-modify-seconds file (+ 100 (current-seconds)))
      (check-equal? (stale) (list (last all)))
      (check-equal? (parameterize ([use-compiled-file-paths in-DrRacket]) (stale))
