@@ -230,6 +230,16 @@
                                      '(c)))
                 '(add multiply)))
 
+;; Of b c d, a b c and a b c e first b c is a product, which is in all three.
+(test-case "what most products have in common is multiplied first"
+  (check-equal? (length (operations
+                         (shorter '(a b c d e)
+                                  '((ab (multiply a b)) (abc (multiply ab c))
+                                    (abce (multiply abc e))
+                                    (bd (multiply b d)) (bcd (multiply bd c)))
+                                  '(abc abce bcd))))
+                4))
+
 (test-case "quotients of one divisor are added first"
   (check-equal? (operations (shorter '(x y z) '((a (divide x z)) (b (divide y z)) (c (add a b)))
                                      '(c)))
