@@ -69,6 +69,27 @@
  [((((differential gamma) d/dt) X) at-0)
   "geometry: these live on different manifolds, R3 and S2\n  given: (R3-rect S2-spherical)"])
 
+(test-case "what is made of fields over a map is over it"
+  (define w2/mu ((form-field->form-field-over-map mu) (wedge w dx)))
+  (define R (Riemann-curvature (covariant-derivative (literal-Cartan 'G R2-rect))))
+  (define (refused make field) (message-of ((make g basis) field)))
+  (check-regexp-match #rx"one is over a map\n.*, a 1-form over a map$"
+                      (refused codifferential ((interior-product (along v)) w2/mu)))
+  (check-regexp-match #rx"^divergence: expected a field on a manifold; this one is over a map\n"
+                      (refused divergence ((R (along v) (along v)) (along v)))))
+
+;; dr² + (r − 1)² dφ², of which the area is |r − 1|
+(test-case "an area is positive on either side of where it is 0"
+  (define-coordinates (up r phi) R2-polar)
+  (define h
+    (make-metric (lambda (u v) (+ (* (dr u) (dr v)) (* (square (- r 1)) (dphi u) (dphi v))))
+                 R2-polar))
+  (define area
+    (((Hodge-star h (coordinate-system->basis R2-polar)) (+ 1 zero-manifold-function))
+     d/dr d/dphi))
+  (for ([at '(1/2 4)] [expected '(1/2 3)])
+    (check-equal? (area ((point R2-polar) (up at 0))) expected)))
+
 (test-case "the components in a chart go with it"
   (define (frame) (make-SR-frame 'moving the-ether (up 1 0 0) 3/5 (up 0 0 0 0)))
   (define kept
