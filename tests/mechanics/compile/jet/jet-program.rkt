@@ -2,7 +2,7 @@
 ;; Taylor coefficients by recurrences, compared with Cauchy's integrals of the same functions
 ;; over a circle, which know nothing of recurrences.
 
-(require racket/flonum racket/math
+(require racket/flonum (only-in racket/list last) racket/math
          (prefix-in m: mechanics)
          (only-in mechanics/algebra/expression/numeric-functions erf)
          mechanics/compile/jet/jet-program mechanics/compile/trace
@@ -139,6 +139,31 @@
         (for/vector ([z row] [j (in-naturals)]) (if (= j k) v z))))
     (/ (determinant with-right) (determinant A)))
   (for ([k 3]) (check-coefficients (list 'system k) (solved k) (by-Cramer k))))
+
+;; More than three unknowns are left to an elimination with numbers, which is one recurrence.
+(define (eliminated rows)       ; rows with their right sides -> the unknowns
+  (if (null? rows)
+      '()
+      (let* ([pivot (car rows)]
+             [others (for/list ([row (cdr rows)])
+                       (for/list ([x (cdr row)] [p (cdr pivot)])
+                         (- x (* (/ (car row) (car pivot)) p))))]
+             [known (eliminated others)])
+        (define sum (for/sum ([p (cdr pivot)] [x known]) (* p x)))
+        (cons (/ (- (last pivot) sum) (car pivot)) known))))
+
+(test-case "linear systems of four unknowns"
+  (define ((solved k) x y)
+    (m:ref (m:solve-linear-left
+            (m:matrix-by-rows (list (m:+ 4 x) y 1 0) (list x (m:- 5 y) 0 1)
+                              (list (m:* x y) 1 3 y) (list 0 (m:cos y) x 6))
+            (m:up x y 1 (m:* x y)))
+           k))
+  (define ((by-elimination k) x y)
+    (list-ref (eliminated (list (list (+ 4 x) y 1 0 x) (list x (- 5 y) 0 1 y)
+                                (list (* x y) 1 3 y 1) (list 0 (cos y) x 6 (* x y))))
+              k))
+  (for ([k 4]) (check-coefficients (list 'unknown k) (solved k) (by-elimination k))))
 
 ;; ---------------------------------------------------------------------------
 ;; Functions of the time, which is a row that ends: x' = f(t), so x_{k+1} = f_k / (k + 1)

@@ -269,3 +269,23 @@
  "(define columns (rows-transpose (list->vector (jacobian-rows who cs state))))"
  "(define columns (rows-transpose (list->vector (jacobian-rows cs cs state))))"
  "the name is for values that are no numbers, and those at this state have been checked by then")
+("compile/program.rkt"
+ "(define new-index (make-vector (vector-length needed) #f))"
+ "(define new-index (make-vector (vector-length needed) #t))"
+ "nothing that is kept reads an instruction that is not, whose new number is this")
+("compile/jet/jet-program.rkt"
+ "(define varying (for/vector ([x (in-list matrix)]) (> (degree r x) 0)))"
+ "(define varying (for/vector ([x (in-list matrix)]) (>= (degree r x) 0)))"
+ "coefficients of an entry that does not vary are 0: products with them take time alone" limit)
+("motion/linearized-flow.rkt"
+ "(raise-singular who \"a motion has no Taylor series by its start; D of D is taken\" #f))"
+ "(raise-singular who \"a motion has no Taylor series by its start; D of D is taken\" #t))"
+ "a word from one part of the library to another, D, which takes another way then")
+("motion/system/make-system.rkt"
+ "(define s (flvector->structure state (state-vector who state)))"
+ "(define s (flvector->structure state (state-vector state state)))"
+ "the name is for states that are none, and this one has been checked by then")
+("motion/choose-method.rkt"
+ "(define (long? s) (> (or (system-operations s) 0) most-operations))"
+ "(define (long? s) (>= (or (system-operations s) 0) most-operations))"
+ "from how many operations on the Taylor method is not tried: either method is right" limit)
