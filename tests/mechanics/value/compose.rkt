@@ -8,6 +8,7 @@
          mechanics/value/compose
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
+         mechanics/value/series/series-access
          mechanics/value/signature
          "../support/checks.rkt" "../support/same.rkt")
 
@@ -32,7 +33,8 @@
 (test-case "a composition takes the arguments of its last function"
   (check-equal? (arity-mask (compose V F)) 4)
   (check-true (accepts? (compose V F) 2))
-  (check-false (accepts? (compose V F) 1)))
+  (check-false (accepts? (compose V F) 1))
+  (check-equal? (arity-mask (compose V (power-series 0 1))) (arity-mask V)))
 
 (test-case "a composition prints as what was typed, and has a derivative"
   (check-equal? (format "~a" (compose V g:sin)) "(compose V sin)")

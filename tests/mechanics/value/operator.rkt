@@ -8,6 +8,7 @@
          mechanics/value/operator
          mechanics/calculus/derivative
          mechanics/calculus/literal-function
+         mechanics/value/series/series-access
          mechanics/value/signature
          "../support/checks.rkt" "../support/same.rkt")
 
@@ -112,3 +113,8 @@
   (check-true (same? (g:expt hD 3) (g:* (g:expt 'h 3) (g:expt D 3))))
   (check-true (same? (g:expt (g:* 2 (g:expt hD 2)) 2) (g:* 4 (g:expt 'h 4) (g:expt D 4))))
   (check-true (same? (g:expt (g:* x D) 2) (g:+ (g:* x D) (g:* (g:square x) (g:expt D 2))))))
+
+(test-case "exp(hD) shifts 1/(1 - x) by h: thirty powers of D without a nest of derivatives"
+  (define (f x) (g:/ 1 (g:- 1 x)))
+  (check-equal? (series:head (((g:exp (g:* 2 D)) f) 0) 30)
+                (for/list ([k 30]) (expt 2 k))))

@@ -54,7 +54,9 @@
    (lambda () (substitute 'm 'm)))
   (check-exn #rx"a symbol or an expression to replace\n  given: the number 3"
              (lambda () (substitute 'm 3 'm)))
-  (check-exn #rx"a number or an expression as replacement" (lambda () (substitute 'm 'm (up 1 2)))))
+  (check-exn #rx"a number or an expression as replacement" (lambda () (substitute 'm 'm (up 1 2))))
+  (check-exn #rx"the symbol z; .*: [(]substitute [(][+] y z[)] 'y 'z[)]$"
+             (lambda () (substitute 'z 'y (g:+ 'y 'z)))))
 
 (test-case "with-literals binds names to symbols"
   (check-equal? (with-literals (m k) (list m k)) '(m k)))

@@ -26,6 +26,7 @@
 (test-case "what differs somewhere differs, without a word"
   (check-equal? (told (check-false (= 'a 'b))
                       (check-false (= 'x 0))
+                      (check-false (= 'x +inf.0))
                       (check-false (zero? 'x))
                       (check-false (= (+ 'a 1) (- 'a 1)))
                       (check-false (= (up 1 'a) (up 1 'b)))
@@ -39,6 +40,8 @@
   (check-false (= 0.3 (+ 0.1 0.2)))
   (check-false (= +nan.0 +nan.0))
   (check-true (zero? -0.0))
+  (check-true (one? 1.0))
+  (check-false (one? 2))
   (check-eq? (object-name =) '=)
   (check-eq? (object-name zero?) 'zero?))
 

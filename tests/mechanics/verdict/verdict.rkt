@@ -6,6 +6,7 @@
          mechanics/generic/elementary
          mechanics/generic/up-down
          mechanics/value/matrix/matrix
+         mechanics/value/series/series-access
          mechanics/value/simplify
          mechanics/value/signature
          mechanics/calculus/derivative
@@ -44,6 +45,24 @@
   (check-true (refuted? (verify-equal (up 'a 1) (up 1 'a))))
   (check-exn #rx"their orientations differ" (lambda () (verify-equal (up 1) (down 1)))))
 
+(test-case "decimals are compared each with its partner, in a tuple as alone"
+  (define (lines a b) (map caddr (cdr (verdict-lines (verify-equal a b)))))
+  (check-equal? (cdr (lines (up 0.3) (up (+ 0.1 0.2)))) (lines 0.3 (+ 0.1 0.2)))
+  (for ([pair '((0.1 0.1) (1/10 0.1) (0.1 1/10))])
+    (check-equal? (verdict-reason (apply verify-equal pair)) 'decimals))
+  (check-regexp-match #rx"evidence: decimals cancel, and" (format "~a" (prove-zero 0.0))))
+
+(test-case "the residual of an equation is its left side without its right one, 0 or not"
+  (for* ([a (list 0 'a 2)] [b (list 0 'b 3)])
+    (check-equal? (verdict-residual (verify-equal a b)) (simplify (g:- a b)))))
+
+(test-case "a series that ends is judged as a whole, of one that does not the first terms"
+  (check-true (proved? (prove-zero (series 0 pythagoras))))
+  (define v (prove-zero (g:- (g:exp (power-series 0 1)) (g:exp (power-series 0 1)))))
+  (check-equal? (verdict-reason v) 'series)
+  (check-regexp-match #rx"\n  examined: terms up to order 7 of a series that does not end$"
+                      (format "~a" v)))
+
 (test-case "a witness is a point where the residual has the value that is given"
   (for ([x (list (g:- 'a 'b) (g:- (g:square (g:sin 'a)) 1) (up 0 (g:- (V 't) 1))
                  (g:- 'k (g:* 'm (g:square 'omega))))])
@@ -66,6 +85,8 @@
    #rx"^prove-zero: expected a number, an expression, a tuple of them, or a function\n  given: \"x\", a string$"
    (lambda () (prove-zero "x")))
   (check-exn #rx"^prove-zero: .*given: [(]1 2[)], a list" (lambda () (prove-zero '(1 2))))
+  (check-exn #rx"^prove-zero: expected the variables, a list of symbols\n  given: [(]x 1[)]"
+             (lambda () (prove-zero 0 #:variables '(x 1))))
   (check-exn #rx"^prove-zero: D is an operator; give it a function to act on"
              (lambda () (prove-zero D))))
 
@@ -91,6 +112,32 @@
                                          (g:* (g:- 'c (g:square 'd)) (g:cos t))))))
   (check-regexp-match #rx"\n  zero if: a = b, c = [(]expt d 2[)]\n" (format "~a" v))
   (check-equal? (verdict-conditions (prove-zero (lambda (t) (g:- 'g (g:* 6 'c t))))) '()))
+
+(test-case "scalars of a tuple and of a matrix are named by their places"
+  (define (names v)
+    (for/list ([line (verdict-lines v)] #:when (and (eqv? (car line) 1) (not (caddr line))))
+      (cadr line)))
+  (check-equal? (names (prove-zero (up 0 (down 0 'a) 'b))) '("component 1 1" "component 2"))
+  (check-equal? (names (prove-zero (matrix-by-rows '(0 a) '(b 0))))
+                '("row 0, column 1" "row 1, column 0"))
+  (check-equal? (names (prove-zero 'a)) '()))
+
+(test-case "all of a tuple vanishes where each of its components does, if there is a way"
+  (check-equal? (verdict-alternatives (prove-zero (up (g:- 'a 'b) 1))) '())
+  (define v (prove-zero (up (g:- 'a 'b) (g:- 'b 'c))))
+  (check-equal? (map length (verdict-alternatives v)) '(2))
+  (check-regexp-match #rx"\n  all zero if: " (format "~a" v))
+  (check-regexp-match #rx"\n  zero if: a = b$" (format "~a" (prove-zero (up (g:- 'a 'b) (g:- 'b 'a))))))
+
+(test-case "of many decimals four are shown, and how many more there are"
+  (define x (g:- (g:+ (g:* 0.1 'a) (g:* 0.2 'b) (g:* 0.3 'c) (g:* 0.4 'd) (g:* 0.7 'e))
+                 (g:+ (g:* 1/10 'a) (g:* 1/5 'b) (g:* 3/10 'c) (g:* 2/5 'd)
+                      (g:* 0.7000000000000001 'e))))
+  (check-regexp-match #rx"and 2 more" (format "~a" (prove-zero x))))
+
+(test-case "a symbol that is spelt like π is told, wherever it stands"
+  (for ([x (list 'pi (g:* 'a 'pi) (up 'a 'pi 'b))])
+    (check-regexp-match #rx"\n  note: the symbol pi is an unknown" (format "~a" (prove-zero x)))))
 
 (test-case "a value of many digits is shown to six"
   (check-equal? (last-line (prove-zero (g:* (expt 10 60) 'm))) "  value: 1e+60")

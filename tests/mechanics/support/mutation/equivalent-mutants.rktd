@@ -289,3 +289,7 @@
  "(define (long? s) (> (or (system-operations s) 0) most-operations))"
  "(define (long? s) (>= (or (system-operations s) 0) most-operations))"
  "from how many operations on the Taylor method is not tried: either method is right" limit)
+("value/interpolation/barycentric.rkt"
+ "4))"
+ "5))"
+ "a common factor of the weights, which cancels: only beyond some 3,000 points do products overflow" limit)

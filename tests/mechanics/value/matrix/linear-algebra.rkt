@@ -126,9 +126,20 @@
                  "  solutions: none, the right-hand side not depending in the same way"))
   (check-equal? (exn:fail:mechanics:singular-where failure) (matrix-by-rows '(1 2) '(2 4)))
   (check-equal? (exn:fail:mechanics:singular:matrix-null-vectors failure) (list (up -2 1)))
-  (check-exn exn:fail:mechanics:singular? (lambda () (m:invert (matrix-by-rows '(0 0) '(0 0)))))
+  (define A (matrix-by-rows '(0 0) '(0 0)))
+  (check-eq? (with-handlers ([exn:fail:mechanics:singular? exn:fail:mechanics:singular-where])
+               (m:invert A))
+             A)
   (check-exn exn:fail:mechanics:singular?
              (lambda () (solve-linear-left (down (down 1 2) (down 2 4)) (down 'x 'y)))))
+
+(test-case "a system from the right fails by its own name, with null vectors from the left"
+  (check-exn #rx"^solve-linear-right: the matrix has no inverse\n.*null vector: [(]down -2 1[)]\n"
+             (lambda () (solve-linear-right (down 1 1) (matrix-by-rows '(1 2) '(2 4)))))
+  (check-exn #rx"^solve-linear-right: expected a square matrix\n"
+             (lambda () (solve-linear-right (down 1 1) (matrix-by-rows '(1 2)))))
+  (check-exn #rx"^solve-linear-right: the right-hand side must be a down tuple of 2, to match "
+             (lambda () (solve-linear-right 1 (down (up 1 2) (up 3 4))))))
 
 (test-case "a right-hand side of the wrong shape is named"
   (check-exn
@@ -148,6 +159,10 @@
   ;; a pivot that is nearly zero
   (check-true (same? (solve-linear-left (matrix-by-rows '(1e-20 1.0) '(1.0 1.0)) (up 1.0 2.0))
                      (up 1.0 1.0) 1e-12)))
+
+(test-case "exact numbers beside flonums are decimals: the solution holds flonums alone"
+  (check-equal? (solve-linear-left (matrix-by-rows '(2.0 1.0) '(1.0 1.0)) (up 1 2)) (up -1.0 3.0))
+  (check-equal? (solve-linear-left (matrix-by-rows '(2 1) '(1 1)) (up 1.0 2.5)) (up -1.5 4.0)))
 
 ;; ---------------------------------------------------------------------------
 ;; Structures as matrices (SICM p. 353)

@@ -71,7 +71,11 @@
   (check-exn #rx"^[+]: cannot add a 2 by 3 matrix and a number" (lambda () (g:+ M 1)))
   (check-exn #rx"^[+]: cannot add a 2 by 3 matrix and a 2 by 2 matrix"
              (lambda () (g:+ M (identity-matrix 2))))
+  (check-exn #rx"^[+]: cannot add a 2 by 3 matrix and .*[(]up 1 2[)], an up tuple of 2$"
+             (lambda () (g:+ M (up 1 2))))
   (check-exn #rx"^expt: expected a square matrix" (lambda () (g:expt M 2)))
+  (check-exn #rx"^expt: cannot raise a 2 by 2 matrix to the power of .*1/2"
+             (lambda () (g:expt (identity-matrix 2) 1/2)))
   (check-exn #rx"^sin: cannot be taken of a 2 by 3 matrix" (lambda () (g:sin M))))
 
 (test-case "the action is associative with the product"
