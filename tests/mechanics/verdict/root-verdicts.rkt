@@ -24,11 +24,6 @@
   (check-eq? (status (up (sqrt 12) (* 'x (sqrt 8))) (up (* 2 (sqrt 3)) (* 2 'x (sqrt 2)))) 'proved)
   (check-eq? (verdict-status (prove-zero (sqrt 2))) 'refuted))
 
-(test-case "a total time derivative of a root that is real nowhere is not proved one"
-  (define ((D-root sign) (up t x v)) (/ (* sign x v) (sqrt (* sign (+ 1 (square x))))))
-  (define (reason sign) (verdict-reason (verify-total-time-derivative (D-root sign) (up 't 'x 'v))))
-  (check-equal? (map reason '(1 -1)) '(#f nowhere-defined)))
-
 (test-case "normal modes typed by hand"
   (define ((L m k) (up t (up x y) (up vx vy)))
     (- (* 1/2 m (+ (square vx) (square vy))) (* 1/2 k (+ (square x) (square (- x y))))))

@@ -293,3 +293,11 @@
  "4))"
  "5))"
  "a common factor of the weights, which cancels: only beyond some 3,000 points do products overflow" limit)
+("verdict/vanishing-conditions.rkt"
+ "(define most-equations 4)"
+ "(define most-equations 5)"
+ "how many equations together are worth telling: one more would be true as well" limit)
+("verdict/report.rkt"
+ "(define n (if (< x 1) (- digits) (- digits 1)))"
+ "(define n (if (<= x 1) (- digits) (- digits 1)))"
+ "asked of numbers that no flonum is near, and 1 is one")
