@@ -10,7 +10,7 @@
          "../../generic/describe.rkt"
          "../../verdict/verdict.rkt")
 
-(provide certify-command certificate-in-time)
+(provide certify-command)
 
 (define who 'certify)
 

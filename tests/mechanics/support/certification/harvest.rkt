@@ -4,7 +4,7 @@
 
 (require racket/file racket/list racket/path racket/runtime-path
          mechanics/certificate/certificate
-         mechanics/lang/command/certify-program mechanics/lang/command/program-verdicts
+         mechanics/lang/command/program-verdicts
          mechanics/show/notebook/program-cells
          mechanics/verdict/verdict
          "../../../../scribblings/mechanics/guide-notebook.rkt"
