@@ -5,7 +5,6 @@
 (require file/zip
          json
          (only-in mechanics/lang/command/written-files plain-file-name)
-         racket/file
          racket/list
          racket/string
          "../../support/checks.rkt" "../../support/worksheet-folder.rkt")

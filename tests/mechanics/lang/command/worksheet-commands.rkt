@@ -3,7 +3,6 @@
 ;; status.
 
 (require json
-         racket/file
          racket/list
          racket/string
          xml

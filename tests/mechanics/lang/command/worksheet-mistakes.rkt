@@ -2,8 +2,7 @@
 ;; Mistakes on the line of `raco mechanics new`, `worksheet`, `handout` and `check`, and in
 ;; worksheets.
 
-(require racket/file
-         "../../support/checks.rkt" "../../support/worksheet-folder.rkt")
+(require "../../support/checks.rkt" "../../support/worksheet-folder.rkt")
 
 (void (command "new" "first"))
 (write-text "program.rkt" "#lang mechanics" "(* 2 'x)")

@@ -2,24 +2,13 @@
 ;; A worksheet as a notebook: what students get, how answers are judged in its cells, and what
 ;; `raco mechanics check` makes of it.
 
-(require mechanics/lang/command/raco
-         mechanics/notebook/run-cells
+(require mechanics/notebook/run-cells
          mechanics/show/notebook/notebook-file mechanics/show/notebook/program-cells
          racket/file
          racket/list
          racket/string
-         "../../support/checks.rkt")
-
-(define folder (make-temporary-file "mechanics-worksheets~a" 'directory))
-(define (in-folder name) (build-path folder name))
-
-;; -> status, and what was printed
-(define (command . arguments)
-  (define out (open-output-string))
-  (define status
-    (parameterize ([current-output-port out] [current-error-port out] [current-directory folder])
-      (run-command-line arguments)))
-  (list status (get-output-string out)))
+         "../../support/checks.rkt"
+         (only-in "../../support/worksheet-folder.rkt" command delete-folder in-folder))
 
 (display-to-file
  #<<END
@@ -127,4 +116,4 @@ END
   (check-equal? (last-of "(exercises \"AAAA\")")
                 "worksheet: the lines that hold its exercises were changed; take a new copy"))
 
-(delete-directory/files folder)
+(delete-folder)
