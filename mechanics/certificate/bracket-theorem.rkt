@@ -5,7 +5,7 @@
 ;; D1_momentum_0 is the derivative of momentum_0 by its argument 1, where argument 0 is the time.
 
 (require racket/list racket/string
-         "Coq-names.rkt" "Coq-term.rkt" "derivative-theorem.rkt" "theorem-text.rkt"
+         "Coq-names.rkt" "derivative-theorem.rkt" "theorem-text.rkt"
          "../calculus/derivative.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt"
