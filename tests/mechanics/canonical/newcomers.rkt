@@ -3,6 +3,8 @@
 ;; of what was called, never of what that calls.
 
 (require mechanics
+         (only-in mechanics/verdict/verdict
+                  verdict-claim claim-subject canonical-claim-C canonical-claim-state)
          "../support/checks.rkt" "../support/messages.rkt" "../support/session.rkt")
 
 (define line (up 't 'q 'p))
@@ -12,6 +14,14 @@
 (define ((H-harmonic m k) (up t x p)) (+ (/ (square p) (* 2 m)) (* 1/2 k (square x))))
 (define C (F->CH p->r))
 (define H (literal-function 'H (Hamiltonian 2)))
+
+(test-case "residuals print as the calls that make them, and a verdict knows what it is about"
+  (for ([residual (list (compositional-canonical? C H) (canonical-H? C H))]
+        [text '("(compositional-canonical? (F->CH p->r) H)" "(canonical-H? (F->CH p->r) H)")])
+    (check-equal? (format "~a" residual) text))
+  (define claim (claim-subject (verdict-claim (verify-canonical C polar))))
+  (check-eq? (canonical-claim-C claim) C)
+  (check-equal? (canonical-claim-state claim) polar))
 
 ;; ---------------------------------------------------------------------------
 ;; Arguments exchanged, parameters forgotten

@@ -301,3 +301,11 @@
  "(define n (if (< x 1) (- digits) (- digits 1)))"
  "(define n (if (<= x 1) (- digits) (- digits 1)))"
  "asked of numbers that no flonum is near, and 1 is one")
+("canonical/action-angle.rkt"
+ "(define wait (* (orbit-period (orbit-at p)) (/ (- angle (* 2 pi (floor (/ angle (* 2 pi)))))"
+ "(define wait (* (orbit-period (orbit-at p)) (/ (- angle (* 2 pi (floor (/ angle (+ 2 pi)))))"
+ "another whole number of turns: the motion is followed longer, or backwards, to the same state" limit)
+("algebra/rewriting/collect.rkt"
+ "(> m n)))"
+ "(>= m n)))"
+ "where both are equal the branch before it answers")
