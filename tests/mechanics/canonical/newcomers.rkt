@@ -19,6 +19,8 @@
   (for ([residual (list (compositional-canonical? C H) (canonical-H? C H))]
         [text '("(compositional-canonical? (F->CH p->r) H)" "(canonical-H? (F->CH p->r) H)")])
     (check-equal? (format "~a" residual) text))
+  (define S (lambda (t q) (* q t)))
+  (check-equal? (procedure-arity (Hamilton-Jacobi-residual (H-harmonic 1 1) S)) 2)
   (define claim (claim-subject (verdict-claim (verify-canonical C polar))))
   (check-eq? (canonical-claim-C claim) C)
   (check-equal? (canonical-claim-state claim) polar))

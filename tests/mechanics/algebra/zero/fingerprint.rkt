@@ -99,6 +99,8 @@
   (check-equal? (judge squares) 'zero)
   (check-all unknown
     (/ 1 (- 1 (expt (sin a) 2) (expt (cos a) 2)))
+    (expt (- (expt (+ a b) 2) (* a a) (* 2 a b) (* b b)) -2)
+    (expt (- (expt (+ a b) 2) (* a a) (* 2 a b) (* b b)) -1/3)
     (+ a +i)
     (* a +inf.0)))
 

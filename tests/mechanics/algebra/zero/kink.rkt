@@ -70,6 +70,7 @@
   (finds [(sqrt (+ (expt x 2) (expt y 2)))]
          [(sqrt (+ (expt (* x (cos y)) 2) (expt (* x (sin y)) 2)))]
          [(sqrt (* 2 m (+ (expt (* x (cos y)) 2) (expt (* x (sin y)) 2))))]
+         [(sqrt (+ (* 1/2 x x) (* 1/3 (expt x 2)))) (kink (= x 0))]
          [(sqrt (+ (expt x 2) (* 2 x) 1)) (kink (= x -1))]))
 
 (test-case "inverses of what is periodic, or even"
