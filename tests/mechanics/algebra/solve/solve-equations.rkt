@@ -2,8 +2,8 @@
 ;; Equations solved by factors: known ones, and every solution put back.
 
 (require (only-in mechanics
-                  + - * / expt square sin cos acos asin exp cosh sinh pi expression simplify sqrt abs
-                  magnitude substitute proved? prove-zero)
+                  + - * / expt square sqrt abs magnitude sin cos acos asin exp cosh sinh pi
+                  expression simplify substitute proved? prove-zero)
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/constant-value
          mechanics/algebra/solve/solve-by-cases mechanics/algebra/solve/solve-equations
