@@ -118,6 +118,21 @@
   (check-equal? (assumptions '(- (* (sqrt x) (sqrt y)) (sqrt (* x y)))) '())
   (check-equal? (sort (map cadr (assumptions '(+ (sqrt x) (expt (* x y) 3/2)))) symbol<?) '()))
 
+(test-case "of what is not real, or may not be, a root keeps it; numbers come out"
+  (check-forms
+   [(sqrt (* 4 (log y))) (* 2 (sqrt (log y)))]
+   [(sqrt (* 4 (sqrt (- -1 (* y y))))) (* 2 (sqrt (sqrt (- -1 (expt y 2)))))]
+   [(sqrt (* 4 (+ x +i))) (* 2 (sqrt (+ x +i)))]
+   [(expt (* 8 (+ x +i)) 1/3) (* 2 (expt (+ x +i) 1/3))]
+   [(* (sqrt (+ x +i)) (sqrt (* 4 (+ x +i)))) (* 2 (+ x +i))]))
+
+(test-case "a long argument is simplified as a short one"
+  (define long                          ; y, in 250 nodes
+    `(+ y ,@(for/list ([k (in-range 1 13)])
+              `(- (expt (+ x ,k) 2) (+ (* x x) (* ,(* 2 k) x) ,(* k k))))))
+  (check-equal? (simplified `(f ,long)) '(f y))
+  (check-equal? (simplified `(exp (sin ,long))) '(exp (sin y))))
+
 (test-case "the root of one minus a squared cosine is a sine, taken to be positive"
   (check-forms [(sqrt (- 1 (expt (cos x) 2))) (sin x)])
   (check-equal? (assumptions '(sqrt (- 1 (expt (cos x) 2)))) '((>= (sin x) 0))))

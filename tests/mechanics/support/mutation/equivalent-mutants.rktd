@@ -309,3 +309,7 @@
  "(> m n)))"
  "(>= m n)))"
  "where both are equal the branch before it answers")
+("algebra/simplify/simplifier-workspace.rkt"
+ "[(and (fuel-empty? (simplifier-fuel w)) (not (small? e))) e]"
+ ""
+ "a large argument is simplified though no work was left for it: a bound of time" limit)
