@@ -20,6 +20,11 @@
   (check-true (< (apply max steps) 0.020001))
   (check-close (apply + steps) 8 0.05))
 
+(test-case "it begins within a gap of the fixed point"
+  (for ([gap '(0.05 1e-4)])
+    (define first-one (car (invariant-manifold T saddle #:length (* 10 gap) #:gap gap)))
+    (check-true (< 0 (euclidean-norm first-one) gap))))
+
 (test-case "all its points come from the fixed point"
   (for ([p (invariant-manifold T saddle #:length 6 #:gap 0.3)])
     (define back ((iterated-map inverse 15) (abscissa p) (ordinate p) make-point void))

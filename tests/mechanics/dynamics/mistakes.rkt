@@ -110,6 +110,9 @@
   "stroboscopic-map: the rates of the system are others after that time, which is no period\n"
   "  given: 2.0\n  rates now: (up 1 0.0 1)\n  and then: (up 1 0.0 -0.6536436208636119)\n"
   "  what goes as (cos (* omega t)) has the period (/ :2pi omega)"]
+ [((stroboscopic-map (lambda (s) (up 1 (ref s 2) (* -1e12 (cos (ref s 0))))) (* 2 pi))
+   (up 0.3 0 0))
+  "no error"]
  [(stroboscopic-map shaken 0)
   "stroboscopic-map: expected a period that is not 0\n  given: the number 0"]
  [(driven-pendulum-map 1 1 9.8 0.05 0)

@@ -3,7 +3,7 @@
 
 (require mechanics
          (only-in mechanics/book L-harmonic)
-         mechanics/motion/progress-text
+         mechanics/error/progress mechanics/motion/progress-text
          "../support/checks.rkt" "../support/messages.rkt")
 
 (define (harmonic m k) (Lagrangian->state-derivative (L-harmonic m k)))
@@ -187,3 +187,10 @@
   (check-equal? (told 0.1234 10.0) "evolve: t = 0.12 of 10.00")
   (check-equal? (told 12345.6 2e6) "evolve: t = 12345.6 of 2000000.0")
   (check-equal? (told -0.00123 -0.01) "evolve: t = -0.0012 of -0.0100"))
+
+(test-case "a long run tells it to whoever waits"
+  (define-values (port now) (values (open-output-string) 0))
+  (define (clock) (set! now (+ now 1000)) now)
+  (parameterize ([current-reporter (reporter port clock)]) (evolve-trajectory oscillator start 50))
+  (check-regexp-match #px"\revolve-trajectory: t = \\d+[.]\\d\\d of 50[.]00\e"
+                      (get-output-string port)))

@@ -58,7 +58,8 @@
   '("manual.rkt" "show/plot/figures.rkt" "teaching/class/hostile.rkt" "scale/export/C.rkt"
     "certificate/checked-by-Coq.rkt" "teaching/class/hostile-notebooks.rkt" "attack.rkt"
     "lang/command/class-commands.rkt" "lang/help/cards.rkt" "show/display/program-end.rkt"
-    "exercises.rkt" "examples.rkt" "scale/export/python.rkt" "test-runner.rkt"))
+    "exercises.rkt" "examples.rkt" "scale/export/python.rkt" "test-runner.rkt"
+    "dynamics/invariant-curve/circles-of-motions.rkt"))
 
 (define (long-test? file)
   (and (member (path->string (find-relative-path tests file)) long-test) #t))

@@ -6,7 +6,8 @@
          mechanics/book
          (only-in mechanics/dynamics/map/displacement-index index-round)
          (only-in mechanics/dynamics/map/map-on-tuples make-map-on-tuples returns-after)
-         "../../support/checks.rkt" "../../support/close.rkt" "../../support/messages.rkt")
+         "../../support/checks.rkt" "../../support/close.rkt" "../../support/messages.rkt"
+         "../../support/notes.rkt")
 
 (define (found map guess [period 1]) (find-fixed-point map guess #:period period))
 
@@ -31,8 +32,24 @@
 (test-case "multipliers of maps that are linear, the greatest first"
   (define (turning-over x y return fail) (return (* -2 x) (* -1/2 y)))
   (check-close (fixed-point-multipliers (found turning-over (up 0.1 0.1))) '(-2 -1/2) 1e-9)
+  (define (falling x y return fail) (return (* 0.9 x) (* 0.1 y)))
+  (check-close (fixed-point-multipliers (found falling (up 0.1 0.2))) '(0.9 0.1) 1e-9)
   (define (of-three s) (up (ref s 0) (up (* 2 (ref s 1 0)) (* 1/2 (ref s 1 1))) (* -3 (ref s 2))))
   (check-close (fixed-point-multipliers (found of-three (up 0 (up 0.1 0.1) 0.1))) '(-3 2 1/2) 1e-9))
+
+(test-case "of two complex ones that above the real axis first, whichever way they point"
+  (for ([turn '(0.5 2.0 2.9)])
+    (define (turning x y return fail)
+      (return (- (* (cos turn) x) (* (sin turn) y)) (+ (* (sin turn) x) (* (cos turn) y))))
+    (define p (found turning (up 0.1 0.2)))
+    (check-close (angle (car (fixed-point-multipliers p))) turn 1e-9)
+    (check-close (fixed-point-rotation-angle p) turn 1e-9)))
+
+(test-case "a saddle that turns over need not keep areas"
+  (define (turning-over x y return fail) (return (* -2 x) (* -0.4 y)))
+  (check-equal? (fixed-point-kind (found turning-over (up 0.1 0.1))) 'reflection-hyperbolic)
+  (define (mirroring x y return fail) (return (* -2 x) (* 0.4 y)))
+  (check-equal? (fixed-point-kind (found mirroring (up 0.1 0.1))) 'hyperbolic))
 
 (test-case "beyond K = 4 the center is a saddle that turns over"
   (check-equal? (fixed-point-kind (found (standard-map 5.0) (up 3.1 0))) 'reflection-hyperbolic)
@@ -110,6 +127,14 @@
   (check-equal? (length (periodic-points (Henon-map 1.32) 5 '(-0.6 0.6 -0.6 0.6) #:grid '(5 5)))
                 10)
   (check-equal? (length (periodic-points (standard-map 0.9) 5 (list 0 :2pi 0 :2pi))) 40))
+
+;; Fixed where y is 0 or 1 and x is 4, which is on the edge.
+(test-case "points on the edges count, in their order; none is said to be missing"
+  (define (steps x y return fail) (return (+ x (* 0.3 (- 4 x))) (+ y (* 0.2 y (- 1 y)))))
+  (define region '(3 4 -0.5 1.5))
+  (check-close (map fixed-point-coordinates (periodic-points steps 1 region))
+               (list (up 4 0) (up 4 1)) 1e-9)
+  (check-equal? (told (periodic-points (standard-map 0.6) 1 '(2 4 -1 1))) ""))
 
 (test-case "a map that does not keep areas says so"
   (define (dissipative x y return fail) (return (+ 1 y (* -1.4 x x)) (* 0.3 x)))

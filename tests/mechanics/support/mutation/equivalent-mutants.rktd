@@ -313,3 +313,35 @@
  "[(and (fuel-empty? (simplifier-fuel w)) (not (small? e))) e]"
  ""
  "a large argument is simplified though no work was left for it: a bound of time" limit)
+("dynamics/map/fixed-points.rkt"
+ "[(and (= (length sizes) 2) (< (car multipliers) 0) (> determinant 0))"
+ "[(and (= (length sizes) 2) (<= (car multipliers) 0) (> determinant 0))"
+ "where the determinant is positive no multiplier is 0")
+("dynamics/map/period-check.rkt"
+ "(define (beside state) (changed state (lambda (x k) (if (= k 0) x (g:+ x (/ 0.1 k))))))"
+ "(define (beside state) (changed state (lambda (x k) (if (= k 0) x (g:+ x (/ 0.2 k))))))"
+ "any state beside one at rest may feel the drive")
+("dynamics/map/iterated-map.rkt"
+ "(if (< n compilation-threshold)"
+ "(if (<= n compilation-threshold)"
+ "from how many iterations on a map is compiled: both ways give one image" limit)
+("geometry/chart-calculus.rkt"
+ "(if (> (graph-size simple) (* 2 (graph-size e))) e simple)]))"
+ "(if (> (graph-size simple) (* 3 (graph-size e))) e simple)]))"
+ "which of two equal forms is kept" limit)
+("geometry/chart-calculus.rkt"
+ "(if (> (graph-size simple) (* 2 (graph-size e))) e simple)]))"
+ "(if (> (graph-size simple) (+ 2 (graph-size e))) e simple)]))"
+ "which of two equal forms is kept" limit)
+("geometry/relativity/four-tuple.rkt"
+ "(when (and (real? length^2) (> (abs (- length^2 1)) 1e-12))"
+ "(when (and (real? length^2) (> (abs (- length^2 1)) 2e-12))"
+ "how much rounding a unit vector may have" limit)
+("geometry/relativity/four-tuple.rkt"
+ "(when (and (real? length^2) (> (abs (- length^2 1)) 1e-12))"
+ "(when (and (real? length^2) (>= (abs (- length^2 1)) 1e-12))"
+ "how much rounding a unit vector may have" limit)
+("error/degree-overflow.rkt"
+ "degree bound)"
+ "bound bound)"
+ "a word from one part of the algebra to another, which makes a wider ring then")
