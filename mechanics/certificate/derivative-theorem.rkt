@@ -44,7 +44,10 @@
 
 ;; n : a node -> of an unknown function that it has the derivative it is said to have
 (define (unknown-derivatives n)
-  (if (literal-head? (node-head n)) (list (list* 'is-derivative n (derivative-nodes n))) '()))
+  (define h (node-head n))
+  (cond [(eq? h op:abs) (give-up "it takes the derivative of an absolute value")]
+        [(literal-head? h) (list (list* 'is-derivative n (derivative-nodes n)))]
+        [else '()]))
 
 ;; ---------------------------------------------------------------------------
 ;; Texts

@@ -1,6 +1,6 @@
 #lang racket/base
-;; What Coq says of files, kept in build/certification/ between runs: a text that it has accepted or
-;; rejected is not given to it again; one that it did not finish in time is, alone.
+;; What Coq says of files, kept in build/certification/ between runs: a text is given to it once,
+;; until that folder is deleted.
 ;;
 ;; Loading Coq's libraries takes longer than most proofs.  So files go to it by tens, as modules of
 ;; one; where that is not accepted, or not in the time of one, each goes alone.
@@ -25,14 +25,11 @@
 
 (define (digest text) (sha1 (open-input-string text)))
 
-;; -> judgement, or #f where it has none, or did not end
+;; -> judgement or #f
 (define (kept-judgement text)
-  (define old (known text))
-  (and old (not (eq? 'unfinished (car old))) (apply judgement old)))
-
-(define (known text)
   (unless kept (load-kept!))
-  (hash-ref kept (digest text) #f))
+  (define old (hash-ref kept (digest text) #f))
+  (and old (apply judgement old)))
 
 (define (keep! text j)
   (define value (list (judgement-outcome j) (judgement-seconds j) (judgement-message j)))
@@ -63,7 +60,7 @@
 
 ;; Judges many texts of certificates, most of which will be accepted.
 (define (judge-all coqc texts)
-  (define new (filter (lambda (t) (not (known t))) (remove-duplicates texts)))
+  (define new (filter (lambda (t) (not (kept-judgement t))) (remove-duplicates texts)))
   (for* ([alike (in-list (group-by preamble new))]
          [some (in-list (in-tens alike))] #:when (pair? (cdr some)))
     (define j (check-by-Coq coqc (as-modules some) patience))
@@ -100,7 +97,7 @@
 ;; Keeps the judgement of each that is rejected or not finished; what has no error goes to coqc.
 (define (expect-rejections texts)
   (define coqtop (find-executable-path "coqtop"))
-  (for* ([alike (in-list (group-by preamble (filter (lambda (t) (not (known t))) texts)))]
+  (for* ([alike (in-list (group-by preamble (filter (lambda (t) (not (kept-judgement t))) texts)))]
          [some (in-list (in-tens alike))] #:when coqtop)
     (define start (current-process-milliseconds 'subprocesses))
     (define said (said-in-session coqtop some))
@@ -113,20 +110,19 @@
 
 ;; -> what Coq says of each; a step may take so long as a certificate
 (define (said-in-session coqtop texts)
-  (define in (make-temporary-file "session~a.v"))
-  (define out (make-temporary-file "session~a.txt"))
-  (display-to-file (session texts) in #:exists 'truncate)
-  (call-with-output-file out #:exists 'truncate
-    (lambda (said)
-      (call-with-input-file in
-        (lambda (commands)
-          (define control
-            (list-ref (process*/ports said commands 'stdout coqtop "-q" "-w" "none") 4))
-          (control 'wait)))))
-  (begin0
-    (cdr (regexp-split #rx"mark_[0-9]+ is defined" (file->string out)))
-    (delete-file in)
-    (delete-file out)))
+  (define home (make-temporary-file "session~a" 'directory))
+  (parameterize ([current-directory home])
+    (display-to-file (session texts) "in.v")
+    (call-with-output-file "out.txt"
+      (lambda (said)
+        (call-with-input-file "in.v"
+          (lambda (commands)
+            (define control
+              (list-ref (process*/ports said commands 'stdout coqtop "-q" "-w" "none") 4))
+            (control 'wait)))))
+    (begin0
+      (cdr (regexp-split #rx"mark_[0-9]+ is defined" (file->string "out.txt")))
+      (delete-directory/files home))))
 
 (define (session texts)
   (format "~aSet Default Timeout ~a.\n~a" (preamble (car texts)) longest
