@@ -40,6 +40,7 @@
   (define simpler
     (for*/list ([d (in-list divisors)] [e (in-value (simpler-divisor d A))] #:when e) (cons d e)))
   (for ([s (in-list simpler)]) (visit-all! c (cdr s)))
+  (settle-arcs! c)
   (define circles (settle-angles! c))
   (define exponentials (settle-exponents! c))
   (append circles
@@ -234,6 +235,30 @@
          (and (expression? a) (expression? b)
               (or (equal? a b)
                   (eqv? 0 (simplify-expression (e:- a b) (collector-assumptions c))))))))
+
+;; ---------------------------------------------------------------------------
+;; Arcs
+
+;; Beside asin x, acos x is π/2 - asin x; beside atan x, atan (1/x) is π/2 - atan x, where 0 < x.
+(define (settle-arcs! c)
+  (define A (collector-assumptions c))
+  (define nodes (filter node? (reverse (collector-met c))))
+  (define (complement! n m . script)
+    (apply plan! c n (e:- (e:* 1/2 exact-pi) m) script))
+  (for ([n (in-list nodes)] #:when (headed? n op:acos))
+    (define m (make-node op:asin (node-args n)))
+    (when (member m nodes)
+      (complement! n m "rewrite acos_asin by (split; lra); field.")))
+  (define atans (filter (lambda (n) (headed? n op:atan)) nodes))
+  (for ([m (in-list atans)] [k (in-naturals 1)])
+    (define x (car (node-args m)))
+    (for ([n (in-list (list-tail atans k))]
+          #:when (and (eqv? 1 (weak-sign x A))
+                      (equal? 1 (simplify-expression (e:* x (car (node-args n))) A))))
+      (complement! n m (format "replace (~a) with (/ ~a); [rewrite atan_inv by positive; field | "
+                               (term (car (node-args n)) (collector-names c))
+                               (term x (collector-names c) 2))
+                   'identity "]."))))
 
 ;; ---------------------------------------------------------------------------
 ;; Angles
