@@ -68,6 +68,7 @@
                (lambda (x) (log (+ 2 (step x))))
                (lambda (x) (sin (/ 1 x)))
                (lambda (x) ((literal-function 'W) (/ 1 x))))
+  (check-steps '(= x -1/3) (lambda (x) (step (+ x 1/3))) (lambda (x) (atan (/ 1 (+ x 1/3)))))
   (check-steps '(= x a) (lambda (x) (step (- x 'a))))
   (check-steps '(= x (* :pi n)) (lambda (x) (/ (abs x) (tan x)))))
 

@@ -345,3 +345,7 @@
  "degree bound)"
  "bound bound)"
  "a word from one part of the algebra to another, which makes a wider ring then")
+("algebra/zero/gap.rkt"
+ "[(> (* most-error (ball-radius v)) (abs (ball-middle v))) #f]"
+ ""
+ "a value of which not even eight digits are known at 240 bits is taken by its middle" limit)
