@@ -349,3 +349,7 @@
  "[(> (* most-error (ball-radius v)) (abs (ball-middle v))) #f]"
  ""
  "a value of which not even eight digits are known at 240 bits is taken by its middle" limit)
+("canonical/perturbation/Poisson-series.rkt"
+ "(cons (cons (zeros (length (Poisson-series-linear s))) (wave slope 0)) waves)))"
+ "(cons (cons (zeros (length (Poisson-series-linear s))) (wave slope 1)) waves)))"
+ "the sine of 0: in products it cancels between the waves of sum and difference, else it is dropped")
