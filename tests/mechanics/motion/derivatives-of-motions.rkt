@@ -52,3 +52,11 @@
 (test-case "an angle brought back by a turn is differentiable where that happens"
   (check-equal? ((D (principal-value :pi)) :pi) 1)
   (check-close (((expt D 2) (compose sin (principal-value :pi))) 9.0) (- (sin 9.0)) 1e-14))
+
+;; x = a cos √k t, so that ∂²x/∂a∂k = −t sin(√k t)/(2 √k).
+(test-case "by the start and by a parameter, in either order"
+  (define (spring k) (lambda (s) (up 1 (ref s 2) (* -1 k (ref s 1)))))
+  (define (end a k) (coordinate ((state-advancer spring k) (up 0 a 0) 3 1e-12)))
+  (define expected (/ (* -3 (sin 6.0)) 4))
+  (check-= ((D (lambda (k) ((D (lambda (a) (end a k))) 1.0))) 4.0) expected 1e-9)
+  (check-= ((D (lambda (a) ((D (lambda (k) (end a k))) 4.0))) 1.0) expected 1e-9))

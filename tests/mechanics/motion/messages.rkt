@@ -4,7 +4,7 @@
 (require mechanics
          (only-in mechanics/book L-harmonic)
          mechanics/error/progress mechanics/motion/progress-text
-         "../support/checks.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt" "../support/notes.rkt")
 
 (define (harmonic m k) (Lagrangian->state-derivative (L-harmonic m k)))
 (define oscillator (harmonic 1 1))
@@ -194,3 +194,10 @@
   (parameterize ([current-reporter (reporter port clock)]) (evolve-trajectory oscillator start 50))
   (check-regexp-match #px"\revolve-trajectory: t = \\d+[.]\\d\\d of 50[.]00\e"
                       (get-output-string port)))
+
+;; x = π is left for 0 or 2π.
+(test-case "of one number without the time it is noted, too, that rounding ends a rest"
+  (define (away s) (up (- (sin (ref s 0)))))
+  (define (noted end) (told (evolve-trajectory away (up pi) end)))
+  (check-regexp-match #rx"the motion begins at rest but for rounding" (noted 60))
+  (check-equal? (noted 5) ""))

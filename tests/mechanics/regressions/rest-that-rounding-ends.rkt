@@ -10,13 +10,13 @@
 (define swing (Lagrangian->state-derivative (L-pendulum 9.8 1 1)))
 
 ;; The notes while it is followed, in a session of its own
-(define (noted start end #:method [method 'auto] #:of [rates swing])
+(define (noted start end #:method [method 'auto])
   (define port (open-output-string))
   (thread-wait
    (thread (lambda ()
              (parameterize ([current-error-port port])
                (start-session-of-notes!)
-               (for ([_ 2]) (evolve-trajectory rates start end #:method method))))))
+               (for ([_ 2]) (evolve-trajectory swing start end #:method method))))))
   (get-output-string port))
 
 (test-case "it is noted once"
@@ -26,11 +26,6 @@
      (string-append
       "; evolve-trajectory: the motion begins at rest but for rounding, which decides when it "
       "leaves\n; and where to; to see how an equilibrium is left, begin beside it\n"))))
-
-(test-case "of one number without the time, too"
-  (define (away s) (up (- (sin (ref s 0)))))
-  (check-regexp-match #rx"the motion begins at rest but for rounding" (noted (up pi) 60 #:of away))
-  (check-equal? (noted (up pi) 5 #:of away) ""))
 
 (test-case "not where it stays, nor where it moves, nor where it rests exactly"
   (check-equal? (noted (up 0 pi 0) 2) "")

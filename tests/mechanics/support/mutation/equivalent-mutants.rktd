@@ -353,3 +353,7 @@
  "(cons (cons (zeros (length (Poisson-series-linear s))) (wave slope 0)) waves)))"
  "(cons (cons (zeros (length (Poisson-series-linear s))) (wave slope 1)) waves)))"
  "the sine of 0: in products it cancels between the waves of sum and difference, else it is dropped")
+("motion/evolve-trajectory.rkt"
+ "#:state (lambda (t) (state-within s (step from to at to) t))"
+ "#:state (lambda (t) (state-within s (step from at at to) t))"
+ "a state within a step is read between where its interpolant begins and ends, which stay")
