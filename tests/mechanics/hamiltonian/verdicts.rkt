@@ -141,6 +141,9 @@
   "given the symbol q\n  (literal-function 'q) makes a path of that name"]
  [(equilibria 3 (up 't 'q 'v))
   "equilibria: a Lagrangian is a function of the local tuple (up t q v); given the number 3"]
+ [(verify-equilibrium 3 0)
+  "verify-equilibrium: a Lagrangian is a function of the local tuple (up t q v); "
+  "given the number 3"]
  [(make-Hamiltonian 3)
   "make-Hamiltonian: a Hamiltonian is a function of the state (up t q p); given the number 3"]
  [(make-Hamiltonian square 3)

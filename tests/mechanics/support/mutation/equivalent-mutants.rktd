@@ -357,3 +357,19 @@
  "#:state (lambda (t) (state-within s (step from to at to) t))"
  "#:state (lambda (t) (state-within s (step from at at to) t))"
  "a state within a step is read between where its interpolant begins and ends, which stay")
+("notebook/text-stream.rkt"
+ "(> (cond [(>= byte #xF0) 4] [(>= byte #xE0) 3] [(>= byte #xC0) 2] [else 1]) k))"
+ "(> (cond [(>= byte #xF0) 5] [(>= byte #xE0) 3] [(>= byte #xC0) 2] [else 1]) k))"
+ "no more than three bytes are looked back at")
+("notebook/text-stream.rkt"
+ "(> (cond [(>= byte #xF0) 4] [(>= byte #xE0) 3] [(>= byte #xC0) 2] [else 1]) k))"
+ "(> (cond [(>= byte #xF0) 4] [(>= byte #xE0) 3] [(> byte #xC0) 2] [else 1]) k))"
+ "no character begins with the byte C0")
+("notebook/text-stream.rkt"
+ "(> (cond [(>= byte #xF0) 4] [(>= byte #xE0) 3] [(>= byte #xC0) 2] [else 1]) k))"
+ "(> (cond [(>= byte #xF0) 4] [(>= byte #xE0) 3] [(>= byte 193) 2] [else 1]) k))"
+ "no character begins with the byte C0")
+("notebook/text-stream.rkt"
+ "(define pause 0.02)"
+ "(define pause 0.04)"
+ "how often what is written is sent on" limit)
