@@ -62,7 +62,7 @@
   (check-true (Lyapunov? e))
   (check-regexp-match #rx"^Lyapunov exponent 0[.]4.* after 50[.]0\n  changed by" (format "~a" e)))
 
-;; A displacement that begins with length 1 and is c exp(λt) later has the exponent λ + log c/t at t.
+;; A displacement that begins with length 1 and is c exp(λt) later has the exponent λ + log c/t.
 (test-case "a growing coordinate is met wherever it stands; its change halves with the time"
   (for ([rates '((0.5 -2 -3) (-3 0.5 -2) (-2 -3 0.5))])
     (define (linear s) (up 1 (apply up (map * rates (structure->list (ref s 1))))))

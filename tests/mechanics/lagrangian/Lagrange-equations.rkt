@@ -222,7 +222,8 @@
 (test-case "a function that is known to be a Hamiltonian"
   (define (H s) (g:square (ref s 2)))
   (check-message
-   (string-append "Lagrange-equations: expected a Lagrangian; this is known to be a Hamiltonian: H\n"
+   (string-append "Lagrange-equations: expected a Lagrangian; "
+                  "this is known to be a Hamiltonian: H\n"
                   "  its equations of motion are (Hamilton-equations H)")
    (Lagrange-equations (make-Hamiltonian H))))
 

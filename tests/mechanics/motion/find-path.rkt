@@ -50,8 +50,8 @@
   (for ([t '(0 0.5 1.7 2)])
     (check-true (< (euclidean-norm (- (q t) (up (+ 1 t) (- 2 (* 3 t))))) 1e-8))))
 
-;; L = ẋ²/2 + a cos(ωt) x on paths 4 c t (1 − t): 16 c/3 + a ∫ 4 t (1 − t) cos ωt dt = 0.  A few dozen
-;; nodes tell nothing of a force that oscillates so fast.
+;; L = ẋ²/2 + a cos(ωt) x on paths 4 c t (1 − t): 16 c/3 + a ∫ 4 t (1 − t) cos ωt dt = 0.  A few
+;; dozen nodes tell nothing of a force that oscillates so fast.
 (test-case "the action is integrated until more nodes change nothing"
   (define-values (a w) (values 1e4 400.0))
   (define (L s) (+ (* 1/2 (square (velocity s))) (* a (cos (* w (time s))) (coordinate s))))

@@ -107,6 +107,14 @@
  [((state-advancer (lambda (k) k) 2) start 1)
   "state-advancer: expected a state derivative, a function of the state\n  given: the number 2"])
 
+(define ((spring k) s) (up 1 (velocity s) (* -1 k (coordinate s))))
+
+(says
+ [(evolve-trajectory spring start 1)
+  "evolve-trajectory: the state derivative is of another shape than the state\n"
+  "  state: (up 0 1 0)\n  derivative: spring\n"
+  "  parameters are supplied first: (spring ...)"])
+
 ;; ---------------------------------------------------------------------------
 ;; Methods and events
 
