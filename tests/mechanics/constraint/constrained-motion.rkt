@@ -122,7 +122,9 @@
     (define last (advance (up 0 (up 3/5 -4/5) (up 0 0)) 1 1e-22 #:precision 100))
     (check-true (< (abs (bigfloat->exact (- (square (coordinate last)) 1))) 1e-20))
     (check-exn #rx"^state-advancer: the state does not keep"
-               (lambda () (advance (up 0 (up 3 4) (up 0 0)) 1 #:precision 100)))))
+               (lambda () (advance (up 0 (up 3 4) (up 0 0)) 1 #:precision 100)))
+    (check-exn #rx"^state-advancer: .*the symbol x"
+               (lambda () (advance (up 0 (up 'x 4) (up 0 0)) 1 #:precision 100)))))
 
 (test-case "redundant constraints do not hinder a motion"
   (define (twice t q) (* 3 ((rod-of-length 1) t q)))
