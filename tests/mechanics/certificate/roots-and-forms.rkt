@@ -1,10 +1,12 @@
 #lang racket/base
 ;; Roots as products and angles as sums of terms, as certificates write them: with the value of what
-;; they were made of, at numbers.
+;; they were made of, at numbers; and numbers for which hypotheses hold.
 
 (require mechanics/algebra/expression/expression
          mechanics/algebra/expression/operation
          mechanics/algebra/expression/read
+         mechanics/certificate/Coq-names mechanics/certificate/Coq-term
+         mechanics/certificate/example-point
          mechanics/certificate/linear-terms
          mechanics/certificate/root-parts
          mechanics/value/assumptions
@@ -94,3 +96,29 @@
           (check-pred exact-integer? (cdr m))
           (e:+ sum (e:* (cdr m) (list-ref (basics-expressions b) (car m))))))
       (check-= (value-of combined 0.7 1.3 0.4) (value-of (form->expression t) 0.7 1.3 0.4) 1e-12))))
+
+;; ---------------------------------------------------------------------------
+;; Examples
+
+(define (holds? relation x y)
+  (define (side datum) (value-of (datum->expression datum) x y 0))
+  (define-values (a b) (values (side (cadr relation)) (side (caddr relation))))
+  (case (car relation)
+    [(<>) (not (= a b))]
+    [(=) (< (abs (- a b)) 1e-9)]
+    [else ((case (car relation) [(>) >] [(>=) >=] [(<) <] [(<=) <=]) a b)]))
+
+(test-case "an example of hypotheses fulfils them all"
+  (for ([hypotheses '(((> x 2)) ((< x 0) (> y x)) ((<> (* x y) 0) (>= x y))
+                      ((< (sin x) 0)) ((>= (cos x) 1/2) (<> x 1)) ((> (* x y) 3) (<= (+ x y) 5))
+                      ((= (* x y) 1) (<> x y)) ((> x 0) (< x 1/2)) ((<= y 0) (>= y 0) (<> x y))
+                      ((= x (* -1 y)) (> x 0)))])
+    (define relations
+      (for/list ([h hypotheses]) (cons (car h) (map datum->expression (cdr h)))))
+    (define found (example-values relations (make-names '(x y))))
+    (define (number name) (cdr (assoc name found)))
+    (for ([h hypotheses])
+      (check-true (holds? h (number 'x) (number 'y)) (format "~s ~s" h found))))
+  (check-pred no-certificate?
+              (with-handlers ([no-certificate? values])
+                (example-values (list (list '> 'x 2) (list '< 'x 1)) (make-names '(x))))))

@@ -107,6 +107,15 @@
  [((state-advancer (lambda (k) k) 2) start 1)
   "state-advancer: expected a state derivative, a function of the state\n  given: the number 2"])
 
+(define (L-of-many (up t q v)) (* 1/2 (square v)))
+
+(says
+ [(evolve-trajectory (Lagrangian->state-derivative L-of-many)
+                     (up 0 (up 1 2 3 4 5 6) (up 1 2 3 4 5 6 7)) 1)
+  "Lagrangian->state-derivative: the velocities are of another shape than the coordinates\n"
+  "  coordinates: (up 1.0 2.0 3.0 4.0 5.0 6.0)\n"
+  "  velocities: (up 1.0 2.0 3.0 4.0 5.0 6.0 7.0)"])
+
 (define ((spring k) s) (up 1 (velocity s) (* -1 k (coordinate s))))
 
 (says

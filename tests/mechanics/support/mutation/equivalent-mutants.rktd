@@ -373,3 +373,7 @@
  "(define pause 0.02)"
  "(define pause 0.04)"
  "how often what is written is sent on" limit)
+("certificate/linear-terms.rkt"
+ "(e:/ (part 1) (part -1)))"
+ "(e:/ (part 2) (part -1)))"
+ "the sign alone of this number counts")
