@@ -76,7 +76,11 @@
   (check-regexp-match #rx"one is over a map\n.*, a 1-form over a map$"
                       (refused codifferential ((interior-product (along v)) w2/mu)))
   (check-regexp-match #rx"^divergence: expected a field on a manifold; this one is over a map\n"
-                      (refused divergence ((R (along v) (along v)) (along v)))))
+                      (refused divergence ((R (along v) (along v)) (along v))))
+  (define elsewhere
+    ((vector-field->vector-field-over-map (literal-manifold-map 'nu R2-rect R2-rect)) v))
+  (check-regexp-match #rx"^Riemann-curvature: these are over different maps\n  maps: "
+                      (message-of ((R (along v) elsewhere) (along v)))))
 
 ;; dr² + (r − 1)² dφ², of which the area is |r − 1|
 (test-case "an area is positive on either side of where it is 0"

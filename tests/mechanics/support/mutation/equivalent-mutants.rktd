@@ -377,3 +377,7 @@
  "(e:/ (part 1) (part -1)))"
  "(e:/ (part 2) (part -1)))"
  "the sign alone of this number counts")
+("motion/system/system.rkt"
+ "[else (or (system-own s) (new-right-hand-side s))]))"
+ "[else (and (system-own s) (new-right-hand-side s))]))"
+ "an integration that does not keep what it computed of the start computes it again" limit)
