@@ -3,7 +3,6 @@
 ;; they were made of, at numbers; and numbers for which hypotheses hold.
 
 (require mechanics/algebra/expression/expression
-         mechanics/algebra/expression/operation
          mechanics/algebra/expression/read
          mechanics/certificate/Coq-names mechanics/certificate/Coq-term
          mechanics/certificate/example-point
