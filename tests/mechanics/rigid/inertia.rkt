@@ -174,6 +174,9 @@
  [(principal-moments (matrix-by-rows '(1 2 0) '(0 1 0) '(0 0 1)))
   "principal-moments: an inertia tensor is symmetric; given "
   "(matrix-by-rows (list 1 2 0) (list 0 1 0) (list 0 0 1)), a 3 by 3 matrix"]
+ [(principal-moments (matrix-by-rows '(1 0 0) '(2 1 0) '(0 0 1)))
+  "principal-moments: an inertia tensor is symmetric; given "
+  "(matrix-by-rows (list 1 0 0) (list 2 1 0) (list 0 0 1)), a 3 by 3 matrix"]
  [(principal-axes (up 1 2 3))
   "principal-axes: expected an inertia tensor, a 3 by 3 matrix\n"
   "  given: (up 1 2 3), an up tuple of 3"]

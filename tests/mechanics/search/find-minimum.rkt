@@ -37,6 +37,28 @@
   (define m (find-minimum (lambda (x) (g:+ 1 (g:/ x (g:sin x)))) 0 1))
   (check-= (minimum-value m) 2 1e-9))
 
+(test-case "where there is no value a function is not lower"
+  (define m (find-minimum (lambda (x) (g:- 6 (g:sqrt (g:- 1 (g:expt x 4))))) 0.3))
+  (check-eq? (minimum-kind m) 'degenerate)
+  (check-= (minimum-value m) 5 1e-12))
+
+(test-case "what is lower far outside of an interval does not make a minimum in it flat"
+  (define (f x) (g:- (g:expt x 4) (g:/ (g:expt x 6) 3.6e-7)))
+  (check-equal? (kind f -5e-4 5e-4) 'degenerate))
+
+(test-case "a narrow well is found to rounding by a search of a wide tolerance"
+  (define m (find-minimum (lambda (x) (well (g:+ 10 (g:/ (g:- x 0.3) 0.1)))) -1 1 #:tolerance 0.15))
+  (check-eq? (minimum-kind m) 'minimum)
+  (check-= (minimum-argument m) 0.3 1e-12))
+
+(test-case "samples are doubled until shallow wells of a hundredth of the interval are seen"
+  (for ([center '(0.31 0.49 0.55 0.7 0.85)])
+    (define (f x) (g:+ (g:square x) (g:* 0.05 (well (g:+ 10 (g:/ (g:- x center) 0.008))))))
+    (check-equal? (length (minima f -1 1)) 2))
+  (define runs 0)
+  (minima (lambda (x) (set! runs (+ runs 1)) (g:square x)) -1 1)
+  (check-true (< (+ 64 128 256) runs 550)))
+
 (test-case "near a start: each kind"
   (for ([f (list g:cos quartic (lambda (x) 3) (lambda (x) (g:abs (g:- x 1)))
                  (measured (lambda (x) (* x x))) (measured abs))]

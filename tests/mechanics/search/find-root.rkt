@@ -91,6 +91,7 @@
   (check-true found?)
   (check-= x golden 1e-15)
   (check-true (<= count 12))
+  (check-true (< (caddr (zbrent f-golden 1 2 1e-2)) (caddr (zbrent f-golden 1 2 1e-14))))
   (define-values (found?* best limit) (apply values (zbrent f-golden 1 2 1e-15 4)))
   (check-false found?*)
   (check-= best golden 1e-1)

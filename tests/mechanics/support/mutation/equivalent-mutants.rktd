@@ -381,3 +381,23 @@
  "[else (or (system-own s) (new-right-hand-side s))]))"
  "[else (and (system-own s) (new-right-hand-side s))]))"
  "an integration that does not keep what it computed of the start computes it again" limit)
+("rigid/top.rkt"
+ "(if (and (>= (f end) 0) (>= (f (* end (- 1 1e-9))) 0)) end (zero-between f slopeless end)))"
+ "(if (and (>= (f end) 0) (>= (f (* end (- 1 2e-9))) 0)) end (zero-between f slopeless end)))"
+ "how near an end is looked at for a sign: that beside it, at either distance" limit)
+("search/minimum-between.rkt"
+ "(define last (fall 1e-8))"
+ "(define last (fall 2e-8))"
+ "how near a pole is looked at: falls that grow, or stay, from 1e-6 on do so at either distance" limit)
+("search/minimum-between.rkt"
+ "#:when (and (or (not p) (< (point-y q) (point-y p)))"
+ "#:when (and (or (not p) (<= (point-y q) (point-y p)))"
+ "of neighbours that are equal the first alone was kept")
+("search/numeric-derivative.rkt"
+ "#:step (or step (* 0.1 (max 1.0 (abs at))))"
+ "#:step (or step (* 0.2 (max 1.0 (abs at))))"
+ "the first of steps that are halved until quotients agree: one more of them is tried" limit)
+("search/critical-point.rkt"
+ "(define there (and (<= 1e-300 (abs s) (* 1e-2 (size x)))"
+ "(define there (and (<= 2e-300 (abs s) (* 1e-2 (size x)))"
+ "a guard against distances that underflow" limit)
