@@ -5,10 +5,10 @@
 ;;
 ;; Draws mutants from a room's files, or N from each room's, and runs on each the tests that loaded
 ;; its file in the last run of `make test`, those of its room first, until one fails.  What is known
-;; of a mutant is kept in build/mutants.rktd and not asked again while its file is as it was, but
-;; for what survived, with --again; a break loses nothing.  Mutants that no behaviour tells, or only
-;; a limit or a layout, are listed in
-;; equivalent-mutants.rktd: (file "the line as it was" "as it is" "reason" [limit or layout]).
+;; of a mutant is kept in build/mutants.rktd and not asked again while its program, comments aside,
+;; is as it was, but for what survived, with --again; a break loses nothing.  Mutants that no
+;; behaviour tells, or only a limit or a layout, are listed in equivalent-mutants.rktd:
+;; (file "the line as it was" "as it is" "reason" [limit or layout]).
 
 (require file/sha1
          racket/cmdline

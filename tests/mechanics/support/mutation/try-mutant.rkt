@@ -4,8 +4,8 @@
 ;; The changed text comes from the standard input.  It is compiled into a folder that stands before
 ;; the compiled files, for this process and for all that its tests start.  The tests run one after
 ;; another, each with modules of its own, until one fails.  The last line printed is the datum
-;; (killed TEST), (survived) or, of what is no program, (refused).  A test that takes much more of
-;; the processor than its seconds will not end, and has noticed.
+;; (killed TEST), (survived) or, of a text that is no program, (refused).  A test that takes much
+;; more of the processor than its seconds will not end, and has noticed.
 
 (require racket/file
          racket/path
