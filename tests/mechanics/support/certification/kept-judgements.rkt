@@ -60,6 +60,7 @@
 
 ;; Judges many texts of certificates, most of which will be accepted.
 (define (judge-all coqc texts)
+  (load-kept!)
   (define new (filter (lambda (t) (not (kept-judgement t))) (remove-duplicates texts)))
   (for* ([alike (in-list (group-by preamble new))]
          [some (in-list (in-tens alike))] #:when (pair? (cdr some)))
