@@ -401,3 +401,7 @@
  "(define there (and (<= 1e-300 (abs s) (* 1e-2 (size x)))"
  "(define there (and (<= 2e-300 (abs s) (* 1e-2 (size x)))"
  "a guard against distances that underflow" limit)
+("motion/event/event-polynomial.rkt"
+ "(or (fl<= most (fl* (fl* 100.0 (follower-tolerance f)) (total c)))"
+ "(or (fl<= most (fl* (fl* 200.0 (follower-tolerance f)) (total c)))"
+ "how well a polynomial follows a function whose zeros it is to tell; else places are looked at" limit)

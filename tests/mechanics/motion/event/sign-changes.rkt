@@ -5,7 +5,7 @@
          racket/math
          mechanics/motion/event/certain-zeros
          mechanics/motion/event/sign-change
-         "../support/checks.rkt")
+         "../../support/checks.rkt")
 
 (test-case "a crossing goes from a sign to the other, or to zero, in the direction asked for"
   (for* ([ga '(-2 -0.5 0 0.5 2)] [gb '(-2 -0.5 0 0.5 2)] [direction '(rising falling either)])
@@ -40,6 +40,11 @@
     (define c (polynomial 3 0.5 0.1 (* 1e-3 a) (* 1e-3 b)))
     (check-false (certain? c 1e-3))
     (check-true (certain? c 0.1))))
+
+;; Two of twenty that are alike have a tenth.
+(test-case "the last two terms have less than a twentieth of what varies"
+  (check-false (tells-zeros? (polynomial 3 1 0.03 0.04) 1.0 (lambda () 0.0)))
+  (check-true (tells-zeros? (polynomial 3 1 0.02 0.02) 1.0 (lambda () 0.0))))
 
 (test-case "sums of sizes, scaled terms, and places for a radius of convergence"
   (check-equal? (total (polynomial 1 -2 3)) 6.0)
