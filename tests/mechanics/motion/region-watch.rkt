@@ -26,3 +26,33 @@
     (check-equal? (length found) 1)
     (check-true (< ((dip c 0.0667) (car found)) 0.3)))
   (check-equal? (ways-into-dip 0.1 -0.1) '()))
+
+;; Steps of length h -> the time where the first of them leaves the region, or #f, and how
+;; often the function was looked at
+(define (followed f f-rate limit h count [start 0.0])
+  (define looks 0)
+  (define (look point seen)
+    (set! looks (+ looks 1))
+    (flvector-set! seen 0 (f (flvector-ref point 0)))
+    (flvector-set! seen 1 (f-rate (flvector-ref point 0))))
+  (define watch (watch-region (region look limit #f values) (lambda (at) '()) 1))
+  (define out
+    (for/or ([k count])
+      (define-values (from to) (values (+ start (* h k)) (+ start (* h (+ k 1)))))
+      (define (at place point) (flvector-set! point 0 (+ from (* place h))))
+      (define found (watch at from to))
+      (and (pair? found) (+ from (* h (crossing-at (car found)))))))
+  (values out looks))
+
+(test-case "a function that is nearly flat, and then falls, is looked at in time, either way"
+  (define (steep t) (- 1.0 (expt (abs t) 20)))
+  (define (steep-rate t) (* -20.0 (if (> t 0) 1.0 -1.0) (expt (abs t) 19)))
+  (for* ([h '(0.01 -0.01 0.03)] [start '(0.0 10.0)])
+    (define (later f) (lambda (t) (f (- t start))))
+    (define-values (out looks) (followed (later steep) (later steep-rate) 0.3 h 200 start))
+    (check-true (<= (expt 0.7 1/20) (abs (- out start)) (+ (expt 0.7 1/20) (abs h))))))
+
+(test-case "where it stays the same, no more than every third step"
+  (define-values (out looks) (followed (lambda (t) 1.0) (lambda (t) 0.0) 0.3 0.01 300))
+  (check-false out)
+  (check-true (< looks 150)))

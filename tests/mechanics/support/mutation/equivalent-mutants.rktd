@@ -405,3 +405,7 @@
  "(or (fl<= most (fl* (fl* 100.0 (follower-tolerance f)) (total c)))"
  "(or (fl<= most (fl* (fl* 200.0 (follower-tolerance f)) (total c)))"
  "how well a polynomial follows a function whose zeros it is to tell; else places are looked at" limit)
+("motion/event/region-watch.rkt"
+ "(fl* 4.0 (flabs (fl/ (fl- (view-rate b) (view-rate a))"
+ "(fl* 8.0 (flabs (fl/ (fl- (view-rate b) (view-rate a))"
+ "how much faster than before a function may fall: more looks, no other answer" limit)
