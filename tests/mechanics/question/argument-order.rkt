@@ -64,7 +64,9 @@
   (check-message (string-append "verify-conserved: " text) (verify-conserved coordinate H state))
   (check-message (string-append "rate-of-change: " text) (rate-of-change coordinate H))
   (check-message (string-append "verify-Hamiltonian-solution: " text)
-                 (verify-Hamiltonian-solution sin cos H)))
+                 (verify-Hamiltonian-solution sin cos H))
+  (check-message (string-append "verify-Hamiltonian-solution: " text)
+                 (verify-Hamiltonian-solution sin H cos)))
 
 (test-case "coordinates and momenta exchanged"
   (define H (make-Hamiltonian (lambda (s) (+ (/ (square (ref s 2)) 4) (square (ref s 1))))))

@@ -409,3 +409,19 @@
  "(fl* 4.0 (flabs (fl/ (fl- (view-rate b) (view-rate a))"
  "(fl* 8.0 (flabs (fl/ (fl- (view-rate b) (view-rate a))"
  "how much faster than before a function may fall: more looks, no other answer" limit)
+("question/refined-modes.rkt"
+ "[(> (vector-length K) most-rows) found]"
+ ""
+ "a bound of the work: digits lost beside fast modes are sought again in matrices of any size" limit)
+("question/refined-modes.rkt"
+ "(mode z (if (= z 0.0) 0.0 (* roundings (mode-terms M K z shape))) shape))]))"
+ "(mode z (if (= z 0.0) 1.0 (* roundings (mode-terms M K z shape))) shape))]))"
+ "the frequency of an exact 0 is 0 within any bound, and its bound is not told")
+("question/gauge.rkt"
+ "(define longer (lengthened local (+ (* 2 n) 2)))"
+ "(define longer (lengthened local (+ (* 2 n) 3)))"
+ "one more derivative in the state, on which no equation depends")
+("numeric/ode/taylor-run.rkt"
+ "(set-run-piece! r #f)"
+ "(set-run-piece! r #t)"
+ "it is compared with pieces alone, and #t is none, as #f is")
