@@ -51,6 +51,14 @@
                     (* 2/3 (+ (expt place 1.5) (expt (- 1.0 place) 1.5)))))
   (check-integral (lambda (x) (* 1e4 (exp (* -1e4 x)))) 0 1 1.0))
 
+;; Only where it is real: the other side of the end tells nothing.
+(test-case "a root that is infinite shortly beyond an end is not extrapolated, from either side"
+  (for ([c (in-list '(1e-6 1e-9 1e-12))])
+    (define (inverse-root u) (if (< u 0.0) +nan.0 (/ 1.0 (sqrt (+ u c)))))
+    (define expected (* 2 (- (sqrt (+ 0.5 c)) (sqrt c))))
+    (check-= (integral (lambda (x) (inverse-root (- x 1.0))) 1 1.5) expected 1e-9)
+    (check-= (integral (lambda (x) (inverse-root (- 1.0 x))) 0.5 1) expected 1e-9)))
+
 (test-case "integrals that do not exist are no numbers"
   (for ([example (in-list
                   (list (list (lambda (x) (/ 1.0 x)) 0 1)
