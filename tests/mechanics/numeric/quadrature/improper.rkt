@@ -51,6 +51,14 @@
                     (* 2/3 (+ (expt place 1.5) (expt (- 1.0 place) 1.5)))))
   (check-integral (lambda (x) (* 1e4 (exp (* -1e4 x)))) 0 1 1.0))
 
+(test-case "units are of no account: an integral and its bound are scaled with the function"
+  (define (f x) (+ 2.0 (sin (* 40.0 x))))
+  (define-values (value bound) (improper-quadrature f 0 10))
+  (for ([k (in-list '(-200 -40 40 200))])
+    (define unit (expt 2.0 k))
+    (define-values (value* bound*) (improper-quadrature (lambda (x) (* unit (f x))) 0 10))
+    (check-equal? (list value* bound*) (list (* unit value) (* unit bound)))))
+
 ;; Only where it is real: the other side of the end tells nothing.
 (test-case "a root that is infinite shortly beyond an end is not extrapolated, from either side"
   (for ([c (in-list '(1e-6 1e-9 1e-12))])

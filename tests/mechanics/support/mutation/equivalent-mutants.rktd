@@ -425,3 +425,19 @@
  "(set-run-piece! r #f)"
  "(set-run-piece! r #t)"
  "it is compared with pieces alone, and #t is none, as #f is")
+("numeric/quadrature/oscillating.rkt"
+ "(define z (next-zero f 0.0 (/ unit 16.0) 1000))"
+ "(define z (next-zero f 0.0 (/ unit 32.0) 1000))"
+ "the first zero is looked for in steps half as long, half as far" limit)
+("numeric/quadrature/gauss-kronrod.rkt"
+ "(define narrow (expt 0.5 12))"
+ "(define narrow (expt 1.0 12))"
+ "after how many halvings beside an end the ways for singular ends are tried: work, not value" limit)
+("numeric/quadrature/improper.rkt"
+ "(or (and (< a c) (diverges-to? -1.0)) (and (< c b) (diverges-to? 1.0))))"
+ "(or (and (< a c) (diverges-to? -2.0)) (and (< c b) (diverges-to? 1.0))))"
+ "the same numbers at twice the distance: log |x − c| is less by a constant")
+("numeric/quadrature/improper.rkt"
+ "(or (and (< a c) (diverges-to? -1.0)) (and (< c b) (diverges-to? 1.0))))"
+ "(or (and (< a c) (diverges-to? -1.0)) (and (< c b) (diverges-to? 2.0))))"
+ "the same numbers at twice the distance: log |x − c| is less by a constant")
