@@ -130,7 +130,8 @@
   (define v (prove-zero (up (g:- 'a 'b) (g:- 'b 'c))))
   (check-equal? (map length (verdict-alternatives v)) '(2))
   (check-regexp-match #rx"\n  all zero if: " (format "~a" v))
-  (check-regexp-match #rx"\n  zero if: a = b$" (format "~a" (prove-zero (up (g:- 'a 'b) (g:- 'b 'a))))))
+  (check-regexp-match #rx"\n  zero if: a = b$"
+                      (format "~a" (prove-zero (up (g:- 'a 'b) (g:- 'b 'a))))))
 
 (test-case "of many decimals four are shown, and how many more there are"
   (define x (g:- (g:+ (g:* 0.1 'a) (g:* 0.2 'b) (g:* 0.3 'c) (g:* 0.4 'd) (g:* 0.7 'e))
