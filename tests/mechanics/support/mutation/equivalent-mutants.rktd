@@ -441,3 +441,15 @@
  "(or (and (< a c) (diverges-to? -1.0)) (and (< c b) (diverges-to? 1.0))))"
  "(or (and (< a c) (diverges-to? -1.0)) (and (< c b) (diverges-to? 2.0))))"
  "the same numbers at twice the distance: log |x − c| is less by a constant")
+("numeric/linear-algebra/flonum-systems.rkt"
+ "(for/fold ([v (make-vector (vector-length rows) 1.0)] [size 1.0] #:result size) ([_ 10])"
+ "(for/fold ([v (make-vector (vector-length rows) 2.0)] [size 1.0] #:result size) ([_ 10])"
+ "a vector that is divided by its size at each step begins with any multiple")
+("numeric/linear-algebra/general-eigenvalues.rkt"
+ "(for ([i (in-range first (+ 1 (min last (+ k 3))))])"
+ "(for ([i (in-range first (+ 1 (min last (+ k 4))))])"
+ "one row more, whose three entries are 0 in a Hessenberg matrix with its bulge")
+("numeric/linear-algebra/general-eigenvalues.rkt"
+ "(let loop ([last (- n 1)] [steps 0] [found '()])"
+ "(let loop ([last (- n 1)] [steps 1] [found '()])"
+ "after how many steps the shifts are unusual ones" limit)
