@@ -453,3 +453,7 @@
  "(let loop ([last (- n 1)] [steps 0] [found '()])"
  "(let loop ([last (- n 1)] [steps 1] [found '()])"
  "after how many steps the shifts are unusual ones" limit)
+("numeric/special/Bessel-recurrences.rkt"
+ "(define unit (fl* side 1e-290))"
+ "(define unit (fl* side 2e-290))"
+ "all three values are in one unit, which divides out")
