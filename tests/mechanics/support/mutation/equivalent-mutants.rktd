@@ -425,10 +425,6 @@
  "(set-run-piece! r #f)"
  "(set-run-piece! r #t)"
  "it is compared with pieces alone, and #t is none, as #f is")
-("numeric/quadrature/oscillating.rkt"
- "(define z (next-zero f 0.0 (/ unit 16.0) 1000))"
- "(define z (next-zero f 0.0 (/ unit 32.0) 1000))"
- "the first zero is looked for in steps half as long, half as far" limit)
 ("numeric/quadrature/gauss-kronrod.rkt"
  "(define narrow (expt 0.5 12))"
  "(define narrow (expt 1.0 12))"
@@ -457,3 +453,19 @@
  "(define unit (fl* side 1e-290))"
  "(define unit (fl* side 2e-290))"
  "all three values are in one unit, which divides out")
+("numeric/quadrature/gauss-kronrod.rkt"
+ "(and (or (eq? p worst)"
+ "(and (and (eq? p worst)"
+ "the worst panel is halved alone, and those nearly as bad in the next rounds: work, not value" limit)
+("numeric/ode/gauss-equations.rkt"
+ "(unless (and count (<= count fast) (not (newton-turning? m))) (set-newton-step! m #f))"
+ "(unless (and count (<= fast fast) (not (newton-turning? m))) (set-newton-step! m #f))"
+ "after how many repetitions derivatives are taken anew: work, for the equations are the same" limit)
+("numeric/ode/fallback-method.rkt"
+ "(cond [(fl>= h (fl* collapse longest)) h]"
+ "(cond [(fl>= h (fl+ collapse longest)) h]"
+ "from how short a step on the other method is tried: work, for steps of either keep the tolerance" limit)
+("numeric/ode/roundoff-detection.rkt"
+ "(and full? (fl< (row-late r) (fl* still-shorter (row-early r))))]))"
+ "(and full? (fl<= (row-late r) (fl* still-shorter (row-early r))))]))"
+ "sums of hundreds of step lengths that are equal to the bit: a row more or less of steps" limit)
