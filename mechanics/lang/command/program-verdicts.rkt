@@ -2,8 +2,7 @@
 ;; The verdicts that a program shows, as results, within them or by printing or formatting them,
 ;; each once and with the form that showed it first.
 
-(require racket/list
-         "run-program.rkt" "watch.rkt"
+(require "run-program.rkt" "watch.rkt"
          "../program-file.rkt"
          "../../value/structure.rkt"
          "../../verdict/verdict.rkt")

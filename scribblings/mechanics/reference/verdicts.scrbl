@@ -352,8 +352,8 @@ accepted, in how many seconds, and what has none and why.
  (list @elem{@racket[verify-total-time-derivative] without accelerations, where a formula of the
              function is found; @racket[verify-equivalent-Lagrangians] where these, one of them
              with a constant factor, differ by one} @elem{the claim})
- (list @elem{these with Lagrangians of higher order, or decimals that the proof reads as exact
-             numbers} @elem{the identity})
+ (list @elem{these with Lagrangians of higher order, derivatives of absolute values, or decimals
+             that the proof reads as exact numbers} @elem{the identity})
  (list @elem{@racket[verify-equal], @racket[prove-zero], @racket[verify-symplectic] of a matrix, and
              all other questions} @elem{the identity})
  (list @elem{with the angle of two arguments, erf, acosh, atanh, sgn, or complex numbers}

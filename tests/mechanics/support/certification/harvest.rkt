@@ -2,7 +2,7 @@
 ;; All proved verdicts that the examples, the README and the pages of the guide show, with their
 ;; certificates.
 
-(require racket/file racket/list racket/path racket/runtime-path
+(require racket/file racket/path racket/runtime-path
          mechanics/certificate/certificate
          mechanics/lang/command/program-verdicts
          mechanics/show/notebook/program-cells
