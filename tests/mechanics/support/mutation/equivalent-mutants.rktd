@@ -425,18 +425,6 @@
  "(set-run-piece! r #f)"
  "(set-run-piece! r #t)"
  "it is compared with pieces alone, and #t is none, as #f is")
-("numeric/quadrature/gauss-kronrod.rkt"
- "(define narrow (expt 0.5 12))"
- "(define narrow (expt 1.0 12))"
- "after how many halvings beside an end the ways for singular ends are tried: work, not value" limit)
-("numeric/quadrature/improper.rkt"
- "(or (and (< a c) (diverges-to? -1.0)) (and (< c b) (diverges-to? 1.0))))"
- "(or (and (< a c) (diverges-to? -2.0)) (and (< c b) (diverges-to? 1.0))))"
- "the same numbers at twice the distance: log |x − c| is less by a constant")
-("numeric/quadrature/improper.rkt"
- "(or (and (< a c) (diverges-to? -1.0)) (and (< c b) (diverges-to? 1.0))))"
- "(or (and (< a c) (diverges-to? -1.0)) (and (< c b) (diverges-to? 2.0))))"
- "the same numbers at twice the distance: log |x − c| is less by a constant")
 ("numeric/linear-algebra/flonum-systems.rkt"
  "(for/fold ([v (make-vector (vector-length rows) 1.0)] [size 1.0] #:result size) ([_ 10])"
  "(for/fold ([v (make-vector (vector-length rows) 2.0)] [size 1.0] #:result size) ([_ 10])"
