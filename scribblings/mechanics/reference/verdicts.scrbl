@@ -366,9 +366,9 @@ accepted, in how many seconds, and what has none and why.
 
 Of the 473 proved verdicts that the examples, exercises, the README and the guide show, 432 have a
 certificate, and Coq accepts 420 within twenty seconds. Without one are 37 residuals of which
-arithmetic makes 0, and 4 with the angle of two arguments. Nine certificates take Coq longer, as some of
-fields on a manifold; three it does not accept, among them one with squares of hyperbolic functions
-as divisors. @exec{make certify} lists all. Of 487 false
-neighbours, changed so that they should not pass, Coq accepts none.
+arithmetic makes 0, and 4 with the angle of two arguments. Nine certificates take Coq longer, as
+some of fields on a manifold; three it does not accept, among them one with squares of hyperbolic
+functions as divisors. @exec{make certify} lists all. Of 487 false neighbours, changed so that they
+should not pass, Coq accepts none.}
 
 @(close-session session)
