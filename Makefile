@@ -181,7 +181,7 @@ JOBS ?= 2
 MUTANTS = build/mutants
 mutants: N = 10
 mutants: writable racket
-	@mkdir -p $(MUTANTS)/build
+	@mkdir -p $(MUTANTS)/build && find $(MUTANTS) -name '*.rkt' -delete
 	@git ls-files -co --exclude-standard | tar cf - -T - | tar xf - -C $(MUTANTS)
 	@touch build/tests.fasl build/mutants.rktd
 	@ln -sf ../../tests.fasl ../../mutants.rktd $(MUTANTS)/build

@@ -25,4 +25,4 @@
   (check-close (end L-sphere S2-spherical (up 0 (up 1.0 0.3) (up -1.0 0.0)) 1) (up 0 0.3) 1e-8)
   (check-close (end L-sphere S2-spherical (up 0 (up 1.0 0.3) (up 1.0 0.0)) (- pi 1))
                (up pi 0.3) 1e-8)
-  (check-close (end L-sphere S2-spherical (up 0 (up 1.0 0.3) (up 1.0 0.0)) (- -1)) (up 2 0.3) 1e-8))
+  (check-close (end L-sphere S2-spherical (up 0 (up 1.0 0.3) (up 1.0 0.0)) -1) (up 0 0.3) 1e-8))

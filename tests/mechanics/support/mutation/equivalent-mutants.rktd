@@ -188,7 +188,7 @@
 ("algebra/ball/ball.rkt"
  "(define extra (max 0 (- 53 (integer-length m))))"
  "(define extra (max 0 (- 54 (integer-length m))))"
- "the same flonum in units half as large")
+ "the same flonum in units half as large, and a radius of one unit with them" limit)
 ("algebra/ball/ball-elementary.rkt"
  "(unless (or (eqv? r 0) (<= (+ (integer-length r) (ball-scale b)) 0)) (raise unknown)))"
  "(unless (or (eqv? r 0) (< (+ (integer-length r) (ball-scale b)) 0)) (raise unknown)))"
@@ -256,15 +256,15 @@
 ("dynamics/Floquet.rkt"
  "(define angular? (and (fl< part closure-tolerance all) (angle? derivative start k)))"
  "(define angular? (and (fl<= part closure-tolerance all) (angle? derivative start k)))"
- "a gap that equals the tolerance is refused, taken for an angle's or not")
+ "a gap that equals the tolerance is refused in either case, and told of the part or of all" limit)
 ("constraint/constrained-motion.rkt"
  "(for/list ([x (in-list (scalars state))] [k (in-naturals 1)])"
  "(for/list ([x (in-list (scalars state))] [k (in-naturals 2)])"
- "any state beside shows whether the constraints depend on each other there alone")
+ "another state beside, at which the constraints may depend on each other by chance" limit)
 ("constraint/constrained-motion.rkt"
  "(+ x (* 1e-3 (+ 1 (abs x)) (spread-fraction k))))))"
  "(- x (* 1e-3 (+ 1 (abs x)) (spread-fraction k))))))"
- "any state beside shows whether the constraints depend on each other there alone")
+ "another state beside, at which the constraints may depend on each other by chance" limit)
 ("constraint/constraint-jacobian.rkt"
  "(define columns (rows-transpose (list->vector (jacobian-rows who cs state))))"
  "(define columns (rows-transpose (list->vector (jacobian-rows cs cs state))))"
@@ -320,7 +320,7 @@
 ("dynamics/map/period-check.rkt"
  "(define (beside state) (changed state (lambda (x k) (if (= k 0) x (g:+ x (/ 0.1 k))))))"
  "(define (beside state) (changed state (lambda (x k) (if (= k 0) x (g:+ x (/ 0.2 k))))))"
- "any state beside one at rest may feel the drive")
+ "another state beside the one at rest, at which the drive may vanish by chance" limit)
 ("dynamics/map/iterated-map.rkt"
  "(if (< n compilation-threshold)"
  "(if (<= n compilation-threshold)"
