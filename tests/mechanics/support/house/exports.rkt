@@ -3,8 +3,8 @@
 
 (provide export-table own-names)
 
-;; Exports that are Racket's own, or load it, are documented there.
-(define rackets-own '(racket/base racket/match mechanics/lang/pattern/match-forms))
+;; Exports that are Racket's own bindings are documented there.
+(define rackets-own '(racket/base racket/match))
 
 ;; name -> where it is defined, for all that a module exports at phase 0.
 (define (export-table module-path)
