@@ -5,7 +5,8 @@
 (require "error/uncompiled.rkt")
 (tell-if-uncompiled)
 
-(require "base.rkt"
+(require racket/match
+         "base.rkt"
          "calculus/on-demand.rkt"
          "compile/on-demand.rkt"
          "constraint/on-demand.rkt"
@@ -32,7 +33,6 @@
          "lagrangian/on-demand.rkt"
          "lagrangian/state-derivative.rkt" "lagrangian/total-derivative.rkt"
          "lang/application.rkt" "lang/help/help.rkt" "lang/paper-notation/caret.rkt"
-         "lang/pattern/match-forms.rkt"
          "lang/Scheme.rkt"
          "lang/session.rkt"
          "lang/redefinition/module.rkt"
@@ -46,7 +46,7 @@
          "value/matrix/quaternion-units.rkt" "value/on-demand.rkt")
 
 (provide
- (all-from-out racket/base "lang/pattern/match-forms.rkt" "base.rkt")
+ (all-from-out racket/base racket/match "base.rkt")
  ;; the language
  #%app #%top #%module-begin #%top-interaction ^ help
  ;; names of MIT Scheme

@@ -7,9 +7,7 @@
 
 As a language and as a library, @racketmodname[mechanics] provides everything on
 these pages, and @racketmodname[racket/base] and @racketmodname[racket/match]
-with the replacements listed here. The forms of @racketmodname[racket/match] load it
-when they are first used; a module that requires @racketmodname[mechanics] beside
-another language needs no @racketmodname[racket/match] of its own, and may not have both.
+with the replacements listed here.
 
 @section-index["units"]
 

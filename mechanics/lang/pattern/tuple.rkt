@@ -3,7 +3,7 @@
 ;; one apart as a `match` pattern, and marks a structure pattern among the arguments of `define`
 ;; and its kin.
 
-(require (only-in racket/match/match-expander define-match-expander)
+(require racket/match
          (for-syntax racket/base)
          (prefix-in make- (only-in "../../generic/up-down.rkt" up down))
          (only-in "../../generic/up-down.rkt" structure? structure-orientation structure-elements))

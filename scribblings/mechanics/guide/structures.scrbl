@@ -1,5 +1,5 @@
 #lang scribble/manual
-@(require (for-label (except-in mechanics match) (only-in racket/match match)) "../eval.rkt"
+@(require (for-label mechanics) "../eval.rkt"
           "../next-pages.rkt")
 
 @title[#:tag "structures"]{Structures}

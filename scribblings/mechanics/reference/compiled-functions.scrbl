@@ -1,6 +1,5 @@
 #lang scribble/manual
-@(require (for-label (except-in mechanics match) (only-in racket/match match) racket/flonum)
-          "../eval.rkt")
+@(require (for-label mechanics racket/flonum) "../eval.rkt")
 
 @(define session (make-session '(require racket/flonum)))
 

@@ -1,6 +1,5 @@
 #lang scribble/manual
-@(require (for-label (except-in mechanics match) (only-in racket/match match))
-          "../eval.rkt" "../citation.rkt")
+@(require (for-label mechanics) "../eval.rkt" "../citation.rkt")
 
 @title[#:tag "reference-structures"]{Structures}
 
