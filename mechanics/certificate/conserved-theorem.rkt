@@ -294,8 +294,7 @@
            (string-join (append (x-paths M) (y-paths M)) " ") t given (motion-pattern M))
    (format "  unfold ~a in *.\n" unfold)
    lines-along
-   (string-append* (map (lambda (E k) (law-text E k (derivative-proof tactic-along ns)))
-                        (law-texts M along) (range 1 (+ 1 (length (flow-laws M))))))
+   (laws-used M along (derivative-proof tactic-along ns))
    (format "  ~a.\n" (refine-text (length (flow-Qs M))))
    (string-append* (map (lambda (k) (quantity-proof M k along tactic-along))
                         (range (length (flow-Qs M)))))
@@ -320,11 +319,19 @@
                  (format "~a - (~a + ~a)" (in-parentheses p) (in-parentheses f) (in-parentheses F))
                  (format "~a - ~a" (in-parentheses p) (in-parentheses f))))))
 
-;; By derivatives of unknown functions
-(define (law-text E k derivative)
-  (format "  assert (equation_~a : ~a = 0).\n  { ~a.\n    ~a. }\n" k E
-          (format "refine (same_derivative _ _ _ _ _ law_~a)" k)
-          derivative))
+;; By derivatives of unknown functions.  A law whose momentum is a velocity would be taken for the
+;; rate of that velocity: each is forgotten when it has given its equation.
+(define (laws-used M along derivative)
+  (define ks (range 1 (+ 1 (length (flow-laws M)))))
+  (define forget
+    (string-append "clear" (string-append* (for/list ([k (in-list ks)]) (format " law_~a" k)))))
+  (define (equation E k)
+    (format "  assert (equation_~a : ~a = 0).\n  { ~a ~a.\n    ~a. }\n" k E
+            (format "refine (same_derivative _ _ _ _ _ law_~a)." k) forget derivative))
+  (if (flow-Hamiltonian? M)
+      ""
+      (string-append (string-append* (map equation (law-texts M along) ks))
+                     (format "  ~a.\n" forget))))
 
 (define (quantity-proof M k along tactic)
   (cond [(flow-Hamiltonian? M) (format "  ~a.\n" (derivative-proof tactic along))]

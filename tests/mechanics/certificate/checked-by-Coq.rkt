@@ -17,7 +17,8 @@
 (define (accepted? text) (judgement-accepted? (check-by-Coq coqc text)))
 
 (define few
-  '(rationalized symbolic-power central-energy turned-phase-space circle-on-a-string))
+  '(rationalized symbolic-power central-energy unit-mass-in-a-plane turned-phase-space
+    circle-on-a-string))
 
 (test-case "certificates are accepted: sines, roots, powers, a motion, a conserved quantity"
   (skip-unless coqc without-Coq

@@ -163,6 +163,13 @@
    (verify-solution L (lambda (t) (let ((z (* 'a (cos (* (sqrt (/ 'k 'm)) t))))) (up z z))))))
 
 ;; ---- Conserved quantities
+;; A momentum that is the velocity is not taken for its rate.
+(unit-mass (let ((L (lambda (s) (* 1/2 (square (velocity s))))))
+             (verify-conserved L velocity (up 't 'x 'v))))
+(unit-mass-in-a-plane
+ (let ((L (lambda (s) (- (* 1/2 (square (velocity s)))
+                         ((literal-function 'U) (sqrt (square (coordinate s))))))))
+   (verify-conserved L (Lagrangian->energy L) (up 't (up 'x 'y) (up 'v 'w)))))
 (energy (verify-conserved (L-harmonic 'm 'k) (Lagrangian->energy (L-harmonic 'm 'k)) (up 't 'x 'v)))
 (energy-in-any-potential
  (let ((L (lambda (s) (- (* 1/2 'm (square (velocity s))) ((literal-function 'V) (coordinate s))))))
