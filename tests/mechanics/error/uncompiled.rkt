@@ -44,7 +44,7 @@
       (for ([name required]) (printf "(require ~s)\n" name))))
   file)
 
-;; What is printed where the file is expanded, as for colours, and not declared
+;; Text printed where the file is expanded, as for colours, and not declared
 (define (expanded-alone folder file)
   (racket "-e" (format "(parameterize ([read-accept-reader #t] [current-load-relative-directory ~s])
                           (void (expand (call-with-input-file ~s read-syntax))))"

@@ -1,5 +1,5 @@
 #lang racket/base
-;; What a program writes, as it is sent on: whole characters, and no more than a million bytes.
+;; The output of a program, as it is sent on: whole characters, and no more than a million bytes.
 
 (require mechanics/notebook/text-stream
          "../support/checks.rkt")

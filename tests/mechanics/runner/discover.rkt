@@ -53,7 +53,7 @@
       (remove* (append-map paths special-suites) (test-files))
       (paths (assoc name special-suites))))
 
-;; Those that take longest are begun first where nothing is known of an earlier run.
+;; Files that take longest are begun first where nothing is known of an earlier run.
 (define long-test
   '("manual.rkt" "show/plot/figures.rkt" "teaching/class/hostile.rkt" "scale/export/C.rkt"
     "certificate/checked-by-Coq.rkt" "teaching/class/hostile-notebooks.rkt" "attack.rkt"

@@ -23,7 +23,7 @@
   (define (sources-of file)
     (define e (entry-of file))
     (if e (entry-sources e) (list (test-name file))))
-  ;; What decides whether a file is run, and how early; #f if nothing asks for it
+  ;; The reason to run a file, and how early; #f if nothing asks for it
   (define (rank file)
     (cond [(member (room-of (test-name file)) rooms) 0]
           [(member (short-name file) always) 1]

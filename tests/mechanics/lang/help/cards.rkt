@@ -106,7 +106,7 @@
          #:unless (regexp-match? #rx"[()0-9]" line))
     (check-true (<= (string-length line) 78) line)))
 
-;; What a prompt of the manual prints after the expressions of a card.
+;; The manual's output after the expressions of a card.
 (define (manual-answers c)
   (define e (card-demonstration c))
   (define session (make-session))

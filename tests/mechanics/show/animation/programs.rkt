@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The animations are programs: each writes the files that are named on its command line, which two
 ;; are asked for here; of the others single pictures are looked at.
-;; What their motions show is tested beside them, which is run here.
+;; The tests of their motions stand beside them, and are run here.
 
 (require (only-in mechanics/animate animation-frame)
          (only-in mechanics/show/animation/on-demand why-no-pictures)

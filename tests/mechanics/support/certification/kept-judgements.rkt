@@ -1,5 +1,5 @@
 #lang racket/base
-;; What Coq says of files, kept in build/certification/ between runs: a text is given to it once,
+;; Judgements of Coq, kept in build/certification/ between runs: a text is given to it once,
 ;; until that folder is deleted.
 ;;
 ;; Loading Coq's libraries takes longer than most proofs.  So files go to it by tens, as modules of
@@ -72,7 +72,7 @@
 (define (in-tens xs)
   (if (> (length xs) 10) (cons (take xs 10) (in-tens (drop xs 10))) (list xs)))
 
-;; What the files have in common, and the rest
+;; The part that the files have in common, and the rest
 (define (preamble text) (car (parts text)))
 (define (parts text)
   (define start (caar (regexp-match-positions #rx"Definition hypotheses" text)))

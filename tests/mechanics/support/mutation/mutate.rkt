@@ -38,7 +38,7 @@
 
 (define (try-original) (run-probe #f #f))
 
-;; What probing takes that is no part of the algebra is shared.
+;; Modules of the probe that are no part of the algebra are shared.
 (define shared-modules '(racket/base racket/list racket/cmdline racket/fixnum))
 
 (define (run-probe path text)

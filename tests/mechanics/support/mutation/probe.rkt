@@ -78,7 +78,7 @@
     (#t (- (sqrt (+ x (* 2 (sqrt (- x 1))))) (+ 1 (sqrt (- x 1)))))
     (#f (+ (sqrt (+ x (* 2 (sqrt (- x 1))))) 1 (sqrt (- x 1))))))
 
-;; What their witnesses name.
+;; Names in their witnesses.
 (define named
   '(((+ a (- (log b) (log b))) (a b))
     ((+ a (/ (- (* 2 x) x x) b)) (a b))))

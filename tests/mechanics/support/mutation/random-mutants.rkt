@@ -148,7 +148,7 @@
       (list 'killed (if ended? "the process died" "it did not end"))))
 
 ;; ---------------------------------------------------------------------------
-;; What is known
+;; Verdicts kept
 
 (define (known)
   (if (file-exists? kept)
