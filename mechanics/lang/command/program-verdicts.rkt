@@ -9,7 +9,8 @@
 
 (provide program-verdicts (struct-out shown-verdict))
 
-;; form : as a datum; milliseconds : of the processor since the verdict before
+;; form : as a datum
+;; milliseconds : of the processor since the verdict before; of the first, with compiling
 (struct shown-verdict (form verdict milliseconds) #:authentic)
 
 ;; who : in whose name is complained; name : of the file, as it was given
@@ -17,18 +18,16 @@
 (define (program-verdicts who file name)
   (check-program who name file)
   (define stx (call-with-program file (lambda (port) (read-whole-program who name file port))))
-  (define-values (number found start) (values 0 '() #f))
+  ;; A module that the program requires may show verdicts before the first form begins.
+  (define-values (number found start) (values 0 '() (current-process-milliseconds)))
   (define (note! v)
     (unless (assq v found)
       (define now (current-process-milliseconds))
       (set! found (cons (list v number (- now start)) found))
       (set! start now)))
-  (define (begins! n)
-    (set! number n)
-    (unless start (set! start (current-process-milliseconds))))
   (define o
     (parameterize ([verdict-formatted note!])
-      (run-program stx file #:begins begins!
+      (run-program stx file #:begins (lambda (n) (set! number n))
                    #:shown (lambda (x) (for-each note! (verdicts-in x))))))
   (define end (outcome-end o))
   (define forms (list->vector (map syntax->datum (module-forms stx))))

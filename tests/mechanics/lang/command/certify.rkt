@@ -75,6 +75,14 @@
   (check-regexp-match #rx"4 verdicts shown, 3 proved, 3 with a certificate, 1 refuted\n$"
                       (cadr told)))
 
+(test-case "a verdict that a required module shows is certified, with the first form"
+  (program "library.rkt" "(verify-equal (* 2 'x) (+ 'x 'x))")
+  (program "user.rkt" "(require \"library.rkt\")" "(verify-equal (* 3 'x) (+ 'x 'x 'x))")
+  (define told (answer "user.rkt" "--write"))
+  (check-equal? (car told) 0)
+  (check-regexp-match #rx"^.require \"library.rkt\".\n" (cadr told))
+  (check-regexp-match #rx"2 verdicts shown, 2 proved, 2 with a certificate\n" (cadr told)))
+
 (test-case "a program that ends early is told; what it showed before has its certificates"
   (program "early.rkt" "(verify-equal (* 2 'x) (+ 'x 'x))" "(car '())")
   (define told (answer "early.rkt" "--write"))
