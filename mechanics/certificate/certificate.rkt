@@ -8,7 +8,7 @@
          "../algebra/expression/expression.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/output-file.rkt"
-         "../generic/value-struct.rkt"
+         "../generic/own-thread.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
          "../value/algebra.rkt"
          "../verdict/verdict.rkt")
@@ -65,15 +65,10 @@
 
 ;; The same where writing ends within a minute, else a string that says so
 (define (certificate-in-time v)
-  (define found (make-channel))
-  (define (find) (channel-put found (with-handlers ([void values]) (certificate-or-reason v))))
-  (define finder (thread find))
-  (define c
-    (dynamic-wind void
-                  (lambda () (sync/timeout/enable-break most-seconds found))
-                  (lambda () (kill-thread finder))))
-  (cond [(exn? c) (raise c)]
-        [else (or c (format "it takes more than ~a seconds to write" most-seconds))]))
+  (call-in-own-thread
+   (lambda () (certificate-or-reason v))
+   most-seconds
+   (lambda () (format "it takes more than ~a seconds to write" most-seconds))))
 
 (define most-seconds 60)
 

@@ -6,7 +6,7 @@
 (require (only-in racket/list append*)
          (only-in racket/string string-split)
          "card.rkt"
-         "../../generic/on-demand.rkt"
+         "../../generic/on-demand.rkt" "../../generic/own-thread.rkt"
          "../../show/display/result.rkt"
          "../../show/interact/live-result.rkt")
 
@@ -22,9 +22,10 @@
   (make-parameter (lambda (x width) (format "~v" (simplified-result x width)))))
 
 ;; -> answers
+;; The thread keeps declarations and settings of the example.
 (define (demonstrate e width)
   (define space (fresh-prompt (example-libraries e)))
-  (in-own-thread
+  (call-in-own-thread
    (lambda ()
      ;; Files that an example writes are none of the reader's.
      (parameterize ([current-namespace space]
@@ -66,17 +67,3 @@
          (define-values (value remark) (printed-interaction x #f #f))
          value]
         [else x]))
-
-;; Calls thunk in a thread of its own, which keeps declarations and settings of the example, and
-;; ends when a break ends the caller.
-(define (in-own-thread thunk)
-  (define outcome #f)
-  (define worker
-    (thread (lambda ()
-              (set! outcome (with-handlers ([void (lambda (e) (lambda () (raise e)))])
-                              (define result (thunk))
-                              (lambda () result))))))
-  (dynamic-wind void
-                (lambda () (sync worker))
-                (lambda () (kill-thread worker)))
-  (outcome))

@@ -1,8 +1,7 @@
 #lang racket/base
 ;; Work of our own that may take too long, or too much memory: it is stopped by a break.
-;;
-;; A killed thread leaves its work half done: a part of the library half loaded, a table locked.
-;; A break comes only where breaks are enabled.
+
+(require "../../generic/own-thread.rkt")
 
 (provide call-within)
 
@@ -20,7 +19,7 @@
   (dynamic-wind
    void
    (lambda ()
-     (unless (ends-within? worker seconds (make-custodian-box full #t)) (stop worker))
+     (unless (ends-within? worker seconds (make-custodian-box full #t)) (stop-thread worker))
      (values (and result (unbox result)) (seconds-of worker)))
    (lambda () (custodian-shutdown-all own))))
 
@@ -35,10 +34,3 @@
 (define pulse 1/10)              ; seconds, how often its time is looked at
 
 (define (seconds-of worker) (/ (current-process-milliseconds worker) 1000.))
-
-;; A worker that takes no break, in a procedure of the teacher's perhaps, is killed after all.
-(define (stop worker)
-  (break-thread worker)
-  (unless (sync/timeout longest-break worker) (kill-thread worker)))
-
-(define longest-break 10)        ; seconds

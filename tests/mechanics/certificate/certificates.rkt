@@ -25,6 +25,13 @@
                 (string-append "a theorem for Coq to check: the path is a motion "
                                "of the Lagrangian; by Coq's own derivatives")))
 
+(test-case "what a function of the user raises while a certificate is written is raised"
+  (define raises? #f)
+  (define (L local) (if raises? (raise 'boo) ((L-free-particle 'm) local)))
+  (define v (verify-solution L (lambda (t) 'c)))
+  (set! raises? #t)
+  (check-exn symbol? (lambda () (certificate v))))
+
 (test-case "nothing is simplified: each divisor and each radicand is a hypothesis"
   (check-equal? (statement (verify-equal (/ (- (square 'x) (square 'y)) (- 'x 'y)) (+ 'x 'y)))
                 (string-append
