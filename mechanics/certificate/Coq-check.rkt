@@ -3,7 +3,9 @@
 
 (require racket/file racket/string racket/system)
 
-(provide find-Coq check-by-Coq judgement-accepted? (struct-out judgement))
+(provide find-Coq check-by-Coq judgement-accepted? (struct-out judgement)
+         ;; for tests
+         fault-in)
 
 ;; The compiler of Coq, or #f where there is none.
 (define (find-Coq) (find-executable-path "coqc"))
@@ -27,10 +29,10 @@
        (display-to-file text (build-path folder "certificate.v"))
        (parameterize ([current-directory folder]) (run-Coq coqc "certificate.v" most-seconds)))
      (lambda () (delete-directory/files folder))))
-  (define strange (if (eq? 'accepted outcome) (strange-axioms said) '()))
-  (judgement (if (null? strange) outcome 'rejected)
+  (define fault (and (eq? 'accepted outcome) (fault-in said)))
+  (judgement (if fault 'rejected outcome)
              (/ (- (spent) start) 1000.0)
-             (if (eq? 'accepted outcome) (string-join strange "\n") said)))
+             (or fault (if (eq? 'accepted outcome) "" said))))
 
 ;; -> outcome, and the text that Coq prints
 (define (run-Coq coqc file most-seconds)
@@ -46,11 +48,18 @@
          (values 'unfinished (format "it takes more than ~a seconds" most-seconds))))
    (lambda () (control 'kill) (sync waiter))))
 
-;; Axioms that are not those of Coq's real numbers, by the lines of Print Assumptions; before them
-;; tactics may have said what they did not find.
-(define (strange-axioms said)
+;; said : by Coq of a file without an error, last by Print Assumptions; before that, tactics may have
+;; said what they did not find
+;; -> axioms that are not those of Coq's real numbers, or that it names no axioms; or #f
+(define (fault-in said)
   (define found (regexp-match #rx"Axioms:(.*)" said))
-  (for/list ([line (in-list (if found (string-split (cadr found) "\n") '()))]
+  (define strange (if found (strange-lines (string-split (cadr found) "\n")) '()))
+  (cond [(pair? strange) (string-join strange "\n")]
+        [(or found (string-contains? said "Closed under the global context")) #f]
+        [else (string-append "it does not say on which axioms it rests\n" said)]))
+
+(define (strange-lines lines)
+  (for/list ([line (in-list lines)]
              #:when (regexp-match? #px"^[A-Za-z]" line)
              #:unless (member (car (string-split line)) axioms-of-reals))
     line))

@@ -70,3 +70,13 @@
 (test-case "each claim of the table is proved; false neighbours are written of most of them"
   (for ([c (in-list (proved-claims few))])
     (check-pred certificate? (certificate-or-reason (asked-verdict c)))))
+
+(test-case "a file without an error is accepted only if Coq names axioms of real numbers, or none"
+  (define reals "Axioms:\nClassicalDedekindReals.sig_not_dec : forall P : Prop, ...\n")
+  (check-false (fault-in reals))
+  (check-false (fault-in "Closed under the global context\n"))
+  (check-equal? (fault-in (string-append reals "falsity : False\n  and more\n"))
+                "falsity : False")
+  (check-equal? (fault-in "claim is defined\n")
+                "it does not say on which axioms it rests\nclaim is defined\n")
+  (check-true (string? (fault-in ""))))
