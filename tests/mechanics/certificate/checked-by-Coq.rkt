@@ -9,6 +9,7 @@
          mechanics/certificate/certificate mechanics/certificate/Coq-check
          "../support/checks.rkt" "../support/skip.rkt"
          "../support/certification/false-neighbours.rkt"
+         "../support/certification/kept-judgements.rkt"
          "../support/certification/proved-claims.rkt")
 
 (define coqc (find-Coq))
@@ -80,3 +81,12 @@
   (check-equal? (fault-in "claim is defined\n")
                 "it does not say on which axioms it rests\nclaim is defined\n")
   (check-true (string? (fault-in ""))))
+
+(test-case "judgements are used again, except where only the clock ran out"
+  (check-true (lasting? (judgement 'rejected 0.5 "Unable to unify")))
+  (check-true (lasting? (judgement 'unfinished (+ longest 1.) "it takes more than 120 seconds")))
+  (check-false (lasting? (judgement 'unfinished 0.5 "it takes more than 120 seconds"))))
+
+(test-case "a neighbour that Coq cannot read is told from one whose proof fails"
+  (check-true (rejected-by-proof? (judgement 'rejected 0.5 "Error: Tactic failure.")))
+  (check-false (rejected-by-proof? (judgement 'rejected 0.5 "Syntax error: [term] expected."))))

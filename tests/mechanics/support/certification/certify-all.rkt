@@ -8,7 +8,7 @@
 ;;     racket certify-all.rkt --record                accepted.txt as of this run
 ;;
 ;; The table is written to build/certificates.txt too. The exit code is 1 if Coq does not accept
-;; what accepted.txt names, or accepts a false neighbour.
+;; what accepted.txt names, or if it accepts a false neighbour or cannot read one.
 
 (require racket/cmdline racket/file racket/format racket/list racket/runtime-path racket/string
          mechanics/certificate/certificate mechanics/certificate/Coq-check
@@ -172,13 +172,14 @@
   (define neighbours (if only '() (neighbour-rows coqc most)))
   (when record? (record! verdicts))
   (define missing (if only '() (lost verdicts)))
-  (define wrong (filter (of-outcome 'accepted) neighbours))
+  (define wrong (filter (of-outcome 'accepted 'unreadable) neighbours))
   (define text
     (string-append
      (verdict-table verdicts) "\n" (neighbour-table neighbours) "\n" (writing-text verdicts)
      (sum-text verdicts)
      (format "not accepted, though the record says so: ~a\n" (if (null? missing) "none" missing))
-     (format "false neighbours accepted: ~a\n" (if (null? wrong) "none" (map row-name wrong)))))
+     (format "false neighbours accepted or unreadable: ~a\n"
+             (if (null? wrong) "none" (map row-name wrong)))))
   (display text)
   (display-lines-to-file (append (map row->text (append verdicts neighbours)) (list text))
                          (build-path top "build" "certificates.txt") #:exists 'truncate)

@@ -8,7 +8,8 @@
 (require file/sha1 racket/file racket/list racket/runtime-path racket/string racket/system
          mechanics/certificate/Coq-check)
 
-(provide judge-all judge-alone expect-rejections longest rejected-by-proof? judgement-late?)
+(provide judge-all judge-alone expect-rejections longest rejected-by-proof? judgement-late?
+         lasting?)
 
 (define-runtime-path folder "../../../../build/certification")
 (define (kept-file) (build-path folder "judgements.rktd"))
@@ -29,7 +30,12 @@
 (define (kept-judgement text)
   (unless kept (load-kept!))
   (define old (hash-ref kept (digest text) #f))
-  (and old (apply judgement old)))
+  (define j (and old (apply judgement old)))
+  (and j (lasting? j) j))
+
+;; A judgement is not used again where only the clock ran out, on a busy machine perhaps.
+(define (lasting? j)
+  (or (not (eq? 'unfinished (judgement-outcome j))) (> (judgement-seconds j) longest)))
 
 (define (keep! text j)
   (define value (list (judgement-outcome j) (judgement-seconds j) (judgement-message j)))
@@ -95,7 +101,7 @@
 ;; ---------------------------------------------------------------------------
 ;; Texts that are to be rejected, in one session of Coq, which goes on after errors
 
-;; Keeps the judgement of each that is rejected or not finished; what has no error goes to coqc.
+;; Keeps the judgement of each that is rejected; what has no error or takes long goes to coqc.
 (define (expect-rejections texts)
   (define coqtop (find-executable-path "coqtop"))
   (for* ([alike (in-list (group-by preamble (filter (lambda (t) (not (kept-judgement t))) texts)))]
@@ -105,9 +111,8 @@
     (define seconds (/ (- (current-process-milliseconds 'subprocesses) start) 1000.0 (length some)))
     (for ([t (in-list some)] [message (in-list said)])
       (define e (regexp-match #rx"Error:(.*?)\n\n" message))
-      (when e
-        (define late? (regexp-match? #rx"Timeout" (cadr e)))
-        (keep! t (judgement (if late? 'unfinished 'rejected) seconds (string-trim (cadr e))))))))
+      (when (and e (not (regexp-match? #rx"Timeout" (cadr e))))
+        (keep! t (judgement 'rejected seconds (string-trim (cadr e))))))))
 
 ;; -> what Coq says of each; a step may take so long as a certificate
 (define (said-in-session coqtop texts)
