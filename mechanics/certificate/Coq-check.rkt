@@ -48,7 +48,7 @@
          (values 'unfinished (format "it takes more than ~a seconds" most-seconds))))
    (lambda () (control 'kill) (sync waiter))))
 
-;; said : by Coq of a file without an error, last by Print Assumptions; before that, tactics may have
+;; said : by Coq of a file without an error, last by Print Assumptions; before it, tactics may have
 ;; said what they did not find
 ;; -> axioms that are not those of Coq's real numbers, or that it names no axioms; or #f
 (define (fault-in said)

@@ -55,7 +55,7 @@
                        (lambda (t) (* 'claim (cos (* (sqrt (/ 'path 'ex_derive)) t))))))
     (define energy
       (let ([L (L-harmonic 'I 'motion)])
-        (verify-conserved L (Lagrangian->energy L) (up 't 'x 'v))))
+        (verify-conserved L (Lagrangian->energy L) (up 't 'L 'True))))
     (for ([v (in-list (list path energy))])
       (check-true (accepted? (certificate-text (certificate v)))))))
 
