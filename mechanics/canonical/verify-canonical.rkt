@@ -27,7 +27,7 @@
 ;; (verify-canonical C state), or (verify-canonical C H H' state)
 (define verify-canonical
   (case-lambda
-    [(C state) (verify-brackets 'verify-canonical C state brackets-and-clock)]
+    [(C state) (verify-brackets 'verify-canonical C state brackets-and-clock #t)]
     [(C H H-prime state)
      (check-Hamiltonian 'verify-canonical H)
      (check-Hamiltonian 'verify-canonical H-prime)
@@ -35,7 +35,7 @@
      (judged state (list C H H-prime) (lambda () ((canonical? C H H-prime) state))
              (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state))
              (lambda () (remarks-on-time C state))
-             (canonical-claim C H H-prime state))]
+             (canonical-claim C H H-prime state #t))]
     [arguments
      (complain-of-arity 'verify-canonical
                         (string-append "takes a transformation and a state, or a transformation, "
@@ -53,14 +53,15 @@
      (decimals-as-written
       (prove-zero (matrix-residual 'verify-symplectic M)
                   #:again (lambda (change) (verify-symplectic (change M)))))]
-    [(C state) (verify-brackets 'verify-symplectic C state symplectic-transform?)]))
+    [(C state) (verify-brackets 'verify-symplectic C state symplectic-transform? #f)]))
 
-(define (verify-brackets who C state residual)
+;; clock? : does the residual judge the rate of the old time as well?
+(define (verify-brackets who C state residual clock?)
   (check-question who state C)
   (judged state (list C) (lambda () ((residual C) state))
-          (lambda (change) (verify-brackets who (change C) state residual))
+          (lambda (change) (verify-brackets who (change C) state residual clock?))
           (lambda () (remarks-on-brackets C state))
-          (canonical-claim C #f #f state)))
+          (canonical-claim C #f #f state clock?)))
 
 ;; The brackets do not depend on the rate of the old time: where it differs from that of the new
 ;; time, the difference is judged as well.

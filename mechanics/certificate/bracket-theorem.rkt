@@ -9,14 +9,15 @@
          "../calculus/derivative.rkt"
          "../lagrangian/local-tuple.rkt"
          "../value/shape.rkt"
-         (only-in "../verdict/verdict.rkt" canonical-claim-C canonical-claim-state))
+         (only-in "../verdict/verdict.rkt" canonical-claim-C canonical-claim-clock?
+                  canonical-claim-state))
 
 (provide bracket-theorem)
 
 ;; arguments : the symbols of the state, n coordinates among them
 ;; names, es : of the old coordinates and momenta
 ;; slopes    : for each of them ((name . expression) ...), its derivatives by arguments 1 ... 2n
-;; clock     : the old time in a list; none if it is the new one
+;; clock     : the old time in a list; none if it is the new one, or not judged
 (struct transformation (arguments n names es slopes clock) #:authentic)
 
 ;; c : canonical-claim; assumed : datums of relations
@@ -49,7 +50,9 @@
                   (for/list ([name (in-list names)] [i (in-naturals)])
                     (for/list ([column (in-list columns)] [k (in-naturals 1)])
                       (cons (format "D~a_~a" k name) (list-ref column i))))
-                  (if (equal? (time old) (time state)) '() (list (time old)))))
+                  (if (and (canonical-claim-clock? c) (not (equal? (time old) (time state))))
+                      (list (time old))
+                      '())))
 
 ;; The derivative of C by the coordinate or momentum of that place
 (define ((derivative-by C k) state)

@@ -71,9 +71,9 @@
 ;; The function `second` of local tuples, or its difference from `first` times the factor, if there
 ;; is a first, is a total time derivative.
 (struct gauge-claim (first second factor local) #:authentic)
-;; The transformation C keeps Poisson brackets at the state, a tuple of symbols; or, if there is an
-;; H, it takes motions of H-prime to motions of H.
-(struct canonical-claim (C H H-prime state) #:authentic)
+;; The transformation C keeps Poisson brackets at the state, a tuple of symbols, and if clock?, the
+;; old time goes as the new one; or, if there is an H, it takes motions of H-prime to motions of H.
+(struct canonical-claim (C H H-prime state clock?) #:authentic)
 
 ;; The verdict with one more remark, before the others.
 (define (with-remark v text)

@@ -276,6 +276,13 @@
    (statement (verify-canonical (lambda (s) (up (+ (time s) 'dt) (coordinate s) (momentum s)))
                                 (up 't 'q 'p)))))
 
+(test-case "a question about brackets alone has no time in its theorem"
+  (check-false
+   (regexp-match? #rx"time"
+                  (statement (verify-symplectic
+                              (lambda (s) (up (* 2 (time s)) (coordinate s) (momentum s)))
+                              (up 't 'q 'p))))))
+
 (test-case "a question of level 2 that has a certificate of level 1 only knows why"
   (define c
     (certificate (verify-solution (L-harmonic 1 2) (lambda (t) (cos (* 1.4142135623730951 t))))))
