@@ -37,7 +37,8 @@
                           (statement M ns)
                           (proof M ns lines tactic (given-pattern (length relations)))
                           (example-text relations ns))
-           (hypothesis-texts relations ns)))
+           (hypothesis-texts relations ns)
+           '()))
 
 (define (transformation-of c)
   (define-values (C state) (values (canonical-claim-C c) (canonical-claim-state c)))

@@ -168,9 +168,11 @@
       (map (lambda (e) (cons e 0)) residuals)))
 
 (define (words claim th kind)
-  (define hypotheses (theorem-hypotheses th))
-  (format "a theorem for Coq to check: ~a~a; ~a" claim
-          (if (null? hypotheses) "" (format " under ~a" (string-join hypotheses ", ")))
+  (define (listed before texts)
+    (if (null? texts) "" (string-append before (string-join texts ", "))))
+  (format "a theorem for Coq to check: ~a~a~a; ~a" claim
+          (listed " under " (theorem-hypotheses th))
+          (listed ", where what was found for the proof has a value, " (theorem-found th))
           kind))
 
 (define (theorem-file th [derivatives? #f] [note ""])

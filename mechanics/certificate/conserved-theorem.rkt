@@ -52,12 +52,9 @@
     (append (list (flow-function M)) (flow-by-ys M) (flow-by-xs M) (flow-Fs M) (flow-Qs M)
             (if before (cons (old-there before) (old-slopes before)) '())))
   (define proved (append stated (flow-laws M) (append* (flow-multipliers M)) (flow-rates M)))
-  (define domain
-    (open-relations (append stated (append* (flow-multipliers M)))
-                    (append (list (flow-function M)) (flow-Qs M)
-                            (if before (list (old-there before)) '())
-                            (if (flow-Hamiltonian? M) '() (flow-by-ys M)))))
-  (define relations (all-hypotheses assumed domain))
+  (define own (all-hypotheses assumed (open-relations stated (differentiated M))))
+  (define found (relations-beyond own (open-relations (append* (flow-multipliers M)) '())))
+  (define relations (append own found))
   (define symbols (if before (old-symbols before) '()))
   (define ns
     (names-without
@@ -66,12 +63,19 @@
                  (append (list "s" "motion" "path" "velocity") (names-defined M)))
      symbols))
   (define along (names-along M ns relations stated))
-  (theorem (string-append (hypotheses-text assumed relations ns)
-                          (definitions M ns)
-                          (statement M ns along)
-                          (proof M stated proved relations ns along)
-                          (example M relations ns along))
-           (hypothesis-texts relations ns)))
+  (theorem-with-found (string-append (hypotheses-text assumed relations ns found)
+                                     (definitions M ns)
+                                     (statement M ns along)
+                                     (proof M stated proved relations ns along)
+                                     (example M relations ns along))
+                      relations found ns))
+
+;; Expressions of which the theorem takes derivatives
+(define (differentiated M)
+  (define before (flow-old M))
+  (append (list (flow-function M)) (flow-Qs M)
+          (if before (list (old-there before)) '())
+          (if (flow-Hamiltonian? M) '() (flow-by-ys M))))
 
 (define (old-slopes before) (append (old-by-ps before) (old-by-qs before)))
 

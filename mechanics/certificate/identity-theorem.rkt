@@ -24,7 +24,8 @@
             (hypotheses-text assumed hypotheses ns)
             (claim-text equations (length hypotheses) ns lines tactic)
             (example-text hypotheses ns))
-           (hypothesis-texts hypotheses ns)))
+           (hypothesis-texts hypotheses ns)
+           '()))
 
 (define (claim-text equations count ns lines tactic)
   (define names (string-join (all-names ns) " "))

@@ -44,11 +44,15 @@
   (define differentiated
     (append (motion-qs M) (if (motion-Hamiltonian? M) (motion-vs M) (motion-ps M))
             (map (lambda (e) (along-path M e)) (cons (motion-L M) (map tie-G ties)))))
-  (define along
+  (define multipliers (map tie-multiplier ties))
+  (define (with multipliers)
     (append differentiated (motion-vs M) (motion-fs M) (motion-Qs M)
-            (map tie-multiplier ties) (append-map tie-normals ties)))
-  (define domain (open-relations along differentiated))
-  (define relations (all-hypotheses assumed domain))
+            multipliers (append-map tie-normals ties)))
+  (define along (with multipliers))
+  (define asked (if (motion-claim-multipliers m) along (with '())))
+  (define own (all-hypotheses assumed (open-relations asked differentiated)))
+  (define found (relations-beyond own (open-relations multipliers '())))
+  (define relations (append own found))
   (define dummies (append (motion-xs M) (motion-ws M)))
   (define ns
     (names-without (make-names (append along (append-map relation-sides relations)
@@ -56,12 +60,12 @@
                                (cons "s" (names-defined M)))
                    dummies))
   (define-values (lines tactic) (known-lines along relations ns))
-  (theorem (string-append (hypotheses-text assumed relations ns)
-                          (definitions M ns)
-                          (statement M ns)
-                          (proof M (length relations) ns lines tactic)
-                          (example-text relations ns))
-           (hypothesis-texts relations ns)))
+  (theorem-with-found (string-append (hypotheses-text assumed relations ns found)
+                                     (definitions M ns)
+                                     (statement M ns)
+                                     (proof M (length relations) ns lines tactic)
+                                     (example-text relations ns))
+                      relations found ns))
 
 ;; ---------------------------------------------------------------------------
 ;; Expressions

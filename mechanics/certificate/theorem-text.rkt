@@ -10,13 +10,19 @@
          (only-in "../algebra/assumption/assumption-set.rkt" no-assumptions))
 
 (provide (struct-out theorem) relation-sides divisors-in relations->assumptions
-         all-hypotheses hypotheses-text hypothesis-texts given-pattern
+         all-hypotheses relations-beyond hypotheses-text hypothesis-texts given-pattern
+         theorem-with-found
          example-text witness-texts example-steps
          binders all-names symbol-names for-all wrapped)
 
 ;; text       : Coq's, without what all certificates have in common
 ;; hypotheses : their texts
-(struct theorem (text hypotheses) #:authentic)
+;; found      : texts of more, the domain of what was found for the proof
+(struct theorem (text hypotheses found) #:authentic)
+
+;; found : those of the relations that are the domain of what was found
+(define (theorem-with-found text relations found ns)
+  (theorem text (hypothesis-texts (remq* found relations) ns) (hypothesis-texts found ns)))
 
 ;; Assumptions that the algebra knows, as far as it can
 (define (relations->assumptions ds)
@@ -61,23 +67,31 @@
 ;; assumed, domain : relations -> all of them, without x <> 0 of a symbol where its sign is one
 (define (all-hypotheses assumed domain)
   (define all (remove-duplicates (append assumed domain)))
-  (define (implied? d)
-    (and (eq? (car d) '<>)
-         (symbol? (cadr d))
-         (for/or ([sign (in-list '(> <))]) (member (cons sign (cdr d)) all))))
-  (filter (lambda (d) (not (implied? d))) all))
+  (filter (lambda (d) (not (implied? d all))) all))
 
-;; assumed : those of the relations that are not of the domain
-(define (hypotheses-text assumed relations ns)
+(define (implied? d ds)
+  (and (eq? (car d) '<>)
+       (symbol? (cadr d))
+       (for/or ([sign (in-list '(> <))]) (member (cons sign (cdr d)) ds))))
+
+;; Those of the domain of what was found that the claim's own do not say
+(define (relations-beyond own domain)
+  (filter (lambda (d) (not (or (member d own) (implied? d own)))) domain))
+
+;; assumed : those of the relations that are not of the domain; found : the last of them, the
+;; domain of what was found for the proof
+(define (hypotheses-text assumed relations ns [found '()])
+  (define own (remq* found relations))
   (define (assumed? d) (member d assumed))
   (define (listed title ds)
     (if (null? ds)
         '()
         (list (cons (format "  (* ~a *)" title) (hypothesis-texts ds ns)))))
   (define groups
-    (append (listed "assumed" (filter assumed? relations))
+    (append (listed "assumed" (filter assumed? own))
             (listed "domain: each part of the claim has a value"
-                    (filter (lambda (d) (not (assumed? d))) relations))))
+                    (filter (lambda (d) (not (assumed? d))) own))
+            (listed "no part of the claim: what was found for the proof has a value" found)))
   (format "~aDefinition hypotheses ~a : Prop :=\n~a.\n\n"
           (differentiable-texts relations) (binders ns)
           (if (null? groups)

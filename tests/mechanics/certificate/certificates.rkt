@@ -251,6 +251,27 @@
   (check-equal? (certificate-gap (certificate unknown))
                 "no formula was found of which it is the rate"))
 
+(test-case "the domain of what was found for the proof is told from that of the claim"
+  (define (hyperbola s) (/ (velocity s) (coordinate s)))
+  (define v (verify-total-time-derivative hyperbola (up 't 'x 'v)))
+  (check-regexp-match
+   (regexp-quote
+    (string-append "(* domain: each part of the claim has a value *) x <> 0 /\\ "
+                   "(* no part of the claim: what was found for the proof has a value *) 0 < x."))
+   (statement v))
+  (check-regexp-match
+   (regexp-quote "under x <> 0, where what was found for the proof has a value, 0 < x;")
+   (format "~a" (certificate v)))
+  (define (L s) (* 1/2 'm (square (velocity s))))
+  (check-regexp-match
+   (regexp-quote "under x <> 0, where what was found")
+   (format "~a" (certificate (verify-equivalent-Lagrangians L (+ L hyperbola) (up 't 'x 'v)))))
+  (check-false
+   (regexp-match? #rx"found"
+                  (statement (verify-total-time-derivative
+                              (lambda (s) (* (velocity s) (coordinate s)))
+                              (up 't 'x 'v))))))
+
 (test-case "a transformation with two Hamiltonians takes motions to motions"
   (define (moving s) (up (time s) (+ (coordinate s) (* 'u (time s))) (momentum s)))
   (define (H s) (/ (square (momentum s)) (* 2 'm)))
