@@ -101,11 +101,15 @@
         [(canonical-claim? c)
          (values bracket-theorem "the transformation keeps all Poisson brackets")]
         [(gauge-claim? c)
-         (values gauge-theorem
-                 (if (gauge-claim-first c)
-                     "the Lagrangians differ by a total time derivative"
-                     "the function is a total time derivative"))]
+         (values gauge-theorem (format "~a a total time derivative" (gauge-words c)))]
         [else (values #f #f)]))
+
+(define (gauge-words c)
+  (define factor (gauge-claim-factor c))
+  (cond [(not (gauge-claim-first c)) "the function is"]
+        [(eqv? 1 factor) "the Lagrangians differ by"]
+        [else (format "the second Lagrangian and the first, multiplied by ~a, differ by"
+                      (value->text factor))]))
 
 (define (system-name Hamiltonian?) (if Hamiltonian? "Hamiltonian" "Lagrangian"))
 

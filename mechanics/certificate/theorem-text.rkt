@@ -64,19 +64,32 @@
 (define (hypothesis-texts relations ns)
   (for/list ([d (in-list relations)]) (relation-text d ns)))
 
-;; assumed, domain : relations -> all of them, without x <> 0 of a symbol where its sign is one
+;; assumed, domain : relations -> all of them, without x <> 0 of a symbol where its sign is one, and
+;; without |x| > 0 where x <> 0 is one
 (define (all-hypotheses assumed domain)
   (define all (remove-duplicates (append assumed domain)))
   (filter (lambda (d) (not (implied? d all))) all))
 
 (define (implied? d ds)
-  (and (eq? (car d) '<>)
-       (symbol? (cadr d))
-       (for/or ([sign (in-list '(> <))]) (member (cons sign (cdr d)) ds))))
+  (define x (nonzero-in d))
+  (or (and x (eq? (car d) '>) (member (list '<> x 0) ds))
+      (and (symbol? x)
+           (for/or ([sign (in-list '(> <))]) (member (list sign x 0) ds)))))
+
+;; x of x <> 0 and of |x| > 0, else #f
+(define (nonzero-in d)
+  (define left (car (relation-sides d)))
+  (and (eqv? 0 (caddr d))
+       (case (car d)
+         [(<>) left]
+         [(>) (and (headed? left op:abs) (car (node-args left)))]
+         [else #f])))
 
 ;; Those of the domain of what was found that the claim's own do not say
 (define (relations-beyond own domain)
-  (filter (lambda (d) (not (or (member d own) (implied? d own)))) domain))
+  (define not-zero (filter-map nonzero-in own))
+  (define (said? d) (or (member d own) (implied? d own) (member (nonzero-in d) not-zero)))
+  (filter (lambda (d) (not (said? d))) domain))
 
 ;; assumed : those of the relations that are not of the domain; found : the last of them, the
 ;; domain of what was found for the proof

@@ -251,6 +251,17 @@
   (check-equal? (certificate-gap (certificate unknown))
                 "no formula was found of which it is the rate"))
 
+(test-case "Lagrangians that differ by a factor as well: it is named, and not 0 once"
+  (define ((L m) s) (* 1/2 m (square (velocity s))))
+  (define (words a b)
+    (format "~a" (certificate (verify-equivalent-Lagrangians (L a) (L b) (up 't 'x 'v)))))
+  (check-regexp-match #rx": the second Lagrangian and the first, multiplied by 3, differ by a total"
+                      (words 1 3))
+  (check-regexp-match
+   (regexp-quote "multiplied by (/ a m), differ by a total time derivative under a <> 0, m <> 0;")
+   (words 'm 'a))
+  (check-regexp-match #rx": the Lagrangians differ by a total time derivative" (words 'm 'm)))
+
 (test-case "the domain of what was found for the proof is told from that of the claim"
   (define (hyperbola s) (/ (velocity s) (coordinate s)))
   (define v (verify-total-time-derivative hyperbola (up 't 'x 'v)))
