@@ -6,7 +6,9 @@
          mechanics mechanics/book
          (only-in mechanics/certificate/certificate certificate-gap certificate-level
                   certificate-or-reason certificate-text certificate?)
-         "../support/checks.rkt" "../support/messages.rkt")
+         "../support/checks.rkt" "../support/messages.rkt"
+         "../support/certification/false-neighbours.rkt"
+         "../support/certification/proved-claims.rkt")
 
 ;; The text from the definition of hypotheses to the proof of the claim, spaces aside
 (define (statement v)
@@ -339,6 +341,17 @@
   (check-regexp-match (regexp-quote "1.4142135623730951 as (sqrt 2)")
                       (format "~a" (certificate swing)))
   (check-false (regexp-match? #rx"14142135623730951 /" (certificate-text (certificate swing)))))
+
+(test-case "false neighbours of a gauge and of a transformation lack a derivative"
+  (define all (neighbours-by-hypotheses (proved-claims '(gauge-of-unknown moving-frame))))
+  (define lacking
+    (filter (lambda (n) (regexp-match? #rx": dropped hypothesis$" (neighbour-kind n))) all))
+  (check-equal? (map neighbour-kind lacking)
+                '("gauge: dropped hypothesis" "canonical: dropped hypothesis"))
+  (for ([n (in-list lacking)])
+    (define hypotheses
+      (cadr (regexp-match #rx"Definition hypotheses(.*?)Section" (neighbour-text n))))
+    (check-false (regexp-match? #rx"differentiable|is_derive" hypotheses) (neighbour-name n))))
 
 (test-case "what has no certificate says why"
   (define v (verify-equal (* 2 (atan 'y 'x)) (+ (atan 'y 'x) (atan 'y 'x))))

@@ -114,7 +114,7 @@
     (energy) (energy-in-any-potential 1) (central-energy 1) (central-angular-momentum 1)
     (rectangular-angular-momentum 2) (Hamiltonian-energy 1) (friction-and-energy)
     (polar-coordinates 1) (polar-transformation) (turned-phase-space) (shear) (shear-by-any 1)
-    (force-on-an-unknown-path 1 2)))
+    (force-on-an-unknown-path 1 2) (gauge-of-unknown 1) (moving-frame 1)))
 
 (define (contradictions text)
   (define derivative

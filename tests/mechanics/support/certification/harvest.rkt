@@ -81,4 +81,5 @@
         [(motion-claim? s) "motion"]
         [(conserved-claim? s) "conserved"]
         [(canonical-claim? s) "canonical"]
+        [(gauge-claim? s) "gauge"]
         [else "other residual"]))
