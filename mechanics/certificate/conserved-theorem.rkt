@@ -307,7 +307,7 @@
 ;; The parts of a motion, taken apart
 (define (motion-pattern M)
   (define n (length (flow-xs M)))
-  (define (names base) (for/list ([i (in-range 1 (+ n 1))]) (format "~a_~a" base i)))
+  (define (names base) (numbered-from-1 base n))
   (pattern-of
    (if (flow-Hamiltonian? M)
        (append (names "moves") (names "law"))
@@ -382,19 +382,16 @@
   (define xs (map number (flow-xs M)))
   (define ys (map number (flow-ys M)))
   (define rates (map at-point (flow-accelerated M)))
-  (string-append*
-   (if (flow-Hamiltonian? M)
-       (for/list ([z (in-list (append xs ys))] [rate (in-list rates)] [k (in-naturals 1)]
-                  [path (in-list (append (x-paths M) (y-paths M)))])
-         (path-through k z rate "0" t path (format "velocity_~a" k) "_"))
-       (for/list ([x (in-list xs)] [y (in-list ys)] [rate (in-list rates)] [k (in-naturals 1)]
-                  [path (in-list (x-paths M))] [velocity (in-list (y-paths M))])
-         (path-through k x y rate t path velocity)))))
+  (define n (length rates))
+  (if (flow-Hamiltonian? M)
+      (paths-through (append xs ys) rates (make-list n "0") t (append (x-paths M) (y-paths M))
+                     (numbered-from-1 "velocity" n) "_")
+      (paths-through xs ys rates t (x-paths M) (y-paths M))))
 
 ;; Puts the point in place of the paths.
 (define (placed M)
   (define n (length (flow-xs M)))
-  (define (names base n) (for/list ([k (in-range 1 (+ n 1))]) (format "?~a_~a" base k)))
+  (define (names base n) (numbered-from-1 (string-append "?" base) n))
   (format "rewrite ~a"
           (string-join (if (flow-Hamiltonian? M)
                            (names "place" (* 2 n))

@@ -16,7 +16,7 @@
 
 (provide scalars-in symbols-for open-relations numbered
          parameters-text definition-lines derivative-text at
-         names-on-paths path-through
+         names-on-paths paths-through
          conjunction pattern-of refine-text
          known-lines derivative-proof)
 
@@ -103,6 +103,13 @@
   (format "  destruct (path_through ~a ~a ~a ~a) as (~a & ~a & ~a & ~a & moves_~a & ~a).\n"
           place speed acceleration t path velocity
           (format "place_~a" k) (format "speed_~a" k) k rate))
+
+;; The same of each; places, speeds, accelerations, t : texts
+(define (paths-through places speeds accelerations t paths velocities [rate #f])
+  (string-append*
+   (for/list ([place (in-list places)] [speed (in-list speeds)] [a (in-list accelerations)]
+              [path (in-list paths)] [velocity (in-list velocities)] [k (in-naturals 1)])
+     (path-through k place speed a t path velocity (or rate (format "rate_~a" k))))))
 
 (define (conjunction texts [indent "  "])
   (string-join (map wrapped texts) (format " /\\\n~a" indent)))

@@ -63,8 +63,9 @@
          parts factor (car (scalars-in f))))
 
 (define (symbols-of M) (cons (gauge-t M) (append (gauge-xs M) (gauge-vs M))))
-(define (positions M) (numbered "path" (length (gauge-xs M))))
-(define (velocities M) (numbered "velocity" (length (gauge-xs M))))
+(define (count-of M) (length (gauge-xs M)))
+(define (positions M) (numbered "path" (count-of M)))
+(define (velocities M) (numbered "velocity" (count-of M)))
 (define (paths M) (append (positions M) (velocities M)))
 
 ;; ---------------------------------------------------------------------------
@@ -107,13 +108,10 @@
   (define-values (lines tactic) (known-lines es relations along))
   (format "Proof.\n  unfold hypotheses. intros ~a ~a ~a ~a.\n~a  unfold gauge, ~a.\n  ~a.\n~a"
           (string-join (paths M) " ") (name-of ns (gauge-t M)) (given-pattern (length relations))
-          (string-join (numbered-from-1 "moves" M)) lines
+          (string-join (numbered-from-1 "moves" (count-of M))) lines
           (string-join (map car (gauge-parts M)) ", ")
           (derivative-proof tactic along)
           "Qed.\nEnd gauge.\n\n"))
-
-(define (numbered-from-1 base M)
-  (for/list ([k (in-range 1 (+ 1 (length (gauge-xs M))))]) (format "~a_~a" base k)))
 
 ;; Straight paths through a point where the hypotheses hold
 (define (example M relations ns along)
@@ -122,12 +120,13 @@
   (define t (name-of ns (gauge-t M)))
   (define there
     (string-join (for*/list ([base (in-list '("place" "speed"))]
-                             [name (in-list (numbered-from-1 base M))])
+                             [name (in-list (numbered-from-1 base (count-of M)))])
                    (string-append "?" name))
                  ", "))
   (format (string-append "Theorem not_vacuous : exists ~a (~a : R -> R),\n  ~a /\\\n  ~a.\n"
                          "Proof.\n~a  exists ~a, ~a.\n  split.\n"
-                         "  { rewrite ~a. unfold hypotheses. cbv beta.\n~a  }\n  ~a; rewrite ~a; assumption.\n"
+                         "  { rewrite ~a. unfold hypotheses. cbv beta.\n~a  }\n"
+                         "  ~a; rewrite ~a; assumption.\n"
                          "Qed.\n\n")
           (binders own) (string-join (paths M) " ")
           (wrapped (format "hypotheses ~a" (string-join (all-names along) " ")))
@@ -136,11 +135,9 @@
           (wrapped (string-join (witness-texts values own) ", ")) (string-join (paths M) ", ")
           there
           (example-steps relations values ns)
-          (refine-text (length (gauge-xs M))) there))
+          (refine-text (count-of M)) there))
 
 (define (through-text M values ns)
   (define (number s) (value-text s (cdr (assoc s values)) ns))
-  (string-append*
-   (for/list ([x (in-list (gauge-xs M))] [v (in-list (gauge-vs M))] [k (in-naturals 1)]
-              [path (in-list (positions M))] [velocity (in-list (velocities M))])
-     (path-through k (number x) (number v) "0" (number (gauge-t M)) path velocity))))
+  (paths-through (map number (gauge-xs M)) (map number (gauge-vs M)) (make-list (count-of M) "0")
+                 (number (gauge-t M)) (positions M) (velocities M)))

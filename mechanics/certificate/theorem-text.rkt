@@ -11,7 +11,7 @@
 
 (provide (struct-out theorem) relation-sides divisors-in relations->assumptions
          all-hypotheses relations-beyond hypotheses-text hypothesis-texts given-pattern
-         theorem-with-found
+         theorem-with-found numbered-from-1
          example-text witness-texts example-steps
          binders all-names symbol-names for-all wrapped)
 
@@ -134,9 +134,13 @@
       (wrapped (format "is_derive (fun s => f ~a) t (~a)" (words "(p_# s)")
                        (string-join (each "d_# * v_#") " + ")))))))
 
+;; base_1 ... base_n
+(define (numbered-from-1 base n)
+  (for/list ([k (in-range 1 (+ n 1))]) (format "~a_~a" base k)))
+
 ;; The pattern that takes so many hypotheses apart, as given_1, given_2 ...
 (define (given-pattern count)
-  (define given (for/list ([i (in-range 1 (+ count 1))]) (format "given_~a" i)))
+  (define given (numbered-from-1 "given" count))
   (cond [(null? given) "given"]
         [(null? (cdr given)) (car given)]
         [else (format "(~a)" (string-join given " & "))]))
