@@ -99,7 +99,7 @@
   along)
 
 ;; The k-th path through a place with a velocity and an acceleration, and what is known of it
-(define (path-through k place speed acceleration t path velocity [rate (format "rate_~a" k)])
+(define (path-through k place speed acceleration t path velocity rate)
   (format "  destruct (path_through ~a ~a ~a ~a) as (~a & ~a & ~a & ~a & moves_~a & ~a).\n"
           place speed acceleration t path velocity
           (format "place_~a" k) (format "speed_~a" k) k rate))
