@@ -32,10 +32,12 @@
      (check-Hamiltonian 'verify-canonical H)
      (check-Hamiltonian 'verify-canonical H-prime)
      (check-question 'verify-canonical state C H H-prime)
-     (judged state (list C H H-prime) (lambda () ((canonical? C H H-prime) state))
-             (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state))
-             (lambda () (remarks-on-time C state))
-             (canonical-claim C H H-prime state #t))]
+     (remarked-on-motions
+      (judged state (list C H H-prime) (lambda () ((canonical? C H H-prime) state))
+              (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state))
+              (lambda () (remarks-on-time C state))
+              (canonical-claim C H H-prime state #t))
+      C state)]
     [arguments
      (complain-of-arity 'verify-canonical
                         (string-append "takes a transformation and a state, or a transformation, "
@@ -107,6 +109,13 @@
    (map vector->list (vector->list (matrix-rows M)))
    '()
    (scalars state)))
+
+;; Motions may go into motions by a map that is canonical for no other Hamiltonian.
+(define (remarked-on-motions v C state)
+  (if (and (proved? v) (refuted? (prove-zero ((symplectic-transform? C) state))))
+      (with-remark v (string-append "this is of motions of these Hamiltonians alone: "
+                                    "the transformation does not keep the Poisson brackets"))
+      v))
 
 ;; A canonical transformation that depends on the time asks for a term beside H∘C.
 (define (remarks-on-time C state)

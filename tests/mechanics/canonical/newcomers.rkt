@@ -260,3 +260,15 @@
  [(Lie-transformation two 'epsilon 2)
   "Lie-transformation: a Hamiltonian is a function of the state (up t q p); "
   "given (up s (up phi theta) (down P p)), an up tuple of 3"])
+
+(test-case "motions may go into motions though the brackets are not kept, which is told"
+  (define state (up 't 'x 'p))
+  (define (H s) (+ (square (momentum s)) (square (coordinate s))))
+  (define (remarks C H-prime) (verdict-remarks (verify-canonical C H H-prime state)))
+  (define ((stretched a b) s) (up (time s) (* a (coordinate s)) (* b (momentum s))))
+  (define (told? r) (regexp-match? #rx"of these Hamiltonians alone.*does not keep the Poisson" r))
+  (for ([C (list (stretched 0 0) (stretched 2 3))]
+        [H-prime (list H (lambda (s) (/ (H ((stretched 2 3) s)) 6)))])
+    (check-true (proved? (verify-canonical C H H-prime state)))
+    (check-true (ormap told? (remarks C H-prime))))
+  (check-equal? (remarks (stretched 2 1/2) (compose H (stretched 2 1/2))) '()))
