@@ -32,12 +32,10 @@
      (check-Hamiltonian 'verify-canonical H)
      (check-Hamiltonian 'verify-canonical H-prime)
      (check-question 'verify-canonical state C H H-prime)
-     (remarked-on-motions
-      (judged state (list C H H-prime) (lambda () ((canonical? C H H-prime) state))
-              (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state))
-              (lambda () (remarks-on-time C state))
-              (canonical-claim C H H-prime state #t))
-      C state)]
+     (judged state (list C H H-prime) (lambda () ((canonical? C H H-prime) state))
+             (lambda (change) (verify-canonical (change C) (change H) (change H-prime) state))
+             (lambda (v) (remarks-on-motions v C state))
+             (canonical-claim C H H-prime state #t))]
     [arguments
      (complain-of-arity 'verify-canonical
                         (string-append "takes a transformation and a state, or a transformation, "
@@ -62,7 +60,7 @@
   (check-question who state C)
   (judged state (list C) (lambda () ((residual C) state))
           (lambda (change) (verify-brackets who (change C) state residual clock?))
-          (lambda () (remarks-on-brackets C state))
+          (lambda (v) (if (refuted? v) (remarks-on-brackets C state) '()))
           (canonical-claim C #f #f state clock?)))
 
 ;; The brackets do not depend on the rate of the old time: where it differs from that of the new
@@ -78,7 +76,7 @@
   (for ([H (in-list Hs)]) (check-parameters who H state "state")))
 
 ;; about : the transformation, and Hamiltonians; find-residual : -> the residual, called while the
-;; kinks that derivatives pass over are noted
+;; kinks that derivatives pass over are noted; remarks : verdict -> texts
 (define (judged state about find-residual again remarks subject)
   (define (domain) (values-at about state))
   (define-values (residual survey)
@@ -88,11 +86,8 @@
     (decimals-as-written
      (prove-zero residual #:variables (scalars state) #:surveys (list survey)
                  #:domain domain #:meaning meaning #:again again #:about subject)))
-  (if (refuted? v)
-      (for/fold ([v v]) ([text (in-list (append (remarks)
-                                                (remark-on-exponents v residual state meaning)))])
-        (with-remark v text))
-      v))
+  (define exponents (if (refuted? v) (remark-on-exponents v residual state meaning) '()))
+  (for/fold ([v v]) ([text (in-list (append (remarks v) exponents))]) (with-remark v text)))
 
 ;; Where no condition was found, one on an exponent is sought.
 (define (remark-on-exponents v residual state meaning)
@@ -110,21 +105,21 @@
    '()
    (scalars state)))
 
-;; Motions may go into motions by a map that is canonical for no other Hamiltonian.
-(define (remarked-on-motions v C state)
-  (if (and (proved? v) (refuted? (prove-zero ((symplectic-transform? C) state))))
-      (with-remark v (string-append "this is of motions of these Hamiltonians alone: "
-                                    "the transformation does not keep the Poisson brackets"))
-      v))
+;; A proof is of motions of the two Hamiltonians alone where the brackets are not kept; a refutation
+;; may be of a canonical transformation that asks for a term beside H∘C.
+(define (remarks-on-motions v C state)
+  (define (brackets) (prove-zero ((symplectic-transform? C) state)))
+  (cond [(and (proved? v) (refuted? (brackets)))
+         (list (string-append "this is of motions of these Hamiltonians alone: "
+                              "the transformation does not keep the Poisson brackets"))]
+        [(and (refuted? v) (depends-on-time? C state) (proved? (brackets)))
+         (list (string-append "the transformation depends on the time: the new Hamiltonian is "
+                              "H∘C + K with the K of (C->K C state)"))]
+        [else '()]))
 
-;; A canonical transformation that depends on the time asks for a term beside H∘C.
-(define (remarks-on-time C state)
+(define (depends-on-time? C state)
   (define-values (_image rate) (value-and-derivative-along C state (rate-of-clock state)))
-  (if (and (refuted? (prove-zero (up (coordinate rate) (momentum rate))))
-           (proved? (prove-zero ((symplectic-transform? C) state))))
-      (list (string-append "the transformation depends on the time: the new Hamiltonian is "
-                           "H∘C + K with the K of (C->K C state)"))
-      '()))
+  (refuted? (prove-zero (up (coordinate rate) (momentum rate)))))
 
 (define (rate-of-clock state) (unit-structure state 0))
 

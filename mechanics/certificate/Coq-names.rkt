@@ -111,10 +111,9 @@
     "Set SProp then Type using where with by Axiom Definition Theorem Lemma Ltac Proof Qed Section "
     "True False not and or ex eq conj nat Rlt Rle Rgt Rge Rplus Rminus Rmult Rdiv Rinv Ropp pow "
     "IZR Rgt_not_eq ln_exp exp_ln exp_pos f_equal sqrt_lem_1 sqrt_sqrt Coquelicot "
-    "I given hypotheses claim not_vacuous is_derive ex_derive Derive locally auto_derive "
-    "differentiable_2 differentiable_3 differentiable_4 differentiable_5 differentiable_6 "
-    "differentiable_7 differentiable_8 differentiable_9")))
+    "I given hypotheses claim not_vacuous is_derive ex_derive Derive locally auto_derive")))
 
-;; Is it a name of hypotheses and of facts in proofs?
+;; Is it a name of hypotheses, of facts in proofs, or of differentiability in so many variables?
 (define (numbered? text)
-  (regexp-match? #px"^(given|kernel|law|moves|rate|equation|place|speed)_[0-9]+$" text))
+  (regexp-match? #px"^(given|kernel|law|moves|rate|equation|place|speed|differentiable)_[0-9]+$"
+                 text))

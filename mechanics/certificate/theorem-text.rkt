@@ -85,7 +85,7 @@
          [(>) (and (headed? left op:abs) (car (node-args left)))]
          [else #f])))
 
-;; Those of the domain of what was found that the claim's own do not say
+;; Relations of the domain of a function found, beyond those that the claim's own imply
 (define (relations-beyond own domain)
   (define not-zero (filter-map nonzero-in own))
   (define (said? d) (or (member d own) (implied? d own) (member (nonzero-in d) not-zero)))

@@ -7,7 +7,7 @@
 (provide call-in-own-thread stop-thread)
 
 ;; thunk : -> value; late : -> value, called instead when so many seconds are over
-;; What thunk raises is raised here.  A break of the caller ends the work.
+;; An exception of the thunk is raised here.  A break of the caller ends the work.
 (define (call-in-own-thread thunk [most-seconds #f] [late void])
   (define outcome #f)
   (define worker

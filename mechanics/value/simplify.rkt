@@ -28,7 +28,7 @@
 ;; Under the declared assumptions alone.
 (define (simplify-strictly x) (parameterize ([automatic-assumptions #f]) (simplify x)))
 
-;; Whatever is declared: for values kept longer than that.
+;; Independent of declarations: for values kept longer than these.
 (define (simplify-always x) (call-without-assumptions (lambda () (simplify x))))
 
 ;; -> the simplified value, and the undeclared assumptions made for it

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Reading relations: (>= r 0), (> a b c), (positive m l).
 ;;
-;; Whatever the spelling, a relation is between two expressions, and gives the
+;; A relation of any spelling is between two expressions, and gives the
 ;; sign of their difference.
 
 (require "assumption-set.rkt" "signs.rkt"

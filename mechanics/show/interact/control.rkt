@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Controls: the names whose values a reader of an interaction changes.
 ;;
-;; Whatever is moved has finitely many values, in a vector: the numbers of a range, choices,
+;; A control has finitely many values, in a vector: the numbers of a range, choices,
 ;; false and true.  A slider, a menu and a page computed beforehand need their positions alone.
 ;; Only a text may be anything.
 ;;

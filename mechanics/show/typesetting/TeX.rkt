@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Trees as TeX: formulas for LaTeX's mathematics mode, with amsmath.
 ;;
-;; Whatever a name is made of, it comes out as its characters: see TeX-text.rkt.
+;; A name of any characters comes out as these: see TeX-text.rkt.
 
 (require "TeX-text.rkt" "renderer.rkt"
          "../../algebra/notation/name.rkt"
