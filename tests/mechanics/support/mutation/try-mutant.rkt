@@ -5,7 +5,8 @@
 ;; the compiled files, for this process and for all that its tests start.  The tests run one after
 ;; another, each with modules of its own, until one fails.  The last line printed is the datum
 ;; (killed TEST), (survived) or, of a text that is no program, (refused).  A test that takes much
-;; more of the processor than its seconds will not end, and has noticed.
+;; more of the processor than its seconds, or leaves it alone for minutes, will not end, and has
+;; noticed.
 
 (require racket/file
          racket/path
@@ -42,20 +43,24 @@
   (newline)
   (flush-output))
 
+;; Bounds of a test: bytes, and milliseconds by the clock without work
 (define most-memory (* 1500 1024 1024))
+(define most-idle 180000)
 
-;; Ends the process where the work takes too long, or too much memory.
+;; Ends the process where the work takes too long, or too much memory, or waits for ever.  Looking
+;; itself takes some 10 ms of a second.
 (define (call-watched test seconds work)
   (define end (+ (current-process-milliseconds) (* 1000 (+ 10 (* 4 seconds)))))
+  (define (look worked since)
+    (sleep 0.5)
+    (define used (current-process-milliseconds))
+    (define now (current-inexact-milliseconds))
+    (when (or (> used end) (> (current-memory-use) most-memory) (> (- now since) most-idle))
+      (answer (list 'killed (string-append "it did not end: " test)))
+      (exit))
+    (if (> (- used worked) (* 1/20 (- now since))) (look used now) (look worked since)))
   (define watch
-    (thread (lambda ()
-              (let look ()
-                (sleep 0.5)
-                (when (or (> (current-process-milliseconds) end)
-                          (> (current-memory-use) most-memory))
-                  (answer (list 'killed (string-append "it did not end: " test)))
-                  (exit))
-                (look)))))
+    (thread (lambda () (look (current-process-milliseconds) (current-inexact-milliseconds)))))
   (begin0 (work) (kill-thread watch)))
 
 ;; Puts the mutant of the file where its compiled code is looked for first; #f if it is no program.
