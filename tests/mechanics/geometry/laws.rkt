@@ -30,6 +30,8 @@
   (define-values (X Y) (vectors C 'X 'Y))
   (check-identity (X (* f g)) (+ (* f (X g)) (* g (X f))))
   (check-identity ((+ X (* f Y)) g) (+ (X g) (* f (Y g))))
+  (check-identity ((+ 0 X) g) (X g))
+  (check-identity ((- 0 X) g) (- (X g)))
   (check-identity (X 3) 0))
 
 (for-charts "brackets: antisymmetric, a derivation, Jacobi" (C (at-most 3))
@@ -52,6 +54,18 @@
   (check-identity (wedge a (wedge b c)) (wedge (wedge a b) c))
   (check-identity ((interior-product X) (wedge a b)) (- (* (a X) b) (* (b X) a)))
   (check-identity ((interior-product X) ((interior-product X) (wedge a b))) 0))
+
+(test-case "a function is a form of rank 0; Alt of a product of 1-forms is their wedge, over n!"
+  (define-values (f g) (functions R3-cyl 'f 'g))
+  (define-values (a b c) (forms R3-cyl 'a 'b 'c))
+  (check-identity (wedge f g) (* f g))
+  (check-identity (wedge f a) (* f a))
+  (check-identity (wedge a f) (* f a))
+  (define (product . ws)
+    (with-argument-types (lambda vs (for/fold ([p 1]) ([w ws] [v vs]) (* p (w v))))
+                         (map (lambda (w) 'vector) ws) R3-cyl))
+  (check-identity (Alt (product a b)) (* 1/2 (wedge a b)))
+  (check-identity (Alt (product a b c)) (* 1/6 (wedge a b c))))
 
 (define-coordinates (up r theta phi) R3-spherical)
 (define space (coordinate-system->metric R3-spherical))

@@ -130,6 +130,12 @@
   "vector-basis->dual: these vector fields are not independent\n  given: (down d/dx d/dx)"]
  [(make-basis (down dx dy) (up dx dy))
   "make-basis: expected a down tuple of vector fields\n  given: (down dx dy), a down tuple of 2"]
+ [(make-basis (down d/dx d/dy) (up d/dx d/dy))
+  "make-basis: expected an up tuple of 1-forms\n  given: (up d/dx d/dy), an up tuple of 2"]
+ [(1form-field->components v R2-rect)
+  "1form-field->components: expected a 1-form\n  given: v, a vector field"]
+ [(1form-field->components 3 R2-rect)
+  "1form-field->components: expected a 1-form\n  given: the number 3"]
  [(basis->coordinate-system (make-basis (down d/dx d/dy) (up dx dy)))
   "basis->coordinate-system: this is no coordinate basis\n"
   "  given: (make-basis (down d/dx d/dy) (up dx dy))"])

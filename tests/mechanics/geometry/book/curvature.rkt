@@ -114,6 +114,14 @@
 
 ;; ---------------------------------------------------------------------------
 
+;; Ricci's tensor is R g/2 in two dimensions; on the unit sphere in four it is 2 g, and R is 6.
+(test-case "Einstein's tensor: none of a surface, -g of the sphere in four dimensions"
+  (check-identity (Einstein-tensor (literal-metric 'g R2-rect) (coordinate-system->basis R2-rect)) 0)
+  (define g (coordinate-system->metric S3-spherical))
+  (check-identity (+ (Einstein-tensor g (coordinate-system->basis S3-spherical)) g) 0))
+
+;; ---------------------------------------------------------------------------
+
 (define ((cyclic-sum f) x y z) (+ (f x y z) (f y z x) (f z x y)))
 (define omega4 (literal-1form-field 'omega R4-rect))
 (define-values (X Y Z V)

@@ -1,6 +1,7 @@
 #lang racket/base
 ;; Vector calculus by Hodge's star (FDG, chapter 10, first part): gradient, curl, divergence and
-;; Laplacian in spherical coordinates, on an orthonormal basis; and the star in three dimensions.
+;; Laplacian in spherical coordinates, on an orthonormal basis; the star in three dimensions;
+;; and the same operators on functions of rectangular coordinates.
 
 (require mechanics mechanics/geometry
          "../../support/checks.rkt" "../../support/messages.rkt" "../../support/session.rkt")
@@ -109,6 +110,24 @@
 
 (test-case "the Laplacian is the star of d of the star of d"
   (check-identity (E3-star (d (E3-star (d g)))) ((Laplacian E3-metric E3-basis) g)))
+
+;; ---------------------------------------------------------------------------
+;; On functions of rectangular coordinates
+
+(define F (apply up (for/list ([name '(F_x F_y F_z)])
+                      (literal-function name '(-> (UP Real Real Real) Real)))))
+(define G (literal-function 'G '(-> (UP Real Real Real) Real)))
+(define q (up 'x 'y 'z))
+
+(test-case "gradient, curl, divergence and Laplacian are those of fields in space"
+  (define ((of-place f) m) (f ((chart R3-rect) m)))
+  (define field (components->vector-field F R3-rect))
+  (define (components v) ((vector-field->components v R3-rect) q))
+  (check-identity ((Grad G) q) (components ((gradient E3-metric E3-basis) (of-place G))))
+  (check-identity ((Curl F) q) (components ((curl E3-metric E3-basis) field)))
+  (define m ((point R3-rect) q))
+  (check-identity ((Div F) q) (((divergence E3-metric E3-basis) field) m))
+  (check-identity ((Lap G) q) (((Laplacian E3-metric E3-basis) (of-place G)) m)))
 
 ;; ---------------------------------------------------------------------------
 
