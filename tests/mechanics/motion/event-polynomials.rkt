@@ -111,3 +111,10 @@
     (evolve-trajectory (lambda (s) (up 1 1)) (up 0 0) 10 #:method 'Taylor #:longest-step 0.5
                        #:events (event (lambda (s) (- (ref s 1) 5)))))
   (check-times (trajectory-events tr) '(5) 1e-12))
+
+;; (t - 1)(t - 5/4), of which the step that begins at 1 has the other zero
+(test-case "a zero where a step begins does not hide another within it"
+  (define tr
+    (evolve-trajectory (lambda (s) (up 1 (ref s 2) 2)) (up 0 5/4 -9/4) 2 #:method 'Taylor
+                       #:longest-step 0.5 #:events (event (lambda (s) (ref s 1)))))
+  (check-times (trajectory-events tr) '(1 5/4) 1e-12))
