@@ -30,3 +30,11 @@
   (check-false (somewhere? '(* y (sqrt (- (sin x) 2)))))
   (check-false (somewhere? '(sqrt m) '((< m 0))))
   (check-false (somewhere? '(+ x +nan.0))))
+
+;; A complex value is asked for nothing.
+(test-case "of a question's expressions those matter that may lack a real value"
+  (define asked
+    (map datum->expression
+         '(3 x (sin x) (sqrt x) (exp (* +i t)) (/ 1 (- x y)) (sqrt (* +i t)))))
+  (check-equal? (domain-expressions (append asked asked))
+                (list (list-ref asked 3) (list-ref asked 5))))

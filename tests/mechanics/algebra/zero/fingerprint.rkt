@@ -182,6 +182,13 @@
   (for-each thread-wait threads)
   (for ([r (in-vector results)]) (check-equal? r expected)))
 
+;; Where one of the roots has no residue another point is tried: one in eight will do.
+(test-case "the roots of an angle are looked at once, at the level of the angle"
+  (define roots '((sqrt (- a 2)) (sqrt (- a 3)) (sqrt (- a 5))))
+  (check-eq? (judge `(- (sin (+ ,@roots b)) (* (sin (+ ,@roots)) (cos b))
+                        (* (cos (+ ,@roots)) (sin b))))
+             'zero))
+
 ;; Half of the residues are no squares: of each there is a cube root all the same.
 (test-case "odd roots, however many, have residues"
   (define roots

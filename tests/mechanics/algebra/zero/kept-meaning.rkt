@@ -59,7 +59,10 @@
   (check-false (keeps? '((= R (* -1 r))) #:values '((/ 1 (+ R r)))))
   (check-false (keeps? '((= k (* m w w))) #:values '((/ a (- k (* m (expt w 2)))))))
   (check-false (keeps? '((= a 0)) #:values '((log a))))
-  (check-true (keeps? '((= k (* m w w))) #:values '((/ a k)))))
+  (check-true (keeps? '((= k (* m w w))) #:values '((/ a k))))
+  ;; a sine that is 0, or 1, though the angle is not solved for
+  (check-false (keeps? '((= (sin a) 0)) #:values '((/ 1 (sin a)))))
+  (check-true (keeps? '((= (sin a) 1)) #:values '((/ 1 (sin a))))))
 
 (test-case "the rank of the mass matrix does not fall"
   (check-false (keeps? '((= m 0)) #:matrix '((m 0) (0 M))))

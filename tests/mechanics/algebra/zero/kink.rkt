@@ -12,7 +12,7 @@
 
 ;; (sort equation ...) of each kink of the operation, in the variables x and y.
 (define (found operation #:values? [values? #f] #:given [relations '()] #:at [places '()]
-               #:unknowns [unknowns '(x y)])
+               #:unknowns [unknowns '(x y)] #:in [functions '()])
   (define A (if (null? relations) no-assumptions (declare-relations no-assumptions relations)))
   (define-values (kinks grounds)
     (find-kinks (list (cons (car operation) (map expression (cdr operation))))
@@ -20,7 +20,8 @@
                 A
                 #:places (for/list ([p (in-list places)]) (cons (car p) (expression (cdr p))))
                 #:unknowns unknowns
-                #:values? values?))
+                #:values? values?
+                #:functions (map expression functions)))
   (for/list ([k (in-list kinks)]) (plain (cons (kink-sort k) (kink-equations k)))))
 
 (define-syntax-rule (finds [operation kink ...] ...)
@@ -86,6 +87,14 @@
          [(asinh x)]
          [(atan x y) (jump (= x 0) (< y 0))]
          [(atan x (exp y))]))
+
+(test-case "where all is linear in an angle the angle alone jumps, by a turn"
+  (define (in . functions) (car (car (found '(atan x y) #:in functions))))
+  (check-equal? (in '(atan x y)) 'branch)
+  (check-equal? (in '(+ (* 3 (atan x y)) (* x y)) '(- y (atan x y))) 'branch)
+  (check-equal? (in '(expt (atan x y) 2)) 'jump)
+  (check-equal? (in '(* x (atan x y))) 'jump)
+  (check-equal? (in '(atan x y) '(sin (* 1/2 (atan x y)))) 'jump))
 
 (test-case "ends and poles count where there must be a value"
   (finds [(/ 1 x)] [(log x)] [(tan x)] [(expt x -2)] [(atanh x)] [(expt x 1/3)] [(= x 2)])

@@ -52,6 +52,7 @@
 (test-case "what no flonum can tell from 0 is told by balls"
   (check-true (refuted? '(- (sqrt (+ (expt x 2) (expt 10 -60))) x)))
   (check-true (refuted? '(- (exp (* x (expt 10 -70))) 1)))
+  (check-true (refuted? '(sqrt (- (exp (expt 10 -30)) 1))))
   (check-true (refuted? '(+ (expt (sin x) 2) (expt (cos x) 2) -1 (* (expt 10 -40) y))))
   (check-false (refuted? '(+ (expt (sin x) 2) (expt (cos x) 2) -1)))
   (check-false (refuted? '(- (sqrt (+ 5 (* 2 (sqrt 6)))) (sqrt 2) (sqrt 3)))))
