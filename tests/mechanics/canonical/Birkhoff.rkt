@@ -90,6 +90,18 @@
   (check-equal? (for/list ([d (normal-form-divisors M)] #:when (equal? (cadr d) '(2 -1))) (car d))
                 '(3)))
 
+;; The mean of x⁴ over an oscillation is 3/8 (x² + a²)².
+(test-case "with a decimal among exact coefficients the terms stand as monomials"
+  (define (H (up t (up x y) (down a b)))
+    (+ (* 1/2 (+ (square a) (square x))) (square b) (square y) (* 8 (expt x 4)) (* 1.5 (expt y 4))))
+  (define quartic (series:ref ((normal-form-Hamiltonian (Birkhoff-normal-form H plane)) plane) 2))
+  (define (means-at x y a b)
+    (+ (* 3 (square (+ (* x x) (* a a)))) (* 9/16 (square (+ (* y y) (* b b))))))
+  (check-close (substitute quartic 'x 0.3 'y -0.7 'p_x 0.2 'p_y 0.4)
+               (means-at 0.3 -0.7 0.2 0.4) 1e-12)
+  (check-equal? (map car (cdr (expression quartic))) '(* * * * * *))
+  (check-close (sort (map cadr (cdr (expression quartic))) <) '(9/16 9/16 9/8 3 3 6) 1e-12))
+
 (test-case "what it prints"
   (check-equal? (format "~a" (Birkhoff-normal-form Henon-Heiles plane #:degree 3))
                 (string-append
