@@ -4,6 +4,7 @@
 (require mechanics/error/failure
          mechanics/numeric/quadrature/improper
          mechanics/numeric/quadrature/oscillating
+         mechanics/numeric/quadrature/periods
          "../../support/checks.rkt")
 
 (define pi (* 4.0 (atan 1.0)))
@@ -91,6 +92,15 @@
   (define-values (value bound)
     (oscillating-quadrature (lambda (x) (/ (cos (* a x)) (+ 1.0 (* x x)))) 1.0 1e-10))
   (check-= value (* 0.5 pi (exp (- a))) 1e-10))
+
+;; Its first minima are in the middle between numbers k/16, at which it is looked at.
+(test-case "the period of a wave is found where its least values are equal, too"
+  (define (f x)
+    (define u (- x 17/32 (floor (- x 1/32))))
+    (/ (+ 1.0 (* 1/2 u u) (* -1.0 u u u u)) (expt (max 1.0 (/ x 8.0)) 2)))
+  (define-values (whole bound) (periodic-quadrature f 1.0 1e-7))
+  (define-values (rest rest-bound) (periodic-quadrature (lambda (x) (f (+ x 1/64))) 1.0 1e-7))
+  (check-= (- whole rest) (integral f 0 1/64) (+ bound rest-bound)))
 
 ;; The parts met tell +, the rule −: to extrapolate would be wrong by 2e-3.
 (test-case "what is left near an end must have the sign that the rule tells"

@@ -90,6 +90,7 @@
                (list (lambda (x) (expt x -1.5)) 0 1)
                (list (lambda (x) (/ 1.0 (- (* x x) 2.0))) 1 3)
                (list (lambda (x) (/ 1.0 (* x (log x)))) 0 1/2)
+               (list (lambda (x) (/ 1.0 (* x (log (- x))))) -1/2 0)
                (list (lambda (x) (/ x (+ 1.0 (* x x)))) 0 +inf.0)
                (list (lambda (x) 1.0) -inf.0 0)
                (list sin 0 +inf.0))])
