@@ -70,7 +70,7 @@
       (format "~aπ~a" (case n [(1) ""] [(-1) "-"] [else n]) (if (even? k) "" "/2"))))
 
 (define (singular-at? s state path quarter)
-  (define place (* quarter 0.5 pi))
+  (define place (* 0.5 pi (exact->inexact quarter)))
   (define (at x) (rates s (with-scalar state path x)))
   (define away (at (+ place some-distance)))
   (and (list? away)

@@ -2,7 +2,11 @@
 ;; Motions through places where coordinates are singular and the motion is not: a top through
 ;; the vertical, with Euler angles.
 
-(require mechanics "../support/checks.rkt")
+(require racket/flonum
+         mechanics
+         (only-in mechanics/motion/system/make-system make-system)
+         (only-in mechanics/motion/system/singular-coordinate singular-coordinate-text)
+         "../support/checks.rkt")
 
 (define-values (A C gMR) (values 6.96e-4 1.32e-4 .112))
 (define L
@@ -130,3 +134,21 @@
     (define-values (message end) (failure-of falling-in (up 0 0.01 0) 1e-10 method))
     (check-regexp-match #rx"cannot be followed any further" message)
     (check-false (regexp-match? #rx"coordinates" message))))
+
+;; The coordinate was put to an exact 0, of which flonum operations make an error.
+(test-case "nor is one of which the rates are made of flonums"
+  (define (falling-in s)
+    (define q (coordinate s))
+    (up 1 (velocity s) (fl/ -1.0 (fl* q q))))
+  (define-values (message end) (failure-of falling-in (up 0 0.01 0) 1e-10 'auto))
+  (check-regexp-match #rx"cannot be followed any further" message)
+  (check-false (regexp-match? #rx"coordinates" message)))
+
+(test-case "of rates that are not compiled one may be no number at the place, the others are"
+  (define (drawn s)
+    (define q (coordinate s))
+    (up 1 (velocity s) (fl/ (flsin q) q)))
+  (define s (make-system 'evolve-trajectory drawn (up 0.0 0.1 0.0)))
+  (check-regexp-match #rx"^\n  singular where [(]coordinate state[)] is 0, of which"
+                      (singular-coordinate-text s (flvector 0.0 1e-4 0.0)))
+  (check-equal? (singular-coordinate-text s (flvector 0.0 3.1415 0.0)) ""))
