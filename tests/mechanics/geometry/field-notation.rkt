@@ -31,8 +31,13 @@
  [((nabla d/dx) v) "∇ₓ v" "\\text{\\ensuremath{\\nabla}}_{x}\\text{ }v"]
  [((nabla (+ v d/dx)) v) "∇(v + ∂/∂x) v"
   "\\text{\\ensuremath{\\nabla}}\\left(v + \\frac{\\partial{}}{\\partial{}x}\\right)\\text{ }v"]
+ [((interior-product v) (wedge dx w)) "interior-product(v)(dx ∧ ω)"
+  "\\text{interior-product}(v)(\\text{d}x\\wedge \\omega)"]
  [(dx v) "(dx)(v)" "(\\text{d}x)(v)"])
 
-(test-case "names that merely begin with d are names"
+(test-case "a coordinate's name has two letters at most; names that merely begin with d are names"
+  (define-coordinates (up ab abc) R2-rect)
+  (check-equal? (->infix d/dab) "∂/∂ab")
+  (check-equal? (->infix dabc) "dabc")
   (check-equal? (->infix (literal-1form-field 'delta R2-rect)) "δ")
   (check-equal? (->infix (literal-1form-field 'density R2-rect)) "density"))

@@ -39,6 +39,8 @@
   "chart: the point is outside the chart S2-gnomonic\n  point: ((point S2-spherical) (up 2 0))"]
  [((chart R2-polar) ((point R2-rect) (up 0 0)))
   "chart: the point is outside the chart R2-polar\n  point: ((point R2-rect) (up 0 0))"]
+ [((chart R3-cyl) ((point R3-rect) (up +inf.0 0 1)))
+  "chart: the point is outside the chart R3-cyl\n  point: ((point R3-rect) (up +inf.0 0 1))"]
  [((chart S2-spherical) ((point S2-stereographic) (up 0 0)))
   "chart: the point is outside the chart S2-spherical\n"
   "  point: ((point S2-stereographic) (up 0 0))"]

@@ -23,10 +23,17 @@
   (check-= (zero (lambda (x) (- (* x x x) 0.001)) -1.0 1.0) 0.1 1e-14)
   (check-false (zero (lambda (x) (/ 1 (- x 0.3))) -1.0 1.0)))
 
+(test-case "it is found by a few values of the function"
+  (for ([f (list cos (lambda (x) (- (exp x) 4)) (lambda (x) (- (* x x x) 2)))])
+    (define count 0)
+    (zero (lambda (x) (set! count (+ count 1)) (f x)) 1.0 2.0)
+    (check-true (< count 20))))
+
 (test-case "of a stretch of zeros the first place; a zero at the end is there"
   (for ([sign '(1 -1)])
     (define (flat x) (* sign (min 0.0 (- x 0.5))))
     (check-= (zero flat 0.0 1.0) 0.5 1e-12)
+    (check-= (zero (lambda (x) (flat (- 1.0 x))) 1.0 0.0) 0.5 1e-12)
     (check-equal? (zero (lambda (x) (* sign (- x 1.0))) 0.0 1.0) 1.0)))
 
 (define (polynomial . c) (apply flvector (map real->double-flonum c)))

@@ -87,6 +87,7 @@
   (for ([example
          (list (list (lambda (x) (/ 1.0 x)) 0 1)
                (list (lambda (x) (/ 1.0 x)) 1 +inf.0)
+               (list (lambda (x) (/ 1e-9 x)) 1 +inf.0)
                (list (lambda (x) (expt x -1.5)) 0 1)
                (list (lambda (x) (/ 1.0 (- (* x x) 2.0))) 1 3)
                (list (lambda (x) (/ 1.0 (* x (log x)))) 0 1/2)
