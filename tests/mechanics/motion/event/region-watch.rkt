@@ -6,26 +6,27 @@
          mechanics/motion/event/region-watch
          "../../support/checks.rkt")
 
-;; -> where a step from 0 to 1 leaves the region in which f, with the rate f', is above the limit
-(define (ways-out f f-rate limit)
+;; -> where a step from 0 to `to` leaves the region in which f, with the rate f', is above the limit
+(define (ways-out f f-rate limit [to 1.0])
   (define (look point seen)
     (flvector-set! seen 0 (f (flvector-ref point 0)))
     (flvector-set! seen 1 (f-rate (flvector-ref point 0))))
-  (define (at place point) (flvector-set! point 0 place))
+  (define (at place point) (flvector-set! point 0 (* to place)))
   (define watch (watch-region (region look limit #f values) (lambda (at) '()) 1))
-  (map crossing-at (watch at 0.0 1.0)))
+  (map crossing-at (watch at 0.0 to)))
 
 ;; 1 − e^(−u²), u = (t − c)/w: nearly 1 but for a dip at c
 (define ((dip c w) t) (- 1.0 (exp (- (expt (/ (- t c) w) 2)))))
 (define ((dip-rate c w) t) (* 2.0 (/ (- t c) w w) (exp (- (expt (/ (- t c) w) 2)))))
-(define (ways-into-dip c limit) (ways-out (dip c 0.0667) (dip-rate c 0.0667) limit))
+(define (ways-into-dip c limit to)
+  (ways-out (dip (* to c) 0.0667) (dip-rate (* to c) 0.0667) limit to))
 
 (test-case "a dip is found by how fast the function falls before it, and rises after it"
-  (for ([c '(0.1 0.43)])
-    (define found (ways-into-dip c 0.3))
+  (for* ([c '(0.1 0.43)] [to '(1.0 -1.0)])
+    (define found (ways-into-dip c 0.3 to))
     (check-equal? (length found) 1)
     (check-true (< ((dip c 0.0667) (car found)) 0.3)))
-  (check-equal? (ways-into-dip 0.1 -0.1) '()))
+  (check-equal? (ways-into-dip 0.1 -0.1 1.0) '()))
 
 ;; Steps of length h -> the time where the first of them leaves the region, or #f, and how
 ;; often the function was looked at
@@ -57,3 +58,11 @@
     (define-values (out looks) (followed (lambda (t) 1.0) (lambda (t) 0.0) 0.3 h 300))
     (check-false out)
     (check-true (< looks 150))))
+
+(test-case "it is looked at as often whenever the motion begins"
+  (define (looks-from start)
+    (define (f t) (+ 1.0 (* 0.1 (sin (- t start)))))
+    (define (f-rate t) (* 0.1 (cos (- t start))))
+    (define-values (out looks) (followed f f-rate 0.3 0.5 100 start))
+    looks)
+  (check-equal? (looks-from 1024.0) (looks-from 0.0)))

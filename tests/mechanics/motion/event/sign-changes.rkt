@@ -53,6 +53,16 @@
   (check-false (tells-zeros? (polynomial 3 1 0.03 0.04) 1.0 (lambda () 0.0)))
   (check-true (tells-zeros? (polynomial 3 1 0.02 0.02) 1.0 (lambda () 0.0))))
 
+;; n terms of e^(kx)
+(define (exponential k n)
+  (for/fold ([c '(1.0)] #:result (apply polynomial (reverse c))) ([j (in-range 1 n)])
+    (cons (/ (* k (car c)) j) c)))
+
+(test-case "and where the function is more than the rounding of its terms, as e^-7 and not e^-20"
+  (check-true (certain? (exponential -7 50)))
+  (check-false (certain? (exponential -20 90)))
+  (check-true (certain? (polynomial 1 1e-12 0 0))))
+
 (test-case "sums of sizes, scaled terms, and places for a radius of convergence"
   (check-equal? (total (polynomial 1 -2 3)) 6.0)
   (check-equal? (total (polynomial 1 -2 3) 1) 5.0)

@@ -41,6 +41,10 @@
   (check-integral (lambda (x) (* 1e18 (expt x -4))) 1e6 +inf.0 (/ 1.0 3))
   (check-equal? (integral exp +inf.0 +inf.0) 0.0))
 
+(test-case "all of it close to one end of a long range"
+  (check-integral (lambda (x) (exp (- x))) 0 1e6 1.0)
+  (check-integral (lambda (x) (exp (- x 1e6))) 0 1e6 1.0))
+
 (test-case "an end at infinity and another where it is infinite"
   (check-integral (lambda (x) (/ (exp (- x)) (sqrt x))) 0 +inf.0 (sqrt pi))
   (check-integral (lambda (x) (/ (exp (- 3.0 x)) (sqrt (- x 3.0)))) 3 +inf.0 (sqrt pi))

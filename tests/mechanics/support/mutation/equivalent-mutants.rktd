@@ -457,3 +457,31 @@
  "(and full? (fl< (row-late r) (fl* still-shorter (row-early r))))]))"
  "(and full? (fl<= (row-late r) (fl* still-shorter (row-early r))))]))"
  "sums of hundreds of step lengths that are equal to the bit: a row more or less of steps" limit)
+("motion/event/event-polynomial.rkt"
+ "(cond [(clear? row (expansion-order e) (flabs span)) 'clear]"
+ "(cond"
+ "a series that is plainly never 0 is looked at for zeros, and has none: a little more work" limit)
+("motion/event/event-polynomial.rkt"
+ "(if (fl> (flabs (flvector-ref c 0)) (fl* 1.01 varies))"
+ "(if (fl> (flvector-ref c 0) (fl* 1.01 varies))"
+ "a polynomial that is plainly negative is looked at for zeros, and has none: a little more work" limit)
+("motion/event/sign-change.rkt"
+ "#:close? [close? (lambda (a b c) (or (= c b) (<= (abs (- b a)) near)))]"
+ "#:close? [close? (lambda (a b c) (and (= c b) (<= (abs (- b a)) near)))]"
+ "a place that is good enough is made better still: a few values more of the function" limit)
+("numeric/quadrature/tail.rkt"
+ "(and (<= (car exponents) (+ 1.0 1e-6))"
+ "(and (< (car exponents) (+ 1.0 1e-6))"
+ "how near to 1 an exponent counts as 1, one flonum less" limit)
+("motion/system/singular-coordinate.rkt"
+ "(and (list? near) (<= (greatest near) (* 30 (greatest away)))))"
+ "(and (list? near) (< (greatest near) (* 30 (greatest away)))))"
+ "how much greater rates may be near a place than at a distance, thirty times, which is a choice" limit)
+("algebra/zero/vanishing-factors.rkt"
+ "(if (> (poly-term-count p) most-terms)"
+ "(if (>= (poly-term-count p) most-terms)"
+ "from how many terms on no factors are sought, one less" limit)
+("algebra/zero/half-angles.rkt"
+ "(and (<= (for/sum ([k (in-hash-values all)]) (abs k)) most-steps) all))"
+ "(and (< (for/sum ([k (in-hash-values all)]) (abs k)) most-steps) all))"
+ "up to how many steps angles are made of others, one less" limit)
