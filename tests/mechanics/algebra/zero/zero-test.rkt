@@ -29,6 +29,15 @@
     (check-equal? (zero-test-residual v) 0))
   (check-equal? (status '(- (* 4 (atan 1/5)) (atan 1/240) (* 1/4 :pi))) 'refuted))
 
+(test-case "inverses of hyperbolic functions are logarithms"
+  (define (proved? d relations)
+    (eq? 'proved (zero-test-status
+                  (zero-test (datum->expression d) (declare-relations no-assumptions relations)))))
+  (check-true (proved? '(- (atanh x) (* 1/2 (- (log (+ 1 x)) (log (- 1 x)))))
+                       '((< x 1) (> x -1))))
+  (check-true (proved? '(- (asinh x) (log (+ x (sqrt (+ 1 (expt x 2)))))) '()))
+  (check-true (proved? '(- (acosh x) (log (+ x (sqrt (- (expt x 2) 1))))) '((> x 1)))))
+
 (test-case "a refutation carries a point that a person can check"
   (for ([d (in-list '((+ (* m (((expt D 2) x) t)) (* k (x t)))
                       (- (* a k (cos (+ (* omega t) phi)))

@@ -481,7 +481,15 @@
  "(if (> (poly-term-count p) most-terms)"
  "(if (>= (poly-term-count p) most-terms)"
  "from how many terms on no factors are sought, one less" limit)
-("algebra/zero/half-angles.rkt"
- "(and (<= (for/sum ([k (in-hash-values all)]) (abs k)) most-steps) all))"
- "(and (< (for/sum ([k (in-hash-values all)]) (abs k)) most-steps) all))"
- "up to how many steps angles are made of others, one less" limit)
+("canonical/perturbation/Poisson-series.rkt"
+ "(define (constant-series n c) (one-wave (zeros n) c 0))"
+ "(define (constant-series n c) (one-wave (zeros n) c 1))"
+ "the sine of 0 is put to 0 where waves are collected")
+("canonical/perturbation/Poisson-series.rkt"
+ "(for/or ([x (in-list a)] [y (in-list b)] #:unless (= x y)) (> x y)))"
+ "(for/or ([x (in-list a)] [y (in-list b)] #:unless (= x y)) (>= x y)))"
+ "equal ones are left out before")
+("canonical/perturbation/complex-polynomial.rkt"
+ "(define small (* 1e-15 (apply max 0 (map magnitude (hash-values found)))))"
+ "(define small (* 2e-15 (apply max 0 (map magnitude (hash-values found)))))"
+ "which decimals count as rounding of the greatest, and are dropped" limit)
