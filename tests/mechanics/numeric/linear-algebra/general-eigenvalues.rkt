@@ -4,6 +4,7 @@
 
 (require racket/flonum
          racket/math
+         racket/set
          mechanics/numeric/linear-algebra/general-eigenvalues
          mechanics/numeric/linear-algebra/symmetric-eigenvalues
          "../../support/checks.rkt")
@@ -96,6 +97,15 @@
     (define-values (a b d) (values (entry) (entry) (entry)))
     (define c (* (/ b (abs b)) (abs (entry))))                          ; b c > 0: both real
     (check-two a b c d)))
+
+;; 1 ± √(b c), with products that are nothing beside 1
+(test-case "a small product of the entries off the diagonal keeps its sign"
+  (for ([sign '(1.0 -1.0)])
+    (define (eigenvalues b c) (real-matrix-eigenvalues (flvector 1.0 b c 1.0) 2))
+    (define root (* (expt 2.0 -31) (sqrt sign)))
+    (for ([found (list (eigenvalues (* sign (expt 2.0 -10)) (expt 2.0 -52))
+                       (eigenvalues (expt 2.0 -52) (* sign (expt 2.0 -10))))])
+      (check-equal? (list->set found) (set (- 1.0 root) (+ 1.0 root))))))
 
 (test-case "nothing separates where there is no number"
   (check-false (real-matrix-eigenvalues (make-flvector 9 +nan.0) 3)))

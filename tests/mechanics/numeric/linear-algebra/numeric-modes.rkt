@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Modes whose frequencies differ by many orders of magnitude: the slow ones were 0.
 
-(require mechanics/numeric/linear-algebra/numeric-modes
+(require (only-in racket/math conjugate)
+         mechanics/numeric/linear-algebra/numeric-modes
          mechanics/numeric/linear-algebra/row-matrix
          "../../support/checks.rkt")
 
@@ -31,3 +32,18 @@
     (check-equal? (car (car (symmetric-modes (unit-rows 3 1.0 0.0) K))) 0.0))
   (check-frequencies (gyroscopic-modes I (rows '(0.0 0.0) '(0.0 0.0)) (turning 2.0)) 0.0 2.0)
   (check-equal? (car (car (gyroscopic-modes I (rows '(1.0 -1.0) '(-1.0 1.0)) (turning 1e3)))) 0.0))
+
+;; Two turning particles, each in a frame of its own: 2 and 1/2 are frequencies of both, ω² ± 3ω/2 = 1.
+(test-case "of two modes with one frequency the shapes are two"
+  (define unit (unit-rows 4 1.0 0.0))
+  (define G (rows '(0.0 1.5 0.0 0.0) '(-1.5 0.0 0.0 0.0) '(0.0 0.0 0.0 1.5) '(0.0 0.0 -1.5 0.0)))
+  (define modes (gyroscopic-modes unit unit G))
+  (check-frequencies modes 0.5 0.5 2.0 2.0)
+  (define (product u v) (for/sum ([x (in-list u)] [y (in-list v)]) (* x (conjugate y))))
+  (define (check-independent u v)
+    (check-true (> (magnitude (- (* (product u u) (product v v)) (* (product u v) (product v u))))
+                   0.1)
+                (format "~a ~a" u v)))
+  (define shapes (map cdr modes))
+  (check-independent (car shapes) (cadr shapes))
+  (check-independent (caddr shapes) (cadddr shapes)))

@@ -3,6 +3,7 @@
 
 (require racket/fixnum
          racket/flonum
+         (only-in mechanics/numeric/flvector flvector-map)
          mechanics/numeric/linear-algebra/factored-system
          mechanics/numeric/linear-algebra/small-symmetric-system
          mechanics/numeric/linear-algebra/symmetric-system
@@ -11,11 +12,11 @@
 (random-seed 21)
 (define (random-vector n) (for/flvector #:length n ([_ (in-range n)]) (- (* 2.0 (random)) 1.0)))
 
-;; BᵀB, and what is added to the diagonal
-(define (symmetric n shift)
+;; BᵀB of the rank, and what is added to the diagonal
+(define (symmetric n shift [rank n])
   (define b (random-vector (* n n)))
   (for*/flvector #:length (* n n) ([i (in-range n)] [j (in-range n)])
-    (for/fold ([sum (if (= i j) (shift i) 0.0)]) ([k (in-range n)])
+    (for/fold ([sum (if (= i j) (shift i) 0.0)]) ([k (in-range rank)])
       (+ sum (* (flvector-ref b (+ (* k n) i)) (flvector-ref b (+ (* k n) j)))))))
 
 (define (solution solve! a n b)
@@ -31,7 +32,14 @@
     (check-= x y (* 1e-9 (+ 1 (abs y))))))
 
 (test-case "definite ones of all sizes"
-  (for* ([n (in-range 1 20)] [_ (in-range 3)]) (check-as-elimination n (lambda (i) 1.0))))
+  (for* ([n (in-range 1 20)] [shift '(1.0 1.0 30.0)])
+    (check-as-elimination n (lambda (i) shift))))
+
+(test-case "nearly singular ones are left to elimination, in any unit"
+  (for* ([n '(9 12 15)] [unit '(1.0 1e-20)] [_ (in-range 4)])
+    (define a (flvector-map (lambda (x) (* unit x)) (symmetric n (lambda (i) 0.0) (- n 1))))
+    (define b (random-vector n))
+    (check-equal? (solution solve-symmetric! a n b) (solution solve-dense! a n b))))
 
 (test-case "indefinite ones, found late or at once, are left to elimination"
   (for ([n '(1 2 5 9 14)])
