@@ -43,10 +43,13 @@
   (and (<= (+ low-error high-error) (* noise (abs (+ low high))))
        (/ (+ low high) pi)))
 
-;; -> the integral and a bound of its error, which may be large
+;; -> the integral and a bound of its error, which may be large, or neither where f overflows
 (define (over-quarter f)
   (let/ec return
-    (quadrature/error f 0.0 (/ pi 2.0) #:tolerance closeness #:limit most-panels
+    (define (value v)
+      (define y (f v))
+      (if (rational? y) y (return +nan.0 +nan.0)))
+    (quadrature/error value 0.0 (/ pi 2.0) #:tolerance closeness #:limit most-panels
                       #:stuck (lambda (value bound x) (return value bound)))))
 
 (define most-panels 400)

@@ -163,6 +163,12 @@
  [((pendulum-circulating-dt 1 9.8) (up 0 1 0))
   "pendulum-circulating-dt: with an energy of less than beta the pendulum swings; "
   "given -5.29496259750777, with beta = 9.8"]
+ [((pendulum-circulating-dt 1 9.8) (up 0 1 -15))
+  "pendulum-circulating-dt: the pendulum turns with a negative momentum, and this is for a "
+  "positive one; given (up 0 1 -15)\n  the global variables are for both: "
+  "pendulum-state-to-global-aa-state"]
+ [(pendulum-oscillating-frequency -1 9.8 0)
+  "pendulum-oscillating-frequency: alpha is positive; given the number -1"]
  [(pendulum-frequency -1 9.8 0)
   "pendulum-frequency: alpha is positive; given the number -1"]
  [((pendulum-oscillating-action-to-E 1 1) 3)

@@ -108,6 +108,18 @@
   (define n (expt (* -2 E) 3/2))
   (check-close (separation-frequencies spherical-Kepler orbit) (list n n n) 1e-9))
 
+;; On a line, from an attracting pole at 1; and from one at 0, with 2.622…, half of the lemniscate
+;; of unit size.
+(test-case "a swing from a pole, whose action has a closed form"
+  (define (action V q p)
+    (separation-actions (separate-Hamilton-Jacobi (particle 1 V) (up 't 'q 'p)) (up 0 q p)))
+  (check-close (action (lambda (q) (/ -1 (- q 1))) 1.5 0.1) (/ 1 (sqrt (- 4 0.01))) 1e-12)
+  (check-close (action (lambda (q) (/ -1 (expt (abs q) 4/3))) 1.0 0.5)
+               (* (/ 2.622057554292119 pi) (sqrt 2) (expt 0.875 -1/4)) 1e-12)
+  (for ([V (list (lambda (q) (/ -1/10 (square q))) (lambda (q) (/ -1 (expt q 4))))])
+    (check-regexp-match #rx"^separation-actions: the integral over the swing of q did not converge"
+                        (message-of (action V 1.0 0.25) exn:fail:mechanics?))))
+
 (test-case "one coordinate: the action and the frequency of the orbit that is followed"
   (define (quartic q) (+ (* 1/2 (square q)) (* 1/4 (expt q 4))))
   (define H (particle 1 quartic))
@@ -167,4 +179,10 @@
   (check-message
    "separation-actions: the coordinate q does not turn back: its motion from 1.0 has no action"
    (separation-actions (separate-Hamilton-Jacobi (particle 1 -) (up 't 'q 'p)) (up 0 1 2))
+   exn:fail:mechanics?)
+  (define (far q) (/ -1 (- q 10000000)))
+  (check-message
+   (string-append "separation-actions: the coordinate q does not turn back: its motion from "
+                  "10000000.0 has no action")
+   (separation-actions (separate-Hamilton-Jacobi (particle 1 far) (up 't 'q 'p)) (up 0 1e7 0.5))
    exn:fail:mechanics?))
