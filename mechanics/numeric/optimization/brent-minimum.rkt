@@ -103,13 +103,11 @@
 (define (vertex-offset best second third)
   (define u (- (point-x second) (point-x best)))
   (define v (- (point-x third) (point-x best)))
-  (cond [(or (= u 0.0) (= v 0.0) (= u v)) #f]
-        [else
-         (define r (/ (- (point-y second) (point-y best)) u))
-         (define s (/ (- (point-y third) (point-y best)) v))
-         (define curvature (/ (- r s) (- u v)))
-         (and (> curvature 0.0)
-              (* -0.5 (- (/ r curvature) u)))]))
+  (define r (/ (- (point-y second) (point-y best)) u))
+  (define s (/ (- (point-y third) (point-y best)) v))
+  (define curvature (/ (- r s) (- u v)))                ; no number where two of them are one
+  (and (> curvature 0.0)
+       (* -0.5 (- (/ r curvature) u))))
 
 ;; The trial replaces one of the three points and one end of the bracket.
 (define (update s trial step before)

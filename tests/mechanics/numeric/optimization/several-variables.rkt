@@ -2,6 +2,7 @@
 ;; Minima of functions of several variables, with and without gradients.
 
 (require racket/flonum
+         (only-in racket/math cosh sinh)
          mechanics/error/failure
          mechanics/numeric/optimization/nelder-mead
          mechanics/numeric/optimization/quasi-newton
@@ -34,6 +35,29 @@
   (define-values (found least slope steps) (quasi-newton f (make-flvector n 0.0)))
   (check-true (< (far found '(1.0 2.0 3.0 4.0 5.0 6.0 7.0 8.0)) 1e-7))
   (check-true (< steps (* 3 n))))
+
+;; A constant added leaves no digits of the last of the fall.
+(test-case "where rounding hides the fall the gradient leads on"
+  (define minimum '(0.3 -0.7 1.1))
+  (define ((valley-on height) v)
+    (define away (for/list ([u (in-flvector v)] [c (in-list minimum)]) (- u c)))
+    (values (for/fold ([sum height]) ([d (in-list away)] [k (in-naturals 1)]) (+ sum (cosh (* k d))))
+            (for/flvector ([d (in-list away)] [k (in-naturals 1)]) (* k (sinh (* k d))))))
+  (for ([height '(0.0 1e3 1e6 1e8)])
+    (define-values (found least slope steps) (quasi-newton (valley-on height) (make-flvector 3 0.0)))
+    (check-true (< (far found minimum) 1e-8) (format "~a" height))))
+
+;; x² as (b + x)² − b² − 2bx, beside 3 (y − 1)² + y⁴, which is least where 2y³ + 3y = 3
+(test-case "rounding of terms that cancel is that of the greatest value met"
+  (define ((cancelling b) v)
+    (define-values (u y) (values (x 0 v) (x 1 v)))
+    (values (+ (- (* (+ b u) (+ b u)) (* b b) (* 2.0 b u)) (* 3.0 (- y 1.0) (- y 1.0)) (expt y 4))
+            (flvector (* 2.0 u) (+ (* 6.0 (- y 1.0)) (* 4.0 y y y)))))
+  (for ([b '(1e3 1e5 1e6)])
+    (define-values (found least slope steps) (quasi-newton (cancelling b) (flvector 1e3 1e3)))
+    (define y (x 1 found))
+    (check-= (x 0 found) 0.0 1e-7)
+    (check-= (+ (* 2.0 y y y) (* 3.0 y)) 3.0 1e-6)))
 
 (test-case "evaluations are counted, all of them"
   (define calls 0)

@@ -36,4 +36,13 @@
   (define (slopes v) (vector (vector (* 2.0 (x-of v)) 0.0) (vector 0.0 0.0)))
   (check-regexp-match #rx"^find-root: no root found"
                       (message-of (found f slopes (flvector 0.3 0.0) #:deficient? #t)
-                                  exn:fail:mechanics?)))
+                                  exn:fail:mechanics?))
+  (define failure
+    (with-handlers ([exn:fail:mechanics:not-convergent? values])
+      (found (lambda (v) (flvector (sin (x-of v)) 1.0))
+             (lambda (v) (vector (vector (cos (x-of v)) 0.0) (vector 0.0 0.0)))
+             (flvector 0.3 0.0) #:deficient? #t)))
+  (check-regexp-match #rx"^find-root: no root found: the values are least here, and not 0\n"
+                      (exn-message failure))
+  (check-close (exn:fail:mechanics:not-convergent-value failure) '(0.0 0.0) 1e-12)
+  (check-close (exn:fail:mechanics:not-convergent-error-estimate failure) 0 1e-12)) ; the next step
