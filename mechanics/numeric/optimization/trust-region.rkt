@@ -45,16 +45,17 @@
     (unless (flvector-finite? f) (raise-no-step who "the functions are not finite" (argument x) f))
     (define J (and (fl> (greatest f) 0.0) (jacobian x)))
     (define full (and J (newton-step J f x)))
+    (define no-zero? (and deficient? (fl> (norm f) least-value)))
     (cond
       [(not full) (values x 0.0)]
-      [(and (fl< (size full x) tolerance) (fl> (norm f) least-value) deficient?)
+      [(and (fl< (size full x) tolerance) no-zero?)
        (not-found "the values are least here, and not 0" x full f count)]
       [(fl< (size full x) tolerance) (values (along x 1.0 full) (greatest full))]
       [(>= count limit) (not-found "too many steps" x full f count)]
       [else
        (define-values (next f* wider) (descend value step J f x full radius))
        (cond [next (loop next f* wider (+ count 1))]
-             [(fl< (size full x) rounding-step) (values x (greatest full))]
+             [(and (fl< (size full x) rounding-step) (not no-zero?)) (values x (greatest full))]
              [else (not-found "no step leads closer to a root" x full f count)])])))
 
 ;; The scales by which steps are measured
