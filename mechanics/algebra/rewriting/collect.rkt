@@ -109,8 +109,8 @@
    (sum-form (for/list ([entry (in-list table)] #:unless (fraction-zero? (cdr entry)))
                (term-form* F (cdr entry) (car entry) variables)))))
 
-;; A coefficient times powers.  One that is a single term is written as part of
-;; the term; one with a sum in it stands as it is presented by itself.
+;; A coefficient times powers.  A sum stands as it is presented by itself; any other is written as
+;; part of the term.
 (define (term-form* F coefficient exponents variables)
   (define R (field-ring F))
   (define e (present F coefficient))
@@ -122,26 +122,17 @@
       (for/list ([i (in-list variables)] [n (in-list exponents)])
         (make-power (poly-variable R i) n))))
   (cond [(null? powers) (expression->form e)]
-        [(sum-within? e) (expression->form (times e powers))]
+        [(sum? e) (expression->form (times e powers))]
         [else (expression->form (present F (fraction* R coefficient monomial)))]))
 
-(define (sum-within? e)
-  (or (sum? e)
-      (and (or (headed? e op:*) (headed? e op:/)) (ormap sum-within? (node-args e)))))
-
-;; e, above its denominator, times powers.
+;; A sum times powers
 (define (times e powers)
-
-  (define-values (top bottom)
-    (if (headed? e op:/)
-        (values (car (node-args e)) (list (cadr (node-args e))))
-        (values e '())))
   (define (product factors) (flatten-products (make-node op:* factors)))
   (define-values (symbols others)
     (partition (lambda (p) (symbol? (kernel-expression (car p)))) (positive-powers powers)))
   (define above
-    (product (append (power-expressions symbols) (list top) (power-expressions others))))
-  (define below (append bottom (power-expressions (negative-powers powers))))
+    (product (append (power-expressions symbols) (list e) (power-expressions others))))
+  (define below (power-expressions (negative-powers powers)))
   (if (null? below)
       above
       (make-node op:/ (list above (product below)))))

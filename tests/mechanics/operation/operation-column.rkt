@@ -55,8 +55,21 @@
   (check-equal? (map (lambda (k) (operation-key 'atan k)) '(1 2)) '(atan atan2))
   (check-equal? (map operation-name (operations-where total positive)) '(exp cosh)))
 
+(test-case "partial derivatives stand in the order of the arguments"
+  (define (partials key) (entry-partials (find-entry key)))
+  (check-equal? (partials '-) '(1 -1))
+  (check-equal? (partials '*) '(b a))
+  (check-equal? (partials 'atan2) '((slope x (g:+ (g:square x) (g:square y)))
+                                    (slope (g:negate y) (g:+ (g:square x) (g:square y))))))
+
 ;; ---------------------------------------------------------------------------
 ;; Facts
+
+(test-case "facts that have a value hold for these"
+  (check-equal? (map entry-key (entries-where 'inverse-of))
+                '(sqrt log asin acos atan asinh acosh atanh))
+  (check-equal? (map entry-key (entries-where 'real)) '(sqrt log asin acos acosh atanh))
+  (check-equal? (entry-fact (find-entry 'log) 'inverse-of) '(exp)))
 
 (define (number-function key)
   (operation-numeric (find-operation key)))

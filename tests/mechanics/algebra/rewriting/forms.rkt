@@ -69,6 +69,8 @@
   (check-equal? (collected '(+ (* a m (expt (sin x) 2)) (* a m (expt (cos x) 2)) (* b m)) 'm)
                 '(* m (+ a b)))
   (check-equal? (collected '(+ (/ a m) (/ b m) c (* 2 m)) 'm) '(+ (* 2 m) c (/ (+ a b) m)))
+  (check-equal? (collected '(+ (* a b x) (* a c x)) 'x) '(* a x (+ b c)))
+  (check-equal? (collected '(/ (+ (* b x y) (* c x y)) (* 2 d)) 'x 'y) '(/ (* x y (+ b c)) (* 2 d)))
   (check-equal? (collected '(/ (+ a m (* b m)) (+ 1 m (* m d))) 'm)
                 '(/ (+ (* m (+ 1 b)) a) (+ (* m (+ 1 d)) 1))))
 
