@@ -168,3 +168,11 @@
   (check-exn
    #rx"^find-root: the root has no derivative: those of the function have no inverse there\n  at: 0.0"
    (lambda () ((D (lambda (a) (find-root (lambda (x) (g:- (g:expt x 3) (g:* a a))) -1 1))) 0))))
+
+;; Of slope 1 to the right of 1 and 1/10 to the left, or the other way round
+(test-case "nor where the function has a kink, on whichever side it is flatter"
+  (for ([side '(1 -1)])
+    (define (kinked x) (g:+ (g:* 0.55 (g:- x 1)) (g:* 0.45 side (g:abs (g:- x 1)))))
+    (check-exn
+     #rx"^find-root: the root has no derivative: those of the function have no inverse there\n  at: 1"
+     (lambda () ((D (lambda (a) (find-root (lambda (x) (g:- (kinked x) a)) (+ 1 side)))) 0)))))
