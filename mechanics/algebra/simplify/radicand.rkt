@@ -9,8 +9,8 @@
 ;; A factor taken out, or to a lower root, must not be negative, but for an even
 ;; power.  The opposite of a factor known to be negative is put in its place, and a
 ;; minus sign under the root.  Where nothing is known and nothing may be assumed, an
-;; even number of factors under an even root is one of |g|.  Of factors that are not real
-;; all stay under one root: √(e^(2it)) is e^(it) or its opposite.
+;; even number of factors under an even root is one of |g|.  A power that is not real does not
+;; leave its root, nor go to a lower one: √(e^(2it)) is e^(it) or its opposite.
 
 (require racket/list
          "nested-roots.rkt"
@@ -38,7 +38,7 @@
        (if (eqv? q 2) (denest F given all) (values given 1 all)))
      (define-values (roots others) (roots-that-leave F number factors q real?))
      (define-values (joint together apart) (by-joint-sign F others q))
-     (define-values (sign signed unknown) (by-signs F apart q real?))
+     (define-values (sign signed unknown) (by-signs F apart q))
      (define parts (append (number-parts (* sign number) q (field-inexact? F))
                            (raise-powers (append together signed) (/ 1 q))))
      (define-values (outer lower kept) (careful-roots F unknown q real?))
@@ -93,14 +93,13 @@
 
 ;; Factors ((polynomial . integer) ...) by their signs, if these matter: -> 1 or -1 and
 ;; factors that together are those of known signs, and those of unknown sign.
-(define (by-signs F factors q real?)
+(define (by-signs F factors q)
   (for/fold ([sign 1] [known '()] [unknown '()]
              #:result (values sign (reverse known) (reverse unknown)))
             ([g (in-list factors)])
     (define s
       (cond [(sign-matters? (cdr g) q)
              (sign-or-assumed (field-simplifier F) (present-poly F (car g)))]
-            [(not (real? (car g))) #f]
             [(negative? (cdr g)) (sign-below F (car g))]
             [else 1]))
     (cond [(eqv? s 1) (values sign (cons g known) unknown)]
