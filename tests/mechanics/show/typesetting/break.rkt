@@ -48,6 +48,15 @@
   (check-equal? (fit t 22 #:typeset? #t) t)
   (check-not-equal? (fit t 22) t))
 
+(test-case "signs and gaps are no wider in type than in text"
+  (define (between t typeset?)
+    (define wide (make-meter typeset?))
+    (apply - (wide t) (map wide (t:tree-parts t))))
+  (define-values (a b) (values (value->tree 'alpha #t) (value->tree 'beta #t)))
+  (for ([t (list (t:relation a "=" b) (value->tree (+ 'alpha 'beta) #t)
+                 (value->tree (* 'alpha 'beta) #t) (value->tree (cos 'alpha) #t))])
+    (check-true (< 0 (between t #t) (between t #f)))))
+
 (test-case "every formula can be cut for type of any width"
   (for* ([entry values-to-typeset] [width '(1 13 24 41 60)])
     (define t (value->tree (cdr entry) #t))

@@ -493,3 +493,27 @@
  "(define small (* 1e-15 (apply max 0 (map magnitude (hash-values found)))))"
  "(define small (* 2e-15 (apply max 0 (map magnitude (hash-values found)))))"
  "which decimals count as rounding of the greatest, and are dropped" limit)
+("pendulum/phase.rkt"
+ "(if (and (real? r) (>= (abs r) 1)) (if (> r 0) :pi/2 (- :pi/2)) (g:asin s)))"
+ "(if (and (real? r) (>= (abs r) 1)) (if (>= r 0) :pi/2 (- :pi/2)) (g:asin s)))"
+ "a number of size 1 or more is not 0")
+("reduction/half-turn-average.rkt"
+ "(define closeness 1e-12)"
+ "(define closeness 2e-12)"
+ "when two means agree: they converge by all powers of the spacing, and the last is far closer" limit)
+("numeric/optimization/brent-root.rkt"
+ "(max (* 0.5 (real->double-flonum tolerance) (max (abs x) (* 1e-2 (abs width))))"
+ "(max (* 0.5 (real->double-flonum tolerance) (max (abs x) (* 0.02 (abs width))))"
+ "near zero the bracket ends at the width promised, no longer at half of it" limit)
+("numeric/optimization/Levenberg-Marquardt.rkt"
+ "(define least-eigenvalue 1e-12)"
+ "(define least-eigenvalue 2e-12)"
+ "from which of the last digits on a combination counts as not determined" limit)
+("numeric/optimization/Levenberg-Marquardt.rkt"
+ "(let ([size (norm c)]) (if (fl> size 0.0) size 1.0)))]"
+ "(let ([size (norm c)]) (if (fl> size 0.0) size 2.0)))]"
+ "a column of zeros is one in any unit; its variable stays, and is told as not determined")
+("algebra/assumption/ledger.rkt"
+ "(asked-once A s e (lambda () (real-valued? A s e)) #f))"
+ "(asked-once s s e (lambda () (real-valued? A s e)) #f))"
+ "a question that leads back to itself is stopped where it comes for the second time, not the first" limit)
