@@ -23,3 +23,10 @@
 (test-case "where nothing may be taken for granted it stays outside"
   (check-equal? (simplified '(* a (sqrt (/ a b))) (with-automatic-assumptions no-assumptions #f))
                 '((* a (sqrt (/ a b))) ())))
+
+(test-case "a number leaves the root of what is not real, as |x| does"
+  (check-equal? (simplified '(expt (* 4 (+ 1 (* +i y))) 1/4))
+                '((* (expt (+ 1 (* +i y)) 1/4) (sqrt 2)) ()))
+  (check-equal? (simplified '(expt (* x x (+ 1 (* +i y))) 1/4)
+                            (with-automatic-assumptions no-assumptions #f))
+                '((* (expt (+ 1 (* +i y)) 1/4) (sqrt (abs x))) ())))
