@@ -33,7 +33,7 @@
   (check-frequencies (gyroscopic-modes I (rows '(0.0 0.0) '(0.0 0.0)) (turning 2.0)) 0.0 2.0)
   (check-equal? (car (car (gyroscopic-modes I (rows '(1.0 -1.0) '(-1.0 1.0)) (turning 1e3)))) 0.0))
 
-;; Two turning particles, each in a frame of its own: 2 and 1/2 are frequencies of both, ω² ± 3ω/2 = 1.
+;; Two turning particles, in frames of their own: 2 and 1/2 are frequencies of both, ω² ± 3ω/2 = 1.
 (test-case "of two modes with one frequency the shapes are two"
   (define unit (unit-rows 4 1.0 0.0))
   (define G (rows '(0.0 1.5 0.0 0.0) '(-1.5 0.0 0.0 0.0) '(0.0 0.0 0.0 1.5) '(0.0 0.0 -1.5 0.0)))

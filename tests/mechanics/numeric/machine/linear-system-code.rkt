@@ -25,7 +25,8 @@
 
 (define (by-machine run A b n)
   (define system
-    (for*/flvector ([i n] [j (+ n 1)]) (if (= j n) (flvector-ref b i) (flvector-ref A (+ (* i n) j)))))
+    (for*/flvector ([i n] [j (+ n 1)])
+      (if (= j n) (flvector-ref b i) (flvector-ref A (+ (* i n) j)))))
   (define x (make-flvector n))
   (run system x)
   x)

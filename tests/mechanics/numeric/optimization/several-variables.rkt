@@ -41,10 +41,12 @@
   (define minimum '(0.3 -0.7 1.1))
   (define ((valley-on height) v)
     (define away (for/list ([u (in-flvector v)] [c (in-list minimum)]) (- u c)))
-    (values (for/fold ([sum height]) ([d (in-list away)] [k (in-naturals 1)]) (+ sum (cosh (* k d))))
+    (values (for/fold ([sum height]) ([d (in-list away)] [k (in-naturals 1)])
+              (+ sum (cosh (* k d))))
             (for/flvector ([d (in-list away)] [k (in-naturals 1)]) (* k (sinh (* k d))))))
   (for ([height '(0.0 1e3 1e6 1e8)])
-    (define-values (found least slope steps) (quasi-newton (valley-on height) (make-flvector 3 0.0)))
+    (define-values (found least slope steps)
+      (quasi-newton (valley-on height) (make-flvector 3 0.0)))
     (check-true (< (far found minimum) 1e-8) (format "~a" height))))
 
 ;; x² as (b + x)² − b² − 2bx, beside 3 (y − 1)² + y⁴, which is least where 2y³ + 3y = 3
