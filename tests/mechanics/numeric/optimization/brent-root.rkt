@@ -42,6 +42,9 @@
     (check-= x 1/3 1e-10)
     (check-true (< count 170) (format "~a" count))))
 
+(test-case "a value next to 0 at an end makes no pole of a root within"
+  (check-= (root (lambda (x) (+ 1e-30 (* x (- 2 (* x x))))) 0 2) (sqrt 2.0) 1e-14))
+
 (test-case "scales of values do not matter"
   (for ([c (in-list '(1e-200 1 1e200))])
     (check-= (root (lambda (x) (* c (- (* x x x) 2))) 0 3) (expt 2.0 (/ 1.0 3.0)) 1e-15)))
