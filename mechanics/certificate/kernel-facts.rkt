@@ -161,11 +161,14 @@
   (define product (for/fold ([e outer]) ([r (in-list radicands)]) (e:* e (root r))))
   (unless (equal? product n)
     (for ([r (in-list radicands)]) (visit-all! c r))
-    (when (or rest (= 1 (length radicands)))
+    (when (and (or rest (= 1 (length radicands)))
+               (not (said-not-negative? c (last radicands))))
       (add-met! c (rest-fact c (last radicands) u outer (drop-right radicands 1))))
     (for ([r (in-list radicands)] #:unless (hash-has-key? (collector-plans c) (root r)))
       (hash-set! (collector-plans c) (root r) #f)
-      (add-met! c (root r)))
+      (add-met! c (if (known-as-divisor? r u)
+                      (root-relation (root r) sign-of-divisor)
+                      (root r))))
     (plan! c n product "apply sqrt_lem_1. " "- nonnegative. - nonnegative. - " 'identity ".")))
 
 ;; 0 <= rest, as rest = u over the square of what else is in the root
@@ -179,12 +182,25 @@
                       (term rest ns) (term (e:/ u square) ns))
               'identity "] | solve [nonnegative]].")))
 
+;; Is there a fact that says so?
+(define (said-not-negative? c e)
+  (for/or ([f (in-list (collector-met c))])
+    (and (fact? f) (equal? (fact-right f) (cons '<= e)))))
+
+;; Is u, which is not negative, a number divided by r?
+(define (known-as-divisor? r u)
+  (and (headed? u op:/) (number? (car (node-args u))) (equal? r (cadr (node-args u)))))
+(define sign-of-divisor
+  (string-append "first [lra | apply Rnot_lt_le; let N := fresh in intro N; "
+                 "apply Rinv_lt_0_compat in N; unfold Rdiv in *; lra]."))
+
 ;; log u as a sum, where u is a power of e, or a product of what is positive
 (define (plan-logarithm! c n u)
   (define A (collector-assumptions c))
   (define-values (number factors) (factors-of u A))
   (define all
-    (append (if (rational? number) (number-factors (abs number)) '()) factors))
+    (append (if (rational? number) (number-factors (abs number)) '())
+            (append-map (lambda (f) (parts-of-modulus c f)) factors)))
   (define (of e) (make-node op:log (list e)))
   (define (positive-factor? f)
     (and (<= (abs (cdr f)) greatest-multiple) (eqv? 1 (weak-sign (car f) A))))
@@ -195,10 +211,22 @@
          (for ([f (in-list all)]) (visit-all! c (car f)))
          (for ([f (in-list all)] #:when (node? (of (car f))))
            (hash-ref! (collector-plans c) (of (car f)) #f))
-         (plan! c n sum
-                (format "replace (~a) with (~a); [logarithms | " (term u (collector-names c))
-                        (product-text all (collector-names c)))
-                'identity "].")]))
+         (if (and (hash-ref (collector-plans c) u #f) (= 1 (length all)) (eqv? 1 (cdar all)))
+             (plan! c n sum "f_equal; " 'identity ".")
+             (plan! c n sum
+                    (format "replace (~a) with (~a); [logarithms | " (term u (collector-names c))
+                            (product-text all (collector-names c)))
+                    'identity "]."))]))
+
+;; f : (base . exponent) -> of an absolute value that is a product of others, those
+(define (parts-of-modulus c f)
+  (cond [(headed? (car f) op:abs)
+         (visit-all! c (car f))
+         (define-values (number factors) (product-parts (resolved c (car f))))
+         (if (eqv? number 1)
+             (for/list ([g (in-list factors)]) (cons (car g) (* (cdr f) (cdr g))))
+             (list f))]
+        [else (list f)]))
 
 ;; x * x * / y
 (define (product-text factors ns)
@@ -360,7 +388,7 @@
   (define leg (and u (make-node op:sqrt (list (e:- 1 (make-node op:* (list u u)))))))
   (define hypotenuse (and u (make-node op:sqrt (list (e:+ 1 (make-node op:* (list u u)))))))
   (define (arc name sine cosine root)
-    (list (root-relation root "apply sqrt_sqrt; radicand.")
+    (list (root-relation root "radicand.")
           (fact 'value (of op:sin) sine (list (format "apply sin_~a; bounds." name)))
           (fact 'value (of op:cos) cosine (list (format "apply cos_~a; bounds." name)))))
   (cond [(headed? angle op:asin) (arc "asin" u leg leg)]
@@ -453,8 +481,17 @@
         [(headed? n op:abs) (list (modulus-relation n))]
         [else '()]))
 
-(define (root-relation n [script "apply sqrt_sqrt; nonnegative."])
-  (fact 'relation (make-node op:* (list n n)) (car (node-args n)) (list script)))
+(define (root-relation n [sign (if (power-of-e? (car (node-args n)))
+                                   "left; apply exp_pos."
+                                   "nonnegative.")])
+  (fact 'relation (make-node op:* (list n n)) (car (node-args n))
+        (list (string-append "apply sqrt_sqrt; " sign))))
+
+;; Is it an exponential, or one by its definition, as Rpower is?
+(define (power-of-e? e)
+  (or (headed? e op:exp)
+      (and (headed? e op:expt)
+           (let-values ([(kind _) (split-power (cadr (node-args e)))]) (eq? kind 'exponential)))))
 
 (define (modulus-relation n)
   (define a (car (node-args n)))

@@ -16,7 +16,7 @@
          "../algebra/rewriting/factor.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
-(provide root-parts factors-of weak-sign)
+(provide root-parts factors-of product-parts weak-sign)
 
 ;; u : radicand; A : assumptions
 ;; -> what stands before the root, the radicands of the roots that are left, all but the last known
@@ -40,10 +40,24 @@
           (append primes (reverse roots))
           (and (not (eqv? rest 1)) (e:* sign rest))))
 
-;; -> the number in u, and its factors ((base . exponent) ...)
+;; -> the number in u, and its factors ((base . exponent) ...); a power that is written is one, also
+;; where sin²θ = 1 - cos²θ makes a sum of it
 (define (factors-of u A)
   (define-values (factored _) (factored-expression u (with-automatic-assumptions A #f)))
-  (product-parts factored))
+  (define-values (number factors) (product-parts factored))
+  (define-values (own-number own) (own-parts u))
+  (if (and (equal? (map cdr factors) '(1)) (pair? own) (not (equal? (map cdr own) '(1))))
+      (values own-number own)
+      (values number factors)))
+
+;; The same of u as it stands, equal bases together
+(define (own-parts u)
+  (define-values (number factors) (product-parts u))
+  (values number
+          (for/fold ([all '()]) ([f (in-list factors)])
+            (define same (assoc (car f) all))
+            (cons (cons (car f) (+ (cdr f) (if same (cdr same) 0)))
+                  (if same (remove same all) all)))))
 
 ;; √q = whole √p₁ √p₂ ...
 (define (number-root q)
