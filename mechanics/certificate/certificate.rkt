@@ -78,11 +78,21 @@
   (define-values (make claim) (theorem-about c))
   (with-handlers ([no-certificate? no-certificate-reason])
     (cond [(not make) #f]
-          [(pair? (verdict-readings v)) "the procedures hold the decimals themselves"]
+          [(not (andmap as-written? (verdict-readings v)))
+           "the procedures hold the decimals themselves"]
           [else
            (define th (make c (verdict-assumptions v)))
-           (proof-certificate 2 (words claim th "by Coq's own derivatives")
-                              (theorem-file th #t) #f)])))
+           (define readings (verdict-readings v))
+           (proof-certificate
+            2
+            (words claim th (string-append "by Coq's own derivatives" (readings-in-words readings)))
+            (theorem-file th #t (readings-note readings))
+            #f)])))
+
+;; reading : (decimal expression) -> does its theorem read it so, 9.8 as 98/10?
+(define (as-written? reading)
+  (define-values (x e) (apply values reading))
+  (and (real? e) (= e (rational-constant x))))
 
 ;; c : a claim's subject -> the function that makes its theorem, and words; or #f and #f
 (define (theorem-about c)
@@ -136,10 +146,8 @@
                 [else (format "the ~a components of the residual are zero"
                               (length (verdict-tests v)))])
           th
-          (string-append "the derivatives are ours"
-                         (readings-text (verdict-readings v) "; reading" value->text)))
-   (theorem-file th #f (readings-text (verdict-readings v) "Decimals are read as exact numbers:"
-                                      constant-text))
+          (string-append "the derivatives are ours" (readings-in-words (verdict-readings v))))
+   (theorem-file th #f (readings-note (verdict-readings v)))
    gap))
 
 ;; all : ((decimal expression) ...); write : expression -> string
@@ -151,6 +159,9 @@
                              (format "~a as ~a" (car r) (write (cadr r))))
                            ", "))))
 
+(define (readings-in-words all) (readings-text all "; reading" value->text))
+(define (readings-note all)
+  (readings-text all "Decimals are read as exact numbers:" constant-text))
 (define (constant-text e) (term e (make-names '())))
 
 ;; -> ((left . right) ...), expressions: the sides of an equality, or residuals and 0

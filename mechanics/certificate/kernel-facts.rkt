@@ -67,10 +67,15 @@
 (define (resolved-divisor c d)
   (define A (collector-assumptions c))
   (define r (resolved c d))
-  (define-values (e _)
-    (if (or (equal? r d) (not (some-node? (lambda (n) (headed? n op:exp)) r)))
+  (define powers                        ; as symbols, of which the algebra knows no more
+    (for/list ([n (in-list (remove-duplicates (nodes-in r)))] #:when (headed? n op:exp))
+      (cons n (string->uninterned-symbol "e"))))
+  (define-values (factored _)
+    (if (or (equal? r d) (null? powers))
         (values #f #f)
-        (factored-expression r (with-automatic-assumptions A #f))))
+        (factored-expression (in-place-of powers r) (with-automatic-assumptions A #f))))
+  (define e
+    (and factored (in-place-of (for/list ([p (in-list powers)]) (cons (cdr p) (car p))) factored)))
   (and e
        (not (equal? e d))
        (for/and ([n (in-list (nodes-in e))])

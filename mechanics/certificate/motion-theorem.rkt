@@ -39,7 +39,7 @@
 
 ;; m : motion-claim; assumed : datums of relations
 (define (motion-theorem m assumed)
-  (define M (expressions-of m))
+  (define M (expressions-of m assumed))
   (define ties (motion-ties M))
   (define differentiated
     (append (motion-qs M) (if (motion-Hamiltonian? M) (motion-vs M) (motion-ps M))
@@ -70,10 +70,9 @@
 ;; ---------------------------------------------------------------------------
 ;; Expressions
 
-(define (expressions-of m)
+(define (expressions-of m assumed)
   (define-values (L force) (values (motion-claim-system m) (motion-claim-force m)))
-  (define t 't)
-  (when (parameter? t m) (give-up "the symbol ~a is a parameter, and the time as well" t))
+  (define t (time-symbol m assumed))
   (define states (states-of m))
   (define local (states t))
   (define state (up t (symbols-for (coordinate local) "q") (symbols-for (velocity local) "v")))
@@ -97,6 +96,13 @@
   (if (motion-claim-p m)
       (states-along 'certificate (motion-claim-q m) (motion-claim-p m))
       (Gamma (motion-claim-q m))))
+
+;; 't, or another symbol where that is a parameter; assumptions about 't may mean either.
+(define (time-symbol m assumed)
+  (cond [(not (parameter? 't m)) 't]
+        [(for*/or ([d (in-list assumed)] [e (in-list (relation-sides d))]) (occurs? 't e))
+         (give-up "the symbol t is a parameter, and assumptions may mean it or the time")]
+        [else (string->uninterned-symbol "t")]))
 
 ;; Does the symbol occur in what is asked, at another time?
 (define (parameter? name m)
