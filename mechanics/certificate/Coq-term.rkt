@@ -120,7 +120,7 @@
   [sinh "sinh"] [cosh "cosh"] [tanh "tanh"] [asinh "arcsinh"]
   [exp "exp"] [log "ln"] [sqrt "sqrt"] [abs "Rabs"]
   [(acosh atanh erf sgn) (none "Coq's library of real numbers has no such function")]
-  [atan2 (none "its derivative alone is known there")])
+  [atan2 "atan2"])
 
 ;; ---------------------------------------------------------------------------
 ;; Powers

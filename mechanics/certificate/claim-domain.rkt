@@ -11,7 +11,7 @@
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt")
 
-(provide domain-relations)
+(provide domain-relations square-of-distance)
 
 ;; -> relations ((<> d 0) (>= r 0) ...), their sides expressions, each once
 (define (domain-relations es)
@@ -28,8 +28,14 @@
         [(of op:sqrt) (list (list '>= a 0))]
         [(of op:log) (list (list '> a 0))]
         [(of op:tan) (list (list '<> (e:apply op:cos a) 0))]
+        [(and (of op:atan) (pair? (cdr args))) (list (list '<> (square-of-distance n) 0))]
         [(or (of op:asin) (of op:acos)) (list (list '>= a -1) (list '<= a 1))]
         [else '()]))
+
+;; x² + y², of a node of the angle of the point (x, y)
+(define (square-of-distance n)
+  (define (square e) (make-node op:* (list e e)))
+  (make-node op:+ (map square (reverse (node-args n)))))
 
 (define (power-domain base k)
   (define-values (kind n) (split-power k))

@@ -46,6 +46,7 @@
 (define (unknown-derivatives n)
   (define h (node-head n))
   (cond [(eq? h op:abs) (give-up "it takes the derivative of an absolute value")]
+        [(angle-of-point? n) (give-up "it takes the derivative of an angle of two arguments")]
         [(literal-head? h) (list (list* 'is-derivative n (derivative-nodes n)))]
         [else '()]))
 

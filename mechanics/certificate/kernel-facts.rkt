@@ -7,7 +7,7 @@
 ;; Facts about what stands within others come first.
 
 (require racket/list
-         "Coq-term.rkt" "linear-terms.rkt" "root-parts.rkt"
+         "claim-domain.rkt" "Coq-term.rkt" "linear-terms.rkt" "root-parts.rkt"
          "../algebra/expression/exact-numbers.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/nodes.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/pi.rkt" "../algebra/expression/size.rkt"
@@ -16,7 +16,7 @@
          "../algebra/rewriting/factor.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
-(provide kernel-facts (struct-out fact))
+(provide kernel-facts angle-of-point? (struct-out fact))
 
 ;; sort   : 'value, left = right replaces left; 'relation, a power of a kernel; 'known, anything;
 ;;          'divisor and 'factor, as 'value and 'known, where a proof may do without
@@ -129,6 +129,7 @@
             name (term a ns) (term (e:negate a) ns)))
   (cond [(memq head (list op:sin op:cos)) (set-collector-angles! c (cons n (collector-angles c)))]
         [(eq? head op:exp) (set-collector-exponents! c (cons n (collector-exponents c)))]
+        [(angle-of-point? n) (visit-all! c (make-node op:sqrt (list (square-of-distance n))))]
         [(eq? head op:tan) (plan! c n (e:/ (of op:sin a) (of op:cos a)) "reflexivity.")]
         [(eq? head op:sinh) (plan! c n (half op:-) (by-exponentials "sinh"))]
         [(eq? head op:cosh) (plan! c n (half op:+) (by-exponentials "cosh"))]
@@ -139,10 +140,13 @@
         [(eq? head op:expt) (plan-power! c n a (cadr (node-args n)))]
         [(literal-head? head) (plan-application! c n)]))
 
+;; Is it an arc tangent of two arguments, y and x?
+(define (angle-of-point? n) (and (headed? n op:atan) (pair? (cdr (node-args n)))))
+
 ;; The expression that stands for e where all that is known so far is used.
 (define (resolved c e)
   (let walk ([e e])
-    (cond [(not (node? e)) e]
+    (cond [(or (not (node? e)) (angle-of-point? e)) e]
           [(hash-ref (collector-plans c) e #f) => (lambda (plan) (walk (car plan)))]
           [else (rebuild (node-head e) (map walk (node-args e)))])))
 
@@ -282,7 +286,8 @@
     (define m (make-node op:asin (node-args n)))
     (when (member m nodes)
       (complement! n m "rewrite acos_asin by (split; lra); field.")))
-  (define atans (filter (lambda (n) (headed? n op:atan)) nodes))
+  (define atans
+    (filter (lambda (n) (and (headed? n op:atan) (not (angle-of-point? n)))) nodes))
   (for ([m (in-list atans)] [k (in-naturals 1)])
     (define x (car (node-args m)))
     (for ([n (in-list (list-tail atans k))]
@@ -398,10 +403,21 @@
           (fact 'value (of op:cos) cosine (list (format "apply cos_~a; bounds." name)))))
   (cond [(headed? angle op:asin) (arc "asin" u leg leg)]
         [(headed? angle op:acos) (arc "acos" leg u leg)]
+        [(and (node? angle) (angle-of-point? angle)) (point-facts angle of)]
         [(headed? angle op:atan)
          (append (arc "atan" (e:/ u hypotenuse) (e:/ 1 hypotenuse) hypotenuse)
                  (list (fact 'known hypotenuse '(<> . 0) '("apply hypotenuse_nonzero."))))]
         [else (list (circle-relation angle of))]))
+
+;; The sine and the cosine of the angle of (x, y): y/√(x² + y²) and x/√(x² + y²)
+(define (point-facts angle of)
+  (define-values (y x) (apply values (node-args angle)))
+  (define h (make-node op:sqrt (list (square-of-distance angle))))
+  (define (wave op leg)
+    (fact 'value (of op) (e:/ leg h) '("apply wave_of_angle; first [assumption | nonzero].")))
+  (list (wave op:sin y)
+        (wave op:cos x)
+        (fact 'known h '(<> . 0) '("apply Rgt_not_eq; apply sqrt_lt_R0; positive."))))
 
 (define (circle-relation angle of)
   (fact 'relation (make-node op:* (list (of op:sin) (of op:sin)))
