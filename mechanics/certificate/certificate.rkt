@@ -14,7 +14,7 @@
          "../verdict/verdict.rkt")
 
 (provide certificate write-certificate certificate-or-reason certificate-in-time certificate?
-         certificate-text certificate-level certificate-gap
+         certificate-text certificate-level certificate-gap certificate-text?
          ;; for tests
          theorem-file)
 
@@ -190,9 +190,13 @@
           (listed ", where what was found for the proof has a value, " (theorem-found th))
           kind))
 
+(define first-line "(* A certificate made by mechanics. To check it: coqc FILE.v *)\n")
+;; text : of a file -> is it a certificate's?
+(define (certificate-text? text) (string-prefix? text first-line))
+
 (define (theorem-file th [derivatives? #f] [note ""])
   (string-append
-   "(* A certificate made by mechanics. To check it: coqc FILE.v *)\n"
+   first-line
    (if (string=? note "") "" (format "(* ~a *)\n" note))
    "Require Import Reals Lra Psatz Nsatz.\n"
    (if derivatives? "From Coquelicot Require Import Coquelicot.\n" "")

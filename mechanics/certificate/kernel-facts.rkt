@@ -46,6 +46,8 @@
   (append circles
           exponentials
           (append-map (lambda (n) (facts-of c n)) (reverse (collector-met c)))
+          (remove-duplicates (append-map (lambda (d) (root-facts c d)) divisors)
+                             #:key fact-left)
           (append-map (lambda (s) (divisor-facts c (car s) (cdr s)))
                       (append simpler
                               (for*/list ([d (in-list divisors)] #:unless (assoc d simpler)
@@ -92,6 +94,14 @@
                                "assert (G : ~a <> 0) by assumption; apply G; transitivity (~a); [")
                               (term d ns 2) (term e ns))
                       'identity "| rewrite Z; unfold Rdiv; ring]")))))
+
+;; Where d is a root that is written by one of a sum, that is not 0 either.
+(define (root-facts c d)
+  (define plan (and (headed? d op:sqrt) (hash-ref (collector-plans c) d #f)))
+  (define (root-of-sum? e) (and (headed? e op:sqrt) (sum? (car (node-args e)))))
+  (if plan
+      (filter (lambda (f) (root-of-sum? (fact-left f))) (cdr (divisor-facts c d (car plan))))
+      '()))
 
 ;; Of the numerator, without numbers and powers
 (define (product-factors e)

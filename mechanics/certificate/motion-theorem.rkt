@@ -97,12 +97,15 @@
       (states-along 'certificate (motion-claim-q m) (motion-claim-p m))
       (Gamma (motion-claim-q m))))
 
-;; 't, or another symbol where that is a parameter; assumptions about 't may mean either.
+;; 't, or 'time where that is a parameter; assumptions about 't may mean either.
 (define (time-symbol m assumed)
+  (define (assumed? name)
+    (for*/or ([d (in-list assumed)] [e (in-list (relation-sides d))]) (occurs? name e)))
   (cond [(not (parameter? 't m)) 't]
-        [(for*/or ([d (in-list assumed)] [e (in-list (relation-sides d))]) (occurs? 't e))
+        [(or (assumed? 't) (assumed? 'time))
          (give-up "the symbol t is a parameter, and assumptions may mean it or the time")]
-        [else (string->uninterned-symbol "t")]))
+        [(parameter? 'time m) (give-up "the symbols t and time are parameters")]
+        [else 'time]))
 
 ;; Does the symbol occur in what is asked, at another time?
 (define (parameter? name m)

@@ -22,6 +22,9 @@
   (when (file-exists? folder)
     (complain who "certificates go into a folder, and there is a file of that name\n  given: ~a"
               (short-path folder)))
+  (define above (path-only folder))
+  (unless (directory-exists? above)
+    (complain who "there is no such folder\n  given: ~a" (short-path above)))
   (define-values (all problem) (program-verdicts who path file))
   (define proved (filter (lambda (s) (proved? (shown-verdict-verdict s))) all))
   (define coqc (and (not (option "--write")) (find-Coq)))
@@ -39,6 +42,7 @@
 ;; -> how many certificates are written, and accepted where there is Coq
 (define (certify-all proved folder name coqc)
   (when (pair? proved) (make-directory* folder))
+  (remove-old folder name)
   (for/sum ([s (in-list proved)] [k (in-naturals 1)])
     (printf "~a\n" (brief (shown-verdict-form s)))
     (flush-output)
@@ -51,17 +55,29 @@
            (define file (build-path folder (format "~a_~a.v" name k)))
            (write-certificate c file)
            (printf "    ~a: ~a\n" (short-path file) c)
-           (if (or (not coqc) (accepted? coqc c)) 1 0)])))
+           (if (or (not coqc) (accepted? coqc c file)) 1 0)])))
+
+;; Certificates that a run before wrote of a program of that name: some of its verdicts may be no
+;; more.
+(define (remove-old folder name)
+  (define ours (regexp (format "^~a_[0-9]+[.]v$" name)))
+  (when (directory-exists? folder)
+    (for ([file (in-list (directory-list folder #:build? #t))]
+          #:when (regexp-match? ours (path->string (file-name-from-path file)))
+          #:when (certificate-text? (file->string file)))
+      (delete-file file))))
 
 (define (first-line text) (car (string-split text "\n" #:trim? #f)))
 
-(define (accepted? coqc c)
+(define (accepted? coqc c file)
   (define j (check-by-Coq coqc (certificate-text c)))
   (define seconds (/ (round (* 10 (judgement-seconds j))) 10.0))
   (if (judgement-accepted? j)
       (printf "    accepted by Coq in ~a s\n" seconds)
       (printf "    NOT accepted by Coq, ~a s: ~a\n" seconds
-              (string-join (string-split (judgement-message j)) " ")))
+              (string-join (string-split (string-replace (judgement-message j) "./certificate.v"
+                                                         (path->string (short-path file))))
+                           " ")))
   (judgement-accepted? j))
 
 (define (brief form)

@@ -30,7 +30,7 @@
   (program "two-springs.rkt"
            "(verify-equal (* 2 'x) (+ 'x 'x))"
            "(verify-equal 'x 'y)"
-           "(verify-equal (* 2 (atan 'y 'x)) (+ (atan 'y 'x) (atan 'y 'x)))")
+           "(verify-equal (* 2 (acosh 'x)) (+ (acosh 'x) (acosh 'x)))")
   (check-equal?
    (answer "two-springs.rkt" "--write")
    (list 1
@@ -39,9 +39,8 @@
           "    two-springs-certificates/two_springs_1.v: "
           "a theorem for Coq to check: both sides are equal; "
           "the derivatives are ours\n"
-          "(verify-equal (* 2 (atan (quote y) (quote x))) (+ (atan (quote y) (quote x)) "
-          "(atan (quo...\n"
-          "    no certificate yet: Coq's library has no atan\n"
+          "(verify-equal (* 2 (acosh (quote x))) (+ (acosh (quote x)) (acosh (quote x))))\n"
+          "    no certificate yet: Coq's library has no acosh\n"
           "3 verdicts shown, 2 proved, 1 with a certificate, 1 refuted\n"
           "1 proved and not certified; above stands why\n")))
   (check-true (wrote? "two-springs-certificates" "two_springs_1.v")))
@@ -63,6 +62,23 @@
   (check-equal? (answer "spring.rkt" "-o" "none.rkt")
                 (list 2 (string-append "certify: certificates go into a folder, "
                                        "and there is a file of that name\n  given: none.rkt\n"))))
+
+(test-case "the folder is made, those above it are not"
+  (program "spring.rkt" "(verify-equal (* 2 'x) (+ 'x 'x))")
+  (check-equal? (answer "spring.rkt" "--write" "-o" "nowhere/proofs")
+                (list 2 "certify: there is no such folder\n  given: nowhere\n"))
+  (check-false (directory-exists? (build-path folder "nowhere"))))
+
+(test-case "certificates of a run before go, of that program and no other; other files stay"
+  (define (lines . all) (apply program "changing.rkt" all))
+  (lines "(verify-equal (* 2 'x) (+ 'x 'x))" "(verify-equal (* 3 'x) (+ 'x 'x 'x))")
+  (program "changing_1.rkt" "(verify-equal (* 2 'x) (+ 'x 'x))")
+  (for ([p '("changing.rkt" "changing_1.rkt")]) (answer p "--write" "-o" "changing"))
+  (display-to-file "mine" (build-path folder "changing" "changing_7.v"))
+  (lines "(verify-equal (* 2 'x) (+ 'x 'x))")
+  (answer "changing.rkt" "--write" "-o" "changing")
+  (check-equal? (map path->string (directory-list (build-path folder "changing")))
+                '("changing_1.v" "changing_1_1.v" "changing_7.v")))
 
 (test-case "verdicts that are printed, or stand in lists, are certified as well, each once"
   (program "printed.rkt"
