@@ -16,7 +16,7 @@
          "../algebra/rewriting/factor.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
-(provide kernel-facts angle-of-point? (struct-out fact))
+(provide kernel-facts angle-of-point? wave-of-angle (struct-out fact))
 
 ;; sort   : 'value, left = right replaces left; 'relation, a power of a kernel; 'known, anything;
 ;;          'divisor and 'factor, as 'value and 'known, where a proof may do without
@@ -419,14 +419,20 @@
                  (list (fact 'known hypotenuse '(<> . 0) '("apply hypotenuse_nonzero."))))]
         [else (list (circle-relation angle of))]))
 
-;; The sine and the cosine of the angle of (x, y): y/√(x² + y²) and x/√(x² + y²)
+;; The sine or cosine n of the angle of (x, y): y/√(x² + y²) or x/√(x² + y²); of others #f
+(define (wave-of-angle n)
+  (define angle (and (memq (node-head n) (list op:sin op:cos)) (car (node-args n))))
+  (and (node? angle)
+       (angle-of-point? angle)
+       (e:/ ((if (eq? op:sin (node-head n)) car cadr) (node-args angle))
+            (make-node op:sqrt (list (square-of-distance angle))))))
+
 (define (point-facts angle of)
-  (define-values (y x) (apply values (node-args angle)))
   (define h (make-node op:sqrt (list (square-of-distance angle))))
-  (define (wave op leg)
-    (fact 'value (of op) (e:/ leg h) '("apply wave_of_angle; first [assumption | nonzero].")))
-  (list (wave op:sin y)
-        (wave op:cos x)
+  (define (wave n)
+    (fact 'value n (wave-of-angle n) '("apply wave_of_angle; first [assumption | nonzero].")))
+  (list (wave (of op:sin))
+        (wave (of op:cos))
         (fact 'known h '(<> . 0) '("apply Rgt_not_eq; apply sqrt_lt_R0; positive."))))
 
 (define (circle-relation angle of)

@@ -6,6 +6,7 @@
          "Coq-names.rkt" "Coq-term.rkt" "example-point.rkt" "kernel-facts.rkt" "proof-script.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/read.rkt"
+         "../algebra/expression/substitute.rkt"
          "../value/algebra.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt" no-assumptions))
 
@@ -192,7 +193,8 @@
 (define (relation-at-numbers d values ns)
   (define side (car (relation-sides d)))
   (define left (put-numbers (if (headed? side op:abs) (car (node-args side)) side) values))
-  (define simple (and (node? left) (some-node? kernel-node? left) (simpler left)))
+  (define simple
+    (and (node? left) (some-node? kernel-node? left) (or (simpler left) (by-points left))))
   (cond [simple
          (define-values (lines tactic)
            (proof-lines (kernel-facts (list left simple) no-assumptions ns) ns))
@@ -200,6 +202,12 @@
                                 "first [rewrite number; at_numbers | at_numbers].")
                  (string-join lines " ") (term left ns) (term simple ns) tactic)]
         [else "at_numbers."]))
+
+;; e without sines and cosines of angles of points, if it has some, else #f
+(define (by-points e)
+  (define waves
+    (for*/list ([n (in-list (nodes-in e))] [w (in-value (wave-of-angle n))] #:when w) (cons n w)))
+  (and (pair? waves) (in-place-of waves e)))
 
 (define (kernel-node? n) (not (arithmetic-node? n)))
 

@@ -291,13 +291,9 @@ A certificate is a proved verdict as a theorem about real numbers, with a proof,
 proof assistant Coq checks (8.16 or later; Debian: @exec{coq}, @exec{libcoq-coquelicot}). Writing
 one needs no Coq. @secref["reading-certificates"] reads one line by line.
 
-@deftogether[(@defproc[(certificate [v verdict?]) certificate]
-              @defproc[(write-certificate [v (or/c verdict? certificate)] [file path-string?])
-              void?])]{
+@defproc[(certificate [v verdict?]) certificate]{
 
-The certificate of a proved verdict, which prints as its theorem in words; and the file, whose name
-is one that Coq takes: a letter, then letters, digits and _, then @filepath{.v}; a file of that name
-is replaced. There are two levels:
+The certificate of a proved verdict, which prints as its theorem in words. There are two levels:
 
 @itemlist[
 @item{@emph{The identity}: both sides, or the residual and 0, are equal as the question states them,
@@ -319,8 +315,12 @@ logarithm: Coq's functions have values everywhere, 1/0 is 0 there. Each file pro
 hypotheses hold together at a point, and ends with the axioms that it rests on, those of the real
 numbers.
 
+The theorem may cover less than the verdict. Its words tell what it is about, and after
+@italic{under} and @italic{where} for which values; an identity says that its derivatives are ours.
+
 Where a proof reads decimals as exact numbers, these stand in the claim, and the certificate says
-which; such a motion has a certificate of the identity.
+which; a motion with decimals that are read otherwise than they are written, 1.41421356 as √2, has
+a certificate of the identity.
 
 Where there is no certificate yet, the error says why. The form of an expression that arithmetic
 gives at once, such as 1 for x/x, is that of the certificate.
@@ -330,13 +330,22 @@ gives at once, such as 1 for x/x, is that of the certificate.
 (define fall (verify-solution (lambda (s) (* 1/2 'm (square (velocity s))))
                               (lambda (t) (+ 'a (* 'b t)))))
 (certificate fall)
-(write-certificate fall (build-path (find-system-path 'temp-dir) "fall.v"))
-(eval:error (certificate (verify-equal (* 2 (atan 'y 'x)) (+ (atan 'y 'x) (atan 'y 'x)))))
-(eval:error (certificate (verify-equal 'x 'y)))]
+(eval:error (certificate (verify-equal (* 2 (acosh 'x)) (+ (acosh 'x) (acosh 'x)))))
+(eval:error (certificate (verify-equal 'x 'y)))]}
+
+@defproc[(write-certificate [v (or/c verdict? certificate)] [file path-string?]) void?]{
+
+Writes the file of a certificate, or of that of a proved verdict. Its name is one that Coq takes: a
+letter, then letters, digits and _, then @filepath{.v}; a file of that name is replaced. Its folder
+has to be there.
+
+@examples[#:eval session
+(write-certificate fall (build-path (find-system-path 'temp-dir) "fall.v"))]
 
 @exec{raco mechanics certify FILE.rkt} writes a certificate for each proved verdict that a program
 shows, as a result, in a list or by printing or formatting it, has Coq check it, and says which are
-accepted, in how many seconds, and what has none and why.
+accepted, in how many seconds, and what has none and why. Certificates that an earlier run wrote of
+the same program go.
 
 @tabular[#:sep @hspace[2] #:row-properties '(bottom-border top)
 (list
@@ -352,17 +361,23 @@ accepted, in how many seconds, and what has none and why.
  (list @elem{@racket[verify-total-time-derivative] without accelerations, where a formula of the
              function is found; @racket[verify-equivalent-Lagrangians] where these, one of them
              with a constant factor, differ by one} @elem{the claim})
- (list @elem{these with Lagrangians of higher order, derivatives of absolute values, or decimals
-             that the proof reads as exact numbers} @elem{the identity})
+ (list @elem{these with Lagrangians of higher order, derivatives of absolute values or of the angle
+             of two arguments, or decimals read otherwise than they are written}
+       @elem{the identity})
  (list @elem{@racket[verify-equal], @racket[prove-zero], @racket[verify-symplectic] of a matrix, and
              all other questions} @elem{the identity})
- (list @elem{with the angle of two arguments, erf, acosh, atanh, sgn, or complex numbers}
+ (list @elem{with the angle of two arguments} @elem{as above; the angle is defined there, by
+             quadrants})
+ (list @elem{with second derivatives of literal functions of several variables}
+       @elem{as above; mixed ones are one function in either order, as the library has them})
+ (list @elem{with erf, acosh, atanh, sgn, or complex numbers}
        @elem{none: Coq's library has no such function})
  (list @elem{sines of parts of π other than halves, thirds, quarters and sixths; angles that are
  more than eight times another} @elem{none yet})
  (list @elem{a residual of which arithmetic makes 0 while it is formed}
        @elem{none: no equation is left to state})
- (list @elem{a parameter called @tt{t} in a path} @elem{the identity}))]
+ (list @elem{a parameter called @tt{t} in a path, with assumptions about it}
+       @elem{the identity}))]
 
 Of the 473 proved verdicts that the examples, exercises, the README and the guide show, 432 have a
 certificate, and Coq accepts 420 within twenty seconds. Without one are 37 residuals of which

@@ -40,7 +40,16 @@
 (even-function (verify-equal (cos (- 'x)) (cos 'x)))
 (odd-function (verify-equal (sin (- 'a 'b)) (- (sin (- 'b 'a)))))
 
+;; ---- Angles of points
+(angle-of-a-point (verify-equal (+ (* 'x (cos (atan 'y 'x))) (* 'y (sin (atan 'y 'x))))
+                                (sqrt (+ (square 'x) (square 'y)))))
+(tangent-of-an-angle (verify-equal (* 'x (tan (atan 'y 'x))) 'y))
+
 ;; ---- Roots and absolute values
+(root-of-a-square (verify-equal (sqrt (square (- (sin 'w) 2))) (- 2 (sin 'w))))
+(root-of-a-power (verify-equal (square (sqrt (* 'k (expt 'R 'n)))) (* 'k (expt 'R 'n))))
+(root-below (verify-equal (/ 'x (sqrt (+ (square (/ 'x 'a)) (square (/ 'y 'a)))))
+                          (/ (* 'x (abs 'a)) (sqrt (+ (square 'x) (square 'y))))))
 (square-root (verify-equal (square (sqrt 'x)) 'x))
 (root-of-square (verify-equal (sqrt (square 'x)) (abs 'x)))
 (root-of-product (verify-equal (sqrt (* 4 (square 'x) 'y)) (* 2 (abs 'x) (sqrt 'y))))
@@ -366,3 +375,17 @@
                     (lambda (t) (* -1 (/ 'm 'k) (log (cosh (* (sqrt (/ (* 'g 'k) 'm)) t)))))
                     #:force (lambda (s) (* 'k (square (velocity s)))))))
 (eighth-of-turn (verify-equal (sin (/ ':pi 4)) (/ 1 (sqrt 2))))
+
+;; ---- Added with the proofs that they need
+(logarithm-of-moduli (verify-equal (log (abs (- (square 'x) 9)))
+                                   (+ (log (abs (- 'x 3))) (log (abs (+ 'x 3))))))
+(hyperbolic-squares (verify-equal (/ (- (square (cosh 'x)) 1) (square (sinh 'x)))
+                                  (- (/ (square (cosh 'x)) (square (sinh 'x)))
+                                     (/ 1 (square (sinh 'x))))))
+(stiffness-over-mass
+ (verify-solution (L-harmonic 'm 9) (lambda (t) (* 'a (cos (* (sqrt (/ 9 'm)) t))))))
+(fall-in-decimals
+ (verify-solution (lambda (s) (- (* 1/2 (square (velocity s))) (* 9.8 (coordinate s))))
+                  (lambda (t) (- 10 (* 4.9 (square t))))))
+(parameter-called-t
+ (verify-solution (L-harmonic 'm 'k) (lambda (time) (* 't (cos (* (sqrt (/ 'k 'm)) time))))))

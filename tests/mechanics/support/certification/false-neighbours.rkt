@@ -109,6 +109,7 @@
 ;; x^a x^b = x^(a + b) holds for negative x as well, and others imply some.
 (define with-needed
   '((square-root 1) (exponential-of-logarithm 1) (quotient 1) (geometric 1) (cube-root 1)
+    (tangent-of-an-angle 2) (root-of-a-power 2) (fall-in-decimals)
     (oscillator 2) (damped-oscillator 2) (two-modes 2) (driven 1) (constant-force 1)
     (conical-pendulum 2) (tension) (circle-on-a-string)
     (energy) (energy-in-any-potential 1) (central-energy 1) (central-angular-momentum 1)

@@ -8,7 +8,7 @@
 (require file/sha1 racket/file racket/list racket/runtime-path racket/string racket/system
          mechanics/certificate/Coq-check)
 
-(provide judge-all judge-alone expect-rejections longest rejected-by-proof? judgement-late?
+(provide judge-all judge-alone expect-rejections errors-in-sessions longest rejected-by-proof? judgement-late?
          lasting?)
 
 (define-runtime-path folder "../../../../build/certification")
@@ -103,16 +103,21 @@
 
 ;; Keeps the judgement of each that is rejected; what has no error or takes long goes to coqc.
 (define (expect-rejections texts)
+  (errors-in-sessions (filter (lambda (t) (not (kept-judgement t))) texts)
+                      (lambda (t error seconds)
+                        (when error (keep! t (judgement 'rejected seconds error))))))
+
+;; use : text, its error or #f, and seconds; called with each
+(define (errors-in-sessions texts use)
   (define coqtop (find-executable-path "coqtop"))
-  (for* ([alike (in-list (group-by preamble (filter (lambda (t) (not (kept-judgement t))) texts)))]
+  (for* ([alike (in-list (group-by preamble texts))]
          [some (in-list (in-tens alike))] #:when coqtop)
     (define start (current-process-milliseconds 'subprocesses))
     (define said (said-in-session coqtop some))
     (define seconds (/ (- (current-process-milliseconds 'subprocesses) start) 1000.0 (length some)))
     (for ([t (in-list some)] [message (in-list said)])
       (define e (regexp-match #rx"Error:(.*?)\n\n" message))
-      (when (and e (not (regexp-match? #rx"Timeout" (cadr e))))
-        (keep! t (judgement 'rejected seconds (string-trim (cadr e))))))))
+      (use t (and e (not (regexp-match? #rx"Timeout" (cadr e))) (string-trim (cadr e))) seconds))))
 
 ;; -> what Coq says of each; a step may take so long as a certificate
 (define (said-in-session coqtop texts)
