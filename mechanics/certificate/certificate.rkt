@@ -141,7 +141,9 @@
                       (verdict-assumptions v)))
   (proof-certificate
    1
-   (words (cond [(equality-claim? (claim-subject c)) "both sides are equal"]
+   (words (cond [(andmap (lambda (q) (equal? (car q) (cdr q))) equations)
+                 "both sides are one and the same expression"]
+                [(equality-claim? (claim-subject c)) "both sides are equal"]
                 [(null? (cdr (verdict-tests v))) "the residual is zero"]
                 [else (format "the ~a components of the residual are zero"
                               (length (verdict-tests v)))])

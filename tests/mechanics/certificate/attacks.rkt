@@ -49,8 +49,6 @@
    (changed 'tangent-of-an-angle '(" /\\\n  cos (atan2 y x) <> 0." ".")
             '("(given_1 & given_2)" "given_1"))
    (changed 'root-of-a-power '(" /\\\n  0 <= k * Rpower R_ n." ".") '("(given_1 & given_2)" "given_1"))
-   ;; of a negative mass 9 / m has no root
-   (changed 'stiffness-over-mass '("0 < 9 / m." "9 / m < 0."))
    ;; another angle: half of it, and one that jumps at the other half line
    (changed 'angle-of-a-point '("then atan (y / x)\n" "then atan (y / x) / 2\n"))
    (changed 'angle-of-a-point '("else PI." "else 0."))))

@@ -366,6 +366,13 @@
   (check-equal? (certificate-or-reason v) "Coq's library has no acosh")
   (check-message "certificate: no certificate yet: Coq's library has no acosh" (certificate v)))
 
+(test-case "sides that arithmetic makes the same say so"
+  (check-equal? (format "~a" (certificate (verify-equal (+ 'a 'b) (+ 'b 'a))))
+                (string-append "a theorem for Coq to check: "
+                               "both sides are one and the same expression; the derivatives are ours"))
+  (check-regexp-match #rx"both sides are equal;"
+                      (format "~a" (certificate (verify-equal (up 'a (+ 'x 'x)) (up 'a (* 2 'x)))))))
+
 (test-case "a file is written for a verdict, or for its certificate"
   (define file (make-temporary-file "certificate~a.v"))
   (define v (verify-equal (+ 'x 'x) (* 2 'x)))
