@@ -7,8 +7,8 @@
 ;; hypotheses are is_derive U x (DU x), at the places where the claim speaks of it.
 
 (require racket/list racket/string
-         "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "kernel-facts.rkt" "proof-script.rkt"
-         "theorem-text.rkt"
+         "angle-facts.rkt" "claim-domain.rkt" "Coq-names.rkt" "Coq-term.rkt" "kernel-facts.rkt"
+         "proof-script.rkt" "theorem-text.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt"
          (only-in "../generic/irrational.rkt" irrational-as-expression)

@@ -7,7 +7,8 @@
 ;; Facts about what stands within others come first.
 
 (require racket/list
-         "claim-domain.rkt" "Coq-term.rkt" "linear-terms.rkt" "root-parts.rkt"
+         "angle-facts.rkt" "claim-domain.rkt" "Coq-term.rkt" "kernel-fact.rkt" "linear-terms.rkt"
+         "root-parts.rkt"
          "../algebra/expression/exact-numbers.rkt" "../algebra/expression/expression.rkt"
          "../algebra/expression/nodes.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/pi.rkt" "../algebra/expression/size.rkt"
@@ -16,13 +17,7 @@
          "../algebra/rewriting/factor.rkt"
          "../algebra/simplify/simplify-expression.rkt")
 
-(provide kernel-facts angle-of-point? wave-of-angle (struct-out fact))
-
-;; sort   : 'value, left = right replaces left; 'relation, a power of a kernel; 'known, anything;
-;;          'divisor and 'factor, as 'value and 'known, where a proof may do without
-;; left   : expression; right : expression, or of what is known a relation sign with expressions
-;; script : its proof in parts; 'identity stands for the proof of an equality by the facts before
-(struct fact (sort left right script) #:authentic)
+(provide kernel-facts)
 
 ;; plans  : node -> (expression . script) or #f, what stands for it
 ;; facts  : in the order they are proved, the last first
@@ -69,11 +64,14 @@
 (define (resolved-divisor c d)
   (define A (collector-assumptions c))
   (define r (resolved c d))
-  (define powers                        ; as symbols, of which the algebra knows no more
-    (for/list ([n (in-list (remove-duplicates (nodes-in r)))] #:when (headed? n op:exp))
-      (cons n (string->uninterned-symbol "e"))))
+  (define exponentials (filter (lambda (n) (headed? n op:exp)) (nodes-in r)))
+  (define powers                        ; of sinh, as symbols, of which the algebra knows no more
+    (if (some-node? (lambda (n) (memq (node-head n) (list op:sinh op:cosh op:tanh))) d)
+        (for/list ([n (in-list (remove-duplicates exponentials))])
+          (cons n (string->uninterned-symbol "e")))
+        '()))
   (define-values (factored _)
-    (if (or (equal? r d) (null? powers))
+    (if (or (equal? r d) (null? exponentials))
         (values #f #f)
         (factored-expression (in-place-of powers r) (with-automatic-assumptions A #f))))
   (define e
@@ -149,9 +147,6 @@
         [(eq? head op:log) (plan-logarithm! c n a)]
         [(eq? head op:expt) (plan-power! c n a (cadr (node-args n)))]
         [(literal-head? head) (plan-application! c n)]))
-
-;; Is it an arc tangent of two arguments, y and x?
-(define (angle-of-point? n) (and (headed? n op:atan) (pair? (cdr (node-args n)))))
 
 ;; The expression that stands for e where all that is known so far is used.
 (define (resolved c e)
@@ -402,63 +397,6 @@
                                  (format "generalize (~a); " t)))
           tactic))
 
-(define (circle-facts angle)
-  (define (of op) (make-node op (list angle)))
-  (define u (and (node? angle) (pair? (node-args angle)) (car (node-args angle))))
-  (define leg (and u (make-node op:sqrt (list (e:- 1 (make-node op:* (list u u)))))))
-  (define hypotenuse (and u (make-node op:sqrt (list (e:+ 1 (make-node op:* (list u u)))))))
-  (define (arc name sine cosine root)
-    (list (root-relation root "radicand.")
-          (fact 'value (of op:sin) sine (list (format "apply sin_~a; bounds." name)))
-          (fact 'value (of op:cos) cosine (list (format "apply cos_~a; bounds." name)))))
-  (cond [(headed? angle op:asin) (arc "asin" u leg leg)]
-        [(headed? angle op:acos) (arc "acos" leg u leg)]
-        [(and (node? angle) (angle-of-point? angle)) (point-facts angle of)]
-        [(headed? angle op:atan)
-         (append (arc "atan" (e:/ u hypotenuse) (e:/ 1 hypotenuse) hypotenuse)
-                 (list (fact 'known hypotenuse '(<> . 0) '("apply hypotenuse_nonzero."))))]
-        [else (list (circle-relation angle of))]))
-
-;; The sine or cosine n of the angle of (x, y): y/√(x² + y²) or x/√(x² + y²); of others #f
-(define (wave-of-angle n)
-  (define angle (and (memq (node-head n) (list op:sin op:cos)) (car (node-args n))))
-  (and (node? angle)
-       (angle-of-point? angle)
-       (e:/ ((if (eq? op:sin (node-head n)) car cadr) (node-args angle))
-            (make-node op:sqrt (list (square-of-distance angle))))))
-
-(define (point-facts angle of)
-  (define h (make-node op:sqrt (list (square-of-distance angle))))
-  (define (wave n)
-    (fact 'value n (wave-of-angle n) '("apply wave_of_angle; first [assumption | nonzero].")))
-  (list (wave (of op:sin))
-        (wave (of op:cos))
-        (fact 'known h '(<> . 0) '("apply Rgt_not_eq; apply sqrt_lt_R0; positive."))))
-
-(define (circle-relation angle of)
-  (fact 'relation (make-node op:* (list (of op:sin) (of op:sin)))
-        (make-node op:- (list 1 (make-node op:* (list (of op:cos) (of op:cos)))))
-        '("apply sine_squared.")))
-
-;; The sine and cosine of a part of π
-(define (turn-facts unit)
-  (define q (/ 1 unit))
-  (define angle (e:* unit exact-pi))
-  (define (root n) (make-node op:sqrt (list n)))
-  (define-values (s c)
-    (case q
-      [(1) (values 0 -1)]
-      [(2) (values 1 0)]
-      [(3) (values (e:/ (root 3) 2) 1/2)]
-      [(4) (values (e:/ (root 2) 2) (e:/ (root 2) 2))]
-      [(6) (values 1/2 (e:/ (root 3) 2))]))
-  (define (value op e) (fact 'value (make-node op (list angle)) e (list (format "turn_~a." q))))
-  (append (list (value op:sin s) (value op:cos c))
-          (case q
-            [(3 6) (list (root-relation (root 3)))]
-            [(4) (list (root-relation (root 2)))]
-            [else '()])))
-
 ;; ---------------------------------------------------------------------------
 ;; Exponentials
 
@@ -517,20 +455,3 @@
         [(headed? n op:sqrt) (list (root-relation n))]
         [(headed? n op:abs) (list (modulus-relation n))]
         [else '()]))
-
-(define (root-relation n [sign (if (power-of-e? (car (node-args n)))
-                                   "left; apply exp_pos."
-                                   "nonnegative.")])
-  (fact 'relation (make-node op:* (list n n)) (car (node-args n))
-        (list (string-append "apply sqrt_sqrt; " sign))))
-
-;; Is it an exponential, or one by its definition, as Rpower is?
-(define (power-of-e? e)
-  (or (headed? e op:exp)
-      (and (headed? e op:expt)
-           (let-values ([(kind _) (split-power (cadr (node-args e)))]) (eq? kind 'exponential)))))
-
-(define (modulus-relation n)
-  (define a (car (node-args n)))
-  (fact 'relation (make-node op:* (list n n)) (make-node op:* (list a a))
-        '("apply modulus_squared.")))

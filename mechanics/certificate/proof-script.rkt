@@ -6,7 +6,7 @@
 ;; divisors, each of which is shown not to vanish; `ring` knows the relations.
 
 (require racket/string
-         "Coq-term.rkt" "kernel-facts.rkt")
+         "Coq-term.rkt" "kernel-fact.rkt")
 
 (provide proof-lines)
 

@@ -3,7 +3,8 @@
 ;; together at a point, names and lines.
 
 (require racket/format racket/list racket/string
-         "Coq-names.rkt" "Coq-term.rkt" "example-point.rkt" "kernel-facts.rkt" "proof-script.rkt"
+         "angle-facts.rkt" "Coq-names.rkt" "Coq-term.rkt" "example-point.rkt" "kernel-facts.rkt"
+         "proof-script.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/nodes.rkt"
          "../algebra/expression/operation.rkt" "../algebra/expression/read.rkt"
          "../algebra/expression/substitute.rkt"

@@ -41,14 +41,15 @@
 
 (define changed-texts
   (list
-   (changed 'fall-in-decimals '("path (t : R) : R := 10 - 49 / 10" "path (t : R) : R := 10 - 48 / 10"))
+   (changed 'fall-in-decimals '("R := 10 - 49 / 10" "R := 10 - 48 / 10"))
    (changed 'fall-in-decimals '("v - 49 / 5 * q" "v - 98 / 5 * q"))
    (changed 'parameter-called-t '("R := t * cos" "R := time * cos"))
    (changed 'parameter-called-t '("1 / 2 * k * q" "1 / 2 * time * q"))
    ;; at x = 0 there is no tangent, and at a negative k no root
    (changed 'tangent-of-an-angle '(" /\\\n  cos (atan2 y x) <> 0." ".")
             '("(given_1 & given_2)" "given_1"))
-   (changed 'root-of-a-power '(" /\\\n  0 <= k * Rpower R_ n." ".") '("(given_1 & given_2)" "given_1"))
+   (changed 'root-of-a-power '(" /\\\n  0 <= k * Rpower R_ n." ".")
+            '("(given_1 & given_2)" "given_1"))
    ;; another angle: half of it, and one that jumps at the other half line
    (changed 'angle-of-a-point '("then atan (y / x)\n" "then atan (y / x) / 2\n"))
    (changed 'angle-of-a-point '("else PI." "else 0."))))

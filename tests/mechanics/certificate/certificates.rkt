@@ -185,8 +185,9 @@
     (verify-solution (L-harmonic 'm 'k)
                      (lambda (time) (* named-t (cos (* (sqrt (/ 'k 'm)) time))))))
   (check-equal? (certificate-level (certificate swing)) 2)
-  (check-regexp-match (regexp-quote "Definition path (time : R) : R := t * cos (sqrt (k / m) * time).")
-                      (statement swing))
+  (check-regexp-match
+   (regexp-quote "Definition path (time : R) : R := t * cos (sqrt (k / m) * time).")
+   (statement swing))
   (define of-positive
     (assuming ('(> t 0))
       (certificate
@@ -368,10 +369,11 @@
 
 (test-case "sides that arithmetic makes the same say so"
   (check-equal? (format "~a" (certificate (verify-equal (+ 'a 'b) (+ 'b 'a))))
-                (string-append "a theorem for Coq to check: "
-                               "both sides are one and the same expression; the derivatives are ours"))
+                (string-append "a theorem for Coq to check: both sides are one and the same "
+                               "expression; the derivatives are ours"))
   (check-regexp-match #rx"both sides are equal;"
-                      (format "~a" (certificate (verify-equal (up 'a (+ 'x 'x)) (up 'a (* 2 'x)))))))
+                      (format "~a" (certificate
+                                    (verify-equal (up 'a (+ 'x 'x)) (up 'a (* 2 'x)))))))
 
 (test-case "a file is written for a verdict, or for its certificate"
   (define file (make-temporary-file "certificate~a.v"))

@@ -8,8 +8,8 @@
 (require file/sha1 racket/file racket/list racket/runtime-path racket/string racket/system
          mechanics/certificate/Coq-check)
 
-(provide judge-all judge-alone expect-rejections errors-in-sessions longest rejected-by-proof? judgement-late?
-         lasting?)
+(provide judge-all judge-alone expect-rejections errors-in-sessions longest
+         rejected-by-proof? judgement-late? lasting?)
 
 (define-runtime-path folder "../../../../build/certification")
 (define (kept-file) (build-path folder "judgements.rktd"))
