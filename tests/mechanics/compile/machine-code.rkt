@@ -80,33 +80,6 @@
     (with-check-info (['program p] ['input input])
       (check-equal? (values-by run p input) (values-by compiled p input)))))
 
-(define kinds-of-system '(definite dominant indefinite singular odd asymmetric))
-
-(define (check-system n kind)
-  (define symmetric? (not (memq kind '(dominant asymmetric))))
-  (define width (+ n 1))
-  (define (place-of i j)
-    (place (if (and symmetric? (> i j)) (+ i (* j width)) (+ j (* i width)))))
-  (define p
-    (program (* n width)
-             (list->vector
-              (cons (cons 'solve (for*/list ([i n] [j width])
-                                   (if (= j n) (place (+ n (* i width))) (place-of i j))))
-                    (for/list ([j n]) (list 'component (place (* n width)) j))))
-             (for/vector ([j n]) (place (+ 1 j (* n width))))))
-  (define run (machine-procedure p))
-  (define by-closures ((program->closure-maker p)))
-  (with-seeds 6
-    (define input
-      (for*/flvector ([i n] [j width])
-        (case kind
-          [(definite dominant) (if (= i j) (+ n (random)) (- (random) 0.5))]
-          [(singular) (if (= j n) 1.0 (fl* (->fl i) (->fl j)))]
-          [(odd) (if (zero? (random 5)) (apply random-choice odd-numbers) (random-flonum))]
-          [else (random-flonum)])))
-    (with-check-info (['n n] ['kind kind] ['input input])
-      (check-equal? (values-by run p input) (values-by by-closures p input)))))
-
 (define (check-machine-code)
   (test-case "random programs, with many calls and few"
     (with-seeds 150
@@ -117,10 +90,6 @@
     (with-seeds 100
       (define p (random-program 5 (random-integer 1 200) 6 0.1 (random-choice 0.02 0.2)))
       (check-alike p (machine-procedure p))))
-
-  (test-case "systems of every size and kind, well posed, singular and of odd numbers"
-    (for* ([n (in-list '(1 2 3 4 7 8 9 10 13 14 15 16 17 20 24 41))] [kind kinds-of-system])
-      (check-system n kind)))
 
   (test-case "sine and cosine of one angle at once are those of it alone"
     (define both
