@@ -1,10 +1,12 @@
 #lang racket/base
 ;; Machine code of recurrences has the coefficients that kernels give, bit for bit: of random lists
-;; of all kinds, with infinite, tiny and missing numbers among the coefficients.
+;; of all kinds, with infinite, tiny and missing numbers among the coefficients.  Lists that differ
+;; in numbers share it.
 
 (require racket/flonum
          racket/list
          mechanics/numeric/machine/executable
+         mechanics/numeric/Taylor/expansion
          mechanics/numeric/Taylor/kernels
          mechanics/numeric/Taylor/recurrence-list
          mechanics/numeric/Taylor/motion-code
@@ -113,7 +115,25 @@
       (with-check-info (['row i] ['order k] ['kinds (map recurrence-kind steps)])
         (check-eqv? y x)))))
 
+;; -> expansion of y' = w y, of which machine code is kept in the box
+(define (exponential w kept order)
+  (define-values (y slope) (values (row 0 +inf.0) (row 1 +inf.0)))
+  (define all (sum-recurrences slope (list (weighed w y)) #f))
+  (recurrences->expansion (make-recurrences kept 2 (list y) (list slope) all '() all #f)
+                          order (flvector 0.0)))
+
 (skip-unless (machine?) "no processor that machine code is written for"
+  (test-case "systems that differ in numbers earn their code together, and share it"
+    (define kept (box (hash)))
+    (define rates '(2.0 -3.0))
+    (define expansions (for/list ([w (in-list rates)]) (exponential w kept order)))
+    (for* ([_ (in-range 300)] [e (in-list expansions)]) (expand! e (flvector 1.0) 1.0))
+    (check-equal? (hash-count (unbox kept)) 1)
+    (for ([e (in-list expansions)] [w (in-list rates)])
+      (check-not-eq? (expansion-machine e) 'later)
+      (for/fold ([expected 1.0]) ([c (in-flvector (coefficient-row e 0))] [k (in-naturals 1)])
+        (check-= c expected 1e-14)
+        (/ (* expected w) k))))
   (test-case "random recurrences, short lists and long"
     (with-seeds 200 (check-list 12 0.0))
     (with-seeds 10 (check-list 200 0.0)))

@@ -43,6 +43,38 @@
         evaluations))
     (check-true (< (/ (cadddr counts) (cadr counts)) 12) (format "~a" counts)))
 
+  ;; slope : of a motion of one component from y0; -> the times after each step to 1000
+  (define (times-of-steps slope y0)
+    (define times '())
+    (parameterize ([bf-precision 100])
+      ((make-integrator (lambda (y) (vector (bf slope))) (vector (bf y0)) (bf 0) (bf 1e-10) 10
+                        #:clock #f #:stuck void)
+       (bf 1000)
+       (lambda (from y to z) (set! times (cons (bigfloat->flonum to) times)))))
+    (reverse times))
+
+  ;; There is no error in y' = c.
+  (test-case "a first step of a tenth of the time in which the state changes by 1 + |y|, then longer"
+    (for ([c+y0+first (in-list '((2 3 0.2) (-1 0 0.1) (1 0 0.1) (1/8 1 1.6)))])
+      (define-values (c y0 first) (apply values c+y0+first))
+      (define times (times-of-steps c y0))
+      (check-= (car times) first 1e-12)
+      (check-true (< (length times) 8) (format "~a" times)))
+    (check-= (car (times-of-steps 0 0)) 1.0 0.0))
+
+  ;; t' = 1, x' = 1/t², from 10 to the pole at 0: steps are in proportion to t.
+  (test-case "towards a pole a step is too short beside the time since the start"
+    (define (towards-pole y)
+      (define t (vector-ref y 0))
+      (vector (bf 1) (bf/ (bf 1) (bf* t t))))
+    (define-values (t why)
+      (let/ec return
+        ((make-integrator towards-pole (vector (bf 10) (bf 0)) (bf 10) (bf 1e-10) 10 #:clock 0
+                          #:stuck (lambda (t y why) (return t why)) #:shortest 1e-3 #:limit 100)
+         (bf 0) void)))
+    (check-eq? why 'too-short)
+    (check-true (bf< (bf 1e-3) t (bf 1))))
+
   (test-case "backwards"
     (check-true (> (run 30 -7) 27)))
 

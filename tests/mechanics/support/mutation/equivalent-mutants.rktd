@@ -517,3 +517,23 @@
  "(asked-once A s e (lambda () (real-valued? A s e)) #f))"
  "(asked-once s s e (lambda () (real-valued? A s e)) #f))"
  "a question that leads back to itself is stopped where it comes for the second time, not the first" limit)
+("numeric/machine/instruction-builder.rkt"
+ "(define code-limit (expt 2 25))"
+ "(define code-limit (expt 3 25))"
+ "keys of instructions that are no fixnums find them as well, a little later" limit)
+("numeric/machine/instruction-code.rkt"
+ "(define r (or (last-in-register c x k)"
+ "(define r (or (last-in-register c k k)"
+ "the result is made in another register, with one move more" limit)
+("numeric/machine/executable.rkt"
+ "(for/and ([x (in-flvector v)] [k (in-naturals)])"
+ "(for/or ([x (in-flvector v)] [k (in-naturals)])"
+ "a guard: there is no version of Racket in which only some of the components lie elsewhere")
+("numeric/machine/executable.rkt"
+ "(and (< pieces most-pieces)"
+ "(and (<= pieces most-pieces)"
+ "a limit of the pieces of memory at once, one more" limit)
+("numeric/Taylor/polynomial-zeros.rkt"
+ "(loop low high newton (+ count 1))]"
+ "(loop low high newton (- count 1))]"
+ "how often halving helps Newton's steps, which stay between the bounds: the zero is the same, found in more steps" limit)
