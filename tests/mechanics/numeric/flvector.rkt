@@ -21,6 +21,8 @@
   (check-equal? (dot v w) -29.0)
   (check-equal? (norm v) 13.0)
   (check-equal? (greatest (flvector 3.0 -4.0)) 4.0)
+  (check-equal? (greatest (flvector 0.25 -0.5)) 0.5)
+  (check-equal? (distance (flvector 0.25 0.5) (flvector 0.5 0.5)) 0.25)
   (check-equal? (distance v w) 14.0)
   (check-equal? (distance w v) 14.0)
   (check-true (short? (flvector 0.4 -0.5) (flvector 3.0 -4.0) 0.1))

@@ -19,7 +19,10 @@
            #rx"^bigfloat: numbers of higher precision need the library MPFR, which is not installed"
                          (exn-message e))
           (regexp-match? #rx"apt install libmpfr6" (exn-message e))))
-   (lambda () (check-bigfloats 'bigfloat (lambda (a b) (error "mpfr_add: not available"))))))
+   (lambda () (check-bigfloats 'bigfloat (lambda (a b) (error "mpfr_add: not available")))))
+  (check-exn #rx"^add: contract violation"
+             (lambda ()
+               (check-bigfloats 'bigfloat (lambda (a b) (raise-argument-error 'add "number?" a))))))
 
 (skip-unless bigfloats? no-bigfloats
   (define two (bigfloat 2 200))

@@ -75,6 +75,19 @@
     (check-eq? why 'too-short)
     (check-true (bf< (bf 1e-3) t (bf 1))))
 
+  (test-case "a step to where there are no numbers is given up with its first rows"
+    (define calls 0)
+    (define (until-1 y)
+      (set! calls (+ calls 1))
+      (vector (if (bf< (vector-ref y 0) (bf 1)) (bf 1) +nan.bf)))
+    (define t
+      (let/ec return
+        ((make-integrator until-1 (vector (bf 0)) (bf 0) (bf 1e-10) 10 #:clock #f
+                          #:stuck (lambda (t y why) (return t)) #:shortest 1e-3)
+         (bf 2) void)))
+    (check-= (bigfloat->flonum t) 1.0 1e-2)
+    (check-true (< calls 500) (format "~a calls" calls)))
+
   (test-case "backwards"
     (check-true (> (run 30 -7) 27)))
 
