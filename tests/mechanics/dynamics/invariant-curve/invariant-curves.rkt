@@ -1,0 +1,25 @@
+#lang racket/base
+;; Which way an orbit goes beside a rotation, and the curve between those that are ahead and behind.
+
+(require mechanics
+         "../../support/checks.rkt" "../../support/messages.rkt")
+
+(define golden (- 1 (/ 1 golden-ratio)))
+
+(test-case "a rotation goes ahead of all slower ones, by whatever it is faster, from any angle"
+  (for* ([w (list golden (- 1 golden) (/ (sqrt 2) 10))]
+         [start '(0 1.3 -2.0 6.0)]
+         [off '(1e-1 1e-3 1e-5 1e-8)])
+    (define (way x) (which-way? w start 1 (circle-map x)))
+    (check-equal? (list (way (+ w off)) (way (- w off))) '(1 -1) (format "~a ~a ~a" w start off))))
+
+;; Turns by y² for each step
+(define (twist x y return fail) (return ((principal-value :2pi) (+ x (* :2pi y y))) y))
+
+(test-case "of a twist without kicks the curve is where it turns by the rotation number, at any angle"
+  (for* ([w (list golden (- 1 golden))] [start '(0 2.0)])
+    (check-= (find-invariant-curve twist w start 0.4 0.9 1e-10) (sqrt w) 1e-10)))
+
+(says
+ [(find-invariant-curve 0.3 golden 0 twist 1 1e-3)
+  "find-invariant-curve: the map comes first; it was given after the number 0.3"])
