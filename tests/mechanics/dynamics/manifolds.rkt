@@ -87,3 +87,10 @@
                                     "the map\n  start: \\(up 0.001 0.002\\)\n  there and back: "))
              (lambda ()
                (homoclinic-points K (find-fixed-point K (up 0 0)) #:inverse (standard-map 1.4)))))
+
+(test-case "whichever way it goes astray"
+  (for* ([dx '(-0.1 0 0.1)] [dy '(-0.1 0 0.1)] #:unless (= dx dy 0))
+    (define (astray x y return fail)
+      (inverse x y (lambda (x y) (return (+ x dx) (+ y dy))) fail))
+    (check-exn #rx"#:inverse does not undo the map"
+               (lambda () (invariant-manifold T saddle #:stable? #t #:inverse astray)))))

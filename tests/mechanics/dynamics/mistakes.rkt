@@ -27,6 +27,7 @@
 
 (says-silent
  ["explore-map" (explore-map f silent 10 #:starts near) "(up 1.0 0.0)" "(up 1.0 0.0)"]
+ ["explore-map" (explore-map f silent 10 #:grid '(1 1)) "(up 3.5 3.5)" "(up 7.0 3.5)"]
  ["find-fixed-point" (find-fixed-point silent (up 1 2)) "(up 1.0 2.0)" "(up 3.0 2.0)"]
  ["periodic-points" (periodic-points silent 1 '(0 1 0 1) #:grid '(1 1))
   "(up 0.5 0.5)" "(up 1.0 0.5)"]

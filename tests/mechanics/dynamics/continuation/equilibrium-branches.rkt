@@ -149,13 +149,15 @@
   (check-equal? (length (frame-curves f)) 3)
   (check-equal? (length (frame-points f)) 2))
 
-;; The last step goes from -1/21 to 1/21.
-(test-case "a branch ends where its range does, within the last step"
+;; The last step goes from -1/21 to 1/21, or back.
+(test-case "a branch ends where its range does, within the last step, upwards and downwards"
   (define ((sine p) s) (up (sin (- (ref s 0) p))))
-  (define b (continue-equilibrium sine (up -1) -1 0 #:step 0.9535706 #:longest-step 0.9535706))
-  (check-close (cadr (reverse (branch-parameters b))) -1/21 1e-6)
-  (check-equal? (final (branch-parameters b)) 0.0)
-  (check-close (final (branch-states b)) (up 0) 1e-12))
+  (for ([from '(-1 1)])
+    (define b
+      (continue-equilibrium sine (up from) from 0 #:step 0.9535706 #:longest-step 0.9535706))
+    (check-close (cadr (reverse (branch-parameters b))) (/ from 21) 1e-6)
+    (check-equal? (final (branch-parameters b)) 0.0)
+    (check-close (final (branch-states b)) (up 0) 1e-12)))
 
 (define (never p) (lambda (s) (up (+ 1 (square (ref s 0))))))
 (test-case "an equilibrium that is none"

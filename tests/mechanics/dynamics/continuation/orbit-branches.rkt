@@ -64,6 +64,7 @@
   (define f (Hamiltonian->state-derivative H-Moon))
   (define o
     (find-periodic-orbit f (up 0 (up 0.8269 0 0) (down 0 0.9106 0)) 2.69 #:energy H-Moon))
+  (check-false (periodic-orbit-stable? o))
   (define b
     (continue-periodic-orbit f (periodic-orbit-state o) (periodic-orbit-period o)
                              (H-Moon (periodic-orbit-state o)) -1.58 #:energy H-Moon))
@@ -149,6 +150,13 @@
    (message-of (continue-periodic-orbit (lambda (p) (lambda (s) (up (ref s 1) (* -1 p (ref s 0)))))
                                         (up 1.0 0.0) :pi 1 2)
                exn:fail?)))
+
+(test-case "where all motions come to rest there is no orbit, though a state at rest comes back"
+  (define (damped s) (up (ref s 1) (- (* -1 (ref s 0)) (* 0.2 (ref s 1)))))
+  (check-regexp-match
+   (string-append "^find-periodic-orbit: no periodic orbit was found near the state\n"
+                  "  state: .up 0.1 0.\n  period: 6.3\n  after it the state is off by: 0[.]0")
+   (message-of (find-periodic-orbit damped (up 0.1 0) 6.3) exn:fail?)))
 
 (define (mirror s) (up (- (time s)) (coordinate s) (- (momentum s))))
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Which way an orbit goes beside a rotation, and the curve between those that are ahead and behind.
 
-(require mechanics
+(require mechanics mechanics/book
          "../../support/checks.rkt" "../../support/messages.rkt")
 
 (define golden (- 1 (/ 1 golden-ratio)))
@@ -19,6 +19,15 @@
 (test-case "of a twist without kicks the curve is where it turns by the rotation number, at any angle"
   (for* ([w (list golden (- 1 golden))] [start '(0 2.0)])
     (check-= (find-invariant-curve twist w start 0.4 0.9 1e-10) (sqrt w) 1e-10)))
+
+(test-case "orbits that begin above a circle are ahead, those below it behind, however near"
+  (define T (standard-map 0.95))
+  (define c (invariant-circle T golden))
+  (for* ([start '(0 2.0 -1.0)] [off '(1e-2 1e-4 1e-6 1e-8 1e-10)])
+    (define J (invariant-circle-ordinate c start))
+    (check-equal? (list (which-way? golden start (+ J off) T) (which-way? golden start (- J off) T))
+                  '(1 -1)
+                  (format "~a ~a" start off))))
 
 (says
  [(find-invariant-curve 0.3 golden 0 twist 1 1e-3)

@@ -128,6 +128,25 @@
                 10)
   (check-equal? (length (periodic-points (standard-map 0.9) 5 (list 0 :2pi 0 :2pi))) 40))
 
+;; At a cube root Newton's steps lead to the other side, twice as far.
+(test-case "a point that is not found is said to be missing, but where some are wanted only"
+  (define (root x) (if (< x 0) (- (expt (- x) 1/3)) (expt x 1/3)))
+  (define (steep x y return fail) (return (+ x (root (- x 0.1234))) (+ y (* 0.5 (- y 0.2)))))
+  (define (mirror x y return fail) (return x (- 0.4 y)))
+  (define (found R) (periodic-points steep 1 '(-1 1 -1 1) #:grid '(2 2) #:symmetry R))
+  (check-regexp-match #rx"^; periodic-points: a point of index 1 is missing" (told (found #f)))
+  (check-equal? (told (found mirror)) ""))
+
+;; The displacement is A (z - z*), and the inverse of A has the rows (2 -2), (-2 4).
+(test-case "rounding of an image leaves an error, greater where A is nearly singular"
+  (define center 1000)
+  (define (displaced x y return fail)
+    (define-values (u v) (values (- x center) (- y center)))
+    (return (+ x u (* 1/2 v)) (+ y (* 1/2 u) (* 1/2 v))))
+  (define p (found displaced (up 900 1100)))
+  (check-close (fixed-point-coordinates p) (up center center) 1e-9)
+  (check-true (>= (fixed-point-error p) (* 5.999 center (expt 2. -53)))))
+
 ;; Fixed where y is 0 or 1 and x is 4, which is on the edge.
 (test-case "points on the edges count, in their order; none is said to be missing"
   (define (steps x y return fail) (return (+ x (* 0.3 (- 4 x))) (+ y (* 0.2 y (- 1 y)))))

@@ -2,6 +2,7 @@
 ;; Extrapolation in numbers of higher precision: order, error and tolerance.
 
 (require math/bigfloat
+         (only-in racket/list drop drop-right)
          mechanics/numeric/bigfloat/extrapolation
          "../../support/checks.rkt" "../../support/bigfloats.rkt" "../../support/skip.rkt")
 
@@ -43,24 +44,30 @@
         evaluations))
     (check-true (< (/ (cadddr counts) (cadr counts)) 12) (format "~a" counts)))
 
-  ;; slope : of a motion of one component from y0; -> the times after each step to 1000
-  (define (times-of-steps slope y0)
+  ;; -> the times after each step from 0 to the end, as flonums
+  (define (times-of-steps f y0 end)
     (define times '())
     (parameterize ([bf-precision 100])
-      ((make-integrator (lambda (y) (vector (bf slope))) (vector (bf y0)) (bf 0) (bf 1e-10) 10
-                        #:clock #f #:stuck void)
-       (bf 1000)
+      ((make-integrator f y0 (bf 0) (bf 1e-10) 10 #:clock #f #:stuck void)
+       (bf end)
        (lambda (from y to z) (set! times (cons (bigfloat->flonum to) times)))))
     (reverse times))
+
+  (test-case "of a motion that is always alike the steps are, but for the first ones and the last"
+    (define times (times-of-steps oscillator (start) 100))
+    (define lengths
+      (drop-right (drop (for/list ([t (in-list times)] [u (in-list (cdr times))]) (- u t)) 4) 1))
+    (check-true (> (length lengths) 10))
+    (check-true (< (/ (apply max lengths) (apply min lengths)) 2) (format "~a" lengths)))
 
   ;; There is no error in y' = c.
   (test-case "a first step of a tenth of the time in which the state changes by 1 + |y|, then longer"
     (for ([c+y0+first (in-list '((2 3 0.2) (-1 0 0.1) (1 0 0.1) (1/8 1 1.6)))])
       (define-values (c y0 first) (apply values c+y0+first))
-      (define times (times-of-steps c y0))
+      (define times (times-of-steps (lambda (y) (vector (bf c))) (vector (bf y0)) 1000))
       (check-= (car times) first 1e-12)
       (check-true (< (length times) 8) (format "~a" times)))
-    (check-= (car (times-of-steps 0 0)) 1.0 0.0))
+    (check-= (car (times-of-steps (lambda (y) (vector (bf 0))) (vector (bf 0)) 1000)) 1.0 0.0))
 
   ;; t' = 1, x' = 1/t², from 10 to the pole at 0: steps are in proportion to t.
   (test-case "towards a pole a step is too short beside the time since the start"

@@ -537,3 +537,51 @@
  "(loop low high newton (+ count 1))]"
  "(loop low high newton (- count 1))]"
  "how often halving helps Newton's steps, which stay between the bounds: the zero is the same, found in more steps" limit)
+("numeric/bigfloat/extrapolation.rkt"
+ "(define (slopes j) (+ 1.0 (* j (+ j 1))))"
+ "(define (slopes j) (+ 1.0 (* j (- j 1))))"
+ "what rows are thought to cost: other steps are chosen, which keep the same tolerance" limit)
+("numeric/bigfloat/extrapolation.rkt"
+ "(if (< cost least) (values j H cost) (values rows longest least))))"
+ "(if (<= cost least) (values j H cost) (values rows longest least))))"
+ "of two rows that cost the same to the bit either is as good" limit)
+("numeric/bigfloat/extrapolation.rkt"
+ "(define-values (rows next) (best-choice errors (if last? far h) accepted? most))"
+ "(define-values (rows next) (best-choice errors (if last? h h) accepted? most))"
+ "the step after the one that was cut short at an end may be too long, and is tried again: work, not value" limit)
+("dynamics/map/fixed-points.rkt"
+ "(define return-tolerance 1e-9)"
+ "(define return-tolerance 2e-9)"
+ "how near a point must come back for a lesser period to be tried: it is found exactly, or there is none" limit)
+("dynamics/map/invariant-manifold.rkt"
+ "(define half (* 0.5 (- high low)))"
+ "(define half (* 0.5 (+ high low)))"
+ "how far from two pieces Newton's method may find their crossing: a crossing all the same, of other pieces" limit)
+("dynamics/map/map-on-tuples.rkt"
+ "(for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals 1)])"
+ "(for/flvector #:length (flvector-length v) ([x (in-flvector v)] [k (in-naturals 2)])"
+ "another place beside the first, at which a turn may change an image by whole turns by chance" limit)
+("dynamics/map/jacobian.rkt"
+ "(for/flvector #:length 2 ([z (in-flvector (numbers (image (along s))))]"
+ "(for/flvector #:length 3 ([z (in-flvector (numbers (image (along s))))]"
+ "a third row of zeros, which nobody asks for: determinants and directions are those of two rows")
+("dynamics/invariant-curve/invariant-circle.rkt"
+ "(if (fl< error before) (found x y error) (found before-x before-y before))]"
+ "(if (fl<= error before) (found x y error) (found before-x before-y before))]"
+ "of two curves with one residual, to the bit, either is as good" limit)
+("dynamics/invariant-curve/invariant-circle.rkt"
+ "(cond [(fl< error (if last? small-at-last small)) (found x y error)]"
+ "(cond [(fl<= error (if last? small-at-last small)) (found x y error)]"
+ "a residual that is the tolerance to the bit" limit)
+("dynamics/invariant-curve/circle-equation.rkt"
+ "(cond [(and (fl< error +inf.0) (fl> error enough) (< count 20)"
+ "(cond [(and (fl< error 1.0) (fl> error enough) (< count 20)"
+ "how far off a curve may be to be tried: from one that is off by a radian Newton's method leads nowhere" limit)
+("dynamics/invariant-curve/circle-equation.rkt"
+ "(for/vector #:length count ([k (in-range 1 (+ count 1))])"
+ "(for/vector #:length count ([k (in-range 1 (+ count 2))])"
+ "a vector of so many points takes no further one")
+("dynamics/invariant-curve/circle-equation.rkt"
+ "(let improve ([x x0] [y y0] [best-x #f] [best-y #f] [best +inf.0] [count 0])"
+ "(let improve ([x x0] [y y0] [best-x #f] [best-y #f] [best 1.0] [count 0])"
+ "the first curve is improved whatever its residual, or has one of rounding: the best before it is not asked for")
