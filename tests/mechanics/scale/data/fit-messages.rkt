@@ -31,6 +31,8 @@
   "  unknowns: q, v, g, m, l\n  #:hold tells those that are known"]
  [(fit guesses '() '((1 2) (2 +nan.0)))
   "fit-motion: the data are not all finite numbers\n  row: 1\n  column: 1\n  given: +nan.0"]
+ [(fit guesses '() '((1 2) (2 -inf.0)))
+  "fit-motion: the data are not all finite numbers\n  row: 1\n  column: 1\n  given: -inf.0"]
  [(fit guesses '() '((1 2) (2 x)))
   "fit-motion: expected real numbers as data\n  row: 1\n  given: the symbol x"]
  [(fit guesses '() '((1 2) (2 3 4)))

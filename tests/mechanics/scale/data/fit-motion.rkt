@@ -52,9 +52,10 @@
 ;; A number that converges to 0 has no size of its own.
 (test-case "an unknown may be 0"
   (define ((oscillator w) s) (up 1 (ref s 2) (* -1 w w (ref s 1))))
-  (for ([f (list cos sin)] [q '(1 0)] [v '(0 1.2)])
+  (for* ([guess '(0.9 -0.9)] [(f q+v) (in-parallel (list cos sin) '((1 0) (0 1.2)))])
+    (define-values (q v) (apply values q+v))
     (define data (for/list ([k 31]) (list (/ k 10.0) (f (* 0.12 k)))))
-    (define found (fit-motion oscillator (up 0 0.9 0) data #:parameters '((w 1.0))
+    (define found (fit-motion oscillator (up 0 guess 0) data #:parameters '((w 1.0))
                               #:measured angle))
     (for ([value (motion-fit-values found)] [expected (list q v 1.2)])
       (check-= (cadr value) expected 1e-9))))

@@ -3,6 +3,7 @@
 
 (require mechanics
          racket/file
+         (only-in racket/flonum ->fl)
          racket/string
          "../../support/checks.rkt" "../../support/folder.rkt" "../../support/python.rkt"
          "../../support/skip.rkt")
@@ -59,9 +60,13 @@
                   (map occurrence-state crossings))
     (define ends
       (evolve-ensemble (lambda (s) (up 1 (/ 1 (ref s 1)))) (list (up 0 0.0) (up 0 1.0)) 1 #:jobs 1))
-    (check-equal? (written ends) (list (up +nan.0 +nan.0) (cadr ends)))
+    (define-values (failed end) (apply values ends))
+    (check-equal? (written ends) (list (up +nan.0 +nan.0) end))
+    (check-equal? (written (list end failed end)) (list end (up +nan.0 +nan.0) end))
+    (check-equal? (table-names (read-table file)) '(x0 x1))
     (check-equal? (written '(1 2.5)) (list (up 1.0) (up 2.5)))
     (check-equal? (written '((1 2) (3 4))) (list (up 1.0 2.0) (up 3.0 4.0)))
+    (check-equal? (written (list (build-list 50 values))) (list (apply up (build-list 50 ->fl))))
     (check-equal? (begin (write-table (list (list 1 2 3)) file) (table-names (read-table file)))
                   '(x0 x1 x2))
     (write-table '() file #:names '(a b))
@@ -88,6 +93,12 @@
     (check-equal? (read-table b) (read-table a))
     (check-equal? (format "~a" (read-table b))
                   (format "table of ~a rows: t, q, v" (length (trajectory-states turn))))))
+
+(test-case "an array's head tells how many rows there are"
+  (with-folder (folder)
+    (define file (build-path folder "a.npy"))
+    (write-table '((1 2) (3 4)) file)
+    (check-true (regexp-match? #rx#"^.NUMPY.*'shape': [(]2,[)]" (file->bytes file)))))
 
 ;; ---------------------------------------------------------------------------
 ;; RFC 4180
@@ -161,11 +172,12 @@
   (define (big x) (real->floating-point-bytes x 8 #t))
   (with-folder (folder)
     (define (rows type by-columns? shape numbers)
-      (define file (build-path folder (format "~a.npy" by-columns?)))
+      (define file (build-path folder (format "~a.npy" (substring type 1))))
       (write-NPY file type by-columns? shape numbers)
       (table-rows (read-table file)))
     (check-equal? (rows "<u2" #t "(3, 2)" (map short '(1 3 5 2 4 6)))
                   (list (up 1.0 2.0) (up 3.0 4.0) (up 5.0 6.0)))
+    (check-equal? (rows "|i1" #f "(2,)" '(#"\377" #"\1")) (list (up -1.0) (up 1.0)))
     (check-equal? (rows ">f8" #f "(2, 2)" (map big '(1.5 2.5 -3.0 4.0)))
                   (list (up 1.5 2.5) (up -3.0 4.0)))))
 
