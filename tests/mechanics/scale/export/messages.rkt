@@ -79,7 +79,7 @@
     (define (export . more) (keyword-apply export-system '(#:folder) (list to) free state more))
     (export)
     (define before (directory-list to))
-    (check-exn #rx"the folder is there already.*#:replace[?] #t" (lambda () (export)))
+    (check-exn #rx"^export-system: the folder is there already.*#:replace[?] #t" export)
     (check-equal? (directory-list to) before)
     (export-system free state #:folder to #:replace? #t #:language 'JAX #:name "pendulum")
     (check-equal? (map path->string (directory-list to)) '(".exported" "pendulum.py"))
@@ -89,7 +89,7 @@
     (export-system free state #:folder to #:replace? #t #:name "other" #:language 'JAX)
     (check-equal? (map path->string (directory-list to)) '(".exported" "notes.txt" "other.py"))
     (delete-file (build-path to ".exported"))
-    (check-exn #rx"something else than an exported system; it is left as it is"
+    (check-exn #rx"^export-system: the folder holds something else than an exported system"
                (lambda () (export-system free state #:folder to #:replace? #t)))
     (check-equal? (file->string notes) "mine")
     (check-equal? (map path->string (directory-list to)) '("notes.txt" "other.py"))
@@ -139,17 +139,30 @@
     (sort (regexp-match* #px"[\\w.]+|[-+*=]" part) string<?)))
 (define-syntax-rule (check-words text expected) (check-equal? (words text) (words expected)))
 
+(define (four s)
+  (define x (ref s 1))
+  (define m (matrix-by-rows (list (+ 4 x) x 1 0) (list x 5 0 1) (list x 1 3 x) (list 0 x x 6)))
+  (define solved (solve-linear-left m (up x 5 6 7)))
+  (up 1 (ref solved 2)))
+
+(test-case "the rates as C has them: variables, parameters, systems, and parentheses about sums alone"
+  (in-new-folder folder
+    (define (rates s) (up 1 (* 'k (ref s 2)) (* (+ (ref s 1) 'a) (ref s 2) (sin (ref s 2)))))
+    (define text (C-text folder rates (up 't 'x 'y)))
+    (for ([line '("double x = y[1];" "double y_ = y[2];" "double a = p[0];" "double k = p[1];"
+                  "dy[0] = 1.0;")])
+      (check-true (string-contains? text line) line))
+    (check-false (regexp-match #px"[-=*+] *[(][\\w.]+[)]" text))
+    (define solving (C-text folder four (up 't 'x)))
+    (for ([line '("solve(4, v3_matrix, v3);" "dy[1] = v3[2];")])
+      (check-true (string-contains? solving line) line))))
+
 (test-case "the rates as JAX has them: variables, parameters, what is no number, systems"
   (define (rates s) (up 1 (* 'k (ref s 2) +inf.0) (+ (ref s 1) +nan.0 (* -inf.0 'k))))
   (check-words (JAX-text rates (up 't 'x 'y))
                (string-append
                 "    t = y[0]\n    x = y[1]\n    y_ = y[2]\n    k = p[0]\n"
                 "    return jnp.stack([1.0, y_ * (INFINITY * k), (-INFINITY) * k + (NAN + x)])"))
-  (define (four s)
-    (define x (ref s 1))
-    (define m (matrix-by-rows (list (+ 4 x) x 1 0) (list x 5 0 1) (list x 1 3 x) (list 0 x x 6)))
-    (define solved (solve-linear-left m (up x 5 6 7)))
-    (up 1 (ref solved 2)))
   (check-words (JAX-text four (up 't 'x))
                (string-append
                 "    t = y[0]\n    x = y[1]\n"
