@@ -30,6 +30,8 @@
                                "  #:names tells the names of columns"))
   (check-equal? (reading "a.csv" #"t,t\n1,2\n")
                 "read-table: two columns have one name\n  name: t")
+  (check-equal? (reading "a.csv" #"t,q\n1,2\n" 't 't)
+                "read-table: two columns have one name\n  name: t")
   (check-equal? (reading "a.csv" #"t,\"q\n1,2\n")
                 "read-table: a quotation mark is not closed\n  file: a.csv\n  line: 1")
   (check-equal? (reading "a.csv" #"t,a\"b\"\n")
@@ -52,6 +54,10 @@
     (bytes-append #"\223NUMPY\1\0" (integer->integer-bytes (bytes-length head) 2 #f #f) head))
   (check-equal? (reading "a.npy" (array "'<c16'" "(1,)"))
                 "read-table: expected numbers that are real\n  file: a.npy\n  type: '<c16'")
+  (check-equal? (reading "a.npy" (array "[('a', '<c16')]" "(1,)"))
+                "read-table: expected numbers that are real\n  file: a.npy\n  type: '<c16'")
+  (check-regexp-match #rx"^read-table: the table has no column q"
+                      (reading "a.npy" (array "'<f8'" "(1,)") 'q))
   (check-equal? (reading "a.npy" (array "'<f8'" "(1, 2, 3)"))
                 (string-append "read-table: expected an array of one or two dimensions\n"
                                "  file: a.npy\n  shape: (1 2 3)"))

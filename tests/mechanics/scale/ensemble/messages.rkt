@@ -3,6 +3,7 @@
 
 (require mechanics/book
          mechanics
+         (only-in mechanics/motion/observed-systems call-watching-systems)
          tests/mechanics/support/messages
          "../../support/checks.rkt")
 
@@ -103,6 +104,10 @@
                    #:collect (lambda (state all) '()))
   (string-append (cannot-add '())
                  "\n  #:fold was given a list, what #:collect made of a motion")]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:events bottom #:fold + #:initial 0 #:jobs 1
+                   #:collect (lambda (state all) (cons 'all all)))
+  (string-append (cannot-add (cons 'all one-crossing))
+                 "\n  #:fold was given a list, what #:collect made of a motion")]
  [(evolve-ensemble pendulum (list (up 0 1 0)) 1 #:parameters '((1 0 9.8)) #:fold + #:initial 0)
   (string-append (cannot-add lost) "\n  #:fold was given a motion that failed, "
                  (format "~s" lost) "\n  ensemble-failure? tells these")]
@@ -130,3 +135,11 @@
 (test-case "a thousand jobs are as many as are of use"
   (check-equal? (evolve-ensemble free (list (up 0 1 0) (up 0 2 0)) 1 #:jobs 1000 #:batch 1)
                 (evolve-ensemble free (list (up 0 1 0) (up 0 2 0)) 1 #:jobs 1)))
+
+(test-case "whoever watches what is followed learns of the system, once"
+  (define seen '())
+  (call-watching-systems
+   (lambda followed (set! seen (cons followed seen)))
+   (lambda () (evolve-ensemble pendulum (list (up 0 1 0) (up 0 2 0)) 1 #:jobs 1
+                               #:parameters '((1 2 9.8) (1 3 9.8)))))
+  (check-equal? seen (list (list pendulum '(1.0 2.0 9.8) (up 0 1 0)))))

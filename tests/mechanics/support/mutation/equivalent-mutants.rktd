@@ -585,3 +585,23 @@
  "(let improve ([x x0] [y y0] [best-x #f] [best-y #f] [best +inf.0] [count 0])"
  "(let improve ([x x0] [y y0] [best-x #f] [best-y #f] [best 1.0] [count 0])"
  "the first curve is improved whatever its residual, or has one of rounding: the best before it is not asked for")
+("scale/ensemble/checkpoint.rkt"
+ "(values (if f (length (finished-outcomes f)) 0) (length (batch-starts b))))"
+ "(values (if f (length (finished-outcomes f)) 1) (length (batch-starts b))))"
+ "where nothing was kept nobody asks how much")
+("scale/ensemble/evolve-ensemble.rkt"
+ "(define (useful jobs) (min jobs (* 4 (processor-count))))"
+ "(define (useful jobs) (min jobs (+ 4 (processor-count))))"
+ "how many workers a thousand jobs are" limit)
+("scale/export/program-text.rkt"
+ "(define longest 68)"
+ "(define longest 69)"
+ "how long a formula may be that stands in another" layout)
+("scale/export/C.rkt"
+ "(C-function who s \"derivative\" \"dy\" (exported-slope s))"
+ "(C-function s s \"derivative\" \"dy\" (exported-slope s))"
+ "who complains of an operation that C lacks: it has a function for each")
+("scale/export/python.rkt"
+ "(for/list ([f (in-list (C-files who s))]) (cons (in (in name \"csrc\") (car f)) (cdr f)))))"
+ "(for/list ([f (in-list (C-files s s))]) (cons (in (in name \"csrc\") (car f)) (cdr f)))))"
+ "who complains of an operation that C lacks: it has a function for each")
