@@ -47,6 +47,12 @@
                  "(* domain: each part of the claim has a value *) 0 <= x. "
                  "Theorem claim : forall (x : R), hypotheses x -> sqrt x * sqrt x = x.")))
 
+(test-case "an example of hypotheses is proved one by one, each with those before"
+  (define v (verify-equal (+ (/ 1 'x) (/ 1 'y) (log 'z)) (+ (log 'z) (/ 1 'y) (/ 1 'x))))
+  (define (taken k) (format "  apply and_later. { at_numbers. } intro given_~a.\n" k))
+  (check-true (string-contains? (certificate-text (certificate v))
+                                (string-append (taken 1) (taken 2) "  at_numbers.\nQed."))))
+
 (test-case "what is assumed is a hypothesis of its own"
   (check-regexp-match
    (regexp-quote (string-append ":= (* assumed *) 0 < x /\\ "
@@ -249,6 +255,9 @@
                    "is_derive (fun s => gauge s (path s)) t (F t (path t) (velocity t))."))
    (statement (verify-total-time-derivative (lambda (s) (* 2 'a (coordinate s) (velocity s)))
                                             local)))
+  (check-equal? (format "~a" (certificate (verify-total-time-derivative velocity local)))
+                (string-append "a theorem for Coq to check: the function is a total time "
+                               "derivative; by Coq's own derivatives"))
   (define (L1 s) (* 1/2 'm (square (velocity s))))
   (define ((L2 k) s) (+ (* k (L1 s)) (* 'b (velocity s))))
   (define (rate k) (statement (verify-equivalent-Lagrangians L1 (L2 k) local)))

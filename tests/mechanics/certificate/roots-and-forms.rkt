@@ -97,6 +97,18 @@
       (check-= (value-of combined 0.7 1.3 0.4) (value-of (form->expression t) 0.7 1.3 0.4) 1e-12))))
 
 ;; ---------------------------------------------------------------------------
+;; Terms
+
+(test-case "terms as Coq reads them: signs bind like sums, numbers stand before"
+  (for ([(datum text)
+         (in-hash (hash '(* -1 x) "- x"                   '(* -3 x y) "- 3 * x * y"
+                        '(* -1 (+ x y)) "- (x + y)"       '(* -1/2 x) "- 1 / 2 * x"
+                        '(- x (* -1 y)) "x - (- y)"       '(+ x (* -2 y)) "x - 2 * y"
+                        '(/ x (* y 2)) "x / (2 * y)"      '(expt x -1/2) "1 / sqrt x"
+                        '(* :pi x) "PI * x"               '(* 2 :pi x) "2 * PI * x"))])
+    (check-equal? (term (datum->expression datum) (make-names '(x y))) text)))
+
+;; ---------------------------------------------------------------------------
 ;; Examples
 
 (define (holds? relation x y)
