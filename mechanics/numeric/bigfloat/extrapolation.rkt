@@ -205,7 +205,7 @@
 ;; The length of step that row j would have borne.
 (define (borne error j h)
   (define growth
-    (cond [(fl= error 0.0) 6.0]
-          [(fl< error +inf.0) (fl* 0.94 (flexpt (fl/ 0.65 error) (fl/ 1.0 (->fl (- (* 2 j) 1)))))]
-          [else 0.1]))
+    (if (fl< error +inf.0)
+        (fl* 0.94 (flexpt (fl/ 0.65 error) (fl/ 1.0 (->fl (- (* 2 j) 1)))))
+        0.1))
   (fl* h (flmin 6.0 growth)))

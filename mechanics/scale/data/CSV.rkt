@@ -127,7 +127,7 @@
     (cond [(eof-object? text) (values #f at)]
           [(equal? text "") (next)]
           [else
-           (define plain (if (= at 1) (string-trim text "\uFEFF" #:right? #f) text))
+           (define plain (if (= at 1) (regexp-replace #rx"^\uFEFF" text "") text))
            (values (record-fields who file plain next-line at split) at)]))
   next)
 
