@@ -49,6 +49,7 @@
   ;; after 5 past one pole and the other, at θ = 2π − 4, again going north, as at the start
   (define theta (- (* 2 pi) 4))
   (check-close (coordinate (carried 5)) (up 0.6 (/ 0.8 (sin theta))) 1e-9)
+  (check-equal? (carried 5) (carried 5.0))
   (define back (evolve-parallel-transport g S2-spherical tr (coordinate (carried 5)) 5 0))
   (check-close (coordinate (back 0)) (up 0.6 (/ 0.8 (sin 1.0))) 1e-9))
 

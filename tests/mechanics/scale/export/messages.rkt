@@ -2,6 +2,7 @@
 ;; Messages of export-system on systems it cannot export; it leaves nothing behind.
 
 (require racket/file
+         (only-in racket/path simple-form-path)
          racket/string
          mechanics mechanics/book
          tests/mechanics/support/messages tests/mechanics/support/skip
@@ -96,6 +97,13 @@
     (check-exn #rx"no such folder"
                (lambda () (export-system free state #:folder (build-path folder "a" "b"))))
     (check-equal? (map path->string (directory-list folder)) '("it"))))
+
+(test-case "the folder is called as system and language, unless another one is given"
+  (in-new-folder folder
+    (parameterize ([current-directory folder])
+      (check-equal? (export-system free state #:language 'JAX #:name "pendulum")
+                    (path->string (simple-form-path "pendulum-JAX")))
+      (check-true (file-exists? (build-path "pendulum-JAX" "pendulum.py"))))))
 
 (test-case "names that other languages cannot have, or have already, are changed"
   (in-new-folder folder
