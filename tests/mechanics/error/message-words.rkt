@@ -2,6 +2,7 @@
 ;; Words put together, and what is raised with them.
 
 (require mechanics/error/complain
+         mechanics/error/degree-overflow
          mechanics/error/failure
          mechanics/error/hint
          mechanics/error/machine-limits
@@ -40,6 +41,27 @@
     (check "f"))
   (check-exn (lambda (e) (not (exn:fail:contract? e)))
              (lambda () (raise-unavailable 'f "no"))))
+
+(define-syntax-rule (raised-by expression) (with-handlers ([exn:fail? values]) expression))
+
+(test-case "a search that found nothing says who searched, and what is known"
+  (define e (raised-by (raise-not-convergent 'f "no end" 1.5 0.25 "steps" 7)))
+  (check-equal? (exn-message e)
+                "f: no end\n  steps: 7\n  best value: 1.5\n  error estimate: 0.25")
+  (check-equal? (exn-message (raised-by (raise-not-convergent 'f "no end" 1.5 #f #:show? #f)))
+                "f: no end"))
+
+(test-case "which failures say that there is no value"
+  (check-true (no-value? (raised-by (raise-singular 'f "pole" 1))))
+  (check-true (no-value? (raised-by (/ 1 0))))
+  (check-false (no-value? (raised-by (raise-not-convergent 'f "no end" 1 2))))
+  (check-false (no-value? (raised-by (car 1)))))
+
+(test-case "a degree beyond the bound of a ring is told with both"
+  (define e (raised-by (raise-degree-overflow 9 4)))
+  (check-regexp-match #rx"degree: 9\n  bound: 4$" (exn-message e))
+  (check-equal? (list (exn:algebra:degree-overflow-degree e) (exn:algebra:degree-overflow-bound e))
+                '(9 4)))
 
 (test-case "an integral that is none carries the best value, its error and the place of trouble"
   (for ([raise-with (list raise-divergent-integral raise-unknown-integral raise-rounded-integral)]

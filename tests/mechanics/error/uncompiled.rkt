@@ -5,9 +5,11 @@
          mechanics/error/DrRacket-run
          mechanics/error/compiling-note
          racket/file
+         (only-in racket/format ~a)
          racket/list
          racket/port
          racket/runtime-path
+         racket/string
          racket/system
          mechanics/error/stale-files
          "../support/checks.rkt"
@@ -122,6 +124,32 @@ Programs outside of /sicm/ need not wait, once mechanics is installed:  make -C 
      (check-equal? (parameterize ([use-compiled-file-paths in-DrRacket]) (stale))
                    (list (last all))))))
 
+(test-case "who reads a program is told of stale files; not who compiles one, or asks for no check"
+  (call-in-copy
+   (lambda (folder file)
+     (define (in-folder name) (build-path folder "mechanics" "error" name))
+     (define reading (build-path folder "reading.rkt"))
+     (display-to-file
+      (string-append "#lang racket/base\n(require (for-syntax racket/base mechanics/error/stale-files))"
+                     "\n(begin-for-syntax (tell-of-stale-files))\n")
+      reading)
+     (define variables (environment-variables-copy (current-environment-variables)))
+     (environment-variables-set! variables #"PLTCOLLECTS" (string->bytes/utf-8 (~a folder ":")))
+     (define (said . arguments)
+       (parameterize ([current-environment-variables variables]) (apply racket arguments)))
+     (define (compiled name) (said "-N" "raco" "-l-" "raco" "make" (path->string name)))
+     (check-equal? (map compiled (list file (in-folder "stale-files.rkt"))) '("" ""))
+     (check-equal? (said reading) "")
+     (define newer (in-folder "newer.rkt"))
+     (display-to-file "#lang racket/base\n" newer)
+     (check-regexp-match #rx"^; mechanics is not compiled as it is now: .*newer.rkt changed since"
+                         (said reading))
+     (environment-variables-set! variables #"PLT_COMPILED_FILE_CHECK" #"exists")
+     (check-equal? (said reading) "")
+     (environment-variables-set! variables #"PLT_COMPILED_FILE_CHECK" #f)
+     (check-equal? (compiled reading) ""))
+   "stale-files.rkt"))
+
 (test-case "both languages tell of stale files when they are read"
   (for ([reader '(mechanics/lang/reader (submod mechanics/worksheet reader))])
     (dynamic-require reader (void))
@@ -145,6 +173,21 @@ Programs outside of /sicm/ need not wait, once mechanics is installed:  make -C 
       (prepared))
      (check-equal? (prepared) "")
      (check-equal? (racket main) ""))))
+
+(test-case "what compiles for a Run finds the library before the other collections"
+  (call-in-copy
+   (lambda (folder file)
+     (define main (write-facade folder "main.rkt"))
+     (define variables (environment-variables-copy (current-environment-variables)))
+     (environment-variables-set! variables #"PLTCOLLECTS" #"/other:")
+     (make-directory (build-path folder ".ci"))
+     (display-to-file "#lang racket/base\n(display (getenv \"PLTCOLLECTS\"))\n"
+                      (build-path folder ".ci" "compile.rkt"))
+     (define out (open-output-string))
+     (parameterize ([current-error-port out] [current-environment-variables variables])
+       (check-false (prepare-Run main)))
+     (check-equal? (last (string-split (get-output-string out) "\n"))
+                   (format "; ~a:/other:" folder)))))
 
 (test-case "where it cannot be compiled a Run is told so"
   (call-in-copy

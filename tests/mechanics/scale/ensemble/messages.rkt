@@ -143,3 +143,6 @@
    (lambda () (evolve-ensemble pendulum (list (up 0 1 0) (up 0 2 0)) 1 #:jobs 1
                                #:parameters '((1 2 9.8) (1 3 9.8)))))
   (check-equal? seen (list (list pendulum '(1.0 2.0 9.8) (up 0 1 0)))))
+
+(test-case "a sweep has a row for each value of one parameter"
+  (check-equal? (sweep '((g 9.8) (length 1)) 'length (in-range 2 4)) '((9.8 2) (9.8 3))))

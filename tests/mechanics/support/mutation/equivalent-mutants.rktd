@@ -605,3 +605,19 @@
  "(for/list ([f (in-list (C-files who s))]) (cons (in (in name \"csrc\") (car f)) (cdr f)))))"
  "(for/list ([f (in-list (C-files s s))]) (cons (in (in name \"csrc\") (car f)) (cdr f)))))"
  "who complains of an operation that C lacks: it has a function for each")
+("error/DrRacket-run.rkt"
+ "\"--jobs\" (number->string (min 4 (processor-count))) \"--DrRacket\""
+ "\"--jobs\" (number->string (min 5 (processor-count))) \"--DrRacket\""
+ "how many processes compile at once" limit)
+("error/stale-files.rkt"
+ "(define (seconds path) (file-or-directory-modify-seconds path #f (lambda () 0)))"
+ "(define (seconds path) (file-or-directory-modify-seconds path #f (lambda () 1)))"
+ "what is not there is older than all files but those of the first second of 1970")
+("error/spelling.rkt"
+ "(and (> (string-length s) n) (string-ci=? beginning (substring s 0 n))))"
+ "(and (>= (string-length s) n) (string-ci=? beginning (substring s 0 n))))"
+ "a name that ends with the hyphen is one slip away, and told before beginnings are looked at")
+("error/spelling.rkt"
+ "(and (<= (abs (- m n)) most)"
+ "(and (<= (abs (- n n)) most)"
+ "lengths that differ by more are found to be too many slips in the end, too" limit)
