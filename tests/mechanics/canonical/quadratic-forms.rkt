@@ -77,6 +77,13 @@
   (check-found '(elliptic 1.0) '(elliptic -1.001))
   (check-found '(elliptic 0.001) '(elliptic -0.002) '(elliptic 1.0)))
 
+(test-case "one coordinate alone; where nothing is to be done the matrix is that of unity"
+  (for ([b '((elliptic 1.5) (elliptic -0.4) (hyperbolic 0.7))]) (check-found b))
+  (for ([w '(3 -3 3.0)])
+    (define f (symplectic-normal-form #:matrix (matrix-by-rows (list w 0) (list 0 w))))
+    (check-equal? (quadratic-normal-form-frequencies f) (list w))
+    (check-close (entries (quadratic-normal-form-matrix f)) '(1 0 0 1) 1e-15)))
+
 (test-case "saddles and complex exponents, alone and repeated"
   (check-found '(hyperbolic 1.0) '(elliptic 1.0))
   (check-found '(hyperbolic 1.0) '(hyperbolic 1.0))
@@ -93,7 +100,12 @@
 (test-case "what is not semisimple, and what is near"
   (check-equal? (statuses '(Krein 1.0)) '(not-semisimple))
   (check-equal? (statuses '(free) '(elliptic 1.0)) '(not-semisimple))
-  (check-equal? (statuses '(elliptic 1.0) '(elliptic -1.0000001)) '(undecided)))
+  (check-equal? (statuses '(elliptic 1.0) '(elliptic -1.0000001)) '(undecided))
+  (check-equal? (statuses '(free)) '(not-semisimple))
+  (define resting (symplectic-normal-form #:matrix (matrix-by-rows '(0.0 0.0) '(0.0 1.0))))
+  (check-equal? (quadratic-normal-form-status resting) 'not-semisimple)
+  (define f (symplectic-normal-form #:matrix (mixed '((elliptic 1.0) (elliptic -1.0000001)))))
+  (check-close (quadratic-normal-form-frequencies f) '(1 1) 1e-3))
 
 ;; In a magnetic field B, H = ((p_x + B y/2)² + (p_y − B x/2)²)/2: one frequency is B, the other 0.
 (test-case "a direction without energy"

@@ -621,3 +621,31 @@
  "(and (<= (abs (- m n)) most)"
  "(and (<= (abs (- n n)) most)"
  "lengths that differ by more are found to be too many slips in the end, too" limit)
+("canonical/quadratic/phase-space-equilibrium.rkt"
+ "(> (abs (- x y)) (* 1/10 (+ 1 (abs x))))))"
+ "(>= (abs (- x y)) (* 1/10 (+ 1 (abs x))))))"
+ "how far from the place that is given an equilibrium may be" limit)
+("canonical/quadratic/phase-space-equilibrium.rkt"
+ "(> (abs (- x y)) (* 1/10 (+ 1 (abs x))))))"
+ "(> (abs (- x y)) (* 1/10 (+ 2 (abs x))))))"
+ "how far from the place that is given an equilibrium may be" limit)
+("geometry/motion/continuous-angles.rkt"
+ "(define part (if (even? halvings) 0.45 0.6))"
+ "(define part (if (even? halvings) 0.6 0.45))"
+ "where an interval is parted first" limit)
+("geometry/motion/continuous-angles.rkt"
+ "(if (and (> (abs short) (- pi 1e-5)) (> (* r short) 0))"
+ "(if (and (> (abs short) (- pi 2e-5)) (> (* r short) 0))"
+ "what is taken for half a turn, as through a pole" limit)
+("geometry/motion/event-on-manifold.rkt"
+ "(define by (* 1e-9 (- (stretch-end s) at)))"
+ "(define by (* 2e-9 (- (stretch-end s) at)))"
+ "within what time two occurrences at the end of a stretch are one" limit)
+("geometry/motion/event-on-manifold.rkt"
+ "#:when (and (node-jump? n) (> (abs (- after before)) (* 1e-6 size))))"
+ "#:when (and (node-jump? n) (>= (abs (- after before)) (* 1e-6 size))))"
+ "from which size on, exactly, a jump is one" limit)
+("geometry/relativity/four-tuple.rkt"
+ "(when (and (real? length^2) (> (abs (- length^2 1)) 1e-12))"
+ "(when (and (real? length^2) (>= (abs (- length^2 1)) 1e-12))"
+ "how far from 1, exactly, the square of a unit vector may be" limit)
