@@ -146,3 +146,9 @@
 
 (test-case "a sweep has a row for each value of one parameter"
   (check-equal? (sweep '((g 9.8) (length 1)) 'length (in-range 2 4)) '((9.8 2) (9.8 3))))
+
+(test-case "states without the time begin at 0"
+  (define (circle s) (up (ref s 1) (- (ref s 0))))
+  (define end (car (evolve-ensemble circle (list (up 0.5 0.0)) 2 #:jobs 1)))
+  (check-= (ref end 0) (* 0.5 (cos 2)) 1e-8)
+  (check-= (ref end 1) (* -0.5 (sin 2)) 1e-8))
