@@ -60,7 +60,7 @@
       (if (null? parameters) '() (structure->list (flvector->structure shapes p))))
     (define state (flvector->structure example y))
     (with-handlers ([exn:fail:mechanics?
-                     (lambda (e) (outcome #f (exn-message e) #f '()))])
+                     (lambda (e) (failed-outcome (exn-message e)))])
       (define tr
         (evolve-trajectory (derivative-for maker ps) state end
                            #:events events #:tolerance tolerance #:method method))

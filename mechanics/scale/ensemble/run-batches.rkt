@@ -36,7 +36,7 @@
 (define (given-up b)
   (finished (batch-index b)
             (for/list ([_ (in-list (batch-starts b))])
-              (outcome #f "the processes that followed it have died, several times" #f '()))))
+              (failed-outcome "the processes that followed it have died, several times"))))
 
 ;; The same with a checkpoint.
 (define (run-kept t file next perform jobs add!)

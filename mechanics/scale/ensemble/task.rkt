@@ -7,7 +7,8 @@
 (require racket/fasl
          racket/flonum)
 
-(provide (struct-out task) (struct-out watch) (struct-out outcome) (struct-out happened)
+(provide (struct-out task) (struct-out watch) (struct-out outcome) failed-outcome
+         (struct-out happened)
          flvector->vector
          (struct-out batch) (struct-out finished) (struct-out trouble) perform-batch
          send receive)
@@ -25,6 +26,7 @@
 ;; The outcome of a start: values is a vector; or, if it failed, #f, with the message and the last
 ;; good state, a vector or #f.  events : list of `happened`
 (struct outcome (values message state events) #:prefab)
+(define (failed-outcome message) (outcome #f message #f '()))
 
 ;; event : its place in the list of events; state : a vector
 (struct happened (event time state grazing?) #:prefab)

@@ -103,7 +103,9 @@
 
 (test-case "a conserved quantity: of every motion, whose equations are hypotheses"
   (define L (L-falling 'm 'g))
-  (define text (statement (verify-conserved L (Lagrangian->energy L) (up 't 'z 'zdot))))
+  (define v (verify-conserved L (Lagrangian->energy L) (up 't 'z 'zdot)))
+  (check-true (string-contains? (certificate-text (certificate v)) "(* The quantity *)"))
+  (define text (statement v))
   (check-regexp-match
    (regexp-quote
     (string-append
@@ -123,6 +125,18 @@
      "is_derive (fun s => quantity s (path s) (velocity s)) t 0)."))
    text))
 
+(test-case "what a proof rests on: laws of exponentials, arcs and logarithms"
+  (define (has part v)
+    (check-true (string-contains? (string-normalize-spaces (certificate-text (certificate v))) part)
+                part))
+  (assuming ('(> x 0) '(> y 0))
+    (has "(exp (1 / 2 * ln x)) ^ 2 = x). { apply exp_part_2; [positive | field]. }"
+         (verify-equal (square (exp (* 1/2 (log 'x)))) 'x))
+    (has "atan (1 / x) = 1 / 2 * PI - atan x). { replace (1 / x) with (/ x); [rewrite atan_inv by"
+         (verify-equal (+ (atan 'x) (atan (/ 1 'x))) (/ ':pi 2)))
+    (has "ln (x * y) = ln x + ln y). { replace (x * y) with ((x) * (y)); [logarithms |"
+         (verify-equal (log (* 'x 'y)) (+ (log 'x) (log 'y))))))
+
 (test-case "a canonical transformation: the derivatives, and all brackets of these"
   (define (turned state)
     (up (time state) (momentum state) (- (coordinate state))))
@@ -130,6 +144,9 @@
    (regexp-quote (string-append "D1_coordinate t q p * D2_momentum t q p - "
                                 "D2_coordinate t q p * D1_momentum t q p = 1"))
    (statement (verify-canonical turned (up 't 'q 'p))))
+  (define text (certificate-text (certificate (verify-canonical turned (up 't 'q 'p)))))
+  (for ([name '(D1_coordinate D2_coordinate D1_momentum D2_momentum)] [value '("0" "1" "- 1" "0")])
+    (check-true (string-contains? text (format "Definition ~a (t q p : R) : R := ~a." name value))))
   ;; derivatives that are roots
   (define (stretched state)
     (up (time state) (* (sqrt 2) (coordinate state)) (/ (momentum state) (sqrt 2))))

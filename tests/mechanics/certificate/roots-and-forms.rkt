@@ -130,6 +130,8 @@
     (define (number name) (cdr (assoc name found)))
     (for ([h hypotheses])
       (check-true (holds? h (number 'x) (number 'y)) (format "~s ~s" h found))))
+  (define three (example-values '((> x 2) (> y 2) (> z 2)) (make-names '(x y z))))
+  (for ([name '(x y z)]) (check-true (> (cdr (assoc name three)) 2)))
   (check-pred no-certificate?
               (with-handlers ([no-certificate? values])
                 (example-values (list (list '> 'x 2) (list '< 'x 1)) (make-names '(x))))))

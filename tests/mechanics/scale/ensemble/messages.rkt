@@ -152,3 +152,16 @@
   (define end (car (evolve-ensemble circle (list (up 0.5 0.0)) 2 #:jobs 1)))
   (check-= (ref end 0) (* 0.5 (cos 2)) 1e-8)
   (check-= (ref end 1) (* -0.5 (sin 2)) 1e-8))
+
+(test-case "a system that takes decisions, and so has no code, has its parameters"
+  (define ((away speed) s) (up 1 (if (> (ref s 1) 0) speed (- speed))))
+  (define ends
+    (evolve-ensemble away (list (up 0 1) (up 0 -1)) 2 #:jobs 1 #:parameters '((3) (1/2))))
+  (for ([end ends] [expected '(7 -2)]) (check-= (ref end 1) expected 1e-12)))
+
+;; x reaches 1 at the time 1/2.
+(test-case "where it fails that is told, without a state"
+  (define (to-pole s) (up 1 (if (> (ref s 1) 5) 0 (/ 1 (- 1 (ref s 1))))))
+  (define failure (car (evolve-ensemble to-pole (list (up 0 0.0)) 2 #:jobs 1)))
+  (check-equal? (ensemble-failure-index failure) 0)
+  (check-false (ensemble-failure-state failure)))
