@@ -130,8 +130,9 @@ Programs outside of /sicm/ need not wait, once mechanics is installed:  make -C 
      (define (in-folder name) (build-path folder "mechanics" "error" name))
      (define reading (build-path folder "reading.rkt"))
      (display-to-file
-      (string-append "#lang racket/base\n(require (for-syntax racket/base mechanics/error/stale-files))"
-                     "\n(begin-for-syntax (tell-of-stale-files))\n")
+      (string-append "#lang racket/base\n"
+                     "(require (for-syntax racket/base mechanics/error/stale-files))\n"
+                     "(begin-for-syntax (tell-of-stale-files))\n")
       reading)
      (define variables (environment-variables-copy (current-environment-variables)))
      (environment-variables-set! variables #"PLTCOLLECTS" (string->bytes/utf-8 (~a folder ":")))

@@ -16,7 +16,7 @@
 ;; Turns by y² for each step
 (define (twist x y return fail) (return ((principal-value :2pi) (+ x (* :2pi y y))) y))
 
-(test-case "of a twist without kicks the curve is where it turns by the rotation number, at any angle"
+(test-case "the curve of a twist without kicks is where it turns by the rotation number"
   (for* ([w (list golden (- 1 golden))] [start '(0 2.0)])
     (check-= (find-invariant-curve twist w start 0.4 0.9 1e-10) (sqrt w) 1e-10)))
 

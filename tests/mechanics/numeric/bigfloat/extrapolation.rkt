@@ -61,7 +61,7 @@
     (check-true (< (/ (apply max lengths) (apply min lengths)) 2) (format "~a" lengths)))
 
   ;; There is no error in y' = c.
-  (test-case "a first step of a tenth of the time in which the state changes by 1 + |y|, then longer"
+  (test-case "the first step is a tenth of the time in which the state changes by 1 + |y|"
     (for ([c+y0+first (in-list '((2 3 0.2) (-1 0 0.1) (1 0 0.1) (1/8 1 1.6)))])
       (define-values (c y0 first) (apply values c+y0+first))
       (define times (times-of-steps (lambda (y) (vector (bf c))) (vector (bf y0)) 1000))

@@ -159,7 +159,8 @@
     (define (of-low-bits a)
       (mov-number! a rcx (bitwise-bit-field (bits 1.5) 0 32))
       (compare! a rdx rcx))
-    (for ([compare! (in-list (list to-itself to-zero of-low-bits))] [greater (in-list '(0.0 1.0 1.0))])
+    (for ([compare! (in-list (list to-itself to-zero of-low-bits))]
+          [greater (in-list '(0.0 1.0 1.0))])
       (check-equal? (jumps 'greater compare!) greater)
       (check-equal? (jumps 'equal compare!) (fl- 1.0 greater))
       (check-equal? (jumps 'less compare!) 0.0)

@@ -153,7 +153,7 @@
   (define solved (solve-linear-left m (up x 5 6 7)))
   (up 1 (ref solved 2)))
 
-(test-case "the rates as C has them: variables, parameters, systems, and parentheses about sums alone"
+(test-case "the rates as C has them: variables, parameters, systems, parentheses about sums"
   (in-new-folder folder
     (define (rates s) (up 1 (* 'k (ref s 2)) (* (+ (ref s 1) 'a) (ref s 2) (sin (ref s 2)))))
     (define text (C-text folder rates (up 't 'x 'y)))
