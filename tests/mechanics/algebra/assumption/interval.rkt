@@ -20,7 +20,17 @@
   (check-equal? (of 'exp 0 +inf.0) '(1 +inf.0))
   (check-equal? (of 'log 1 +inf.0) '(0 +inf.0))
   (check-equal? (of 'sqrt 1/4 4) '(1/2 2))
-  (check-equal? (car (of 'sin 0 1)) 0))
+  (check-equal? (car (of 'sin 0 1)) 0)
+  (check-equal? (of 'abs -2 -1) '(1 2)))
+
+(test-case "an argument between two flonums is seen from both sides"
+  ;; e^x = e^y (1 - (y - x) + ...), where y is the flonum beside x
+  (for ([n (in-range 7001 7009)])
+    (define x (/ n 10))
+    (define y (exact->inexact x))
+    (define value (* (inexact->exact (exp y)) (- 1 (- (inexact->exact y) x))))
+    (define ends-there (of 'exp x x))
+    (check-true (< (car ends-there) value (cadr ends-there)) (format "~a" x))))
 
 (test-case "quotients and powers of intervals, with exact ends"
   (define (quotient low high) (ends (interval-quotient (interval 1 2) (interval low high))))

@@ -3,6 +3,8 @@
 
 (require mechanics/algebra/expression/expression
          mechanics/algebra/assumption/assumption-set
+         mechanics/algebra/assumption/reference-point
+         mechanics/algebra/simplify/declare-relations
          mechanics/algebra/simplify/known-sign
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/read
@@ -75,4 +77,41 @@
 (test-case "a sign is known by the form, or it is not; nothing is taken for granted"
   (define (sign d) (known-sign (datum->expression d) no-assumptions))
   (check-equal? (map sign '((- (cos x) 2) (exp x) (- x x) (cos x) (- 3) (sqrt 2)))
-                '(-1 1 0 #f -1 1)))
+                '(-1 1 0 #f -1 1))
+  (check-false (sign '(- (sqrt (expt x 2)) x))))
+
+(test-case "functions of arguments that are equal, though written differently, are one"
+  (define-values (one other) (values '(sin (* 2 a)) '(* 2 (sin a) (cos a))))
+  (for ([f (list (lambda (u) `(h ,u))
+                 (lambda (u) `(h ,u x))
+                 (lambda (u) `(h (up ,u x)))
+                 (lambda (u) `(g (h ,u)))
+                 (lambda (u) `(exp (h ,u)))
+                 (lambda (u) `(exp ,u)))])
+    (check-equal? (simplified `(- ,(f one) ,(f other))) 0 (format "~s" (f 'u))))
+  (check-equal? (simplified `(+ (h ,one) (h ,other) (h x))) `(+ (h x) (* 2 (h ,one)))))
+
+(test-case "within a region a root is split by the signs there, and nothing is assumed"
+  (define (within relations)
+    (expression->datum
+     (simplify-where (datum->expression '(sqrt (* x x y)))
+                     (declare-relations no-assumptions relations))))
+  (check-equal? (within '()) '(* (abs x) (sqrt y)))
+  (check-equal? (within '((>= x 0))) '(* x (sqrt y))))
+
+(test-case "where two roots have values, both radicands are known not to be negative"
+  (define-values (e assumptions)
+    (simplify-expression/assumptions
+     (datum->expression '(* (sqrt (* k m)) (sqrt (- a b)) (abs (- a b))))))
+  (check-equal? (expression->datum e) '(* (sqrt (* k m)) (expt (- a b) 3/2)))
+  (check-equal? assumptions '()))
+
+(test-case "of a power with unknown sign an even power leaves an odd root"
+  (define (careful n q)
+    (simplify-expression (datum->expression `(expt (expt x ,n) ,(/ 1 q)))
+                         (with-automatic-assumptions no-assumptions #f)))
+  (check-equal? (expression->datum (careful 8 3)) '(* (expt x 2) (expt (expt x 2) 1/3)))
+  ;; (-8)^n has a real root of odd degree that is positive, or none.
+  (for* ([q '(3 5)] [n (in-range 2 16 2)])
+    (define root (real-value (careful n q) (lambda (leaf arguments) -8.0)))
+    (check-= root (expt 8.0 (/ n q)) (* 1e-12 root) (format "~a/~a" n q))))
