@@ -28,7 +28,9 @@
 ;; The sum
 
 (define (expanded-form F f)
-  (define-values (_whole _by-roots pieces) (fraction->piece-lists F f))
+  (define-values (as-one _by-roots by-factors) (fraction->piece-lists F f))
+  ;; Where nothing divides, the split would only write squares of roots as sums again.
+  (define pieces (if (fraction-polynomial? f) as-one by-factors))
   (define-values (whole others) (partition (lambda (p) (null? (piece-factors p))) pieces))
   (define terms (append-map (lambda (p) (piece-terms F p)) whole))
   (sum-form (append (for/list ([t (in-list (constant-first terms))])

@@ -33,6 +33,8 @@
    [(expt (+ a b) 3) (+ (expt a 3) (* 3 (expt a 2) b) (* 3 a (expt b 2)) (expt b 3))]
    [(* 1/2 m (+ (expt v 2) (expt w 2))) (+ (* 1/2 m (expt v 2)) (* 1/2 m (expt w 2)))]
    [(expt (+ 1 (sqrt x)) 2) (+ 1 x (* 2 (sqrt x)))]
+   [(expt (+ a (sqrt (+ 1 y))) 2) (+ 1 (expt a 2) (* 2 a (sqrt (+ 1 y))) y)]
+   [(* (+ b (expt (+ 1 y) 1/3)) (expt (+ 1 y) 2/3)) (+ 1 (* b (expt (+ 1 y) 2/3)) y)]
    [(* 1.5 (+ a 0.5) (+ b 2)) (+ 1.5 (* 1.5 a b) (* 3 a) (* 0.75 b))]
    [(- (* (+ a b) c) (+ (* a c) (* b c))) 0]
    [a a]))
@@ -41,7 +43,8 @@
   (check-forms expanded
    [(expt (+ (sin x) (cos x)) 2)
     (+ (expt (cos x) 2) (* 2 (cos x) (sin x)) (expt (sin x) 2))]
-   [(* (cos (* 2 x)) (+ (cos x) a)) (+ (* a (cos (* 2 x))) (* (cos x) (cos (* 2 x))))]))
+   [(* (cos (* 2 x)) (+ (cos x) a)) (+ (* a (cos (* 2 x))) (* (cos x) (cos (* 2 x))))]
+   [(* (sqrt (cos x)) (+ (sin x) (sqrt (cos x)))) (+ (cos x) (* (sin x) (sqrt (cos x))))]))
 
 (test-case "an expanded term keeps the divisors it needs"
   (check-forms expanded
@@ -72,7 +75,9 @@
   (check-equal? (collected '(+ (* a b x) (* a c x)) 'x) '(* a x (+ b c)))
   (check-equal? (collected '(/ (+ (* b x y) (* c x y)) (* 2 d)) 'x 'y) '(/ (* x y (+ b c)) (* 2 d)))
   (check-equal? (collected '(/ (+ a m (* b m)) (+ 1 m (* m d))) 'm)
-                '(/ (+ (* m (+ 1 b)) a) (+ (* m (+ 1 d)) 1))))
+                '(/ (+ (* m (+ 1 b)) a) (+ (* m (+ 1 d)) 1)))
+  (check-equal? (collected '(+ (* m m (/ a (+ c d))) (* m d)) 'm)
+                '(+ (/ (* (expt m 2) a) (+ c d)) (* d m))))
 
 (test-case "coefficients of powers, none where it is no polynomial"
   (define (coefficient d in n)
