@@ -168,7 +168,7 @@
     (and (pair? (ledger-open l))
          (pair? (ledger-taken l))
          (with-handlers ([exn:algebra:contradiction? (lambda (x) #f)])
-           (add-relations (ledger-assumptions l) (reverse (ledger-taken l)) s))))
+           (add-relations (ledger-assumptions l) (ledger-taken l) s))))
   (and extended
        (for/or ([e (in-list (ledger-open l))])
          (decided-branch (known-signs (infer-signs extended s e))))
