@@ -43,6 +43,13 @@
    [(expt (cos t) 3) (expt (cos t) 3)]
    [(* (cos a) (cos b)) (* (cos a) (cos b))]))
 
+(test-case "a product of waves is a sum of waves where that is much shorter"
+  (check-forms
+   [(- (cos a) (* (cos c) (sin c))) (- (cos a) (* (cos c) (sin c)))]
+   [(- (cos a) (* (cos (+ b c)) (sin (+ b c)))) (- (cos a) (* 1/2 (sin (* 2 (+ b c)))))]
+   [(+ (* 2 (sin a)) (* (cos (* 3 c)) (sin (* 3 c))))
+    (+ (* (cos (* 3 c)) (sin (* 3 c))) (* 2 (sin a)))]))
+
 (test-case "squares and products of angle sums are found again"
   (check-forms
    [(+ m (* M (- 1 (expt (+ (* (cos a) (cos b)) (* (sin a) (sin b))) 2))))
@@ -55,6 +62,7 @@
   (check-forms
    [(+ (* (cosh a) (cosh b)) (* (sinh a) (sinh b))) (cosh (+ a b))]
    [(+ (expt (cosh x) 2) (expt (sinh x) 2)) (cosh (* 2 x))]
+   [(+ (* k (sinh a)) (cosh (+ a b)) (* -1 (cosh (- a b)))) (* (+ k (* 2 (sinh b))) (sinh a))]
    [(- (expt (cosh x) 2) (expt (sinh x) 2)) 1]))
 
 (test-case "squares of sums are squares"
@@ -80,6 +88,8 @@
    [(+ (* A (expt (sin x) 2) (((expt D 2) q) t)) (* B (expt (cos x) 2) (((expt D 2) q) t)) (q t))
     (+ (* (+ (* A (expt (sin x) 2)) (* B (expt (cos x) 2))) (((expt D 2) q) t)) (q t))]
    [(+ (* r r phi) (* m r r)) (* (expt r 2) (+ m phi))]
+   [(+ (* 2 y) (* g k) (* 4 k z) (* 4 (expt x 2) z))
+    (+ (* g k) (* 2 y) (* 4 z (+ k (expt x 2))))]
    [(+ (/ a c) (/ b (* c d))) (+ (/ a c) (/ b (* c d)))]))
 
 (test-case "an exponential that all terms share stands apart"
@@ -87,7 +97,12 @@
    [(+ (* a (exp (* -1 g t))) (* b (exp (* -1 g t)))) (* (+ a b) (exp (* -1 g t)))]
    [(- (* -1 g (cos w) (exp (* -1 g t))) (* w (sin w) (exp (* -1 g t))))
     (* -1 (+ (* g (cos w)) (* w (sin w))) (exp (* -1 g t)))]
-   [(+ (exp x) (exp (* -1 x))) (+ (exp (* -1 x)) (exp x))]))
+   [(+ (exp x) (exp (* -1 x))) (+ (exp (* -1 x)) (exp x))]
+   [(+ (* 4 m (exp x)) (exp (* 3/2 x)) (* 3 g)) (+ (* 3 g) (* 4 m (exp x)) (exp (* 3/2 x)))])
+  ;; Below a fraction line, too, e^(2x) and e^x share nothing.
+  (define sum '(+ (* b (f y) (exp (* 2 x))) c (* (f y) (exp x))))
+  (check-form sum sum)
+  (check-form `(/ 1 ,sum) `(/ 1 ,sum)))
 
 (test-case "roots gather the factors beside them"
   (check-forms

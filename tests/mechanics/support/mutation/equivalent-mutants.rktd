@@ -649,3 +649,67 @@
  "(when (and (real? length^2) (> (abs (- length^2 1)) 1e-12))"
  "(when (and (real? length^2) (>= (abs (- length^2 1)) 1e-12))"
  "how far from 1, exactly, the square of a unit vector may be" limit)
+("algebra/simplify/normalize.rkt"
+ "(retry (+ 1 (* 2 degree))))))"
+ "(retry (- 1 (* 2 degree))))))"
+ "every other ring tried has no room at all, and a wider one is tried after it: time" limit)
+("algebra/simplify/domain-question.rkt"
+ "(or (andmap single? relations) (not (ormap single? relations)))))"
+ "(and (andmap single? relations) (not (ormap single? relations)))))"
+ "a way that is shorter where nothing narrows is not taken, and the long one finds the same signs" limit)
+("algebra/simplify/stable-form.rkt"
+ "(and (in-front? (car (node-args e))) (andmap exact-expression? (cdr (node-args e)))))"
+ "(and (in-front? (car (node-args e))) (ormap exact-expression? (cdr (node-args e)))))"
+ "with a flonum in front sums have whole coefficients, so that others are in arguments of functions: they are not simplified once more to the same" limit)
+("algebra/assumption/emptiness.rkt"
+ "[(or (eqv? left 0) (null? relations)) #f]"
+ "[(or (eqv? left 1) (null? relations)) #f]"
+ "of 200 boxes the last is not looked at" limit)
+("algebra/assumption/interval.rkt"
+ "(if (reaches? top) 1 (extreme greatest 1))))"
+ "(if (reaches? top) 2 (extreme greatest 1))))"
+ "the interval is cut to that from -1 to 1 around it")
+("algebra/assumption/reference-point.rkt"
+ "(define (seed k n) (if (< k last-dependent) n (* n n)))"
+ "(define (seed k n) (if (< last-dependent last-dependent) n (* n n)))"
+ "which points are looked at where the first will not do: any at which question and declarations hold is as good" limit)
+("algebra/assumption/reference-point.rkt"
+ "(+ low (* (- high low) (/ (abs x) (+ 1.0 (abs x)))))]"
+ "(+ low (* (- high low) (/ (abs x) (+ 2.0 (abs x)))))]"
+ "where between two bounds a point is taken: any within is as good" limit)
+("algebra/elimination/exact-coefficients.rkt"
+ "(define rest (fraction* R f (fraction-from-poly R d)))"
+ "(define rest (fraction* R f (fraction-from-poly d d)))"
+ "a polynomial becomes a fraction without a look at its ring")
+("algebra/elimination/exact-coefficients.rkt"
+ "(for/fold ([terms 1]) ([i (in-range 1 (add1 (ring-size R)))])"
+ "(for/fold ([terms 1]) ([i (in-range 1 (sub1 (ring-size R)))])"
+ "a bound of the work beforehand, of fewer variables: from where on it is given up" limit)
+("algebra/elimination/bareiss.rkt"
+ "(define place-counts (make-vector (vector-length columns) 0))"
+ "(define place-counts (make-vector (vector-length columns) 1))"
+ "which of several pivots of one size is taken, by how much it is guessed to fill: a guess of the work" limit)
+("algebra/expression/order.rkt"
+ "(cond [(literal-head? head) (if (null? (literal-head-index head)) 3 5)]"
+ "(cond [(literal-head? head) (if (null? (literal-head-index head)) 3 6)]"
+ "5 is the last rank, and ranks are compared alone")
+("algebra/expression/flat-graph.rkt"
+ "(when (fx> (fx* 2 (merged-count m)) (fxvector-length (merged-places m))) (widen! m))"
+ "(when (fx> (fx* 3 (merged-count m)) (fxvector-length (merged-places m))) (widen! m))"
+ "how full a table may be" limit)
+("algebra/expression/flat-graph.rkt"
+ "(define most-tapes (fx- (fxlshift 1 31) 1))"
+ "(define most-tapes (fx- (fxlshift 1 32) 1))"
+ "after how many tapes their numbers begin anew" limit)
+("algebra/expression/flat-graph.rkt"
+ "(define nodes (make-vector n #f))"
+ "(define nodes (make-vector n #t))"
+ "each place is set before it is read: operands stand before what they are operands of")
+("algebra/expression/numeric-functions.rkt"
+ "[(and (real? x) (> x 6)) 1.0]"
+ "[(and (real? x) (>= x 6)) 1.0]"
+ "at 6 the error function, by the other formula, is 1 when rounded")
+("algebra/expression/numeric-functions.rkt"
+ "[(not (and (real? x) (>= x 1)))"
+ "[(not (and (real? x) (> x 1)))"
+ "at 1.0 either formula is the logarithm of 1.0")
