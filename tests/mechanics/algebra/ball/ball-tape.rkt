@@ -61,9 +61,14 @@
   (check-eqv? (value '(+ (* 1/2 x) (sin (- x x)) (cos 0) (sqrt (* 2 x)))) 4)
   (check-eqv? (value '(expt (* 2 x) 3/2)) 8)
   (check-eqv? (value '(* (exp 1) (- x x))) 0)
+  (check-eqv? (value '(* (exp 1) (- x 2))) 0)
+  (check-eqv? (value '(expt (- x 2) 1/3)) 0)
   (check-eqv? (value '(/ (log (/ x x)) (expt x 5))) 0)
   (check-eqv? (value-at (sign '(- (sin x) 1)) 2) -1)
   (check-pred ball? (value '(expt x 1000))))
+
+(test-case "an angle depends on both coordinates of its point"
+  (check-= (number (value '(+ (atan (- x 1) x) (atan (- x 1) (- 0 x))))) (acos -1.0) 1e-12))
 
 (test-case "each part has to have a value"
   (for ([d (in-list '((* (- x 2) (log (- x 3))) (/ 1 (- x 2)) (expt (- x 2) -2) (sqrt (- 1 x))

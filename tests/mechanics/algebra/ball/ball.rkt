@@ -138,6 +138,28 @@
       (check-true (holds? value (true-angle small 1)))
       (check-true (< (- (upper value) (lower value)) (* (expt 2 (- 8 p)) (abs small))))))
 
+  (test-case "an angle is known to as many bits as are asked for"
+    (define value (ball-angle (exact->ball 1 600) (exact->ball 2 600) 600))
+    (check-true (holds? value (true-angle 1 2)))
+    (check-true (< (- (upper value) (lower value)) (expt 2 -590))))
+
+  (test-case "logarithms near 1 are known to nearly all bits, too"
+    (for* ([p (in-list precisions)] [k (in-list '(10 20 30))] [side (in-list '(1 -1))])
+      (define x (+ 1 (/ side (expt 2 k))))
+      (define value (ball-log (exact->ball x (+ p 40)) p))
+      (check-true (holds? value (true-value 'bflog x)))
+      (check-true (< (- (upper value) (lower value)) (expt 2 (- 8 p k))))))
+
+  (test-case "functions that are as small as a small argument, too"
+    (for* ([p (in-list precisions)] [k (in-list '(10 20 30))]
+           [name (in-list '(bfsin bftan bfasin bfatan bfsinh bftanh bfasinh bfatanh))])
+      (define f (findf (lambda (f) (eq? (function-name f) name)) functions))
+      (define x (/ 3 (expt 2 k)))
+      (define value ((function-ball f) (exact->ball x (+ p 8)) p))
+      (check-true (holds? value (true-value name x)) (format "~a" name))
+      (check-true (< (- (upper value) (lower value)) (* (expt 2 (- 8 p)) x))
+                  (format "~a, ~a bits" name p))))
+
   (test-case "the angle of a point holds that of the points around it"
     (with-seed 9
       (for* ([p (in-list precisions)] [_ (in-range 20)])

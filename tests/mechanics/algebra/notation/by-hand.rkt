@@ -17,7 +17,7 @@
   (begin (test-case text (check-equal? (write 'datum) text)) ...))
 
 (lines infix
-  [(- (+ a b)) "−(a + b)"] [(- a (- b)) "a + b"] [(- a (+ b c)) "a − (b + c)"]
+  [(- (+ a b)) "−(a + b)"] [(* (+ a) b) "a b"] [(- a (- b)) "a + b"] [(- a (+ b c)) "a − (b + c)"]
   [(* a (- b)) "−a b"] [(* (- x) (- y)) "x y"] [(- -2) "2"] [(* 2 3) "2 (3)"]
   [(+ (* -1 (+ a b)) c) "−(a + b) + c"] [(* -3/2 x) "−(3/2) x"] [(* 2 (expt 3 x)) "2 (3^(x))"])
 

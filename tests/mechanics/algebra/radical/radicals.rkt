@@ -43,7 +43,11 @@
     (define positive (if (positive? (radicals->flonum s)) s (radicals-scale -1 s)))
     (for ([k '(2 3 4 5)])
       (define power (radicals-expt positive k))
-      (when power (check-equal? (radicals-expt power (/ 1 k)) positive)))))
+      (when power (check-equal? (radicals-expt power (/ 1 k)) positive))))
+  ;; By one prime alone: under fourth roots stands another.
+  (for ([d '((+ (expt 2 1/4) (sqrt 3)) (+ (expt 3 1/4) (sqrt 2) (sqrt 5)))])
+    (define s (radicals d))
+    (check-equal? (radicals-expt (radicals-multiply s s) 1/2) s (format "~s" d))))
 
 (test-case "what is no sum of roots, or not known to be one, is left to decimals"
   (check-false (radicals '(sqrt (+ 2 (sqrt 2)))))

@@ -44,6 +44,7 @@
    [(expt (+ (sin x) (cos x)) 2)
     (+ (expt (cos x) 2) (* 2 (cos x) (sin x)) (expt (sin x) 2))]
    [(* (cos (* 2 x)) (+ (cos x) a)) (+ (* a (cos (* 2 x))) (* (cos x) (cos (* 2 x))))]
+   [(* 2 (+ 1 (sin (* -1 x)))) (- 2 (* 2 (sin x)))]
    [(* (sqrt (cos x)) (+ (sin x) (sqrt (cos x)))) (+ (cos x) (* (sin x) (sqrt (cos x))))]))
 
 (test-case "an expanded term keeps the divisors it needs"

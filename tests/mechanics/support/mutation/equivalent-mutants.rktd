@@ -713,3 +713,35 @@
  "[(not (and (real? x) (>= x 1)))"
  "[(not (and (real? x) (> x 1)))"
  "at 1.0 either formula is the logarithm of 1.0")
+("algebra/ball/ball-elementary.rkt"
+ "(define small (if (positive? X) (- (integer-length X) (integer-length Y)) 0))"
+ "(define small (if (positive? X) (- (integer-length X) (integer-length Y)) 1))"
+ "one bit more is worked out than is asked for" limit)
+("algebra/ball/fixed-point.rkt"
+ "(+ 2 (down (* (+ y y bound) bound) v)))))"
+ "(+ 3 (down (* (+ y y bound) bound) v)))))"
+ "a bound that is wider by one unit at each step" limit)
+("algebra/ball/fixed-point.rkt"
+ "(let loop ([power (abs T)] [k 1] [sum 0] [s 1])"
+ "(let loop ([power (abs T)] [k 1] [sum 1] [s 1])"
+ "the sum is off by one unit more, of which the bound has four to spare beside two for each term" limit)
+("algebra/ball/ball.rkt"
+ "(define s (max 0 (- (+ p (integer-length n)) (integer-length m))))"
+ "(define s (max 0 (+ (+ p (integer-length n)) (integer-length m))))"
+ "bits are worked out that are dropped at once: a radius of two units in place of one" limit)
+("algebra/radical/radical-sum.rkt"
+ "(if (and (rational? sum) (> (abs sum) (* 1/4 (apply + (map abs terms)))))"
+ "(if (and (rational? sum) (> (abs sum) (+ 1/4 (apply + (map abs terms)))))"
+ "the decimals of all sums are found by integers: slower, to within the last place" limit)
+("algebra/radical/radical-power.rkt"
+ "(define most-steps 4)"
+ "(define most-steps 5)"
+ "how many roots within roots are looked for" limit)
+("algebra/radical/radical-sum.rkt"
+ "(in-units (* 2 bits))))))"
+ "(in-units (* 3 bits))))))"
+ "how many more bits are tried where a sum cancels: those that stand are the same" limit)
+("algebra/radical/radical-sum.rkt"
+ "(and (andmap (lambda (f) (<= (car f) largest-known-prime)) factors)"
+ "(and (andmap (lambda (f) (< (car f) largest-known-prime)) factors)"
+ "a million is no prime, nor what is left without small primes")
