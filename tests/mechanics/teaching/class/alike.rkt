@@ -66,3 +66,12 @@
   (define remarks (said (student "Ann" text) (student "Bob" text)))
   (check-equal? (length remarks) 1)
   (check-false (regexp-match? #px"\\p{Cc}|\\p{Cf}" (car remarks))))
+
+(test-case "of sixty three are few, of fewer only two"
+  (define (remarks n)
+    (define alike
+      (for/list ([name '("Ann" "Bob" "Cid")]) (student name "(define omegga 1)\n" strange)))
+    (define more
+      (for/list ([k (- n 3)]) (student (format "t~a" k) "" (list '+ 'a 'b 'c (+ 100 k)))))
+    (length (likenesses (append alike more))))
+  (check-equal? (map remarks '(59 60)) '(0 3)))

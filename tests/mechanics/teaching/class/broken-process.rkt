@@ -8,7 +8,7 @@
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
          mechanics/teaching/worksheet/make-worksheet
-         "../../support/checks.rkt")
+         "../../support/checks.rkt" "../../support/evaluated-here.rkt")
 
 (define w
   (make-worksheet "Broken" #f "broken"
@@ -38,3 +38,10 @@
                 "(*program* answer)" "(*program*)")])
     (check-pred string? (problem-of line) line)
     (check-false (regexp-match? #rx"does not run: [ox]" (problem-of line)) line)))
+
+(test-case "of a program that cannot be read it is told why"
+  (define report
+    (grade-class w (list (submission "a" "a" "#lang mechanics\n(define frequency" #f #f #f))
+                 #:strictest 'own #:collect (collect-here-if (lambda (id) #t))))
+  (check-regexp-match #rx"^it does not run: .*expected a `[)]`"
+                      (graded-problem (car (class-report-graded report)))))

@@ -52,6 +52,13 @@
     (check-true (< own (reading-used (read-cost me #f))))
     (check-true (real? (cost-between (read-cost me #t) (read-cost me #t))))))
 
+(test-case "time passes in seconds"
+  (define before (reading-clock (read-cost 0 #f)))
+  (define start (current-inexact-milliseconds))
+  (sleep 0.05)
+  (define end (current-inexact-milliseconds))
+  (check-true (>= (- (reading-clock (read-cost 0 #f)) before) (/ (- end start) 1000.))))
+
 (test-case "of a process that has ended what was known stays, and its time passes"
   (subprocess-kill sleeper #t)
   (subprocess-wait sleeper)

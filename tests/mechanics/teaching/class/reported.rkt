@@ -3,6 +3,7 @@
 ;; of what went wrong.
 
 (require mechanics/teaching/class/class-page
+         mechanics/teaching/class/collect-answers
          mechanics/teaching/class/grade
          mechanics/teaching/class/submission
          mechanics/teaching/worksheet/judge
@@ -18,10 +19,22 @@
     (display-to-file "#lang mechanics\n" (build-path folder name)))
   (check-equal? (map submission-id (folder->submissions 'check folder))
                 '("9-b" "10-a" "ann" "s" "s2" "s9" "s10"))
+  ;; Two files of one name are told apart.
+  (display-to-file "{}" (build-path folder "s2.ipynb"))
+  (check-equal? (map submission-id (folder->submissions 'check folder))
+                '("9-b" "10-a" "ann" "s" "s2.ipynb" "s2.rkt" "s9" "s10"))
   (delete-directory/files folder))
 
 (define e (make-exercise 'frequency 'expression "?" '((key k))))
 (define w (make-worksheet "Once" #f "once" (list e)))
+
+(test-case "after each submission it is told how many are graded"
+  (define told '())
+  (define (nothing i exercises s) (collected (hasheq) #f 0 #f))
+  (grade-class w (for/list ([id '("a" "b" "c")]) (submission id id "" #f #f #f))
+               #:strictest 'own #:collect nothing
+               #:tell (lambda (n) (set! told (cons n told))))
+  (check-equal? told '(3 2 1)))
 
 ;; The page of a class whose answers were these.
 (define (page-of . answers)

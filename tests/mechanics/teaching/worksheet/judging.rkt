@@ -122,6 +122,17 @@
   "some of the equations are refuted, and one that holds is not linear"]
  [(two-with (lambda (a b) 0) (lambda (a b) (- b (* 'k 'y)))) wrong 0])
 
+;; A charge in a magnetic field: its equations have velocities, and no coordinate.
+(define (L-charge (up t (up x y) (up vx vy)))
+  (+ (* 1/2 'm (+ (square vx) (square vy))) (* 1/2 'B (- (* x vy) (* y vx)))))
+(define ((charge-with rate) path)
+  (lambda (t)
+    (define-values (x y) (values (ref path 0) (ref path 1)))
+    (up (- (* 'm ((D2 x) t)) (* 'B ((rate y) t))) (+ (* 'm ((D2 y) t)) (* 'B ((rate x) t))))))
+(judges (an-exercise equations ('coordinates 'x 'y) ('of L-charge))
+ [(charge-with D) right 1]
+ [(charge-with identity) wrong 0 "a derivative is missing: a coordinate stands for its velocity"])
+
 (define (L-three (up t (up x y z) (up vx vy vz)))
   (- (* 1/2 'm (+ (square vx) (square vy) (square vz))) (* 1/2 'k (square x))))
 (define three (an-exercise equations ('coordinates 'x 'y 'z) ('of L-three)))
@@ -200,6 +211,7 @@
 (judges canonical
  [(lambda ((up t q p)) (up t (* 2 q) (/ p 2))) right 1]
  [(lambda ((up t q p)) (up t p q)) wrong 0 "it is not canonical"]
+ [(lambda ((up t q p)) (up t (+ (* 0.6 q) (* 0.8 p)) (- (* 0.6 p) (* 0.8 q)))) right 1]
  [(lambda (s) s) trivial 0 "it leaves every state where it is"]
  [(lambda (s) 3) wrong 0 "its value is to be a state"])
 
@@ -245,6 +257,12 @@
  [(up (* 2 'b) 'a) wrong 0 "the components are exchanged"])
 (judges (an-exercise expression ('key (down 'a (up 'b 'c) 'd)))
  [(down 'b (up 'd 'a) 'c) wrong 0 "the components are exchanged"])
+;; A tuple within a tuple is no exchange of up and down.
+(test-case "of components in another nesting no slip is told"
+  (define j (judgment-of (an-exercise expression ('key (up (up 'a 'b)))) (up 'a 'b)))
+  (check-judgment j 'wrong 0)
+  (check-equal? (judgment-words j)
+                '("the answer is an up tuple of 2 where an up tuple of 1 is expected")))
 ;; Orders of more than four components are not tried.
 (test-case "of five components that are exchanged no slip is told"
   (define j (judgment-of (an-exercise expression ('key (up 'a 'b 'c 'd 'e)))
@@ -326,7 +344,9 @@
   (for ([d (list '(expt 9 (expt 9 9)) '(expt (expt (expt (expt 10 99) 99) 99) 99)
                  '(expt (+ x y) 1000000) "text" '(quote . x) '((((f)))) '#s(a 1) '(+ . 2)
                  (for/fold ([d 'x]) ([i 1000]) (list 'sin d)))])
-    (check-equal? (status-of-datum sum d) 'failed (format "~s" d))))
+    (check-equal? (status-of-datum sum d) 'failed (format "~s" d)))
+  ;; With a name in it an exponent is no large number.
+  (check-equal? (status-of-datum sum '(expt x (+ n 123456789))) 'wrong))
 
 (test-case "what cannot be decided is left to a person"
   (define decimals (an-exercise Hamiltonian ('coordinates 'q) ('key (lambda (s) (* 0.1 'q)))))
