@@ -24,7 +24,7 @@ unexport PLT_COMPILED_FILE_CHECK
 .PHONY: certify new worksheet handout check autograder
 .PHONY: new-file worksheet-file handout-file check-file autograder-file
 .PHONY: help demo repl lab lab-installed notebooks run show tex export attack mutants lint \
-        lint-texts install uninstall test tests test-quick test-manual test-figures test-export test-lab \
+        lint-texts install uninstall test tests test-quick test-manual test-figures test-attacks test-export test-lab \
         elsewhere bench peers export-python docs pictures clean \
         racket writable libraries editing drawing compile begin-tests known-docs
 
@@ -47,6 +47,7 @@ help:
 	@echo 'make test    run the tests         (TESTS="file-or-folder ..." for some, SUITES=all for all)'
 	@echo 'make test-quick    those that a change concerns: compiles it, and tests for up to a minute'
 	@echo 'make test-manual   every example of the manual; make test-figures, the pictures of the book'
+	@echo 'make test-attacks   hostile answers, random claims, mutants, certificates given to Coq'
 	@echo 'make test-export    exported systems in Python, over Dask and with JAX (installs them in build/export)'
 	@echo 'make test-lab     the kernel of notebooks, and notebooks in a browser (installs them in build/lab)'
 	@echo 'make attack  random claims of the algebra, judged   (N=2000 of each class, SEED=1, CLASS=...)'
@@ -153,7 +154,7 @@ check-file:
 autograder-file:
 	@$(RUN_COMMAND) autograder $(if $(OUT),-o "$(OUT)") "$(FILE)"
 
-# What takes long says so at once.  SUITES: everyday, manual, figures, export, or all of them.
+# What takes long says so at once.  SUITES: everyday, manual, figures, export, attacks, or all.
 RUN_TESTS = $(RACKET) tests/mechanics/runner/main.rkt --progress --jobs $(WAITING_JOBS)
 test: begin-tests writable compile libraries
 	@$(call try-to-compile,$(RUNNER))
@@ -167,7 +168,7 @@ test-quick: writable racket
 	@$(call try-to-compile,$(RUNNER))
 	@$(RUN_TESTS) --quick
 
-test-manual test-figures:
+test-manual test-figures test-attacks:
 	@$(MAKE) --no-print-directory test SUITES=$(@:test-%=%)
 
 RUNNER = tests/mechanics/runner/main.rkt tests/mechanics/runner/worker.rkt

@@ -254,7 +254,8 @@
 (test-case "a suite that is not there is told, with those that are"
   (define-values (code lines) (run "--suite" "manaul"))
   (check-equal? code 1)
-  (check-line lines #rx"there is no suite manaul; there are everyday, manual, figures, export"))
+  (check-line lines
+              #rx"no suite manaul; there are everyday, manual, figures, export, attacks"))
 
 (test-case "what cannot be run is told"
   (for ([arguments '(("no/such") ("--jobs" "1.5") ("--quick" "--suite" "manual"))]

@@ -4,8 +4,9 @@
 ;; every helper with a `test` submodule.  Those of the examples are run by some of the tests,
 ;; many in a process (support/example-programs.rkt).
 ;;
-;; Three suites have commands of their own, for they take minutes and see little of what is
-;; changed from day to day: the manual, the figures, and exports in foreign languages.
+;; Four suites have commands of their own, for they take minutes and see little of what is
+;; changed from day to day: the manual, the figures, exports in foreign languages, and attacks, on
+;; answers of students, verdicts, certificates and the tests themselves.
 
 (require racket/file
          racket/list
@@ -42,7 +43,9 @@
 (define special-suites
   '(("manual" "manual.rkt" "guide-notebooks.rkt")
     ("figures" "show/plot/figures.rkt")
-    ("export" "scale/export/C.rkt" "scale/export/python.rkt")))
+    ("export" "scale/export/C.rkt" "scale/export/python.rkt")
+    ("attacks" "attack.rkt" "mutants.rkt" "algebra/mutants.rkt" "certificate/checked-by-Coq.rkt"
+               "teaching/class/hostile.rkt" "teaching/class/hostile-notebooks.rkt")))
 
 (define everyday "everyday")
 (define suites (cons everyday (map car special-suites)))

@@ -160,7 +160,7 @@
      [("-p" "--progress") "say how far the compilation is" (set! progress? #t)]
      [("-q" "--quick") "only what concerns recent changes, for a minute" (set! quick? #t)]
      #:multi
-     [("-s" "--suite") name "run a suite: everyday, manual, figures, export, or all of them"
+     [("-s" "--suite") name "run a suite: everyday, manual, figures, export, attacks, or all"
                        (set! asked (cons name asked))]
      #:args paths
      paths))
