@@ -12,7 +12,7 @@
 (require (only-in "dual.rkt" constant?) "perturbed-value.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
-         "../generic/recurrence.rkt" "../generic/sums-and-products.rkt"
+         "../generic/operation-rule/recurrence.rkt" "../generic/sums-and-products.rkt"
          (only-in "../numeric/finite-number.rkt" lesser) "../numeric/vector-map.rkt"
          "../value/series/coefficients.rkt" "../value/series/series-operation.rkt"
          "../value/series/series.rkt")

@@ -1,9 +1,10 @@
 #lang racket/base
-;; The choices that a function makes at points: the values, and the way (generic/branches.rkt).
+;; The choices that a function makes at points: the values, and the way
+;; (generic/operation-rule/branches.rkt).
 
 (require "perturbed-value.rkt"
          "../error/failure.rkt"
-         "../generic/branches.rkt")
+         "../generic/operation-rule/branches.rkt")
 
 (provide (struct-out choice) (struct-out choice-sample)
          samples-between sample-choices chosen-by alike? first-difference)

@@ -15,7 +15,8 @@
          "perturbed-value.rkt"
          "moving-places.rkt" "peak-places.rkt" "recorded-number.rkt"
          "../error/note.rkt"
-         "../generic/arithmetic.rkt" "../generic/branches.rkt" "../generic/elementary.rkt"
+         "../generic/arithmetic.rkt" "../generic/operation-rule/branches.rkt"
+         "../generic/elementary.rkt"
          "../generic/number-argument.rkt" "../generic/sums-and-products.rkt"
          "../numeric/quadrature/improper.rkt")
 

@@ -12,7 +12,7 @@
          "../algebra/expression/write.rkt"
          "../error/complain.rkt" "../error/hint.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/function.rkt"
-         "../generic/kind.rkt" "../generic/notation.rkt" "../generic/recurrence.rkt"
+         "../generic/kind.rkt" "../generic/notation.rkt" "../generic/operation-rule/recurrence.rkt"
          "../generic/sums-and-products.rkt" "../generic/irrational.rkt"
          "../generic/up-down.rkt"
          "../generic/value-struct.rkt" "../generic/wrong-argument.rkt"

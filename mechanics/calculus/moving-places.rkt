@@ -7,9 +7,9 @@
 ;; times dc/da, at each place c(a) where it jumps.  Divided at c, all pieces have smooth
 ;; integrands, and moving ends; so |x − a| is right to any order, too.
 ;;
-;; Places are found from the choices made at points in between (generic/branches.rkt), by
-;; halving (branch-turning-points.rkt says how two between the same points are); and c as a
-;; perturbed value from the number s that is chosen by, which is 0 there,
+;; Places are found from the choices made at points in between (branch-points.rkt), by halving
+;; (branch-turning-points.rkt says how two between the same points are); and c as a perturbed value
+;; from the number s that is chosen by, which is 0 there,
 ;;
 ;;     c ← c − s(c, a)/s',
 ;;
@@ -21,7 +21,7 @@
 
 (require "branch-points.rkt" "branch-turning-points.rkt" "perturbed-value.rkt"
          "../error/failure.rkt"
-         "../generic/arithmetic.rkt" "../generic/branches.rkt")
+         "../generic/arithmetic.rkt" "../generic/operation-rule/branches.rkt")
 
 (provide moving-places aside tell-choices-at-ends)
 

@@ -12,7 +12,7 @@
          "dual.rkt" "gradient-tape.rkt" "perturbed-value.rkt" "partial-derivatives.rkt"
          (only-in "../algebra/expression/expression.rkt" symbolic?)
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/kind.rkt"
-         "../generic/operation-record.rkt")
+         "../generic/operation-rule/operation-record.rkt")
 
 ;; Fields are read after the test for the type: no need to test again, which
 ;; takes half of the time.

@@ -23,7 +23,8 @@
          "../algebra/zero/real-signs.rkt"
          "../error/complain.rkt" "../error/computed-once.rkt" "../error/failure.rkt"
          "../error/note.rkt"
-         "../generic/describe.rkt" "../generic/kinks-met.rkt" "../generic/number-argument.rkt"
+         "../generic/describe.rkt" "../generic/operation-rule/kinks-met.rkt"
+         "../generic/number-argument.rkt"
          "../generic/irrational.rkt" "../generic/wrong-argument.rkt"
          "../value/assumptions.rkt")
 

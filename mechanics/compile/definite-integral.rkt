@@ -5,7 +5,8 @@
 (require "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/failure.rkt" "../error/note.rkt" "../error/refusal.rkt"
          "../generic/arithmetic.rkt"
-         "../generic/branches.rkt" "../generic/define-plain.rkt" "../generic/describe.rkt"
+         "../generic/operation-rule/branches.rkt" "../generic/define-plain.rkt"
+         "../generic/describe.rkt"
          "../generic/function.rkt"
          "../generic/kind.rkt" "../generic/on-demand.rkt" "../generic/irrational.rkt"
          "../generic/wrong-argument.rkt")

@@ -8,7 +8,8 @@
 ;; in expressions.
 
 (require racket/flonum
-         "dispatch.rkt" "function.rkt" "kind.rkt" "naming.rkt" "operation-record.rkt" "up-down.rkt"
+         "dispatch.rkt" "function.rkt" "kind.rkt" "naming.rkt" "operation-rule/operation-record.rkt"
+         "up-down.rkt"
          "../algebra/expression/expression.rkt")
 
 ;; Values taken apart here have just been recognized, and the kind of a carrier is a

@@ -6,9 +6,9 @@
 ;; does not exist, and asking for it is an error that names the value.  Constants that π is in
 ;; are ordered by their values, exactly.
 
-(require "arithmetic.rkt" "branches.rkt" "describe.rkt" "kind.rkt"
-         "kinks-met.rkt" "naming.rkt" "on-demand.rkt" "scalar.rkt"
-         "singular-derivative.rkt" "irrational.rkt" "tracing.rkt" "up-down.rkt"
+(require "arithmetic.rkt" "operation-rule/branches.rkt" "describe.rkt" "kind.rkt"
+         "operation-rule/kinks-met.rkt" "naming.rkt" "on-demand.rkt" "scalar.rkt"
+         "operation-rule/singular-derivative.rkt" "irrational.rkt" "tracing.rkt" "up-down.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          "../error/complain.rkt" "../error/hint.rkt")
 

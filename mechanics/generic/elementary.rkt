@@ -7,9 +7,10 @@
 
 (require (for-syntax racket/base "../operation/operation-table.rkt")
          racket/flonum
-         "arithmetic.rkt" "branches.rkt" "compare.rkt" "dispatch.rkt" "irrational.rkt" "kind.rkt"
-         "naming.rkt" "operation-record.rkt"
-         "kinks-met.rkt" "singular-derivative.rkt" "up-down.rkt"
+         "arithmetic.rkt" "compare.rkt" "dispatch.rkt" "irrational.rkt" "kind.rkt" "naming.rkt"
+         "operation-rule/branches.rkt" "operation-rule/kinks-met.rkt"
+         "operation-rule/operation-record.rkt" "operation-rule/singular-derivative.rkt"
+         "up-down.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/operation.rkt"
          "../algebra/expression/pi.rkt"
          "../error/complain.rkt"

@@ -7,9 +7,10 @@
 ;; plain numbers, which may count and index.  Exact constants have exact ones: π is rounded
 ;; down to 3.
 
-(require "arithmetic.rkt" "branches.rkt" "compare.rkt" "describe.rkt" "dispatch.rkt"
-         "elementary.rkt" "kind.rkt" "naming.rkt" "on-demand.rkt" "operation-record.rkt"
-         "singular-derivative.rkt" "irrational.rkt" "up-down.rkt"
+(require "arithmetic.rkt" "compare.rkt" "describe.rkt" "dispatch.rkt" "elementary.rkt"
+         "irrational.rkt" "kind.rkt" "naming.rkt" "on-demand.rkt" "up-down.rkt"
+         "operation-rule/branches.rkt" "operation-rule/operation-record.rkt"
+         "operation-rule/singular-derivative.rkt"
          "../algebra/expression/constant-value.rkt" "../algebra/expression/expression.rkt"
          (only-in "../algebra/expression/substitute.rkt" rebuild)
          "../error/complain.rkt")

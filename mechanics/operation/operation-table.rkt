@@ -24,7 +24,7 @@
 ;;     circular, hyperbolic, arc  its family
 ;;     (inverse-of f)    f takes the value back to the argument
 ;;     (together-with 'f) its Taylor coefficients come with those of f
-;;     (equations e)     the equations of its value (generic/operation-equations.rkt)
+;;     (equations e)     the equations of its value (generic/operation-rule/operation-equations.rkt)
 ;;
 ;; The table is data for macros: a module requires it for-syntax and makes procedures of the
 ;; expressions, in its own arithmetic.  Counterparts of an operation in other languages and other

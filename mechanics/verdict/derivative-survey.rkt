@@ -3,13 +3,15 @@
 ;;
 ;; That a residual vanishes wherever it is defined does not make |t − 2| a free motion: the
 ;; derivatives in it do not see the kink.  Whoever makes a residual by differentiating has the
-;; operations noted that have kinks, jumps or poles somewhere (generic/kinks-met.rkt); the
-;; algebra finds out whether and where they do (algebra/zero/kink.rkt).
+;; operations noted that have kinks, jumps or poles somewhere
+;; (generic/operation-rule/kinks-met.rkt); the algebra finds out whether and where they do
+;; (algebra/zero/kink.rkt).
 
 (require (only-in racket/list append-map)
          "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../algebra/expression/symbols.rkt"
-         "../generic/describe.rkt" "../generic/irrational.rkt" "../generic/kinks-met.rkt"
+         "../generic/describe.rkt" "../generic/irrational.rkt"
+         "../generic/operation-rule/kinks-met.rkt"
          "../value/algebra.rkt")
 
 (provide survey-derivatives survey-of-values unused-name)

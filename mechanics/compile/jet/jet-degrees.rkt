@@ -7,7 +7,7 @@
 ;; convolutions.
 
 (require "jet-graph.rkt" "jet-nodes.rkt"
-         "../../generic/operation-equations.rkt"
+         "../../generic/operation-rule/operation-equations.rkt"
          (only-in "../../numeric/finite-number.rkt" lesser)
          "../../numeric/Taylor/expansion.rkt")
 

@@ -10,7 +10,7 @@
          "../../algebra/expression/expression.rkt" "../../algebra/expression/operation.rkt"
          "../../algebra/expression/pi.rkt"
          "../../generic/elementary.rkt" "../../generic/kind.rkt"
-         "../../generic/operation-equations.rkt"
+         "../../generic/operation-rule/operation-equations.rkt"
          "../../operation/operation-column.rkt")
 
 (provide program->graph (struct-out graph))

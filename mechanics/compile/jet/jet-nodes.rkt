@@ -6,9 +6,9 @@
 ;;     (integral name id slope)
 ;;     (system id ...)  (component id k)  (unused)
 ;;
-;; A law is an operation that has equations (generic/operation-equations.rkt); `partner` is
-;; the partner of its value; an `integral` has no equations, but its derivative at a is another
-;; node.  `still` is any operation on nodes that do not vary.
+;; A law is an operation that has equations (generic/operation-rule/operation-equations.rkt), and
+;; `partner` is the partner of its value; an `integral` has no equations, but its derivative at a is
+;; another node.  `still` is any operation on nodes that do not vary.
 
 (provide node-kind node-operands
          make-nodes nodes-count nodes-fail nodes-varying node! node-of still?)

@@ -1,8 +1,8 @@
 #lang racket/base
-;; Recurrences of operations that have equations (generic/operation-equations.rkt).
+;; Recurrences of operations that have equations (generic/operation-rule/operation-equations.rkt).
 
 (require "../flonum-functions.rkt" "jet-coefficient-rows.rkt"
-         "../../generic/operation-equations.rkt"
+         "../../generic/operation-rule/operation-equations.rkt"
          "../../numeric/Taylor/recurrence-list.rkt")
 
 (provide emit-law! emit-integral! emit-value!)

@@ -3,7 +3,7 @@
 ;; curve, and a place on it for each state.
 
 (require "plane-vector.rkt" "shapes.rkt"
-         "../plot/plot-ticks.rkt"
+         "../plot/axes/plot-ticks.rkt"
          "../../numeric/finite-number.rkt")
 
 (provide portrait-size make-portrait portrait-shapes portrait-dot)

@@ -5,8 +5,9 @@
 (require racket/class
          (only-in racket/flonum ->fl)
          racket/gui/base
-         "exploration.rkt" "../plot/pixels.rkt" "../plot/plot-axes.rkt" "../plot/plot-canvas.rkt"
-         "../plot/plot-colors.rkt" "../plot/plot-ticks.rkt" "../plot/view.rkt")
+         "exploration.rkt" "../plot/pixels.rkt" "../plot/axes/plot-axes.rkt"
+         "../plot/plot-canvas.rkt"
+         "../plot/plot-colors.rkt" "../plot/axes/plot-ticks.rkt" "../plot/view.rkt")
 
 (provide make-board board-canvas redraw-board! mark-on-board! board-picture
          ;; for tests: where a point of the plane is on the canvas
@@ -131,7 +132,7 @@
 
 ;; ---------------------------------------------------------------------------
 
-;; The axes of a picture (show/plot/plot-axes.rkt) around the contents
+;; The axes of a picture (show/plot/axes/plot-axes.rkt) around the contents
 (define (draw-frame dc p)
   (define-values (x-min x-max y-min y-max) (apply values (pixels-bounds p)))
   (define-values (width height) (values (pixels-width p) (pixels-height p)))

@@ -11,7 +11,7 @@
 
 ;; kind : 'points, 'lines (segments apart), 'curve, 'level or 'image
 ;; size : diameter of points or width of lines, in pixels; #f for points whose number decides
-;; dash, label : of a line, as plot has them; the text of the legend (axis-label.rkt), or #f
+;; dash, label : of a line, as plot has them; the text of the legend (axes/axis-label.rkt), or #f
 (struct style (kind color size dash label) #:prefab)
 
 ;; data : points; a snapshot of them where the layer may not change any more; of a

@@ -4,8 +4,8 @@
 (require (only-in racket/class new send)
          (only-in racket/draw bitmap-dc% make-bitmap region%)
          (only-in racket/flonum for/flvector in-flvector)
-         "clipped-lines.rkt" "level-lines.rkt" "picture-layer.rkt" "plot-axes.rkt"
-         "plot-canvas.rkt" "plot-colors.rkt" "plot-images.rkt" "plot-legend.rkt" "points.rkt"
+         "clipped-lines.rkt" "level-lines.rkt" "picture-layer.rkt" "axes/plot-axes.rkt"
+         "plot-canvas.rkt" "plot-colors.rkt" "plot-images.rkt" "axes/plot-legend.rkt" "points.rkt"
          "view.rkt")
 
 (provide loaded? color-name? draw-picture picture-point)

@@ -7,7 +7,7 @@
          (only-in racket/list partition split-at)
          "../../generic/on-demand.rkt")
 
-(require-on-demand ["formula-label.rkt" label-measures draw-label])
+(require-on-demand ["axes/formula-label.rkt" label-measures draw-label])
 
 (provide call-with-canvas draw-strokes draw-box
          (struct-out text) make-text draw-text

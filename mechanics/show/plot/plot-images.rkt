@@ -5,7 +5,8 @@
 (require (only-in racket/class send send*)
          (only-in racket/draw make-bitmap)
          (only-in racket/math exact-round)
-         "picture-layer.rkt" "pixels.rkt" "plot-axes.rkt" "plot-colors.rkt" "points.rkt" "view.rkt")
+         "picture-layer.rkt" "pixels.rkt" "axes/plot-axes.rkt" "plot-colors.rkt" "points.rkt"
+         "view.rkt")
 
 (provide draw-dense-points draw-raster)
 

@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Styles of layers, checked.
 
-(require "axis-label.rkt" "picture-layer.rkt" "on-demand.rkt"
+(require "axes/axis-label.rkt" "picture-layer.rkt" "on-demand.rkt"
          "../../generic/wrong-argument.rkt")
 
 (provide make-style check-dash)

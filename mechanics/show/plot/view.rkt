@@ -2,14 +2,15 @@
 ;; The window of the plane that a picture shows, its size on paper and the texts
 ;; beside it.
 
-(require "axis-label.rkt"
+(require "axes/axis-label.rkt"
          "../../generic/wrong-argument.rkt"
          "../../error/complain.rkt")
 
 (provide (struct-out view) make-view plain-axes? check-bounds)
 
 ;; bounds : (list x-min x-max y-min y-max), flonums; width, height : pixels
-;; title : string or #f; x-label, y-label : of axis-label.rkt; aspect-ratio : positive real or #f
+;; title : string or #f; x-label, y-label : of axes/axis-label.rkt
+;; aspect-ratio : positive real or #f
 ;; scales : of both axes, a list of 'linear and 'log
 ;; Prefab, as a frame is written into files.
 (struct view (bounds title x-label y-label width height aspect-ratio scales) #:prefab)

@@ -1,6 +1,6 @@
 #lang racket/base
 ;; Any operation on sequences of Taylor coefficients: by its recurrence if it has
-;; one, by the rule for its derivative otherwise (generic/recurrence.rkt derives
+;; one, by the rule for its derivative otherwise (generic/operation-rule/recurrence.rkt derives
 ;; both).
 ;;
 ;; The rule is generic code and wants values of the arithmetic; `wrap` makes one of
@@ -10,7 +10,8 @@
 
 (require "coefficients.rkt"
          "../../error/computed-once.rkt"
-         "../../generic/arithmetic.rkt" "../../generic/kind.rkt" "../../generic/recurrence.rkt")
+         "../../generic/arithmetic.rkt" "../../generic/kind.rkt"
+         "../../generic/operation-rule/recurrence.rkt")
 
 (provide operate-1 operate-2 reduced)
 

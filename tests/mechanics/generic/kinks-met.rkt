@@ -3,7 +3,7 @@
 ;; differentiated, and before anything is simplified.
 
 (require (except-in mechanics expression format)
-         mechanics/generic/kinks-met
+         mechanics/generic/operation-rule/kinks-met
          "../support/checks.rkt")
 
 ;; Operations that the derivative of f at a symbol meets, as data.

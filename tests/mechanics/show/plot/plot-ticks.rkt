@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The ticks of an axis and the numbers beside them.
 
-(require "../../../../mechanics/show/plot/plot-ticks.rkt"
+(require "../../../../mechanics/show/plot/axes/plot-ticks.rkt"
          "../../support/checks.rkt")
 
 (define (labels from to) (filter values (map tick-label (ticks-between from to))))

@@ -57,7 +57,7 @@
  "[best #f] [count 0] [round 0])"
  "[best #f] [count 0] [round 1])"
  "a guard: no known search goes on for twenty rounds" limit)
-("show/plot/plot-legend.rkt"
+("show/plot/axes/plot-legend.rkt"
  "(define symbol-x (+ x (* 4 space) (apply max (map text-width texts))))"
  "(define symbol-x (+ x (+ 4 space) (apply max (map text-width texts))))"
  "the gap between a label and its line is some pixels less" layout)

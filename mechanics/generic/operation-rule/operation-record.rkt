@@ -7,10 +7,10 @@
 ;; of values of any kind; and together with the operation's value in one procedure,
 ;; of flonums, which saves most of the cost of calls and dispatch.
 
-(require (for-syntax racket/base "../operation/operation-table.rkt")
+(require (for-syntax racket/base "../../operation/operation-table.rkt")
          racket/flonum
-         "kind.rkt" "kinks-met.rkt"
-         "../algebra/expression/operation.rkt")
+         "../kind.rkt" "kinks-met.rkt"
+         "../../algebra/expression/operation.rkt")
 
 (provide define-record case-at-flonums)
 

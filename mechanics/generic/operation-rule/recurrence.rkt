@@ -12,8 +12,8 @@
 ;; coefficients as functions of the index, exact 0 from a length on, which is
 ;; +inf.0 for an endless series.
 
-(require "kind.rkt" "arithmetic.rkt" "elementary.rkt" "operation-equations.rkt"
-         "../operation/operation-column.rkt")
+(require "../kind.rkt" "../arithmetic.rkt" "../elementary.rkt" "operation-equations.rkt"
+         "../../operation/operation-column.rkt")
 
 (provide recurrence-of (struct-out recurrence) (struct-out rows)
          (struct-out solution) (struct-out partner)

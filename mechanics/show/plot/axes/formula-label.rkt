@@ -2,7 +2,7 @@
 ;; Formulas as labels in pictures, typeset.
 
 (require (only-in pict draw-pict pict-height pict-width rotate)
-         "../typesetting/formula-pict.rkt")
+         "../../typesetting/formula-pict.rkt")
 
 (provide label-measures draw-label)
 

@@ -5,8 +5,8 @@
 ;; is exact or not: a flonum infinity would become a NaN at the next step, far
 ;; from where it could be understood.
 
-(require "describe.rkt"
-         "../error/failure.rkt" "../error/message-words.rkt")
+(require "../describe.rkt"
+         "../../error/failure.rkt" "../../error/message-words.rkt")
 
 (provide raise-no-derivative-at)
 

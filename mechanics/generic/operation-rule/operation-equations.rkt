@@ -11,7 +11,7 @@
 ;; They stand in the table of operations, and are read twice: by recurrence.rkt for truncated
 ;; Taylor numbers and power series, in any arithmetic, and by compile/ for motions, in flonums.
 
-(require "../operation/operation-column.rkt")
+(require "../../operation/operation-column.rkt")
 
 (provide equations-of (struct-out equation) (struct-out term) (struct-out start)
          power-equations exponential-equations integral-equation)

@@ -4,7 +4,7 @@
 
 (require (only-in racket/class send)
          (only-in racket/math exact-round)
-         "color-bar.rkt" "plot-canvas.rkt" "plot-ticks.rkt" "view.rkt")
+         "color-bar.rkt" "../plot-canvas.rkt" "plot-ticks.rkt" "../view.rkt")
 
 (provide plot-area (struct-out area) area-place draw-axes)
 

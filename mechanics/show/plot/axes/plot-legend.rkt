@@ -2,7 +2,7 @@
 ;; The legend of a picture: the labels of its layers, each with a line or a point in its style.
 
 (require (only-in racket/class send)
-         "picture-layer.rkt" "plot-axes.rkt" "plot-canvas.rkt" "plot-colors.rkt")
+         "../picture-layer.rkt" "plot-axes.rkt" "../plot-canvas.rkt" "../plot-colors.rkt")
 
 (provide draw-legend)
 

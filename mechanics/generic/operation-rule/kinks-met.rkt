@@ -7,8 +7,8 @@
 ;; value somewhere.  They do so before anything is simplified, and only where a derivative
 ;; is taken.  Of numbers nothing is noted: there a rule sees by itself that it has no value.
 
-(require "kind.rkt"
-         "../algebra/expression/expression.rkt")
+(require "../kind.rkt"
+         "../../algebra/expression/expression.rkt")
 
 (provide call-noting-kinks note-kink! (struct-out met))
 

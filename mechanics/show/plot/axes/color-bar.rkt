@@ -1,7 +1,7 @@
 #lang racket/base
 ;; The bar beside a picture that explains its colours.
 
-(require "color-map.rkt" "plot-canvas.rkt" "plot-ticks.rkt")
+(require "../color-map.rkt" "../plot-canvas.rkt" "plot-ticks.rkt")
 
 (provide bar-texts draw-color-bar)
 

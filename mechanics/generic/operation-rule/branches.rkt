@@ -7,7 +7,7 @@
 ;; each value chosen by, the choice made (its sign, or the whole number it was rounded to),
 ;; and a procedure that gives, from two choices, the value between them.
 
-(require "kind.rkt")
+(require "../kind.rkt")
 
 (provide current-branches note-sign! note-rounding!)
 

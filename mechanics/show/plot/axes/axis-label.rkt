@@ -2,8 +2,8 @@
 ;; Labels of axes and legends: text, or formulas, which are kept as trees, so that a frame can be
 ;; written into files.
 
-(require (only-in "../../algebra/expression/expression.rkt" symbolic?)
-         "../../generic/value-tree.rkt" "../../generic/wrong-argument.rkt")
+(require (only-in "../../../algebra/expression/expression.rkt" symbolic?)
+         "../../../generic/value-tree.rkt" "../../../generic/wrong-argument.rkt")
 
 (provide checked-label)
 
