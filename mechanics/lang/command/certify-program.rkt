@@ -60,7 +60,7 @@
 ;; Certificates that a run before wrote of a program of that name: some of its verdicts may be no
 ;; more.
 (define (remove-old folder name)
-  (define ours (regexp (format "^~a_[0-9]+[.]v$" name)))
+  (define ours (regexp (format "^~a_[0-9]+[.]v$" (regexp-quote name))))
   (when (directory-exists? folder)
     (for ([file (in-list (directory-list folder #:build? #t))]
           #:when (regexp-match? ours (path->string (file-name-from-path file)))
