@@ -382,8 +382,6 @@
 (hyperbolic-squares (verify-equal (/ (- (square (cosh 'x)) 1) (square (sinh 'x)))
                                   (- (/ (square (cosh 'x)) (square (sinh 'x)))
                                      (/ 1 (square (sinh 'x))))))
-(stiffness-over-mass
- (verify-solution (L-harmonic 'm 9) (lambda (t) (* 'a (cos (* (sqrt (/ 9 'm)) t))))))
 (fall-in-decimals
  (verify-solution (lambda (s) (- (* 1/2 (square (velocity s))) (* 9.8 (coordinate s))))
                   (lambda (t) (- 10 (* 4.9 (square t))))))
