@@ -4,6 +4,7 @@
 (require racket/flonum
          mechanics
          mechanics/book
+         mechanics/dynamics/invariant-curve/circle-equation
          mechanics/numeric/Fourier
          mechanics/numeric/periodic-function
          "../../support/checks.rkt" "../../support/close.rkt" "../../support/messages.rkt")
@@ -112,6 +113,14 @@
   "invariant-circle: the orbits from both ends are ahead of the rotation: no curve is "
   "between them\n  rotation number: 0.3819660112501052\n  actions: 2.7 and 3.0\n"
   "  #:from and #:to say between which ordinates it is, at the abscissa 0"])
+
+(define (with-a-hole x y return fail) (if (< 3 x 3.1) (fail) (return (+ x y) y)))
+
+(test-case "where a curve leads over a hole of the map who asked is told"
+  (define equation (circle-equation 'invariant-circle with-a-hole 1.0 2.4))
+  (check-regexp-match
+   #rx"^invariant-circle: the map has no image of a point that is needed\n  map: with-a-hole\n"
+   (message-of (solve-circle equation (make-flvector 128 0.0) (make-flvector 128 1.0)))))
 
 (define (shrinking theta I return fail)
   (define next (+ (* 0.9 I) 0.3 (* 0.5 (sin theta))))
