@@ -50,6 +50,13 @@
   (define theta (- (* 2 pi) 4))
   (check-close (coordinate (carried 5)) (up 0.6 (/ 0.8 (sin theta))) 1e-9)
   (check-equal? (carried 5) (carried 5.0))
+  ;; from the very time at which charts change, forth and back
+  (define changes (map car (trajectory-chart-changes tr)))
+  (check-true (pair? changes))
+  (for* ([t changes] [end '(0 5)])
+    (define on (evolve-parallel-transport g S2-spherical tr (coordinate (carried t)) t end))
+    (check-close (trajectory-end on) end 1e-12)
+    (check-close (coordinate (trajectory-final-state on)) (coordinate (carried end)) 1e-9))
   (define back (evolve-parallel-transport g S2-spherical tr (coordinate (carried 5)) 5 0))
   (check-close (coordinate (back 0)) (up 0.6 (/ 0.8 (sin 1.0))) 1e-9))
 
