@@ -77,7 +77,7 @@
 (define (solve-circle q start-x start-y)
   (define n (flvector-length start-x))
   (define-values (x0 y0) (both-smoothed start-x start-y))
-  (let improve ([x x0] [y y0] [best-x #f] [best-y #f] [best +inf.0] [count 0])
+  (let improve ([x x0] [y y0] [best-x x0] [best-y y0] [best +inf.0] [count 0])
     (define m (mismatch q x y n))
     (define error (greatest-residual m))
     (cond [(and (fl< error +inf.0) (fl> error enough) (< count 20)

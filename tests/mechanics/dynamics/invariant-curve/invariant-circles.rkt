@@ -125,6 +125,14 @@
    #rx"^invariant-circle: the map has no image of a point that is needed\n  map: with-a-hole\n"
    (message-of (solve-circle equation (make-flvector 128 0.0) (make-flvector 128 1.0)))))
 
+;; It was told as a mistake of flvectors.
+(test-case "a curve over a gap, where the map gives no numbers, is no circle"
+  (define (with-a-gap x y return fail) (return (+ x y) (if (< 3 x 3.1) +nan.0 y)))
+  (define equation (circle-equation 'invariant-circle with-a-gap 1.0 2.4))
+  (define-values (x y residual)
+    (solve-circle equation (make-flvector 128 0.0) (make-flvector 128 1.0)))
+  (check-equal? residual +inf.0))
+
 (define (shrinking theta I return fail)
   (define next (+ (* 0.9 I) 0.3 (* 0.5 (sin theta))))
   (return ((principal-value :2pi) (+ theta next)) next))

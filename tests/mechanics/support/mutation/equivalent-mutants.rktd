@@ -582,9 +582,9 @@
  "(for/vector #:length count ([k (in-range 1 (+ count 2))])"
  "a vector of so many points takes no further one")
 ("dynamics/invariant-curve/circle-equation.rkt"
- "(let improve ([x x0] [y y0] [best-x #f] [best-y #f] [best +inf.0] [count 0])"
- "(let improve ([x x0] [y y0] [best-x #f] [best-y #f] [best 1.0] [count 0])"
- "the first curve is improved whatever its residual, or has one of rounding: the best before it is not asked for")
+ "(let improve ([x x0] [y y0] [best-x x0] [best-y y0] [best +inf.0] [count 0])"
+ "(let improve ([x x0] [y y0] [best-x x0] [best-y y0] [best 1.0] [count 0])"
+ "the first curve is improved whatever its residual; where that is no number it is no circle, by either")
 ("scale/ensemble/checkpoint.rkt"
  "(values (if f (length (finished-outcomes f)) 0) (length (batch-starts b))))"
  "(values (if f (length (finished-outcomes f)) 1) (length (batch-starts b))))"
