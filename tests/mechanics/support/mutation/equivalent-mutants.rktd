@@ -745,3 +745,7 @@
  "(and (andmap (lambda (f) (<= (car f) largest-known-prime)) factors)"
  "(and (andmap (lambda (f) (< (car f) largest-known-prime)) factors)"
  "a million is no prime, nor what is left without small primes")
+("geometry/motion/geodesic-motion.rkt"
+ "(if (and (real? last-one) (<= last-one (* 1e-4 (determinant (trajectory-start tr)))))"
+ "(if (and (real? last-one) (<= last-one (* 0.0002 (determinant (trajectory-start tr)))))"
+ "by what part of its determinant a metric has lost a direction" limit)
