@@ -749,3 +749,43 @@
  "(if (and (real? last-one) (<= last-one (* 1e-4 (determinant (trajectory-start tr)))))"
  "(if (and (real? last-one) (<= last-one (* 0.0002 (determinant (trajectory-start tr)))))"
  "by what part of its determinant a metric has lost a direction" limit)
+("teaching/worksheet/extra-motions.rkt"
+ "[zero (in-value (zero-between at (- (/ i 10.) 4.03) (- (/ (+ i 1) 10.) 4.03)))]"
+ "[zero (in-value (zero-between at (- (/ i 10.) 8.06) (- (/ (+ i 1) 10.) 4.03)))]"
+ "between which places a change of sign is looked for: one zero of several is enough" limit)
+("teaching/class/collect-answers.rkt"
+ "[(> cost (if (null? parts) longest-start seconds)) (ended 'late)]"
+ "[(>= cost (if (null? parts) longest-start seconds)) (ended 'late)]"
+ "a cost that equals the seconds granted to the bit" limit)
+("teaching/class/collect-answers.rkt"
+ "(let loop ([parts '()] [size 0] [start start] [now start])"
+ "(let loop ([parts '()] [size 1] [start start] [now start])"
+ "one byte less of what may be written" limit)
+("teaching/class/within-limits.rkt"
+ "(define first-event (sync/timeout pulse worker full))"
+ "(define first-event (sync/timeout pulse full full))"
+ "that the work has ended is seen a tenth of a second later" limit)
+("teaching/class/within-limits.rkt"
+ "(unless (ends-within? worker seconds (make-custodian-box full #t)) (stop-thread worker))"
+ "(unless (ends-within? worker seconds (make-custodian-box full #f)) (stop-thread worker))"
+ "the box is waited for as an event, and its content looked at by nobody")
+("teaching/class/likeness.rkt"
+ "(if (>= (string-length text) 25)"
+ "(if (> (string-length text) 25)"
+ "from which length on the words of a reason are somebody's own" limit)
+("teaching/class/isolation.rkt"
+ "(isolation megabytes seconds #f #f 'own #f (box #f))))"
+ "(isolation megabytes seconds #f #t 'own #f (box #f))))"
+ "whether it is nobody is asked where there are limits, or another level, and here is neither")
+("show/display/formula-snip.rkt"
+ "(max 1 (steps (drawing-height (present-drawing)))))"
+ "(max 2 (steps (drawing-height (present-drawing)))))"
+ "in how many steps an editor scrolls past a low formula" layout)
+("show/display/formula-drawing.rkt"
+ "(define p (inset (formula->pict f (* larger letter-size)) 0 margin))"
+ "(define p (inset (formula->pict f (* larger letter-size)) 1 margin))"
+ "the space beside a drawn formula" layout)
+("teaching/class/grade.rkt"
+ "(cond [found (values found 0)]"
+ "(cond"
+ "an answer that others gave, too, is judged again, to the same judgment: time" limit)

@@ -4,6 +4,7 @@
 
 (require mechanics/teaching/class/process-cost
          (only-in racket/file file->string)
+         (only-in racket/string string-split)
          "../../support/checks.rkt" "../../support/skip.rkt")
 
 (define start (reading 100. 7. 3.))
@@ -47,6 +48,12 @@
     (define after (read-cost me #f))
     (check-true (> (reading-used after) (reading-used before)))
     (check-true (>= (reading-waited after) (reading-waited before))))
+  (test-case "waiting is told in seconds"
+    (define (waited)
+      (/ (cadr (map string->number (string-split (file->string "/proc/self/schedstat")))) 1e9))
+    (define before (waited))
+    (define told (reading-waited (read-cost me #f)))
+    (check-true (<= before told (waited))))
   (test-case "what a process starts is part of it"
     (define own (reading-used (read-cost (subprocess-pid sleeper) #f)))
     (check-true (< own (reading-used (read-cost me #f))))

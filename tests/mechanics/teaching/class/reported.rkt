@@ -3,6 +3,7 @@
 ;; of what went wrong.
 
 (require mechanics/teaching/class/class-page
+         mechanics/teaching/class/class-tables
          mechanics/teaching/class/collect-answers
          mechanics/teaching/class/grade
          mechanics/teaching/class/submission
@@ -23,6 +24,10 @@
   (display-to-file "{}" (build-path folder "s2.ipynb"))
   (check-equal? (map submission-id (folder->submissions 'check folder))
                 '("9-b" "10-a" "ann" "s" "s2.ipynb" "s2.rkt" "s9" "s10"))
+  (define long (build-path folder "long.rkt"))
+  (display-to-file (make-string 1000001 #\;) long)
+  (check-equal? (submission-problem (file->submission long))
+                "it has 1000001 bytes; at most 1000000 are read")
   (delete-directory/files folder))
 
 (define e (make-exercise 'frequency 'expression "?" '((key k))))
@@ -52,6 +57,14 @@
                "it fails in another way</td><td>once")])
     (check-regexp-match (regexp-quote row) page))
   (check-false (regexp-match? #rx"What went wrong" (page-of 'k 'k))))
+
+(test-case "a table of the class has the problem of each submission in its column"
+  (define (row-with problem)
+    (class->csv (class-report w #f (list (graded (submission "a" "Ann" "" #f #f #f) '()
+                                                 problem '("a note") #f 1))
+                              '() '())))
+  (check-regexp-match #rx"\"it does not run\",\"a note\"" (row-with "it does not run"))
+  (check-regexp-match #rx"\"\",\"a note\"" (row-with #f)))
 
 (test-case "an answer that fails is told with its reason, and not where the program is at fault"
   (define (page-with d problem)

@@ -114,7 +114,23 @@
   (check-regexp-match #rx"\\(∂₂L ∘ Γ\\(q\\)\\)\\(t\\) = m ẋ\\(t\\)\n  proved\n" text)
   (check-equal? (length (regexp-match* #rx"\n  proved" text)) 6))
 
+(test-case "derivatives by time and by coordinates stand in their lines"
+  (define (L-waved local)
+    (- (* 1/2 'm (square (velocity local))) (V (- (coordinate local) (* 'c (time local))))))
+  (define waved (derive-Legendre-transform L-waved (up 't 'q 'p)))
+  (check-identity (value-of waved '((partial 0) H)) (* -1 'c ((D V) (- 'q (* 'c 't)))))
+  (check-identity (value-of waved '((partial 1) H)) ((D V) (- 'q (* 'c 't))))
+  (define wire (derive-F->C on-turning-wire (up 't 'r 'rdot)))
+  (check-identity (ref (value-of wire '((partial 1) F)) 0) (cos (* 'Omega 't)))
+  (check-identity (ref (value-of wire '((partial 0) F)) 1) (* 'r 'Omega (cos (* 'Omega 't)))))
+
 (says
+ [(derive-Hamilton-equations 5 (up 't 'q 'p))
+  "derive-Hamilton-equations: a Hamiltonian is a function of the state (up t q p); "
+  "given the number 5"]
+ [(derive-multipliers L-falling 5 plane)
+  "derive-multipliers: expected a constraint, (holonomic G) or (nonholonomic A), "
+  "or a list of them\n  given: the number 5"]
  [(derive-F->C p->r 't)
   "derive-F->C: expected a state of symbols, (up 't 'q 'v)\n  given: the symbol t"]
  [(derive-F->C p->r (up 't (up 'r 'phi) (up 'rdot 'phidot) (up 'a 'b)))
