@@ -42,7 +42,7 @@
 
 ;; -> formula, or #f of bytes that are none
 (define (bytes->formula bytes)
-  (define f (with-handlers ([exn:fail:read? (lambda (e) #f)]) (fasl->s-exp bytes)))
+  (define f (with-handlers ([exn:fail? (lambda (e) #f)]) (fasl->s-exp bytes)))
   (and (formula? f) (string? (formula-program f)) (string? (formula-text f)) f))
 
 ;; The syntax of a formula in a program: the one S-expression that its text is; if it is
