@@ -37,7 +37,10 @@
 (test-case "the teacher's page has the answers"
   (check-equal? (command "handout" "first.rkt" "--answers") '(0 "first-answers.html\n"))
   (check-true (string-contains? (text "first-answers.html") "Key:"))
-  (check-equal? (command "handout" "first.rkt" "--to" "tex" "-o" "x.tex") '(0 "x.tex\n")))
+  (check-equal? (command "handout" "first.rkt" "--answers" "--to" "tex" "-o" "x.tex")
+                '(0 "x.tex\n"))
+  (check-true (string-contains? (text "x.tex") "\\ddot{\\theta}(t)")
+              "keys are drawn as results are"))
 
 (test-case "a program becomes the page that show makes"
   (write-text "program.rkt" "#lang mechanics" "(* 2 'x)")

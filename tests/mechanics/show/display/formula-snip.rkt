@@ -26,6 +26,8 @@
         "clipboard: \\frac{r}{\\theta_{1}}"
         "red: #t #t"
         "larger: #t"
+        "scrolled: 1 #t 0 2 32"
+        "menus: 0 1 1"
         "loaded: 1 #t"))
 
 ;; Libraries may complain in between, as they do where there is no home for their settings.

@@ -72,17 +72,21 @@
 
 (define most-seconds 15)
 
-;; -> list of (test seconds)
+;; A file that is loaded only by programs that tests start, as those of windows are, is tried with
+;; the tests of its room. -> list of (test seconds)
 (define (tests-of file room entries)
   (define source (string->symbol (string-append "mechanics/" file)))
   (define own (string-append "tests/mechanics/" (string-trim room "/" #:left? #f) "/"))
   (define beside (string-append "tests/mechanics/" (car (string-split room "/")) "/"))
   (define (distance name) (index-where (list own beside "") (lambda (f) (string-prefix? name f))))
-  (define loading
-    (for/list ([(name e) (in-hash entries)] #:when (memq source (entry-sources e)))
+  (define (those good?)
+    (for/list ([(name e) (in-hash entries)] #:when (good? (symbol->string name) e))
       (list (symbol->string name) (entry-seconds e))))
+  (define loading (those (lambda (name e) (memq source (entry-sources e)))))
   (define in-order
-    (sort (sort loading < #:key cadr) < #:key (lambda (t) (distance (car t)))))
+    (sort (sort (if (null? loading) (those (lambda (name e) (string-prefix? name own))) loading)
+                < #:key cadr)
+          < #:key (lambda (t) (distance (car t)))))
   (define new (filter (lambda (t) (not (hash-has-key? entries (string->symbol (car t)))))
                       (tests-in own)))
   (append new (within-seconds in-order)))

@@ -56,6 +56,13 @@
  [car failed 0 "car: contract violation"]
  [unanswered unanswered 0])
 
+;; Of x alone nothing is said by an equation with its velocity.
+(define ((resisted of-what) x)
+  (lambda (t) (+ (* 'm ((D2 x) t)) (* 'c ((of-what x) t)))))
+(judges (an-exercise equations ('coordinates 'x) ('key (resisted D)))
+ [(resisted identity) wrong 0 "a derivative is missing: a coordinate stands for its velocity"]
+ [(resisted D) right 1])
+
 ;; Motions that obey the key obey these, too.
 (define ((pendulum-times factor) theta)
   (lambda (t)
@@ -80,6 +87,11 @@
 (judges (an-exercise equations ('coordinates 'x) ('of (L-harmonic 'm 'k)) ('assuming '(> x 0)))
  [(oscillator-times (lambda (x) (+ x 1))) right 1]
  [(oscillator-times (lambda (x) (- x 1))) partly 1/2 "it is true of every motion, but it also"])
+
+;; Of two zeros one is left, and found.
+(judges (an-exercise equations ('coordinates 'x) ('of (L-harmonic 'm 'k)) ('assuming '(> x 3/2)))
+ [(oscillator-times (lambda (x) (- (square (- x 3/2)) 6/25))) partly 1/2
+  "it is true of every motion, but it also"])
 
 ;; Where r = 0 polar coordinates are singular, which is no motion more; a velocity that may be
 ;; anything is one.
