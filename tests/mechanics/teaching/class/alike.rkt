@@ -6,6 +6,7 @@
          mechanics/teaching/worksheet/judge
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
+         (only-in racket/list range)
          "../../support/checks.rkt")
 
 (define motion (make-exercise 'motion 'expression "?" (list (list 'key (m:+ 'a 'b 'c)))))
@@ -45,6 +46,12 @@
                               (student "Bob" "" '(+ a b c) (string-upcase reason))))
                 1))
 
+(test-case "words of a reason tell something from 25 letters on"
+  (define (remarks reason)
+    (length (said (student "Ann" "" '(+ a b c) reason) (student "Bob" "" '(+ a b c) reason))))
+  (check-equal? (remarks (make-string 25 #\x)) 1)
+  (check-equal? (remarks (make-string 24 #\x)) 0))
+
 (test-case "right answers, common slips, one trait alone, and what was given are no likeness"
   (check-equal? (said (student "Ann" "") (student "Bob" "")) '())
   (check-equal? (said (student "Ann" "(define omegga 1)\n" '(* -1 (+ a b c)))
@@ -59,19 +66,14 @@
     (for/list ([k n])
       (student (format "m~a" k) ";; what the lecture said\n;; of energies and such\n" strange)))
   (check-equal? (apply said (many 4)) '())
-  (check-equal? (length (apply said (many 2))) 1))
+  (check-equal? (length (apply said (many 2))) 1)
+  ;; Three are few among sixty, a pair more for each two of them.
+  (define fifty-seven (map (lambda (k) (student (format "t~a" k) "")) (range 57)))
+  (check-equal? (length (likenesses (append fifty-seven (many 3)))) 3)
+  (check-equal? (length (likenesses (append (cdr fifty-seven) (many 3)))) 0))
 
 (test-case "what a student wrote commands no terminal"
   (define text "(define x\u1b[2Jyz 1)\n;; look \u1b]0;here\u7 at this\n;; and \u202Eanother one\n")
   (define remarks (said (student "Ann" text) (student "Bob" text)))
   (check-equal? (length remarks) 1)
   (check-false (regexp-match? #px"\\p{Cc}|\\p{Cf}" (car remarks))))
-
-(test-case "of sixty three are few, of fewer only two"
-  (define (remarks n)
-    (define alike
-      (for/list ([name '("Ann" "Bob" "Cid")]) (student name "(define omegga 1)\n" strange)))
-    (define more
-      (for/list ([k (- n 3)]) (student (format "t~a" k) "" (list '+ 'a 'b 'c (+ 100 k)))))
-    (length (likenesses (append alike more))))
-  (check-equal? (map remarks '(59 60)) '(0 3)))

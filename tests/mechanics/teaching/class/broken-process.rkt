@@ -8,7 +8,7 @@
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
          mechanics/teaching/worksheet/make-worksheet
-         "../../support/checks.rkt" "../../support/evaluated-here.rkt")
+         "../../support/checks.rkt")
 
 (define w
   (make-worksheet "Broken" #f "broken"
@@ -31,6 +31,17 @@
     (check-regexp-match #rx"^it could not be evaluated: .*no process is left" (graded-problem g))
     (check-equal? (map judgment-status (graded-judgments g)) '(failed))))
 
+;; Nothing is run where answers come from elsewhere.
+(test-case "after each submission the number of those graded is told"
+  (define told '())
+  (define (collect i exercises s) (collected (hasheq 'frequency '(answer k)) #f 0 #f))
+  (define report
+    (parameterize ([current-security-guard no-process])
+      (grade-class w (map submission-of '("a" "b" "c")) #:strictest 'own #:collect collect
+                   #:tell (lambda (n) (set! told (cons n told))))))
+  (check-equal? told '(3 2 1))
+  (check-equal? (map graded-points (class-report-graded report)) '(1 1 1)))
+
 (test-case "what a process says of its program is believed in one form alone"
   (define (problem-of line) (collected-problem (collected-from (string-append line "\n") 'done)))
   (check-equal? (problem-of "(*program* failed 111 104)") "it does not run: oh")
@@ -38,10 +49,3 @@
                 "(*program* answer)" "(*program*)")])
     (check-pred string? (problem-of line) line)
     (check-false (regexp-match? #rx"does not run: [ox]" (problem-of line)) line)))
-
-(test-case "of a program that cannot be read it is told why"
-  (define report
-    (grade-class w (list (submission "a" "a" "#lang mechanics\n(define frequency" #f #f #f))
-                 #:strictest 'own #:collect (collect-here-if (lambda (id) #t))))
-  (check-regexp-match #rx"^it does not run: .*expected a `[)]`"
-                      (graded-problem (car (class-report-graded report)))))

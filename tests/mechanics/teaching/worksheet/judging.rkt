@@ -134,17 +134,6 @@
   "some of the equations are refuted, and one that holds is not linear"]
  [(two-with (lambda (a b) 0) (lambda (a b) (- b (* 'k 'y)))) wrong 0])
 
-;; A charge in a magnetic field: its equations have velocities, and no coordinate.
-(define (L-charge (up t (up x y) (up vx vy)))
-  (+ (* 1/2 'm (+ (square vx) (square vy))) (* 1/2 'B (- (* x vy) (* y vx)))))
-(define ((charge-with rate) path)
-  (lambda (t)
-    (define-values (x y) (values (ref path 0) (ref path 1)))
-    (up (- (* 'm ((D2 x) t)) (* 'B ((rate y) t))) (+ (* 'm ((D2 y) t)) (* 'B ((rate x) t))))))
-(judges (an-exercise equations ('coordinates 'x 'y) ('of L-charge))
- [(charge-with D) right 1]
- [(charge-with identity) wrong 0 "a derivative is missing: a coordinate stands for its velocity"])
-
 (define (L-three (up t (up x y z) (up vx vy vz)))
   (- (* 1/2 'm (+ (square vx) (square vy) (square vz))) (* 1/2 'k (square x))))
 (define three (an-exercise equations ('coordinates 'x 'y 'z) ('of L-three)))
@@ -223,7 +212,6 @@
 (judges canonical
  [(lambda ((up t q p)) (up t (* 2 q) (/ p 2))) right 1]
  [(lambda ((up t q p)) (up t p q)) wrong 0 "it is not canonical"]
- [(lambda ((up t q p)) (up t (+ (* 0.6 q) (* 0.8 p)) (- (* 0.6 p) (* 0.8 q)))) right 1]
  [(lambda (s) s) trivial 0 "it leaves every state where it is"]
  [(lambda (s) 3) wrong 0 "its value is to be a state"])
 
@@ -254,6 +242,13 @@
  [(* 1.5 'x) wrong 0]
  [(* 7/5 'x) wrong 0])
 
+;; Where decimals leave it undecided, the exact numbers that they stand for decide.
+(judges (an-exercise equations ('coordinates 'theta) ('of (L-pendulum 9.81 0.2 0.5)))
+ ["θ'' + 19.62 sin θ = 0" right 1]
+ ["0.5 θ'' = -9.81 sin θ" right 1])
+(judges (an-exercise Lagrangian ('coordinates 'theta) ('key (L-pendulum 9.81 0.2 0.5)))
+ ["0.025 θ'^2 + 0.981 cos θ" right 1])
+
 ;; Roots are exact in the key and in the answer.
 (judges (an-exercise expression ('key (up (sqrt 12) (/ (+ 1 (sqrt 5)) 2))))
  [(up (* 2 (sqrt 3)) (/ 2 (- (sqrt 5) 1))) right 1]
@@ -269,12 +264,9 @@
  [(up (* 2 'b) 'a) wrong 0 "the components are exchanged"])
 (judges (an-exercise expression ('key (down 'a (up 'b 'c) 'd)))
  [(down 'b (up 'd 'a) 'c) wrong 0 "the components are exchanged"])
-;; A tuple within a tuple is no exchange of up and down.
-(test-case "of components in another nesting no slip is told"
-  (define j (judgment-of (an-exercise expression ('key (up (up 'a 'b)))) (up 'a 'b)))
-  (check-judgment j 'wrong 0)
-  (check-equal? (judgment-words j)
-                '("the answer is an up tuple of 2 where an up tuple of 1 is expected")))
+;; Other parts of as many components are none of these.
+(judges (an-exercise expression ('key (up (up 'a 'b) 'c)))
+ [(up 'a 'b 'c) wrong 0 "the answer is an up tuple of 3 where an up tuple of 2 is expected"])
 ;; Orders of more than four components are not tried.
 (test-case "of five components that are exchanged no slip is told"
   (define j (judgment-of (an-exercise expression ('key (up 'a 'b 'c 'd 'e)))
@@ -356,9 +348,11 @@
   (for ([d (list '(expt 9 (expt 9 9)) '(expt (expt (expt (expt 10 99) 99) 99) 99)
                  '(expt (+ x y) 1000000) "text" '(quote . x) '((((f)))) '#s(a 1) '(+ . 2)
                  (for/fold ([d 'x]) ([i 1000]) (list 'sin d)))])
-    (check-equal? (status-of-datum sum d) 'failed (format "~s" d)))
-  ;; With a name in it an exponent is no large number.
-  (check-equal? (status-of-datum sum '(expt x (+ n 123456789))) 'wrong))
+    (check-equal? (status-of-datum sum d) 'failed (format "~s" d))))
+
+(test-case "a power with a symbol in its exponent is no large number"
+  (define (power base) `(expt ,base (+ n 2)))
+  (check-equal? (status-of-datum sum (power (power (power 'x)))) 'wrong))
 
 (test-case "what cannot be decided is left to a person"
   (define decimals (an-exercise Hamiltonian ('coordinates 'q) ('key (lambda (s) (* 0.1 'q)))))
