@@ -58,12 +58,21 @@
                 (simplify (up (/ 'p_r 'm) (/ 'p_phi (* 'm (square 'r))))))
   (check-equal? (value-of (cadr all) '(+ ((partial 0) F) (* ((partial 1) F) v)))
                 (simplify (velocity ((F->C p->r) polar))))
+  (check-equal? (value-of (cadr all) '((partial 1) F))
+                (down (up (cos 'phi) (sin 'phi))
+                      (up (* -1 'r (sin 'phi)) (* 'r (cos 'phi)))))
   (check-equal? (value-of (caddr all) '(* F ((partial 1) r)))
                 (simplify (* -1 'g 'l 'm (sin 'theta))))
   (check-equal? (value-of (list-ref all 5) '((partial 2) H))
                 (simplify (up (/ 'p_x 'm) (/ 'p_y 'm))))
   (check-equal? (value-of (list-ref all 4) '(* ((partial 2) L) ((D F) 0)))
                 (simplify (* 'm (- (* 'x 'ydot) (* 'y 'xdot))))))
+
+(test-case "a force that grows is in the Hamiltonian's rate"
+  (define (L-pushed s) (+ (* 1/2 'm (square (velocity s))) (* 'f (time s) (coordinate s))))
+  (define d (derive-Legendre-transform L-pushed (up 't 'x 'p)))
+  (check-equal? (value-of d '((partial 0) H)) (* -1 'f 'x))
+  (check-equal? (value-of d '((partial 1) H)) (* -1 'f 't)))
 
 ;; A ring of radius R whose centre moves upwards at c, and a wire that turns at Ω
 (define (risen t q) (up (* 'R (cos q)) (+ (* 'c t) (* 'R (sin q)))))
@@ -114,23 +123,13 @@
   (check-regexp-match #rx"\\(∂₂L ∘ Γ\\(q\\)\\)\\(t\\) = m ẋ\\(t\\)\n  proved\n" text)
   (check-equal? (length (regexp-match* #rx"\n  proved" text)) 6))
 
-(test-case "derivatives by time and by coordinates stand in their lines"
-  (define (L-waved local)
-    (- (* 1/2 'm (square (velocity local))) (V (- (coordinate local) (* 'c (time local))))))
-  (define waved (derive-Legendre-transform L-waved (up 't 'q 'p)))
-  (check-identity (value-of waved '((partial 0) H)) (* -1 'c ((D V) (- 'q (* 'c 't)))))
-  (check-identity (value-of waved '((partial 1) H)) ((D V) (- 'q (* 'c 't))))
-  (define wire (derive-F->C on-turning-wire (up 't 'r 'rdot)))
-  (check-identity (ref (value-of wire '((partial 1) F)) 0) (cos (* 'Omega 't)))
-  (check-identity (ref (value-of wire '((partial 0) F)) 1) (* 'r 'Omega (cos (* 'Omega 't)))))
-
 (says
- [(derive-Hamilton-equations 5 (up 't 'q 'p))
+ [(derive-Hamilton-equations 3 (up 't 'q 'p))
   "derive-Hamilton-equations: a Hamiltonian is a function of the state (up t q p); "
-  "given the number 5"]
- [(derive-multipliers L-falling 5 plane)
+  "given the number 3"]
+ [(derive-multipliers L-falling 3 plane)
   "derive-multipliers: expected a constraint, (holonomic G) or (nonholonomic A), "
-  "or a list of them\n  given: the number 5"]
+  "or a list of them\n  given: the number 3"]
  [(derive-F->C p->r 't)
   "derive-F->C: expected a state of symbols, (up 't 'q 'v)\n  given: the symbol t"]
  [(derive-F->C p->r (up 't (up 'r 'phi) (up 'rdot 'phidot) (up 'a 'b)))
