@@ -32,14 +32,17 @@
     (check-equal? (map judgment-status (graded-judgments g)) '(failed))))
 
 ;; Nothing is run where answers come from elsewhere.
-(test-case "after each submission the number of those graded is told"
-  (define told '())
+(test-case "after each submission the number of those graded is told; equal answers are judged once"
+  (define-values (told judged) (values '() 0))
+  (define (expect x) (set! judged (+ judged 1)) #t)
+  (define w (make-worksheet "Once" #f "once"
+                            (list (make-exercise 'frequency 'expects "?" `((expects ,expect))))))
   (define (collect i exercises s) (collected (hasheq 'frequency '(answer k)) #f 0 #f))
   (define report
     (parameterize ([current-security-guard no-process])
       (grade-class w (map submission-of '("a" "b" "c")) #:strictest 'own #:collect collect
                    #:tell (lambda (n) (set! told (cons n told))))))
-  (check-equal? told '(3 2 1))
+  (check-equal? (list told judged) '((3 2 1) 1))
   (check-equal? (map graded-points (class-report-graded report)) '(1 1 1)))
 
 (test-case "what a process says of its program is believed in one form alone"
