@@ -40,5 +40,6 @@
                  (elliptic-integral-F :pi/2 1))
   (check-refused #rx"^third-elliptic-integral: expected a characteristic below 1"
                  (third-elliptic-integral 2 1/2))
-  (check-refused #rx"^elliptic-integral-Pi: expected a characteristic n with n sin² φ < 1"
-                 (elliptic-integral-Pi 2 1 1/2)))
+  (for ([phi (in-list '(1 3.1 -1 -3.1))])
+    (check-refused #rx"^elliptic-integral-Pi: expected a characteristic n with n sin² φ < 1"
+                   (elliptic-integral-Pi 2 phi 1/2))))

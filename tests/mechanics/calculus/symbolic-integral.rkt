@@ -132,3 +132,12 @@
   (check-equal? (expression (definite-integral (lambda (x) (* 'a (sin x))) 0 ':pi)) '(* 2 a))
   (check-equal? (expression (definite-integral (lambda (x) (* 'a (cos x))) ':-pi (/ ':pi 2))) 'a)
   (check-= (definite-integral sin 0 ':pi) 2 1e-12))
+
+(test-case "from the greater end to the less a kink between them counts as the other way"
+  (define (f x) (* 'a (abs (- x 3/2))))
+  (check-equal? (expression (definite-integral f 1 2)) '(* 1/4 a))
+  (check-equal? (expression (definite-integral f 2 1)) '(* -1/4 a)))
+
+(test-case "an end that is a number makes a decimal, within a claim an exact number"
+  (check-equal? (definite-integral (lambda (x) (* 'a (cos x))) 0 1) (* (sin 1.0) 'a))
+  (check-pred proved? (verify-integral cos 0 1 (read-expression '(sin 1)))))

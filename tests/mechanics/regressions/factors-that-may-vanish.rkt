@@ -20,7 +20,9 @@
   (check-equal? (conditions L-free (scaled 'c L-free) local) '((> (abs c) 0)))
   (check-equal? (conditions L-free (scaled (- 'a 'b) L-free) local) '((> (abs (- a b)) 0)))
   (check-equal? (conditions (scaled 'c L-free) L-free local) '((> (abs c) 0)))
-  (check-equal? (conditions L-free (scaled 2 L-free) local) '()))
+  (check-equal? (conditions L-free (scaled 2 L-free) local) '())
+  (define size (sqrt (square 'm)))      ; m, where it is taken for positive
+  (check-equal? (conditions L-free (scaled size L-free) local) '((> m 0))))
 
 (test-case "a matrix of factors has an inverse"
   (check-equal? (conditions (two-masses 1 1) (two-masses 'c 1) plane) '((> (abs c) 0)))

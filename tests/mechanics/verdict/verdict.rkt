@@ -66,6 +66,18 @@
                                      "zero\n  examined: terms up to order 7 of a series")
                       (format "~a" v)))
 
+(test-case "a series within a tuple is judged as one alone"
+  (check-true (proved? (prove-zero (up 0 (series 0 pythagoras)))))
+  (define endless (g:- (g:exp (power-series 0 1)) (g:exp (power-series 0 1))))
+  (check-equal? (verdict-reason (prove-zero (up 0 endless))) 'series))
+
+(test-case "a verdict that is not undecided has no reason to be"
+  (for ([x (list 0 pythagoras 'a (up 0 'a))]) (check-false (verdict-reason (prove-zero x)))))
+
+(test-case "a number as small as rounding leaves is undecided on either side of 0"
+  (check-true (undecided? (verify-equal 1e-17 0)))
+  (check-true (undecided? (verify-equal 0 1e-17))))
+
 (test-case "a witness is a point where the residual has the value that is given"
   (for ([x (list (g:- 'a 'b) (g:- (g:square (g:sin 'a)) 1) (up 0 (g:- (V 't) 1))
                  (g:- 'k (g:* 'm (g:square 'omega))))])
@@ -115,6 +127,22 @@
                                          (g:* (g:- 'c (g:square 'd)) (g:cos t))))))
   (check-regexp-match #rx"\n  zero if: a = b, c = [(]expt d 2[)]\n" (format "~a" v))
   (check-equal? (verdict-conditions (prove-zero (lambda (t) (g:- 'g (g:* 6 'c t))))) '()))
+
+(test-case "of conditions together none that takes a single symbol for 0 is told"
+  (define v (prove-zero (lambda (t) (g:+ (g:* 'a (g:sin t)) (g:* (g:- 'b 'c) (g:cos t))))))
+  (check-equal? (verdict-conditions v) '()))
+
+(test-case "what several components assume is told once, a step inwards"
+  (define r (g:sqrt (g:square 'm)))
+  (define v (verify-equal (up r (g:* 2 r)) (up 'm (g:* 2 'm))))
+  (check-equal? (verdict-assumptions v) '((>= m 0)))
+  (check-equal? (last-line v) "  assuming: (>= m 0)"))
+
+(test-case "decimals are shown to twelve digits, exact numbers to all"
+  (check-regexp-match #rx"\n  residual: [(][*] 0.123456789012 x[)]\n"
+                      (format "~a" (prove-zero (g:* 0.1234567890123 'x))))
+  (check-regexp-match #rx"\n  residual: [(][*] 1234567890123/1000 x[)]\n"
+                      (format "~a" (prove-zero (g:* 1234567890123/1000 'x)))))
 
 (test-case "scalars of a tuple and of a matrix are named by their places"
   (define (names v)

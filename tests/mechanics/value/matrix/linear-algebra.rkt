@@ -71,6 +71,12 @@
       (check-equal? (transpose (transpose A)) A)
       (check-true (same? (transpose (g:* A B)) (g:* (transpose B) (transpose A)))))))
 
+(test-case "of a function transpose, trace and determinant are those of its values"
+  (define (f x) (matrix-by-rows (list x 1) (list 2 3)))
+  (for ([operation (list transpose trace determinant)])
+    (check-equal? ((operation f) 5) (operation (f 5)))
+    (check-equal? (operation 5) 5)))
+
 (test-case "the transpose of a linear map of structures moves it across the pairing"
   ;; (* p (* A x)) = (* (* (transpose A x) p) x)
   (define A (down (up 'a 'b) (up 'c 'd) (up 'e 'f)))
@@ -166,6 +172,20 @@
 
 ;; ---------------------------------------------------------------------------
 ;; Structures as matrices (SICM p. 353)
+
+;; (t + u uᵀ) x = s u has the solution s u/(t + uᵀu) (Sherman and Morrison).
+(test-case "derivatives of solutions, by the matrix alone and by the right-hand side alone"
+  (define (solution n s t)
+    (define (entry i j) (g:+ (if (= i j) t 0) (* (+ i 1) (+ j 1))))
+    (solve-linear-left (m:generate n n entry)
+                       (list->up (for/list ([i n]) (g:* s (+ i 1))))))
+  (for ([n '(2 5)])
+    (define uu (for/sum ([i n]) (* (+ i 1) (+ i 1))))
+    (define (multiple-of-u c) (list->up (for/list ([i n]) (* c (+ i 1)))))
+    (check-equal? ((D (lambda (t) (solution n 1 t))) 2) (multiple-of-u (/ -1 (expt (+ 2 uu) 2))))
+    (check-equal? ((D (lambda (s) (solution n s 2))) 3) (multiple-of-u (/ 1 (+ 2 uu))))
+    (check-equal? ((D (lambda (t) (solution n t t))) 2)
+                  (multiple-of-u (/ uu (expt (+ 2 uu) 2))))))
 
 (test-case "s->m and m->s undo one another"
   (with-seed 325
