@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Series: arithmetic, functions of them, application, laziness, printing.
 
-(require mechanics/generic/arithmetic
+(require mechanics/error/failure
+         mechanics/generic/arithmetic
          mechanics/generic/compare
          mechanics/generic/elementary
          mechanics/generic/kind
@@ -122,6 +123,12 @@
   (check-= (series:sum ((g:expt b n) 0.1) 20) (expt 2.1 (+ 3.0 -0.1 0.01)) 1e-9)
   (check-= (series:sum ((g:expt 2.0 n) 0.1) 20) (expt 2.0 (+ 3.0 -0.1 0.01)) 1e-9)
   (check-= (series:sum ((g:atan b n) 0.1) 20) (atan 2.1 2.91) 1e-9))
+
+(test-case "of powers of 0 whose exponent varies nothing is said but that there is no derivative"
+  (check-equal? (series:ref (g:expt 0 (series 'n 1)) 0) (g:expt 0 'n))
+  (check-message "expt: has no derivative at (series 0), (series n 1)"
+                 (series:ref (g:expt 0 (series 'n 1)) 1)
+                 exn:fail:mechanics?))
 
 ;; ---------------------------------------------------------------------------
 ;; Known series

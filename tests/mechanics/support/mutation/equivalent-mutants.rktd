@@ -789,3 +789,19 @@
  "(cond [found (values found 0)]"
  "(cond"
  "an answer that others gave, too, is judged again, to the same judgment: time" limit)
+("calculus/derivative.rkt"
+ "(derivative procedure mask make-datum base path order))))"
+ "(derivative procedure mask make-datum base order order))))"
+ "a derivative of a derivative is taken one inside the other: the same value, with more work" limit)
+("value/matrix/division-free.rkt"
+ "(min most-products (quotient (expt n 4) 2)))))"
+ "(min most-products (quotient (expt n 4) 3)))))"
+ "an estimate of work: it tells by which formulas a determinant is computed, not what it is" limit)
+("value/matrix/perturbed-system.rkt"
+ "(define (many-rows? A) (> (vector-length A) longest-formula))"
+ "(define (many-rows? A) (>= (vector-length A) longest-formula))"
+ "from how many rows on derivatives are taken of the system, and not of its formula" limit)
+("value/matrix/surd.rkt"
+ "(define more (max 0 (- 128 (quotient (integer-length n) 2))))"
+ "(define more (max 0 (- 129 (quotient (integer-length n) 2))))"
+ "a bit more than the 128 of which a flonum keeps 53" limit)
