@@ -162,7 +162,7 @@
 ;; Has e a sign of x, or |u| divided by u, so that it may jump between the ends?
 (define (jumps-between? e x low high A)
   (define p (make-path x low high A))
-  (define simple (simplify-expression e (with-automatic-assumptions A #f)))
+  (define simple (simplify-expression e (with-automatic-assumptions (path-inside p) #f)))
   (or (jumps? simple p)
       (for*/or ([u (in-list (parts-headed op:abs simple p))]
                 [divisor (in-list (filter (moves? p) (denominators simple)))])

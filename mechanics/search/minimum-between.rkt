@@ -168,7 +168,7 @@
 
 ;; value : flonum -> flonum, +inf.0 where there is none; y : the value at x
 (define (bottomless? value x y low high)
-  (define length (abs (- high low)))
+  (define length (- high low))            ; of either sign: both sides are looked at
   (define (at distance)
     (define there (+ x (* distance length)))
     (if (<= (min low high) there (max low high)) (value there) +inf.0))

@@ -107,3 +107,8 @@
   (check-= (substitute (substitute (substitute slope 'c 1) 'b 2) 'a 1)
            (definite-integral (lambda (x) (* x (sgn (- (* 2 x) 1)))) 0 2)
            1e-9))
+
+(test-case "a sign that is the same all the way does not jump"
+  (define ((integral-of f) b) (definite-integral (lambda (x) (* 'c b (sgn (f x b)))) 1 2))
+  (for ([f (list * +)])
+    (check-equal? (assuming ('(> b 0)) ((D (integral-of f)) 'b)) 'c)))

@@ -7,7 +7,7 @@
          mechanics/search/minimize
          mechanics/search/minimum
          mechanics/value/structure
-         "../support/checks.rkt")
+         "../support/checks.rkt" "../support/notes.rkt")
 
 (define (kind f . where) (minimum-kind (apply find-minimum f where)))
 (define (place f . where) (minimum-argument (apply find-minimum f where)))
@@ -64,7 +64,9 @@
                  (measured (lambda (x) (* x x))) (measured abs))]
         [expected '(minimum degenerate flat kink minimum kink)])
     (check-equal? (kind f 0.5) expected))
-  (check-equal? (kind (lambda (v) (g:square (ref v 0))) (up 1 5)) 'flat))
+  (define (valley v) (g:square (ref v 0)))
+  (check-equal? (kind valley (up 1 5)) 'flat)
+  (check-equal? (minimum-kind (find-minimum valley (up 1 1) #:method 'nelder-mead)) 'flat))
 
 (test-case "the size of the gradient, the least curvature, the evaluations"
   (define m (find-minimum (lambda (v) (g:+ (g:square (ref v 0)) (g:* 3 (g:square (ref v 1)))))
@@ -75,6 +77,7 @@
   (define end (find-minimum g:exp 0 1))
   (check-equal? (minimum-argument end) 0.0)
   (check-equal? (minimum-gradient end) 1.0)
+  (check-equal? (minimum-gradient (find-minimum (lambda (x) (g:* -3 x)) 0 1)) 3.0)
   (check-false (minimum-curvature end))
   (check-false (minimum-gradient (find-minimum g:abs -1 2))))
 
@@ -111,6 +114,17 @@
     (check-exn exn:fail:mechanics:not-convergent? (lambda () (find-minimum f (up 0 0))))
     (check-exn exn:fail:mechanics:not-convergent?
                (lambda () (multidimensional-minimize f (up 0 0))))))
+
+(test-case "a saddle at which nothing lower is seen is told, with its curvature"
+  (define failure
+    (with-handlers ([exn:fail:mechanics:not-convergent? values])
+      (multidimensional-minimize (lambda (x) (g:- 1 (g:* 1e-9 x x))) 0 #:method 'quasi-newton)))
+  (check-regexp-match (string-append "^multidimensional-minimize: no minimum found: the search ended "
+                                     "at a saddle\n  at: 0.0\n  size of the gradient there: 0.0\n"
+                                     "  least curvature there: -2e-9$")
+                      (exn-message failure))
+  (check-equal? (exn:fail:mechanics:not-convergent-value failure) 0.0)
+  (check-false (exn:fail:mechanics:not-convergent-error-estimate failure)))
 
 (test-case "by its values alone a function is not differentiated"
   (define (f v)
@@ -164,6 +178,11 @@
   (check-places (places g:abs -1 2) '(0))
   (check-equal? (length (places (lambda (x) (g:sin (g:* 100 x))) 0 (* 2 pi))) 101)
   (check-equal? (map minimum-kind (minima (lambda (x) (g:square x)) -1 2)) '(minimum)))
+
+(test-case "a note counts them, and says how close the samples were"
+  (for ([f (list g:square g:cos)] [count '("one minimum" "8 minima")] [high '(2 40)])
+    (check-regexp-match (format "^; minima: ~a found; the samples it went by are [0-9.]+ apart" count)
+                        (told (minima f -1 high)))))
 
 (test-case "no grid hides what is in step with it"
   (define pi (acos -1.0))

@@ -805,3 +805,15 @@
  "(define more (max 0 (- 128 (quotient (integer-length n) 2))))"
  "(define more (max 0 (- 129 (quotient (integer-length n) 2))))"
  "a bit more than the 128 of which a flonum keeps 53" limit)
+("search/minimum-near.rkt"
+ "[(or (not better?) (= round most-rounds)) (judged t e* o all)]"
+ "[(and (not better?) (= round most-rounds)) (judged t e* o all)]"
+ "a search that found nothing better is asked again up to the guard; the best is kept" limit)
+("search/minimum-between.rkt"
+ "(define x (if (= k n) (real->double-flonum high) (+ low (* step (+ k shift)))))"
+ "(define x (if (= k n) (real->double-flonum high) (+ low (* step (- k shift)))))"
+ "samples are shifted the other way, and keep out of step with a periodic function as well" limit)
+("search/minimum-between.rkt"
+ "(define shift (if (< 0 k n) (* 0.4 (- (spread-fraction k) 0.5)) 0.0))"
+ "(define shift (if (< 0 k n) (+ 0.4 (- (spread-fraction k) 0.5)) 0.0))"
+ "samples are shifted further, in order still, and keep out of step as well" limit)
