@@ -109,10 +109,12 @@
    (string-append "constrained-state-derivative: expected a force: a function of the local tuple\n"
                   "  given: the number 3")
    (constrained-state-derivative L-unit circle #:force 3))
-  (check-message
-   (string-append "constrained-state-derivative: the value of a Lagrangian is a number, "
-                  "but that of velocity is (up 0 1), an up tuple of 2")
-   ((constrained-state-derivative velocity on-unit-circle) (up 0 (up 1 0) (up 0 1))))
+  (for ([make (list constrained-state-derivative constrained-accelerations)])
+    (check-message
+     (format (string-append "~a: the value of a Lagrangian is a number, "
+                            "but that of velocity is (up 0 1), an up tuple of 2")
+             (object-name make))
+     ((make velocity on-unit-circle) (up 0 (up 1 0) (up 0 1)))))
   (define (texts . makers) (for/list ([make makers]) (format "~a" (make L circle))))
   (check-equal? (texts constrained-accelerations constraint-forces consistent-state)
                 '("(constrained-accelerations L (holonomic on-circle))"

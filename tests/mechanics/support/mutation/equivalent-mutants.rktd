@@ -817,3 +817,23 @@
  "(define shift (if (< 0 k n) (* 0.4 (- (spread-fraction k) 0.5)) 0.0))"
  "(define shift (if (< 0 k n) (+ 0.4 (- (spread-fraction k) 0.5)) 0.0))"
  "samples are shifted further, in order still, and keep out of step as well" limit)
+("constraint/accelerations.rkt"
+ "(unary-function (apply call-datum who L (gather who constraints) (force->datum Q)) (state)"
+ "(unary-function (apply call-datum who L (gather constraints constraints) (force->datum Q)) (state)"
+ "the constraints have been gathered before: nothing is left to complain of by that name")
+("constraint/constrained-motion.rkt"
+ "(+ x (* 1e-3 (+ 1 (abs x)) (spread-fraction k))))))"
+ "(+ x (* 1e-3 (+ 2 (abs x)) (spread-fraction k))))))"
+ "how far beside a state constraints are tried: at any place they depend on each other as at most" limit)
+("compile/program-builder.rkt"
+ "(define greatest-unrolled 64)"
+ "(define greatest-unrolled 65)"
+ "up to which exponent a power is written as products: its value is the same" limit)
+("compile/program-builder.rkt"
+ "[else (< (place-index x) (place-index y))]))"
+ "[else (<= (place-index x) (place-index y))]))"
+ "two operands at one place are the same in either order")
+("question/stability.rkt"
+ "(when (and (refuted? v) (> (magnitude (verdict-value v)) 1e-8))"
+ "(when (and (refuted? v) (> (magnitude (verdict-value v)) 2e-8))"
+ "up to which size a force by rounding is none" limit)
