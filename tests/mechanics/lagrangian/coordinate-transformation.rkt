@@ -141,6 +141,7 @@
   (define path (osculating-path local))
   (for ([part '(q v a j 0)] [k (in-naturals)])
     (check-same (((g:expt D k) path) 't) part))
+  (check-same ((osculating-path (up 't 'q)) 's) 'q)
   (check-same ((Gamma (osculating-path (up 't (up 'x 'y) (up 'vx 'vy)))) 't)
               (up 't (up 'x 'y) (up 'vx 'vy))))
 

@@ -125,6 +125,8 @@
                 "(Lagrangian->acceleration L-pendulum (Rayleigh-dissipation k))")
   (check-equal? (format "~a" (Lagrangian->state-derivative pendulum #:force drag))
                 "(Lagrangian->state-derivative L-pendulum #:force drag)")
+  (check-equal? (format "~a" (Lagrange-equations-first-order pendulum (Rayleigh-dissipation 'k)))
+                "(Lagrange-equations-first-order L-pendulum (Rayleigh-dissipation k))")
   (check-equal? (format "~a" (Lagrange-equations pendulum (Rayleigh-dissipation 'k)))
                 "(Lagrange-equations L-pendulum #:force (- ((partial 2) (Rayleigh-dissipation k))))"))
 

@@ -4,7 +4,7 @@
 (require mechanics
          (only-in mechanics/motion/observed-systems call-watching-systems)
          (only-in racket/list remove-duplicates)
-         (only-in mechanics/book harmonic-state-derivative pend-state-derivative)
+         (only-in mechanics/book L-harmonic harmonic-state-derivative pend-state-derivative)
          "../support/bigfloats.rkt" "../support/checks.rkt" "../support/close.rkt"
          "../support/skip.rkt" "../support/systems.rkt")
 
@@ -15,6 +15,20 @@
   (list 1 1 9.8 0.1 (* 2 (sqrt 9.8))))
 
 ;; ---------------------------------------------------------------------------
+
+;; m a = −k x − 2b v, with m = k = 1, by a dissipation function, a force, and both
+(test-case "a damped oscillation decays, whichever way the drag is stated"
+  (define b 0.1)
+  (define L (L-harmonic 1 1))
+  (define ((drag c) s) (* -2 c (velocity s)))
+  (define w (sqrt (- 1 (* b b))))
+  (define expected (* (exp (* -3 b)) (+ (cos (* 3 w)) (* (/ b w) (sin (* 3 w))))))
+  (for ([slope (list (Lagrangian->state-derivative L (Rayleigh-dissipation b))
+                     (Lagrangian->state-derivative L #:force (drag b))
+                     (Lagrangian->state-derivative L (Rayleigh-dissipation (/ b 2))
+                                                   #:force (drag (/ b 2))))])
+    (check-= (coordinate ((state-advancer (lambda () slope)) (up 0.0 1.0 0.0) 3.0 1e-12))
+             expected 1e-10)))
 
 (test-case "the harmonic oscillator in two dimensions (p. 74)"
   (check-close ((state-advancer harmonic-state-derivative 2 1)
