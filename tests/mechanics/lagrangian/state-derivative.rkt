@@ -118,7 +118,13 @@
                  ";   a force is given as #:force drag\n"))
   (check-equal? (told (equations (Rayleigh-dissipation 'b))) "")
   (check-equal? (told (equations (lambda (local) (* 'b (abs (velocity local)))))) "")
-  (check-equal? (told (equations (lambda (local) 0))) ""))
+  (check-equal? (told (equations (lambda (local) 0))) "")
+  ;; of one that takes numbers alone nothing is known
+  (define (one-sided local) (if (> (velocity local) 0) (square (velocity local)) 0))
+  (check-equal? (told (check-equal? ((Lagrangian->acceleration (L-harmonic 1 0) one-sided)
+                                     (up 0 1 3))
+                                    -6))
+                ""))
 
 (test-case "they print with what they were made from"
   (check-equal? (format "~a" (Lagrangian->acceleration pendulum (Rayleigh-dissipation 'k)))
