@@ -17,6 +17,17 @@
   (check-close (Hamiltonian-action (H-harmonic 2.0 3.0) q p 0 1) (Lagrangian-action L q 0 1)
                1e-9))
 
+(test-case "the bracket of tuples has the brackets of their components"
+  (define state (up 't (up 'x 'y) (down 'p_x 'p_y)))
+  (check-equal? ((Poisson-bracket coordinate momentum) state) (up (down 1 0) (down 0 1)))
+  (check-equal? ((Poisson-bracket momentum coordinate) state) (down (up -1 0) (up 0 -1)))
+  (define H (literal-function 'H (Hamiltonian 2)))
+  (define (f s) (up (square (momentum s)) (* (coordinate s) (momentum s))))
+  (for ([k 2])
+    (define (component s) (ref (f s) k))
+    (check-identity (ref ((Poisson-bracket f H) state) k) ((Poisson-bracket component H) state))
+    (check-identity (ref ((Poisson-bracket H f) state) k) ((Poisson-bracket H component) state))))
+
 (test-case "it is stationary along a motion when p is varied, too"
   (define (action e)
     (Hamiltonian-action (H-harmonic 1 1)

@@ -106,6 +106,9 @@
  [((Hamilton-equations H) 'q sin)
   "Hamilton-equations: a path is a function of time, or a tuple of such functions; "
   "given the symbol q\n  (literal-function 'q) makes a path of that name"]
+ [((Hamilton-equations H) sin 'p)
+  "Hamilton-equations: a path is a function of time, or a tuple of such functions; "
+  "given the symbol p\n  (literal-function 'p) makes a path of that name"]
  [(literal-Hamiltonian-state 0)
   "literal-Hamiltonian-state: expected a number of coordinates, at least 1\n  given: the number 0"])
 

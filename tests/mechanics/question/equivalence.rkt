@@ -121,3 +121,18 @@
  [(verify-equivalent-Lagrangians L L (up 0 'x 'v))
   "verify-equivalent-Lagrangians: the local tuple must be made of symbols, each there once, "
   "to stand for any state\n  given: (up 0 x v)\n  no symbol: 0"])
+
+;; They are total derivatives, of |x| and x |x|/2, where x is not 0; there the equations do not tell.
+(test-case "kinks of the difference are none of a proof, those that both have are"
+  (define (L s) (* 1/2 (square (velocity s))))
+  (define ((with-more f) s) (+ (L s) (f s)))
+  (for ([f (list sgn abs)] [sort '(jump kink)])
+    (define v (verify-equivalent-Lagrangians
+               L (with-more (lambda (s) (* (f (coordinate s)) (velocity s)))) line))
+    (check-pred undecided? v)
+    (check-equal? (map car (verdict-kinks v)) (list sort)))
+  (check-pred proved?
+              (verify-equivalent-Lagrangians
+               (with-more (compose abs coordinate))
+               (with-more (+ (compose abs coordinate) velocity))
+               line)))
