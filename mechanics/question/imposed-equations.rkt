@@ -32,18 +32,18 @@
                                (condition-hint condition other))]))
 
 (define (condition-hint x other)
-  (define (list-of? what?) (and (pair? x) (list? x) (andmap what? x)))
-  (cond [(list-of? (lambda (c) (and (list? c) (andmap equation? c))))
+  (cond [((list-of list-of-equations?) x)
          "\n  these are alternatives: choose one, as (car (verdict-alternatives v))"]
         [(and (pair? x) (memq (car x) '(< > <= >=))) "\n  an inequality is declared by assume"]
         [(or (procedure? x) (verdict? other) (equation? other) (list-of-equations? other))
          "\n  the value comes first, then the condition, as in (impose L '(= k 1))"]
         [else ""]))
 
-(define (list-of-equations? x) (and (pair? x) (list? x) (andmap equation? x)))
-
 (define (equation? x)
   (and (list? x) (= (length x) 3) (eq? (car x) '=)))
+
+(define ((list-of what?) x) (and (pair? x) (list? x) (andmap what? x)))
+(define list-of-equations? (list-of equation?))
 
 (define (read-equation who x)
   (define q (read-expression x))

@@ -135,4 +135,9 @@
               (verify-equivalent-Lagrangians
                (with-more (compose abs coordinate))
                (with-more (+ (compose abs coordinate) velocity))
-               line)))
+               line))
+  ;; where L has no real value there are no motions
+  (define fenced (with-more (lambda (s) (log (coordinate s)))))
+  (for ([x0 '(-1 1)] [fine? (list proved? undecided?)])
+    (define (jump s) (* (sgn (- (coordinate s) x0)) (velocity s)))
+    (check-pred fine? (verify-equivalent-Lagrangians fenced (+ fenced jump) line))))

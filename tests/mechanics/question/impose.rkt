@@ -243,4 +243,13 @@
     #rx"\n  the value comes first, then the condition, as in [(]impose L '[(]= k 1[)][)]$")
   (check-exn hint (lambda () (impose '(= k 3) (* 'k 'x))))
   (check-exn hint (lambda () (impose '((= k 3)) (* 'k 'x))))
-  (check-exn hint (lambda () (impose v 'k))))
+  (check-exn hint (lambda () (impose v 'k)))
+  (check-message (string-append
+                  "impose: expected a verdict, an equation '(= k 1) or a list of them\n"
+                  "  given: (((= k 3)) ((= k 4))), a list\n"
+                  "  these are alternatives: choose one, as (car (verdict-alternatives v))")
+                 (impose 'k '(((= k 3)) ((= k 4)))))
+  (check-message (string-append
+                  "impose: expected a verdict, an equation '(= k 1) or a list of them\n"
+                  "  given: (((= k 3)) 4), a list")
+                 (impose 'k '(((= k 3)) 4))))

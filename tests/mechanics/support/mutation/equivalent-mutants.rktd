@@ -837,3 +837,11 @@
  "(when (and (refuted? v) (> (magnitude (verdict-value v)) 1e-8))"
  "(when (and (refuted? v) (> (magnitude (verdict-value v)) 2e-8))"
  "up to which size a force by rounding is none" limit)
+("hamiltonian/equation-solver.rkt"
+ "[(independent? slopes x) 'exactly]"
+ ""
+ "what is linear is solved by the formula that solves what is not: the same value, with more work" limit)
+("question/refined-modes.rkt"
+ "(define least (apply min 1 (filter positive? (map abs squares))))"
+ "(define least (apply min 2 (filter positive? (map abs squares))))"
+ "how far beside a square of frequency a system is solved that has none at it" limit)
