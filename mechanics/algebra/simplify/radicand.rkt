@@ -38,7 +38,7 @@
        (if (eqv? q 2) (denest F given all) (values given 1 all)))
      (define-values (roots others) (roots-that-leave F number factors q real?))
      (define-values (joint together apart) (by-joint-sign F others q))
-     (define-values (sign signed unknown) (by-signs F apart q))
+     (define-values (sign signed unknown) (by-signs F apart q real?))
      (define parts (append (number-parts (* sign number) q (field-inexact? F))
                            (raise-powers (append together signed) (/ 1 q))))
      (define-values (outer lower kept) (careful-roots F unknown q real?))
@@ -93,13 +93,14 @@
 
 ;; Factors ((polynomial . integer) ...) by their signs, if these matter: -> 1 or -1 and
 ;; factors that together are those of known signs, and those of unknown sign.
-(define (by-signs F factors q)
+(define (by-signs F factors q real?)
   (for/fold ([sign 1] [known '()] [unknown '()]
              #:result (values sign (reverse known) (reverse unknown)))
             ([g (in-list factors)])
     (define s
       (cond [(sign-matters? (cdr g) q)
              (sign-or-assumed (field-simplifier F) (present-poly F (car g)))]
+            [(not (or (memv (cdr g) '(1 -1)) (real? (car g)))) #f]
             [(negative? (cdr g)) (sign-below F (car g))]
             [else 1]))
     (cond [(eqv? s 1) (values sign (cons g known) unknown)]

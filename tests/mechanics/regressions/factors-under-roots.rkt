@@ -6,7 +6,7 @@
          mechanics/algebra/expression/expression
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/read
-         "../support/checks.rkt")
+         "../support/checks.rkt" "../support/evaluate.rkt")
 
 (define (simplified datum [A no-assumptions])
   (define-values (simple notes) (simplify-expression/assumptions (datum->expression datum) A))
@@ -30,3 +30,13 @@
   (check-equal? (simplified '(expt (* x x (+ 1 (* +i y))) 1/4)
                             (with-automatic-assumptions no-assumptions #f))
                 '((* (expt (+ 1 (* +i y)) 1/4) (sqrt (abs x))) ())))
+
+;; √(z⁴) is z² or its opposite, by the angle of z.
+(test-case "a power of what is not real stays under its root"
+  (for ([n '(3 4 5 -3)] [q '(4 2 2 4)])
+    (define power `(expt (+ a (exp (* +i y))) ,n))
+    (define e (datum->expression `(expt ,power ,(/ 1 q))))
+    (define-values (simple _) (simplify-expression/assumptions e))
+    (for ([y '(0.3 1.7 -2.1)])
+      (define (value e) (evaluate-expression e (point-lookup `((a . -0.7) (y . ,y)))))
+      (check-= (value simple) (value e) 1e-12 (format "~a, ~a/~a" y n q)))))
