@@ -204,6 +204,6 @@
    (if derivatives? "From Coquelicot Require Import Coquelicot.\n" "")
    "Open Scope R_scope.\n\n"
    (proof-tactics) "\n" (if derivatives? (derivative-tactics) "")
-   (if (regexp-match? #rx"atan2 " (theorem-text th)) (angle-definition) "")
+   (if (regexp-match? #rx"atan2[ \n]" (theorem-text th)) (angle-definition) "")
    "\n" (theorem-text th)
    "Definition certificate := conj claim not_vacuous.\nPrint Assumptions certificate.\n"))

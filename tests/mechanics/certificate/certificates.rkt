@@ -401,6 +401,14 @@
                       (format "~a" (certificate
                                     (verify-equal (up 'a (+ 'x 'x)) (up 'a (* 2 'x)))))))
 
+(test-case "the angle of a point is defined where a line ends after its name, too"
+  (for ([n '(1 95)])
+    (define y (string->symbol (make-string n #\y)))
+    (check-regexp-match
+     "\nDefinition atan2 "
+     (certificate-text
+      (certificate (verify-equal (* (sqrt (+ (square 'x) (square y))) (cos (atan y 'x))) 'x))))))
+
 (test-case "a file is written for a verdict, or for its certificate"
   (define file (make-temporary-file "certificate~a.v"))
   (define v (verify-equal (+ 'x 'x) (* 2 'x)))
