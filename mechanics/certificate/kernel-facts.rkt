@@ -93,7 +93,7 @@
                               (term d ns 2) (term e ns))
                       'identity "| rewrite Z; unfold Rdiv; ring]")))))
 
-;; Where d is a root that is written by one of a sum, that is not 0 either.
+;; Facts about a root of a sum by which the root d is written: it is not 0, as d is not.
 (define (root-facts c d)
   (define plan (and (headed? d op:sqrt) (hash-ref (collector-plans c) d #f)))
   (define (root-of-sum? e) (and (headed? e op:sqrt) (sum? (car (node-args e)))))
@@ -196,7 +196,7 @@
                       (term rest ns) (term (e:/ u square) ns))
               'identity "] | solve [nonnegative]].")))
 
-;; Is there a fact that says so?
+;; Is there a fact that e is not negative?
 (define (said-not-negative? c e)
   (for/or ([f (in-list (collector-met c))])
     (and (fact? f) (equal? (fact-right f) (cons '<= e)))))
@@ -232,7 +232,7 @@
                             (product-text all (collector-names c)))
                     'identity "]."))]))
 
-;; f : (base . exponent) -> of an absolute value that is a product of others, those
+;; f : (base . exponent) -> a list of f, or of the factors of an absolute value that is a product
 (define (parts-of-modulus c f)
   (cond [(headed? (car f) op:abs)
          (visit-all! c (car f))

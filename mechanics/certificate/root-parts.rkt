@@ -40,17 +40,17 @@
           (append primes (reverse roots))
           (and (not (eqv? rest 1)) (e:* sign rest))))
 
-;; -> the number in u, and its factors ((base . exponent) ...); a power that is written is one, also
+;; -> the number in u, and its factors ((base . exponent) ...); a power in u stays a power, also
 ;; where sin²θ = 1 - cos²θ makes a sum of it
 (define (factors-of u A)
   (define-values (factored _) (factored-expression u (with-automatic-assumptions A #f)))
   (define-values (number factors) (product-parts factored))
   (define-values (own-number own) (own-parts u))
-  (if (and (equal? (map cdr factors) '(1)) (pair? own) (not (equal? (map cdr own) '(1))))
+  (if (and (equal? (map cdr factors) '(1)) (not (equal? (map cdr own) '(1))))
       (values own-number own)
       (values number factors)))
 
-;; The same of u as it stands, equal bases together
+;; The number and the factors of u as it stands, equal bases together
 (define (own-parts u)
   (define-values (number factors) (product-parts u))
   (values number
