@@ -7,7 +7,7 @@
 
 (provide lines run-module run-submodule declare instantiate namespace syntax-message
          language prints refusal failure
-         session answers open-prompt)
+         session answers open-prompt open-fresh-prompt)
 
 (define-namespace-anchor here)
 
@@ -116,6 +116,18 @@
     (flush-output in)
     (define errors (text-before mark err))
     (values (without-prompts (text-before mark out)) errors)))
+
+;; -> the same of `racket -I mechanics`, where each call finds a prompt at which nothing was defined
+(define (open-fresh-prompt)
+  (define ask (open-prompt "-I" "mechanics"))
+  (lambda input (apply ask (append input (list begin-afresh)))))
+
+(define begin-afresh
+  (format "~s"
+          '(let ([fresh (make-base-empty-namespace)])
+             (namespace-attach-module (current-namespace) 'mechanics fresh)
+             (current-namespace fresh)
+             (namespace-require 'mechanics))))
 
 ;; The lines up to one that ends with the mark, behind prompts, or to the end.
 (define (text-before mark in)

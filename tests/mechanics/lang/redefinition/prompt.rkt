@@ -4,9 +4,10 @@
 (require racket/string
          "../../support/checks.rkt" "../../support/run-text.rkt")
 
-;; The output and the errors of a session, each a list of lines.
+;; The output and the errors at a prompt where nothing was defined, each a list of lines.
+(define ask (open-fresh-prompt))
 (define (talk . input)
-  (define-values (output errors) (apply session '("-I" "mechanics") input))
+  (define-values (output errors) (apply ask input))
   (values output (string-split errors "\n")))
 
 (test-case "a definition is not replaced, and that is said with its signature"
