@@ -82,12 +82,12 @@
 
 (define (check-machine-code)
   (test-case "random programs, with many calls and few"
-    (with-seeds 150
+    (with-seeds 100
       (define p (random-program 5 (random-integer 1 150) 6 (random-choice 0 0.05 0.3 1) 0))
       (check-alike p (machine-procedure p))))
 
   (test-case "random programs with systems of equations"
-    (with-seeds 100
+    (with-seeds 70
       (define p (random-program 5 (random-integer 1 200) 6 0.1 (random-choice 0.02 0.2)))
       (check-alike p (machine-procedure p))))
 

@@ -18,10 +18,13 @@
 (define (make-module-space test)
   (define namespace (new-namespace))
   (define modules (make-hash))
+  ;; -> is the module there, so that nothing is left to load?
   (define (prepare module)
-    (when (or (eq? (current-namespace) namespace) (module-declared? test #f))
-      (hash-set! modules module #t)
-      (declare module namespace)))
+    (define here? (eq? (current-namespace) namespace))
+    (and (or here? (module-declared? test #f))
+         (begin (hash-set! modules module #t)
+                (declare module namespace))
+         here?))
   (module-space namespace (resolver-with prepare) modules))
 
 (define shared '(racket/base rackunit rackunit/log))
@@ -37,10 +40,11 @@
 (define store (new-namespace))
 
 ;; In the namespace, by way of the store; what cannot be read is left to whoever asked for it.
+;; -> is it there?
 (define (declare module namespace)
-  (unless (parameterize ([current-namespace namespace]) (module-declared? module #f))
-    (when (in-store? module)
-      (namespace-attach-module-declaration store module namespace))))
+  (or (parameterize ([current-namespace namespace]) (module-declared? module #f))
+      (and (in-store? module)
+           (begin (namespace-attach-module-declaration store module namespace) #t))))
 
 (define (in-store? module)
   (parameterize ([current-namespace store])
@@ -48,16 +52,18 @@
       (and (module-declared? module #t)
            (begin (dynamic-require module (void)) #t)))))
 
-;; A module name resolver that calls `prepare` with the path of a module before it is loaded.
+;; A module name resolver that calls `prepare` with the path of a module before it is loaded, if it
+;; is to be loaded then.
 (define (resolver-with prepare)
   (define standard (current-module-name-resolver))
   (case-lambda
     [(name from) (standard name from)]
     [(path relative-to syntax load?)
-     (define module (and load? (path-of (standard path relative-to syntax #f))))
-     (when module
-       (parameterize ([current-module-name-resolver standard]) (prepare module)))
-     (standard path relative-to syntax load?)]))
+     (define name (standard path relative-to syntax #f))
+     (define module (and load? (path-of name)))
+     (define ready?
+       (and module (parameterize ([current-module-name-resolver standard]) (prepare module))))
+     (if (or ready? (not load?)) name (standard path relative-to syntax load?))]))
 
 ;; The module path of a name, #f for a module without a file.
 (define (path-of name)

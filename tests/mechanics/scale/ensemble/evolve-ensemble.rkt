@@ -90,8 +90,9 @@
   (define (rows) (sequence-map (lambda (k) (up 0 (* 0.01 k) 0)) (in-range 33)))
   (define by-taylor (evolve-ensemble (pendulum 1.0 1.0 9.8) (rows) 1))
   (check-equal? (length by-taylor) 33)
-  (for ([method '(Dormand-Prince-853 Radau-IIA-5 bulirsch-stoer)])
-    (for ([a by-taylor] [b (evolve-ensemble (pendulum 1.0 1.0 9.8) (rows) 1 #:method method)])
+  (for ([method '(Dormand-Prince-853 Radau-IIA-5 bulirsch-stoer)] [jobs '(1 2 1)])
+    (for ([a by-taylor] [b (evolve-ensemble (pendulum 1.0 1.0 9.8) (rows) 1 #:method method
+                                            #:jobs jobs)])
       (check-= (ref a 1) (ref b 1) 1e-7))))
 
 ;; ---------------------------------------------------------------------------

@@ -53,7 +53,8 @@
 
 (define unit (numbers-unit N))
 (define precise? (< unit 1e-40))
-(define (number x) ((numbers-from N) x))
+(define (number x) (hash-ref! made x (lambda () ((numbers-from N) x))))
+(define made (make-weak-hash))       ; exact rational -> number, for few occur, and often
 (define (flonum x) ((numbers-to-flonum N) x))
 (define (compute name . xs) (apply (hash-ref (numbers-table N) name) xs))
 
