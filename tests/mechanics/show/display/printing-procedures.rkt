@@ -56,9 +56,11 @@
   (check-equal? (map object-name (list display displayln print println printf format))
                 '(display displayln print println printf format)))
 
+(define ask (open-prompt "-I" "mechanics"))
+
 (test-case "a symbol spelt like π in a result is told once in a session, beside the results"
   (define-values (output errors)
-    (session '("-I" "mechanics") "(sin 'pi)" "(up 'pi 1)" "(cos ':pi)"))
+    (ask "(sin 'pi)" "(up 'pi 1)" "(cos ':pi)"))
   (check-equal? output '("(sin pi)" "(up pi 1)" "-1"))
   (check-equal? errors
                 "; the symbol pi is an unknown like others; the number π is written ':pi\n"))
@@ -66,8 +68,8 @@
 (test-case "growth is told where a frequency is not real"
   (define L "(lambda (s) (+ (square (velocity s)) (* 4 (square (coordinate s)))))")
   (define-values (output errors)
-    (session '("-I" "mechanics") (format "(normal-modes ~a 0)" L)
-             (format "(small-oscillation-frequencies ~a 0)" L)))
+    (ask (format "(normal-modes ~a 0)" L)
+         (format "(small-oscillation-frequencies ~a 0)" L)))
   (check-equal? output '("(list (up 0+2i 1))" "'(0+2i)"))
   (check-equal? errors
                 (lines (string-append "; a frequency that is not real belongs to no oscillation: "
