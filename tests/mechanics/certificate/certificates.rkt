@@ -125,7 +125,7 @@
      "is_derive (fun s => quantity s (path s) (velocity s)) t 0)."))
    text))
 
-(test-case "what a proof rests on: laws of exponentials, arcs and logarithms"
+(test-case "what a proof rests on: laws of exponentials, arcs and logarithms, factors of divisors"
   (define (has part v)
     (check-true (string-contains? (string-normalize-spaces (certificate-text (certificate v))) part)
                 part))
@@ -135,7 +135,11 @@
     (has "atan (1 / x) = 1 / 2 * PI - atan x). { replace (1 / x) with (/ x); [rewrite atan_inv by"
          (verify-equal (+ (atan 'x) (atan (/ 1 'x))) (/ ':pi 2)))
     (has "ln (x * y) = ln x + ln y). { replace (x * y) with ((x) * (y)); [logarithms |"
-         (verify-equal (log (* 'x 'y)) (+ (log 'x) (log 'y))))))
+         (verify-equal (log (* 'x 'y)) (+ (log 'x) (log 'y)))))
+  (define of-square (verify-equal (/ 1 (+ (square 'x) (* 2 'x 'y) (square 'y)))
+                                  (/ 1 (square (+ 'x 'y)))))
+  (has "= (x + y) ^ 2) by ((first [reflexivity | ring |" of-square)
+  (has "x + y <> 0) by (let Z := fresh in let G := fresh in intro Z;" of-square))
 
 (test-case "a canonical transformation: the derivatives, and all brackets of these"
   (define (turned state)

@@ -8,6 +8,7 @@
          mechanics/certificate/example-point
          mechanics/certificate/linear-terms
          mechanics/certificate/root-parts
+         mechanics/certificate/theorem-text
          mechanics/value/assumptions
          (only-in mechanics assuming)
          "../support/checks.rkt" "../support/evaluate.rkt")
@@ -118,6 +119,12 @@
     [(<>) (not (= a b))]
     [(=) (< (abs (- a b)) 1e-9)]
     [else ((case (car relation) [(>) >] [(>=) >=] [(<) <] [(<=) <=]) a b)]))
+
+(test-case "of a domain only what is not given yet is asked for, in whatever words it is given"
+  (define size (datum->expression '(abs x)))
+  (check-equal? (relations-beyond '((<> x 0) (> y 0))
+                                  (list '(<> x 0) '(<> y 0) (list '> size 0) '(<> z 0)))
+                '((<> z 0))))
 
 (test-case "an example of hypotheses fulfils them all"
   (for ([hypotheses '(((> x 2)) ((< x 0) (> y x)) ((<> (* x y) 0) (>= x y))

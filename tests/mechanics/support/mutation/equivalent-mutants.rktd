@@ -845,3 +845,7 @@
  "(define least (apply min 1 (filter positive? (map abs squares))))"
  "(define least (apply min 2 (filter positive? (map abs squares))))"
  "how far beside a square of frequency a system is solved that has none at it" limit)
+("certificate/kernel-facts.rkt"
+ "(term d ns 2) (term e ns))"
+ "(term d ns 3) (term e ns))"
+ "a product that is a divisor stands in parentheses within a proof" layout)
