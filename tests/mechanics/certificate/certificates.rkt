@@ -136,6 +136,9 @@
          (verify-equal (+ (atan 'x) (atan (/ 1 'x))) (/ ':pi 2)))
     (has "ln (x * y) = ln x + ln y). { replace (x * y) with ((x) * (y)); [logarithms |"
          (verify-equal (log (* 'x 'y)) (+ (log 'x) (log 'y)))))
+  (define of-arc (verify-equal (* 'y (cos (atan 'x))) (/ 'y (sqrt (+ 1 (square 'x))))))
+  (has "sin (atan x) = x / sqrt (1 + x * x)). { apply sin_atan; bounds. }" of-arc)
+  (has "cos (atan x) = 1 / sqrt (1 + x * x)). { apply cos_atan; bounds. }" of-arc)
   (define of-square (verify-equal (/ 1 (+ (square 'x) (* 2 'x 'y) (square 'y)))
                                   (/ 1 (square (+ 'x 'y)))))
   (has "= (x + y) ^ 2) by ((first [reflexivity | ring |" of-square)

@@ -85,6 +85,12 @@
   (check-equal? (linear-terms (datum->expression '(- (* x y) (* y x)))) '())
   (check-equal? (linear-terms (datum->expression '(/ (* x y) x))) '((1 (y . 1)))))
 
+(test-case "a basic form for each monomial, or as few as do"
+  (define (form datum) (linear-terms (datum->expression datum)))
+  (define sums (map form '((+ (* 2 x) (* 2 y)) (+ (* 3 x) (* 3 y)))))
+  (define (count-of separate?) (length (basics-expressions (basic-forms sums 12 separate?))))
+  (check-equal? (list (count-of #t) (count-of #f)) '(2 1)))
+
 (test-case "forms are whole multiples of the basic ones"
   (for* ([separate? '(#t #f)] [most '(12 2)])
     (define terms (for/list ([d '((* 2 x) (* 3 x) (+ x (* 1/2 y)) y (* 6 y))])
