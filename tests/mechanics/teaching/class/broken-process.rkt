@@ -3,6 +3,7 @@
 ;; itself.
 
 (require mechanics/teaching/class/collect-answers
+         mechanics/teaching/class/evaluate
          mechanics/teaching/class/grade
          mechanics/teaching/class/submission
          mechanics/teaching/worksheet/judgment
@@ -52,3 +53,17 @@
                 "(*program* answer)" "(*program*)")])
     (check-pred string? (problem-of line) line)
     (check-false (regexp-match? #rx"does not run: [ox]" (problem-of line)) line)))
+
+(test-case "of a program that cannot be read it is told why"
+  (define report
+    (grade-class w (list (submission "a" "a" "#lang mechanics\n(define frequency" #f #f #f))
+                 #:strictest 'own #:collect (collect-here-if (lambda (id) #t))))
+  (check-regexp-match #rx"^it does not run: .*expected a `[)]`"
+                      (graded-problem (car (class-report-graded report)))))
+
+(test-case "where its cost is not watched from outside a program is stopped after its seconds"
+  (define r (request 1/2 512 '() "#lang racket/base\n(let loop () (loop))\n" #f))
+  (define out (open-output-string))
+  (evaluate-request (open-input-string (format "~s\n" r)) out void)
+  (check-regexp-match #rx"^it does not run: .*too long"
+                      (or (collected-problem (collected-from (get-output-string out) 'done)) "")))
