@@ -8,10 +8,10 @@
          (only-in mechanics/value/read-expression read-expression)
          "../../support/checks.rkt")
 
-(define w
-  (make-worksheet "W" #f "w"
-                  (list (make-exercise 'momentum 'expression "Of `(* 1/2 m ((D x) t))`, twice?"
-                                       (list (list 'key (read-expression '(+ (* m ((D x) t)) 0))))))))
+(define key (read-expression '(* m ((D x) t))))
+(define momentum
+  (make-exercise 'momentum 'expression "Of `(* 1/2 m ((D x) t))`, twice?" (list (list 'key key))))
+(define w (make-worksheet "W" #f "w" (list momentum)))
 
 (define (TeX answers?)
   (define-values (text files) (document->TeX (worksheet->document w #:answers? answers?) "w"))
