@@ -6,6 +6,7 @@
          racket/port
          racket/string
          mechanics mechanics/plot
+         (only-in mechanics/algebra/notation/tree plain report report-line)
          "../../support/checks.rkt" "../../../../mechanics/show/document/TeX-document.rkt"
          "../../../../mechanics/show/document/TeX-prose.rkt"
          "../../../../mechanics/show/document/document-piece.rkt"
@@ -26,8 +27,23 @@
                 (string-append "10\\ensuremath{^{-}}\\ensuremath{^{8}} "
                                "\\ensuremath{\\dot{\\ensuremath{\\theta}}}\\ensuremath{^{2}}"))
   (check-equal? (prose->TeX "a-priori it's -- ''so''") "a-priori it's -{-} '{'}so'{'}")
+  (check-equal? (prose->TeX "“a”–b′ §")
+                "\\textquotedblleft{}a\\textquotedblright{}--b\\ensuremath{'} \\S{}")
   (check-equal? (code->TeX "(a  b)") "(a~~b)")
   (check-false (regexp-match? #px"(?<!\\\\)[$&#%_]|\\\\(end|input)" (prose->TeX evil))))
+
+(test-case "headings, failures, lists of verdicts and words of a program have their forms"
+  (define (written . pieces)
+    (define-values (text pictures) (TeX pieces))
+    (cadr (regexp-match #rx"\\\\maketitle\n\n(.*)\n\n\\\\end{document}" text)))
+  (check-equal? (written (heading "A & b")) "\\section*{A \\& b}")
+  (check-equal? (written (failure "oh no")) "\\begin{program}\noh no\n\\end{program}")
+  (define proved "\\begin{flushleft}\nproved: the residual is zero\n\\end{flushleft}")
+  (define v (verify-equal 'x 'x))
+  (check-equal? (written (shown (list v v))) (string-append proved "\n\n" proved))
+  (define line (report-line 0 "name:" (list (plain "a_b"))))
+  (check-equal? (written (result (shown-formula (report (list line)) '())))
+                "\\begin{flushleft}\nname: \\texttt{a\\_b}\n\\end{flushleft}"))
 
 ;; The program environment of a text, and the lines that declare its characters.
 (define (program text)

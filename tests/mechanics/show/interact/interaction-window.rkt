@@ -25,7 +25,9 @@
  "controls move the picture, the newest values first; errors stand in its place"
  program
  '("shown" "the first picture" "named" "the slider moves it" "the menu" "the check box" "the text"
-   "no error" "an error in its place" "and the next move works" "the newest value is next"
+   "no error" "an error in its place" "and the next move works" "no place beyond the last"
+   "the newest value is next"
    "what has begun is finished" "drawn again for another size" "closed"
-   "a body without end stops no other window" "and is ended with its window"
+   "a body without end stops no other window" "a formula is as large as on a page"
+   "and is ended with its window"
    "the program waits for it" "done"))

@@ -27,4 +27,5 @@
 (test-windows
  "a window follows what is drawn, and is closed with its frame"
  program
- '("shown, drawn in and closed" "(0 300 200)" "follows" "rests" "looks no more"))
+ '("shown, drawn in and closed" "(0 300 200)" "follows" "rests"
+   "is drawn again for another size" "looks no more"))

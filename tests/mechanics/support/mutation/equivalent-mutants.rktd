@@ -761,6 +761,14 @@
  "(let loop ([parts '()] [size 0] [start start] [now start])"
  "(let loop ([parts '()] [size 1] [start start] [now start])"
  "one byte less of what may be written" limit)
+("teaching/class/collect-answers.rkt"
+ "[(> cost (if (null? parts) longest-start seconds)) (ended 'late)]"
+ "[(>= cost (if (null? parts) longest-start seconds)) (ended 'late)]"
+ "a measured cost is the limit itself by chance alone" limit)
+("teaching/class/collect-answers.rkt"
+ "(let loop ([parts '()] [size 0] [start start] [now start])"
+ "(let loop ([parts '()] [size 1] [start start] [now start])"
+ "one byte fewer of 250,000 that a program may write" limit)
 ("teaching/class/within-limits.rkt"
  "(define first-event (sync/timeout pulse worker full))"
  "(define first-event (sync/timeout pulse full full))"
@@ -849,3 +857,32 @@
  "(term d ns 2) (term e ns))"
  "(term d ns 3) (term e ns))"
  "a product that is a divisor stands in parentheses within a proof" layout)
+ "a custodian's box is an event when it is emptied, whatever was in it")
+("show/display/formula-drawing.rkt"
+ "(define p (inset (formula->pict f (* larger letter-size)) 0 margin))"
+ "(define p (inset (formula->pict f (* larger letter-size)) 1 margin))"
+ "a point of white beside a formula in an editor" layout)
+("show/plot/window.rkt"
+ "(define (loaded?) #t)"
+ "(define (loaded?) #f)"
+ "it is called in order that its module be loaded; nobody looks at its value")
+("show/animation/player.rkt"
+ "(send (player-timer p) start (performance-pause (player-performance p)) #t))"
+ "(send (player-timer p) start (performance-pause (player-performance p)) #f))"
+ "each picture starts the timer anew, or stops it, before it could ring twice")
+("show/interact/interaction-window.rkt"
+ "(regexp-replace* #rx\"&\" (if (> (string-length text) 99) (substring text 0 99) text) \"\\\\&\\\\&\"))"
+ "(regexp-replace* #rx\"&\" (if (> (string-length text) 100) (substring text 0 99) text) \"\\\\&\\\\&\"))"
+ "a label of 100 letters is shown whole; 200 may be" limit)
+("show/interact/interaction-window.rkt"
+ "(when bitmap (send (get-dc) draw-bitmap bitmap 0 0)))"
+ "(when bitmap (send (get-dc) draw-bitmap bitmap 1 0)))"
+ "the picture is a pixel further to the right in its window" layout)
+("show/explorer/explorer-board.rkt"
+ "(send dc set-pen \"gray\" 1 'short-dash)"
+ "(send dc set-pen \"gray\" 2 'short-dash)"
+ "the width of the dashes around what the mouse selects" layout)
+("show/explorer/explorer-board.rkt"
+ "(set-board-fresh?! b #t))"
+ "(set-board-fresh?! b #f))"
+ "pixels are copied at each painting, though none has changed: time" limit)
