@@ -85,11 +85,22 @@
            "(define sum (verify-equal (* 2 'x) (+ 'x 'x)))"
            "(displayln sum)"
            "(list sum (verify-equal (* 3 'x) (+ 'x 'x 'x)) (up 1 (verify-equal 'x 'y)))"
-           "(printf \"~a\\n\" (verify-equal (* 4 'x) (+ (* 3 'x) 'x)))")
+           "(printf \"~a\\n\" (verify-equal (* 4 'x) (+ (* 3 'x) 'x)))"
+           "(hash 'in-a-table (verify-equal (* 5 'x) (+ (* 4 'x) 'x)))"
+           "(vector (box (verify-equal (* 6 'x) (+ (* 5 'x) 'x))))")
   (define told (answer "printed.rkt" "--write"))
   (check-regexp-match #rx"^.displayln sum.\n" (cadr told))
-  (check-regexp-match #rx"4 verdicts shown, 3 proved, 3 with a certificate, 1 refuted\n$"
+  (check-regexp-match #rx"6 verdicts shown, 5 proved, 5 with a certificate, 1 refuted\n$"
                       (cadr told)))
+
+(test-case "a form is told in up to 90 letters"
+  (define-values (whole cut) (values (make-string 90 #\w) (make-string 91 #\c)))
+  (apply program "long.rkt"
+         (for/list ([name (list whole cut)] [k '(7 8)])
+           (format "(define ~a (verify-equal (* ~a 'x) (+ (* ~a 'x) 'x)))\n~a" name k (- k 1) name)))
+  (define told (cadr (answer "long.rkt" "--write")))
+  (check-true (string-contains? told (string-append whole "\n")))
+  (check-true (string-contains? told (format "\n~a...\n" (make-string 87 #\c)))))
 
 (test-case "a verdict that a required module shows is certified, with the first form"
   (program "library.rkt" "(verify-equal (* 2 'x) (+ 'x 'x))")
