@@ -33,6 +33,11 @@
                 '((up (sqrt (/ (* g (- 2 (sqrt 2))) l)) (up 1 (sqrt 2)))
                   (up (sqrt (/ (* g (+ 2 (sqrt 2))) l)) (up 1 (* -1 (sqrt 2)))))))
 
+(test-case "where both frequencies are one each coordinate is a mode, though M joins them"
+  (define M (matrix-by-rows '(2 1) '(1 2)))
+  (check-equal? (expressions (normal-modes (L-of M (* 'k M) 0) (up 0 0)))
+                '((up (sqrt k) (up 1 0)) (up (sqrt k) (up 0 1)))))
+
 (test-case "numbers and formulas agree"
   (define numbers (normal-modes (L-pendulums 1.0 2.0 0.5 9.8) (up 0 0)))
   (define formulas (normal-modes (L-pendulums 'm_1 'm_2 'l 'g) (up 0 0)))
@@ -182,5 +187,13 @@
                                (define-values (q v) (values (coordinate s) (velocity s)))
                                (- (* 1.0 (ref v 0) (ref v 1)) (square q)))
                              (up 0 0))))
+  ;; of three coordinates, with an M that is m times numbers
+  (check-exn #rx"^normal-modes: the kinetic energy is not positive for all velocities"
+             (lambda ()
+               (normal-modes (lambda (s)
+                               (define-values (q v) (values (coordinate s) (velocity s)))
+                               (- (* 'm (ref v 1) (+ (ref v 0) (ref v 1) (ref v 2)))
+                                  (* 'k (square q))))
+                             (up 0 0 0))))
   (check-exn #rx"^mass-matrix: expected coordinates.*given: [(]0 0[)], a list"
              (lambda () (mass-matrix (L-pendulums 1 1 1 1) '(0 0)))))

@@ -886,3 +886,11 @@
  "(set-board-fresh?! b #t))"
  "(set-board-fresh?! b #f))"
  "pixels are copied at each painting, though none has changed: time" limit)
+("compile/program-builder.rkt"
+ "[(and (number? y) (not (eqv? y 0)) (reciprocal-fits? (/ 1 y) y)) (multiply! b (/ 1 y) x)]"
+ "[(and (number? y) (not (eqv? y 1)) (reciprocal-fits? (/ 1 y) y)) (multiply! b (/ 1 y) x)]"
+ "a function that divides by an exact 0 is evaluated, not compiled: the same value, slower" limit)
+("compile/jet/jet-degrees.rkt"
+ "(for/fold ([w (work 0 0 0 0 coded?)])"
+ "(for/fold ([w (work 0 0 1 0 coded?)])"
+ "an estimate of work: it tells which of two ways is taken, not what comes out" limit)
