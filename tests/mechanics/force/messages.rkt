@@ -95,6 +95,8 @@
  [((kinetic-energy '(m_1 m_2) half-down) state)
   "kinetic-energy: positions are up tuples; half-down has the value (up (up x y) (down x y)), "
   "of which a part is (down x y)"]
+ [(show-derivation (d-Alembert-equations 'm upside-down (force 0)) (up sin cos))
+  "show-derivation: positions are up tuples; upside-down has the value (down (sin t) (cos t))"]
  ;; forces
  [(generalized-force plane 'F)
   "generalized-force: forces are a function of the time, positions and velocities, (F t r v); "

@@ -3,6 +3,8 @@
 
 (require mechanics
          (only-in mechanics/book L-harmonic)
+         (only-in mechanics/generic/value-tree value->tree)
+         (only-in mechanics/show/typesetting/drawn-text tree->text)
          "../support/checks.rkt" "../support/messages.rkt" "../support/random.rkt")
 
 (define line (up 't 'x 'v))
@@ -26,7 +28,11 @@
   (define (F (up t x v)) (* (exp (square x)) v))
   (define e (compare-Lagrangians L (+ L F) line))
   (check-false (equivalence-gauge e))
-  (check-equal? (text e) "equivalent: the second is the first, plus a total time derivative"))
+  (check-equal? (text e) "equivalent: the second is the first, plus a total time derivative")
+  ;; typeset as well
+  (for ([c '(1 2)])
+    (define e (compare-Lagrangians L (+ (* c L) F) line))
+    (check-equal? (tree->text (value->tree e #t)) (text e))))
 
 (test-case "a constant factor, and a total time derivative as well"
   (define L (L-harmonic 'm 'k))
