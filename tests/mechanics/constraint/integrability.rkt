@@ -108,6 +108,14 @@
   (check-identity (ref ((constrained-accelerations L rolling) state) 0)
                   (ref ((constrained-accelerations L (holonomic G)) state) 0)))
 
+(test-case "the integral of one constraint is a scalar, of several, or a list, a tuple of theirs"
+  (define rolling (form (t (x y θ) (vx vy ω)) (- vx (* 'R ω))))
+  (define both (form (t (x y θ) (vx vy ω)) (up (- vx (* 'R ω)) vy)))
+  (define x-Rθ (- 'x (* 'R 'θ)))
+  (check-identity ((constraint-integral rolling q) 't q) x-Rθ)
+  (check-identity ((constraint-integral (list rolling) q) 't q) (up x-Rθ))
+  (check-identity ((constraint-integral both q) 't q) (up x-Rθ 'y)))
+
 (test-case "an integral that is not found is not made up"
   (define odd (form (t (x y θ) (vx vy ω)) (+ vx (* (exp (square y)) vy))))
   (check-eq? (status odd) 'proved)
