@@ -128,7 +128,7 @@
   "verify-equivalent-Lagrangians: the local tuple must be made of symbols, each there once, "
   "to stand for any state\n  given: (up 0 x v)\n  no symbol: 0"])
 
-;; They are total derivatives, of |x| and x |x|/2, where x is not 0; there the equations do not tell.
+;; They are total derivatives, of |x| and x |x|/2, but at x = 0, of which the equations do not tell.
 (test-case "kinks of the difference are none of a proof, those that both have are"
   (define (L s) (* 1/2 (square (velocity s))))
   (define ((with-more f) s) (+ (L s) (f s)))

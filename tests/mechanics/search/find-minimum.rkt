@@ -119,10 +119,10 @@
   (define failure
     (with-handlers ([exn:fail:mechanics:not-convergent? values])
       (multidimensional-minimize (lambda (x) (g:- 1 (g:* 1e-9 x x))) 0 #:method 'quasi-newton)))
-  (check-regexp-match (string-append "^multidimensional-minimize: no minimum found: the search ended "
-                                     "at a saddle\n  at: 0.0\n  size of the gradient there: 0.0\n"
-                                     "  least curvature there: -2e-9$")
-                      (exn-message failure))
+  (check-equal? (exn-message failure)
+                (string-append "multidimensional-minimize: no minimum found: the search ended at a "
+                               "saddle\n  at: 0.0\n  size of the gradient there: 0.0\n"
+                               "  least curvature there: -2e-9"))
   (check-equal? (exn:fail:mechanics:not-convergent-value failure) 0.0)
   (check-false (exn:fail:mechanics:not-convergent-error-estimate failure)))
 
@@ -181,8 +181,8 @@
 
 (test-case "a note counts them, and says how close the samples were"
   (for ([f (list g:square g:cos)] [count '("one minimum" "8 minima")] [high '(2 40)])
-    (check-regexp-match (format "^; minima: ~a found; the samples it went by are [0-9.]+ apart" count)
-                        (told (minima f -1 high)))))
+    (define pattern "^; minima: ~a found; the samples it went by are [0-9.]+ apart")
+    (check-regexp-match (format pattern count) (told (minima f -1 high)))))
 
 (test-case "no grid hides what is in step with it"
   (define pi (acos -1.0))
