@@ -38,17 +38,20 @@
 
 (define (square-term s sum->kernel)
   (define content (square-content s))
-  (define below (denominators (square-members s)))
+  (define below (denominators (square-members s) content))
   (define members (multiply-terms (reverse (square-members s)) below))
   (make-term (term-coefficient content)
              (cons (cons (sum->kernel members) 2)
                    (divide-powers (divide-powers (term-powers content) below) below))))
 
-;; Powers that clear the members' denominators of kernels other than symbols.
-(define (denominators members)
-  (define (clearing k m n) (if (symbol? (kernel-expression k)) 0 (max 0 m (- n))))
-  (for/fold ([powers '()]) ([m (in-list members)])
-    (combine-powers clearing powers (term-powers m))))
+;; Powers that clear the members' denominators; those of symbols where the content has them, so
+;; that a² (b + c/a)² is (a b + c)², which has a value at a = 0.
+(define (denominators members content)
+  (define all
+    (for/fold ([powers '()]) ([m (in-list members)])
+      (combine-powers (lambda (k m n) (max 0 m (- n))) powers (term-powers m))))
+  (define (clearing k m n) (if (or (<= (* 2 m) n) (not (symbol? (kernel-expression k)))) m 0))
+  (combine-powers clearing all (term-powers content)))
 
 (define (welcome? s squares)
   (or (alike? (square-members s))

@@ -4,7 +4,7 @@
 
 (require racket/list
          mechanics/algebra/expression/expression
-         mechanics/algebra/expression/operation
+         mechanics/algebra/expression/nodes mechanics/algebra/expression/operation
          mechanics/algebra/simplify/simplify-expression
          mechanics/algebra/expression/read
          "../../support/checks.rkt" "../../support/close.rkt" "../../support/random.rkt"
@@ -49,6 +49,14 @@
    [(- (cos a) (* (cos (+ b c)) (sin (+ b c)))) (- (cos a) (* 1/2 (sin (* 2 (+ b c)))))]
    [(+ (* 2 (sin a)) (* (cos (* 3 c)) (sin (* 3 c))))
     (+ (* (cos (* 3 c)) (sin (* 3 c))) (* 2 (sin a)))]))
+
+;; 4 a² (3 + b² + (s y²/2 + 3 s/2)/a)² has no value at a = 0.
+(test-case "a square has no divisor that its terms have not"
+  (define e
+    (simplify-expression
+     (datum->expression '(expt (+ (* s (+ 3 (expt y 2))) (* 2 (+ a y) (+ 3 (expt b 2)))) 2))))
+  (check-false (some-node? (lambda (n) (eq? (node-head n) op:/)) e)
+               (format "~s" (expression->datum e))))
 
 (test-case "squares and products of angle sums are found again"
   (check-forms
