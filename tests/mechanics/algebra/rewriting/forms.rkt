@@ -78,7 +78,7 @@
   (check-equal? (collected '(/ (+ a m (* b m)) (+ 1 m (* m d))) 'm)
                 '(/ (+ (* m (+ 1 b)) a) (+ (* m (+ 1 d)) 1)))
   (check-equal? (collected '(+ (* m m (/ a (+ c d))) (* m d)) 'm)
-                '(+ (/ (* (expt m 2) a) (+ c d)) (* d m))))
+                '(+ (/ (* a (expt m 2)) (+ c d)) (* d m))))
 
 (test-case "coefficients of powers, none where it is no polynomial"
   (define (coefficient d in n)
