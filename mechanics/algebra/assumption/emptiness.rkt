@@ -59,12 +59,13 @@
 ;; Does one of the relations hold nowhere in the box?
 (define (excluded? box relations)
   (define (place leaf) (hash-ref box leaf))
-  (for/or ([r (in-list relations)])
-    (define e (relation-expression r))
-    (define (leaves-out? range)
-      (eqv? 0 (bitwise-and (relation-signs r) (interval-signs range))))
-    (or (leaves-out? (range-over e place))
-        (let ([range (polynomial-range e place)]) (and range (leaves-out? range))))))
+  (or (for/or ([r (in-hash-values box)]) (> (interval-low r) (interval-high r)))
+      (for/or ([r (in-list relations)])
+        (define e (relation-expression r))
+        (define (leaves-out? range)
+          (eqv? 0 (bitwise-and (relation-signs r) (interval-signs range))))
+        (or (leaves-out? (range-over e place))
+            (let ([range (polynomial-range e place)]) (and range (leaves-out? range)))))))
 
 ;; The box in two, where it is widest, as seen from afar; #f if it is a point.
 (define (halved box)
