@@ -894,3 +894,7 @@
  "(for/fold ([w (work 0 0 0 0 coded?)])"
  "(for/fold ([w (work 0 0 1 0 coded?)])"
  "an estimate of work: it tells which of two ways is taken, not what comes out" limit)
+("constraint/constrained-code.rkt"
+ "(define-values (positions velocities) (positions-and-velocities who cs state))"
+ "(define-values (positions velocities) (positions-and-velocities cs cs state))"
+ "the name is for complaints of values that have been looked at before, at this very state")
