@@ -120,3 +120,11 @@
                  "(particle-velocities pendulum) (static-equilibrium pendulum weight) "
                  "(d-Alembert-equations m pendulum weight) "
                  "((d-Alembert-equations m pendulum weight) q) (potential->force <function>))")))
+
+(test-case "0 is no force, on all particles or on one"
+  (define plane (up 't (up 'x 'y) (up 'v_x 'v_y)))
+  (define (two t q) (up q (* 2 q)))
+  (define ((force value) t r v) value)
+  (check-equal? ((generalized-force two (force 0)) plane) (down 0 0))
+  (check-equal? ((generalized-force two (force (up 0 (up 'X 'Y)))) plane)
+                (down (* 2 'X) (* 2 'Y))))

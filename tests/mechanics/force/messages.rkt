@@ -66,6 +66,9 @@
   "particle-velocities: positions are a function of the time and the coordinates, (r t q); "
   "given a function without a name\n"
   "  it takes 3 arguments"]
+ [(kinetic-energy '(m_1 m_2) (up plane of-local))
+  "kinetic-energy: positions are a function of the time and the coordinates, (r t q); "
+  "given (up plane of-local), an up tuple of 2"]
  [(generalized-force (up 'x 'y) (force 0))
   "generalized-force: positions are a function of the time and the coordinates, (r t q); "
   "given (up x y), an up tuple of 2"]

@@ -898,3 +898,7 @@
  "(define-values (positions velocities) (positions-and-velocities who cs state))"
  "(define-values (positions velocities) (positions-and-velocities cs cs state))"
  "the name is for complaints of values that have been looked at before, at this very state")
+("compile/flonum-coefficients.rkt"
+ "(define (moderate? c) (<= 1e-60 (abs c) 1e60))"
+ "(define (moderate? c) (< 1e-60 (abs c) 1e60))"
+ "up to which size a coefficient is combined with others: the values are the same" limit)
