@@ -52,7 +52,8 @@
                  "a transformation is asked about at a state: (verify-symplectic C state)"))
      (decimals-as-written
       (prove-zero (matrix-residual 'verify-symplectic M)
-                  #:again (lambda (change) (verify-symplectic (change M)))))]
+                  #:again (lambda (change) (verify-symplectic (change M))))
+      (lambda () M))]
     [(C state) (verify-brackets 'verify-symplectic C state symplectic-transform? #f)]))
 
 ;; clock? : does the residual judge the rate of the old time as well?
@@ -85,7 +86,8 @@
   (define v
     (decimals-as-written
      (prove-zero residual #:variables (scalars state) #:surveys (list survey)
-                 #:domain domain #:meaning meaning #:again again #:about subject)))
+                 #:domain domain #:meaning meaning #:again again #:about subject)
+     (lambda () ((car about) state))))
   (define exponents (if (refuted? v) (remark-on-exponents v residual state meaning) '()))
   (for/fold ([v v]) ([text (in-list (append (remarks v) exponents))]) (with-remark v text)))
 

@@ -52,7 +52,8 @@
                #:about (motion-claim H q p F #f #f)
                #:again (lambda (change)
                          (verify-Hamiltonian-solution (change H) (change q) (change p)
-                                                      #:force (and F (change F)))))))
+                                                      #:force (and F (change F)))))
+   (lambda () (states 't))))
 
 ;; ---------------------------------------------------------------------------
 ;; Conserved quantities
@@ -75,7 +76,8 @@
                         #:about (conserved-claim H Q state F #t)
                         #:again (lambda (change)
                                   (conserved-by-Hamiltonian who (change H) (change Q) state
-                                                            (and F (change F)))))))
+                                                            (and F (change F)))))
+   (lambda () (Q state))))
 
 ;; state ↦ Q̇
 (define (rate-by-Hamiltonian who H Q F)

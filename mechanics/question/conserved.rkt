@@ -73,7 +73,8 @@
                  #:about (conserved-claim L Q state outside #f)
                  #:again (lambda (change)
                            (verify-conserved (change L) (change Q) local
-                                             #:force (and force (change force)))))))
+                                             #:force (and force (change force)))))
+     (lambda () (Q state))))
   ;; a mass matrix without an inverse is refused: the state may be that of no motion
   (when (refuted? v)
     (call-with-quantity-last 'verify-conserved L Q state

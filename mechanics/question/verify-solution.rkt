@@ -46,7 +46,8 @@
                 (verify-solution (change L) (change q) (if-any dissipation)
                                  #:force (if-any force) #:order n
                                  #:constraints (if-any constraints)
-                                 #:multipliers (if-any multipliers)))))))
+                                 #:multipliers (if-any multipliers))))
+     (lambda () (q 't)))))
 
 (define (check-constrained n constraints)
   (unless constraints

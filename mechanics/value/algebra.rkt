@@ -28,7 +28,8 @@
  ["../algebra/zero/common-domain.rkt" somewhere-real? part-without-value unexpected-domain]
  ["../algebra/zero/decimal-readings.rkt" too-many-to-read? reading-decimal
                                          reading-expression readings-as-written
-                                         with-decimals-read]
+                                         read-decimals decimals-of with-decimals-read]
+ ["../algebra/zero/flonum-independence.rkt" with-unknown-flonums mentions-unknown?]
  ["../algebra/zero/existence.rkt" domain-expressions]
  ["../algebra/zero/kink.rkt" find-kinks kink-sort kink-expression kink-equations
                              kink-solved? kink-family?]
@@ -40,4 +41,4 @@
   zero-test-bound zero-test-points zero-test-reason zero-test-decimals
   zero-test-factor zero-test-core
   zero-test-conditions zero-test-ways zero-test-left-unexpanded
-  zero-test-grounds zero-test-assumptions zero-test-as-read])
+  zero-test-grounds zero-test-assumptions zero-test-as-read zero-test-in-doubt])

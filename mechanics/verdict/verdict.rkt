@@ -12,7 +12,7 @@
 
 (provide make-verdict verdict? kinks->text
          ;; for those who ask again
-         verdict-question verdict-given with-remark with-readings
+         verdict-question verdict-given with-remark with-readings with-doubt
          ;; for certificates
          verdict-claim verdict-tests verdict-formatted
          (struct-out claim) (struct-out equality-claim) (struct-out motion-claim)
@@ -83,6 +83,13 @@
 (define (with-readings v readings)
   (struct-copy verdict v
                [tests (for/list ([z (in-list (verdict-tests v))]) (zero-test-as-read z readings))]))
+
+;; A proof that is none, for decimals may have been rounded
+(define (with-doubt v readings)
+  (struct-copy verdict v
+               [status 'undecided]
+               [tests (for/list ([z (in-list (verdict-tests v))])
+                        (zero-test-in-doubt z readings))]))
 
 ;; ---------------------------------------------------------------------------
 ;; Asking

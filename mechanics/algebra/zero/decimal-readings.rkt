@@ -22,7 +22,7 @@
          "../expression/flat-graph.rkt"
          "../expression/operation.rkt" "../expression/pi.rkt" "../expression/substitute.rkt")
 
-(provide read-decimal decimals-in read-decimals readings-as-written too-many-to-read?
+(provide read-decimal decimals-in decimals-of read-decimals readings-as-written too-many-to-read?
          with-decimals-read all-different? (struct-out reading))
 
 ;; Exact e, for the algebra.
@@ -37,6 +37,8 @@
 (define (decimals-in t)
   (remove-duplicates
    (for/list ([e (in-vector (tape-items t))] #:when (and (number? e) (not (exact? e)))) e)))
+
+(define (decimals-of e) (decimals-in (expression->plain-tape e)))
 
 ;; A reading of each; without expressions where there are too many.
 (define (read-decimals xs)
@@ -63,7 +65,7 @@
 ;; The flonums of an expression as they are written, with few digits; #f if one is not
 (define (readings-as-written e)
   (define readings
-    (for/list ([x (in-list (decimals-in (expression->plain-tape e)))])
+    (for/list ([x (in-list (decimals-of e))])
       (reading x (and (rational? x) (as-written x)))))
   (and (andmap reading-expression readings) readings))
 

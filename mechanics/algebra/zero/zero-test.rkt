@@ -35,7 +35,7 @@
          zero-test-bound zero-test-points zero-test-reason zero-test-decimals
          zero-test-factor zero-test-core
          zero-test-conditions zero-test-ways zero-test-left-unexpanded
-         zero-test-grounds zero-test-assumptions zero-test-as-read)
+         zero-test-grounds zero-test-assumptions zero-test-as-read zero-test-in-doubt)
 
 ;; status : 'proved, 'refuted or 'undecided
 ;; witness : #f or ((expression . number) ...)  value : the residual's there
@@ -71,6 +71,9 @@
 
 ;; The same proof, of the expression with these decimals
 (define (zero-test-as-read z readings) (struct-copy zero-test-result z [decimals readings]))
+;; A proof that is none, for decimals may have been rounded
+(define (zero-test-in-doubt z readings)
+  (struct-copy zero-test-result z [status 'undecided] [reason 'decimals] [decimals readings]))
 
 (define (make-form e A variables)
   (if (and (number? e) (not (rational? (magnitude e))))

@@ -41,6 +41,11 @@ read; otherwise the verdict is undecided. Products of numbers such as @racket[(*
 by Racket before the library sees them, so a number that is as small as rounding errors, like the
 sine of the decimal @racket[pi], is undecided. π itself is @racket[':pi].
 
+Where decimals stand in a path, a quantity or a transformation, a proof about it may owe all to
+rounding: the decimal @racket[(sqrt 9.8)] has a square that happens to be @racket[9.8]. So the
+question is asked for again with a symbol for each decimal; if that is no proof, with the decimals
+read as above, which is told; and if that is none, the verdict is undecided.
+
 @examples[#:eval session
 (verify-equal (sin (+ 'a 'b))
               (+ (* (sin 'a) (cos 'b)) (* (cos 'a) (sin 'b))))

@@ -97,7 +97,8 @@
   (define-values (whole cut) (values (make-string 90 #\w) (make-string 91 #\c)))
   (apply program "long.rkt"
          (for/list ([name (list whole cut)] [k '(7 8)])
-           (format "(define ~a (verify-equal (* ~a 'x) (+ (* ~a 'x) 'x)))\n~a" name k (- k 1) name)))
+           (format "(define ~a (verify-equal (* ~a 'x) (+ (* ~a 'x) 'x)))\n~a"
+                   name k (- k 1) name)))
   (define told (cadr (answer "long.rkt" "--write")))
   (check-true (string-contains? told (string-append whole "\n")))
   (check-true (string-contains? told (format "\n~a...\n" (make-string 87 #\c)))))

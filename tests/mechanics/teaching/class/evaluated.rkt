@@ -12,7 +12,8 @@
 
 (define (evaluated seconds text)
   (define out (open-output-string))
-  (evaluate-request (open-input-string (format "~s" (request seconds 512 exercises text #f))) out #f)
+  (define asked (format "~s" (request seconds 512 exercises text #f)))
+  (evaluate-request (open-input-string asked) out #f)
   (collected-from (get-output-string out) 'done))
 
 (test-case "answers have the names of their exercises"

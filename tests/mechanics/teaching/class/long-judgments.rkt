@@ -13,7 +13,8 @@
   (make-worksheet
    "Slow" #f "slow"
    (list (make-exercise 'first 'expects "?"
-                        (list (list 'expects (lambda (x) (if (m:= x 'slow) (let loop () (loop)) #t)))))
+                        (list (list 'expects
+                                    (lambda (x) (if (m:= x 'slow) (let loop () (loop)) #t)))))
          (make-exercise 'second 'expression "?" '((key k)))
          (make-exercise 'third 'expression "?" '((key l))))))
 
