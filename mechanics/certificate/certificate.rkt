@@ -5,9 +5,10 @@
          "bracket-theorem.rkt" "conserved-theorem.rkt" "Coq-names.rkt" "Coq-term.rkt"
          "gauge-theorem.rkt" "identity-theorem.rkt" "motion-theorem.rkt"
          "proof-tactics.rkt" "theorem-text.rkt"
-         "../algebra/expression/expression.rkt"
+         "../algebra/expression/expression.rkt" "../algebra/expression/substitute.rkt"
          "../error/complain.rkt"
-         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/output-file.rkt"
+         "../generic/define-plain.rkt" "../generic/describe.rkt" "../generic/irrational.rkt"
+         "../generic/output-file.rkt"
          "../generic/own-thread.rkt" "../generic/value-struct.rkt"
          "../generic/wrong-argument.rkt"
          "../value/algebra.rkt"
@@ -143,6 +144,8 @@
    1
    (words (cond [(andmap (lambda (q) (equal? (car q) (cdr q))) equations)
                  "both sides are one and the same expression"]
+                [(andmap (lambda (q) (eqv? 0 (formed-anew (car q)))) equations)
+                 "an expression, less one and the same expression, is zero"]
                 [(equality-claim? (claim-subject c)) "both sides are equal"]
                 [(null? (cdr (verdict-tests v))) "the residual is zero"]
                 [else (format "the ~a components of the residual are zero"
@@ -151,6 +154,10 @@
           (string-append "the derivatives are ours" (readings-in-words (verdict-readings v))))
    (theorem-file th #f (readings-note (verdict-readings v)))
    gap))
+
+;; A difference that was not formed yet, as of decimals, which have been read since, is formed.
+(define (formed-anew e)
+  (node-fold e values (lambda (n args) (rebuild (node-head n) args))))
 
 ;; all : ((decimal expression) ...); write : expression -> string
 (define (readings-text all before write)
@@ -166,6 +173,9 @@
   (readings-text all "Decimals are read as exact numbers:" constant-text))
 (define (constant-text e) (term e (make-names '())))
 
+;; Exact roots, numbers of ours, as expressions
+(define (sides x) (map irrational-as-expression (leaves x)))
+
 ;; -> ((left . right) ...), expressions: the sides of an equality, or residuals and 0
 (define (equations-of v)
   (define c (verdict-claim v))
@@ -175,8 +185,8 @@
       (if (expression? e) (with-decimals-read e (zero-test-decimals z)) e)))
   (define-values (lefts rights)
     (if (equality-claim? (claim-subject c))
-        (values (exact (leaves (equality-claim-left (claim-subject c))))
-                (exact (leaves (equality-claim-right (claim-subject c)))))
+        (values (exact (sides (equality-claim-left (claim-subject c))))
+                (exact (sides (equality-claim-right (claim-subject c)))))
         (values '() '())))
   (define residuals (exact (leaves (claim-value c))))
   (if (and (= (length tests) (length lefts) (length rights))

@@ -29,7 +29,7 @@
   (define proved (filter (lambda (s) (proved? (shown-verdict-verdict s))) all))
   (define coqc (and (not (option "--write")) (find-Coq)))
   (when problem (eprintf "certify: ~a did not run to its end:\n~a\n" file problem))
-  (define good (certify-all proved folder (identifier-of path) coqc))
+  (define good (certify-all all folder (identifier-of path) coqc))
   (print-sum (map shown-verdict-verdict all) good coqc (option "--write"))
   (if (or problem (not (= good (length proved)))) 1 0))
 
@@ -40,22 +40,35 @@
   (if (regexp-match? #px"^[A-Za-z]" plain) plain (string-append "p" plain)))
 
 ;; -> how many certificates are written, and accepted where there is Coq
-(define (certify-all proved folder name coqc)
-  (when (pair? proved) (make-directory* folder))
+(define (certify-all all folder name coqc)
+  (define statuses (map (lambda (s) (verdict-status (shown-verdict-verdict s))) all))
+  (when (memq 'proved statuses) (make-directory* folder))
   (remove-old folder name)
-  (for/sum ([s (in-list proved)] [k (in-naturals 1)])
+  (for/fold ([k 1] [good 0] #:result good) ([s (in-list all)] [status (in-list statuses)])
     (printf "~a\n" (brief (shown-verdict-form s)))
     (flush-output)
-    ;; what fails with one verdict leaves the others theirs
-    (define c
-      (with-handlers ([exn:fail? (lambda (e) (first-line (exn-message e)))])
-        (certificate-in-time (shown-verdict-verdict s))))
-    (cond [(string? c) (printf "    no certificate yet: ~a\n" c) 0]
-          [else
+    (cond [(eq? status 'proved)
            (define file (build-path folder (format "~a_~a.v" name k)))
-           (write-certificate c file)
-           (printf "    ~a: ~a\n" (short-path file) c)
-           (if (or (not coqc) (accepted? coqc c file)) 1 0)])))
+           (values (+ k 1) (+ good (if (certified? (shown-verdict-verdict s) file coqc) 1 0)))]
+          [else
+           (printf "    ~a\n" status)
+           (values k good)])))
+
+;; What fails with one verdict leaves the others theirs.
+(define (certified? v file coqc)
+  (define c
+    (with-handlers ([exn:fail? (lambda (e) (first-line (exn-message e)))])
+      (certificate-in-time v)))
+  (cond [(string? c)
+         (printf "    no certificate yet: ~a\n" c)
+         #f]
+        [else
+         (when (file-exists? file)
+           (complain who "there is a file of that name, which is no certificate\n  given: ~a"
+                     (short-path file)))
+         (write-certificate c file)
+         (printf "    ~a: ~a\n" (short-path file) c)
+         (or (not coqc) (accepted? coqc c file))]))
 
 ;; Certificates that a run before wrote of a program of that name: some of its verdicts may be no
 ;; more.

@@ -404,6 +404,12 @@
   (check-equal? (format "~a" (certificate (verify-equal (+ 'a 'b) (+ 'b 'a))))
                 (string-append "a theorem for Coq to check: both sides are one and the same "
                                "expression; the derivatives are ours"))
+  (check-regexp-match #rx": both sides are one and the same expression"
+                      (format "~a" (certificate (verify-equal (sqrt (+ 3 (* 2 (sqrt 2))))
+                                                              (+ 1 (sqrt 2))))))
+  (check-regexp-match #rx": an expression, less one and the same expression, is zero"
+                      (format "~a" (certificate (prove-zero (- (* (sqrt 2.0) 'x)
+                                                               (* (sqrt 2) 'x))))))
   (check-regexp-match #rx"both sides are equal;"
                       (format "~a" (certificate
                                     (verify-equal (up 'a (+ 'x 'x)) (up 'a (* 2 'x)))))))

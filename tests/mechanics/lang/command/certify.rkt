@@ -39,6 +39,7 @@
           "    two-springs-certificates/two_springs_1.v: "
           "a theorem for Coq to check: both sides are equal; "
           "the derivatives are ours\n"
+          "(verify-equal (quote x) (quote y))\n    refuted\n"
           "(verify-equal (* 2 (acosh (quote x))) (+ (acosh (quote x)) (acosh (quote x))))\n"
           "    no certificate yet: Coq's library has no acosh\n"
           "3 verdicts shown, 2 proved, 1 with a certificate, 1 refuted\n"
@@ -92,6 +93,16 @@
   (check-regexp-match #rx"^.displayln sum.\n" (cadr told))
   (check-regexp-match #rx"6 verdicts shown, 5 proved, 5 with a certificate, 1 refuted\n$"
                       (cadr told)))
+
+(test-case "a file that is no certificate stays"
+  (program "kept.rkt" "(verify-equal (* 2 'x) (+ 'x 'x))")
+  (make-directory (build-path folder "notes"))
+  (display-to-file "my notes" (build-path folder "notes" "kept_1.v"))
+  (define told (answer "kept.rkt" "--write" "-o" "notes"))
+  (check-equal? (car told) 2)
+  (check-regexp-match #rx"a file of that name, which is no certificate\n  given: notes/kept_1.v"
+                      (cadr told))
+  (check-equal? (file->string (build-path folder "notes" "kept_1.v")) "my notes"))
 
 (test-case "a form is told in up to 90 letters"
   (define-values (whole cut) (values (make-string 90 #\w) (make-string 91 #\c)))
