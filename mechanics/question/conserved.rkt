@@ -66,8 +66,7 @@
     (decimals-as-written
      (prove-zero change #:variables (scalars local) #:domain domain
                  #:surveys (list (survey-of-values (Q state)) survey) #:resting-on conditions
-                 #:remarks (lambda () (append (remarks-on-quantity Q state)
-                                              (remarks-on-kind L Q)
+                 #:remarks (lambda () (append (remarks-on-quantity Q state) (remarks-on-kind L Q)
                                               (remarks-on-order L Q state)))
                  #:meaning (lambda () (meaning-of-quantity L Q state force))
                  #:about (conserved-claim L Q state outside #f)
