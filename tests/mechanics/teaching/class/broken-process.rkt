@@ -9,7 +9,7 @@
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
          mechanics/teaching/worksheet/make-worksheet
-         "../../support/checks.rkt")
+         "../../support/checks.rkt" "../../support/evaluated-here.rkt")
 
 (define w
   (make-worksheet "Broken" #f "broken"
