@@ -10,8 +10,10 @@
 ;; flonums.  So a proof about decimals is asked for again with a symbol for each.  If that is
 ;; none, they are read, and what leads to no proof then is none.
 
-(require (only-in racket/list remove-duplicates)
+(require racket/flonum
+         (only-in racket/list remove-duplicates)
          "changed-values.rkt"
+         "../algebra/expression/expression.rkt"
          "../generic/describe.rkt" "../generic/irrational.rkt" "../generic/scalar.rkt"
          "../value/algebra.rkt" "../value/shape.rkt"
          "../verdict/verdict.rkt")
@@ -32,7 +34,7 @@
         [else v]))
 
 (define (decimal? x)
-  (and (scalar? x) (pair? (decimals-of (irrational-as-expression x)))))
+  (and (scalar? x) (some-leaf? flonum? (irrational-as-expression x))))
 
 ;; -> the verdict, or #f if it has no answer
 (define (ask v change)
