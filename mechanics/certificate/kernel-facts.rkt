@@ -15,7 +15,7 @@
          "../algebra/expression/substitute.rkt"
          (only-in "../algebra/assumption/assumption-set.rkt" with-automatic-assumptions)
          "../algebra/rewriting/factor.rkt"
-         "../algebra/simplify/simplify-expression.rkt")
+         "../algebra/simplify/known-sign.rkt" "../algebra/simplify/simplify-expression.rkt")
 
 (provide kernel-facts)
 
@@ -137,7 +137,7 @@
             name (term a ns) (term (e:negate a) ns)))
   (cond [(memq head (list op:sin op:cos)) (set-collector-angles! c (cons n (collector-angles c)))]
         [(eq? head op:exp) (set-collector-exponents! c (cons n (collector-exponents c)))]
-        [(angle-of-point? n) (visit-all! c (make-node op:sqrt (list (square-of-distance n))))]
+        [(angle-of-point? n) (plan-angle-of-point! c n a (cadr (node-args n)))]
         [(eq? head op:tan) (plan! c n (e:/ (of op:sin a) (of op:cos a)) "reflexivity.")]
         [(eq? head op:sinh) (plan! c n (half op:-) (by-exponentials "sinh"))]
         [(eq? head op:cosh) (plan! c n (half op:+) (by-exponentials "cosh"))]
@@ -151,8 +151,9 @@
 ;; The expression that stands for e where all that is known so far is used.
 (define (resolved c e)
   (let walk ([e e])
-    (cond [(or (not (node? e)) (angle-of-point? e)) e]
+    (cond [(not (node? e)) e]
           [(hash-ref (collector-plans c) e #f) => (lambda (plan) (walk (car plan)))]
+          [(angle-of-point? e) e]
           [else (rebuild (node-head e) (map walk (node-args e)))])))
 
 ;; ---------------------------------------------------------------------------
@@ -207,6 +208,13 @@
 (define sign-of-divisor
   (string-append "first [lra | apply Rnot_lt_le; let N := fresh in intro N; "
                  "apply Rinv_lt_0_compat in N; unfold Rdiv in *; lra]."))
+
+;; The angle of (x, y) is atan y/x where x is known to be positive.
+(define (plan-angle-of-point! c n y x)
+  (if (eqv? 1 (known-sign x (collector-assumptions c)))
+      (plan! c n (make-node op:atan (list (e:/ y x)))
+             "unfold atan2; destruct Rlt_dec; [reflexivity | lra].")
+      (visit-all! c (make-node op:sqrt (list (square-of-distance n))))))
 
 ;; log u as a sum, where u is a power of e, or a product of what is positive
 (define (plan-logarithm! c n u)

@@ -414,6 +414,11 @@
                       (format "~a" (certificate
                                     (verify-equal (up 'a (+ 'x 'x)) (up 'a (* 2 'x)))))))
 
+(test-case "the angle of a point on the right is an arc tangent of one argument"
+  (define v (assuming ('(> x 0)) (verify-equal (atan 'y 'x) (atan (/ 'y 'x)))))
+  (check-regexp-match #rx"atan2 y x = atan [(]y / x[)]" (certificate-text (certificate v)))
+  (check-regexp-match #rx"unfold atan2; destruct Rlt_dec" (certificate-text (certificate v))))
+
 (test-case "the angle of a point is defined where a line ends after its name, too"
   (for ([n '(1 95)])
     (define y (string->symbol (make-string n #\y)))
