@@ -10,8 +10,7 @@
 ;; flonums.  So a proof about decimals is asked for again with a symbol for each.  If that is
 ;; none, they are read, and what leads to no proof then is none.
 
-(require racket/flonum
-         (only-in racket/list remove-duplicates)
+(require (only-in racket/list remove-duplicates)
          "changed-values.rkt"
          "../algebra/expression/expression.rkt"
          "../generic/describe.rkt" "../generic/irrational.rkt" "../generic/scalar.rkt"

@@ -645,10 +645,6 @@
  "#:when (and (node-jump? n) (> (abs (- after before)) (* 1e-6 size))))"
  "#:when (and (node-jump? n) (>= (abs (- after before)) (* 1e-6 size))))"
  "from which size on, exactly, a jump is one" limit)
-("geometry/relativity/four-tuple.rkt"
- "(when (and (real? length^2) (> (abs (- length^2 1)) 1e-12))"
- "(when (and (real? length^2) (>= (abs (- length^2 1)) 1e-12))"
- "how far from 1, exactly, the square of a unit vector may be" limit)
 ("algebra/simplify/normalize.rkt"
  "(retry (+ 1 (* 2 degree))))))"
  "(retry (- 1 (* 2 degree))))))"
@@ -761,14 +757,6 @@
  "(let loop ([parts '()] [size 0] [start start] [now start])"
  "(let loop ([parts '()] [size 1] [start start] [now start])"
  "one byte less of what may be written" limit)
-("teaching/class/collect-answers.rkt"
- "[(> cost (if (null? parts) longest-start seconds)) (ended 'late)]"
- "[(>= cost (if (null? parts) longest-start seconds)) (ended 'late)]"
- "a measured cost is the limit itself by chance alone" limit)
-("teaching/class/collect-answers.rkt"
- "(let loop ([parts '()] [size 0] [start start] [now start])"
- "(let loop ([parts '()] [size 1] [start start] [now start])"
- "one byte fewer of 250,000 that a program may write" limit)
 ("teaching/class/within-limits.rkt"
  "(define first-event (sync/timeout pulse worker full))"
  "(define first-event (sync/timeout pulse full full))"
@@ -857,11 +845,6 @@
  "(term d ns 2) (term e ns))"
  "(term d ns 3) (term e ns))"
  "a product that is a divisor stands in parentheses within a proof" layout)
- "a custodian's box is an event when it is emptied, whatever was in it")
-("show/display/formula-drawing.rkt"
- "(define p (inset (formula->pict f (* larger letter-size)) 0 margin))"
- "(define p (inset (formula->pict f (* larger letter-size)) 1 margin))"
- "a point of white beside a formula in an editor" layout)
 ("show/plot/window.rkt"
  "(define (loaded?) #t)"
  "(define (loaded?) #f)"
