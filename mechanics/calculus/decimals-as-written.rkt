@@ -13,6 +13,7 @@
 (require (only-in racket/list remove-duplicates)
          "changed-values.rkt"
          "../algebra/expression/expression.rkt"
+         "../error/refusal.rkt"
          "../generic/describe.rkt" "../generic/irrational.rkt" "../generic/scalar.rkt"
          "../value/algebra.rkt" "../value/shape.rkt"
          "../verdict/verdict.rkt")
@@ -37,7 +38,7 @@
 
 ;; -> the verdict, or #f if it has no answer
 (define (ask v change)
-  (with-handlers ([(lambda (x) (or (eq? x 'long-decimal) (exn:fail? x))) (lambda (x) #f)])
+  (with-handlers ([(lambda (x) (or (eq? x 'long-decimal) (refusal? x))) (lambda (x) #f)])
     (parameterize ([asked-again? #t])
       ((verdict-question v) (lambda (x) (change-values x change value->datum #:at-symbols? #t))))))
 

@@ -54,7 +54,7 @@
            (printf "    ~a\n" status)
            (values k good)])))
 
-;; What fails with one verdict leaves the others theirs.
+;; A failure with one verdict leaves the others their certificates.
 (define (certified? v file coqc)
   (define c
     (with-handlers ([exn:fail? (lambda (e) (first-line (exn-message e)))])
