@@ -144,7 +144,7 @@
 (define (angle-of-arcs e A)
   (define arcs (functions-in e arc-heads))
   (define s (and (pair? arcs) (sum-of e arcs A)))
-  (cond [(and s (within-one-turn? s A))
+  (cond [(and s (or (difference-of-angles? s) (within-one-turn? s A)))
          (define R (whole-sum-rest s))
          (define turned (complex (e:cos R) (e:sin R)))
          (define Z (product-over s arc-point turned complex* conjugated))
@@ -166,6 +166,12 @@
         [(eq? (node-head n) op:atan) (complex 1 u)]
         [(eq? (node-head n) op:asin) (complex (other) u)]
         [else (complex u (other))]))
+
+;; Angles of points are above −π and at most π: two of them differ by less than a turn.
+(define (difference-of-angles? s)
+  (and (equal? (sort (whole-sum-multiples s) <) '(-1 1))
+       (andmap (lambda (f) (pair? (cdr (node-args f)))) (whole-sum-functions s))
+       (eqv? 0 (whole-sum-rest s))))
 
 (define (within-one-turn? s A)
   (define bounds (bounds-around (assumptions-relations A)))

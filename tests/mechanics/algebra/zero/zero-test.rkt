@@ -29,6 +29,16 @@
     (check-equal? (zero-test-residual v) 0))
   (check-equal? (status '(- (* 4 (atan 1/5)) (atan 1/240) (* 1/4 :pi))) 'refuted))
 
+;; At y = 0, x < 0 the sum of the last is 2π; with a negative factor a difference is π.
+(test-case "angles of points that are alike but for a length are one"
+  (define (of y x) (status `(- (atan ,y ,x) (atan y x))))
+  (check-equal? (of '(* 2 y) '(* 2 x)) 'proved)
+  (check-equal? (of '(* (exp u) y) '(* x (exp u))) 'proved)
+  (check-equal? (of '(* r r y) '(* r r x)) 'proved)
+  (check-equal? (of '(* x y) '(* x x)) 'refuted)
+  (check-equal? (of '(* -2 y) '(* -2 x)) 'refuted)
+  (check-false (eq? 'proved (status '(+ (atan y x) (atan (* -1 y) x))))))
+
 (test-case "inverses of hyperbolic functions are logarithms"
   (define (proved? d relations)
     (eq? 'proved (zero-test-status
