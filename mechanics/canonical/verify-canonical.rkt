@@ -10,7 +10,7 @@
          "canonical.rkt" "required-exponents.rkt" "symplectic-transformation.rkt"
          "transformation.rkt"
          "../algebra/expression/expression.rkt" "../algebra/expression/symbols.rkt"
-         "../calculus/decimals-as-written.rkt" "../calculus/derivative.rkt"
+         "../calculus/derivative.rkt" "../calculus/verdict-with-decimals.rkt"
          "../error/complain.rkt" "../error/message-words.rkt"
          "../generic/arithmetic.rkt" "../generic/describe.rkt" "../generic/up-down.rkt"
          "../hamiltonian/H-state.rkt" "../hamiltonian/Hamiltonian.rkt"
@@ -50,7 +50,7 @@
      (when (and (procedure? M) (not (matrix? M)))
        (complain 'verify-symplectic
                  "a transformation is asked about at a state: (verify-symplectic C state)"))
-     (decimals-as-written
+     (verdict-with-decimals
       (prove-zero (matrix-residual 'verify-symplectic M)
                   #:again (lambda (change) (verify-symplectic (change M))))
       (lambda () M))]
@@ -84,7 +84,7 @@
     (survey-derivatives find-residual (scalars state) #:domain domain #:functions domain))
   (define (meaning) (meaning-of about state))
   (define v
-    (decimals-as-written
+    (verdict-with-decimals
      (prove-zero residual #:variables (scalars state) #:surveys (list survey)
                  #:domain domain #:meaning meaning #:again again #:about subject)
      (lambda () ((car about) state))))

@@ -4,8 +4,8 @@
 ;; outside H.
 
 (require "argument-order.rkt" "kink-survey.rkt" "question-meaning.rkt" "question-remarks.rkt"
+         "../calculus/verdict-with-decimals.rkt"
          "../generic/define-plain.rkt" "../generic/function-check.rkt"
-         "../calculus/decimals-as-written.rkt"
          "../hamiltonian/H-state.rkt"
          "../hamiltonian/Hamilton-equations.rkt" "../hamiltonian/Hamiltonian.rkt"
          "../hamiltonian/Poisson-bracket.rkt"
@@ -42,7 +42,7 @@
   (define states (states-along 'verify-Hamiltonian-solution q p))
   (define residual ((Hamilton-equations H #:force F) q p))
   (define domain (domain-of-states H states F))
-  (decimals-as-written
+  (verdict-with-decimals
    (prove-zero residual
                #:motion-domain domain
                #:remarks (lambda () (remarks-on-states H states))
@@ -65,7 +65,7 @@
   (check-H-state who state)
   (check-symbols who state "state")
   (for ([f (in-list (list H Q F))] #:when (procedure? f)) (check-parameters who f state "state"))
-  (decimals-as-written
+  (verdict-with-decimals
    (prove-residual-zero (lambda () ((rate-by-Hamiltonian who H Q F) state)) (scalars state)
                         #:beside (list (survey-of-values (Q state)))
                         #:domain (lambda () (values-at (list H Q F) state))

@@ -19,7 +19,7 @@
          "question-meaning.rkt"
          "../algebra/expression/expression.rkt"
          "../algebra/zero/vanishing.rkt"
-         "../calculus/decimals-as-written.rkt" "../calculus/derivative.rkt"
+         "../calculus/derivative.rkt" "../calculus/verdict-with-decimals.rkt"
          "../error/complain.rkt"
          "../generic/arithmetic.rkt" "../generic/function-check.rkt"
          "../generic/function.rkt" "../generic/printed-function.rkt" "../generic/scalar.rkt"
@@ -63,7 +63,7 @@
     (survey-derivatives (lambda () (find-rate state)) (scalars state)
                         #:domain within #:functions domain))
   (define v
-    (decimals-as-written
+    (verdict-with-decimals
      (prove-zero change #:variables (scalars local) #:domain domain
                  #:surveys (list (survey-of-values (Q state)) survey) #:resting-on conditions
                  #:remarks (lambda () (append (remarks-on-quantity Q state) (remarks-on-kind L Q)

@@ -2,7 +2,7 @@
 ;; Does a proposed path solve Lagrange's equations, with constraints or without?
 
 (require "kink-survey.rkt" "question-meaning.rkt" "question-remarks.rkt"
-         "../calculus/decimals-as-written.rkt"
+         "../calculus/verdict-with-decimals.rkt"
          "../error/complain.rkt"
          "../generic/define-plain.rkt" "../generic/on-demand.rkt"
          "../hamiltonian/as-Lagrangian.rkt"
@@ -33,7 +33,7 @@
              ((constrained-Lagrange-equations L constraints #:force outside) q multipliers)]
             [constraints ((eliminate-multipliers L constraints #:force outside) q)]
             [else ((Lagrange-equations L #:force outside #:order n) q)]))
-    (decimals-as-written
+    (verdict-with-decimals
      (prove-zero
       residual
       #:motion-domain (domain-of-solution L q n outside)

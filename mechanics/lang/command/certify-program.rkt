@@ -49,13 +49,14 @@
     (flush-output)
     (cond [(eq? status 'proved)
            (define file (build-path folder (format "~a_~a.v" name k)))
-           (values (+ k 1) (+ good (if (certified? (shown-verdict-verdict s) file coqc) 1 0)))]
+           (values (+ k 1) (+ good (if (certify (shown-verdict-verdict s) file coqc) 1 0)))]
           [else
            (printf "    ~a\n" status)
            (values k good)])))
 
 ;; A failure with one verdict leaves the others their certificates.
-(define (certified? v file coqc)
+;; -> is it written, and accepted where there is Coq?
+(define (certify v file coqc)
   (define c
     (with-handlers ([exn:fail? (lambda (e) (first-line (exn-message e)))])
       (certificate-in-time v)))
@@ -68,7 +69,7 @@
                      (short-path file)))
          (write-certificate c file)
          (printf "    ~a: ~a\n" (short-path file) c)
-         (or (not coqc) (accepted? coqc c file))]))
+         (or (not coqc) (check-and-tell coqc c file))]))
 
 ;; Certificates that a run before wrote of a program of that name: some of its verdicts may be no
 ;; more.
@@ -82,7 +83,8 @@
 
 (define (first-line text) (car (string-split text "\n" #:trim? #f)))
 
-(define (accepted? coqc c file)
+;; -> does Coq accept it?
+(define (check-and-tell coqc c file)
   (define j (check-by-Coq coqc (certificate-text c)))
   (define seconds (/ (round (* 10 (judgement-seconds j))) 10.0))
   (if (judgement-accepted? j)

@@ -18,13 +18,13 @@
          "../value/algebra.rkt" "../value/shape.rkt"
          "../verdict/verdict.rkt")
 
-(provide decimals-as-written)
+(provide verdict-with-decimals)
 
 ;; Is it a question within a question?
 (define asked-again? (make-parameter #f))
 
 ;; matter : -> values that are asked about, at symbols
-(define (decimals-as-written v matter)
+(define (verdict-with-decimals v matter)
   (cond [(asked-again?) v]
         [(eq? (verdict-reason v) 'decimals) (or (proof-as-written v) v)]
         [(and (proved? v)
