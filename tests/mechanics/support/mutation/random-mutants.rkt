@@ -67,14 +67,14 @@
   (and place (car (list-ref rooms place))))
 
 ;; ---------------------------------------------------------------------------
-;; Tests of a file: those that loaded it, its room's first, then those of the rooms beside, the
-;; shortest first among each
+;; Tests of a file: those that noticed another mutant of it, then those that loaded it, its room's
+;; first, then those of the rooms beside, the shortest first among each
 
 (define most-seconds 15)
 
 ;; A file that is loaded only by programs that tests start, as those of windows are, is tried with
 ;; the tests of its room. -> list of (test seconds)
-(define (tests-of file room entries)
+(define (tests-of file room entries noticing)
   (define source (string->symbol (string-append "mechanics/" file)))
   (define own (string-append "tests/mechanics/" (string-trim room "/" #:left? #f) "/"))
   (define beside (string-append "tests/mechanics/" (car (string-split room "/")) "/"))
@@ -89,7 +89,9 @@
           < #:key (lambda (t) (distance (car t)))))
   (define new (filter (lambda (t) (not (hash-has-key? entries (string->symbol (car t)))))
                       (tests-in own)))
-  (append new (within-seconds in-order)))
+  (define (noticed-another? test) (and (member (car test) noticing) #t))
+  (define-values (first-tried others) (partition noticed-another? in-order))
+  (append new (within-seconds (append (sort first-tried < #:key cadr) others))))
 
 ;; The first tests that fit into the time
 (define (within-seconds tests)
@@ -192,6 +194,7 @@
 ;; -> (room verdict) for each, several at once
 (define (judge all jobs before)
   (define entries (record-entries (read-record)))
+  (for ([found (in-hash-values before)]) (note-noticing! (car found) (cddr found)))
   (define to-do (make-channel))
   (define done (make-channel))
   (for ([_ (in-range jobs)])
@@ -214,9 +217,17 @@
         [(hash-ref before (mutant-key m) #f) => cddr]
         [else
          (define file (mutant-file m))
-         (define verdict (try file (mutant-change m) (tests-of file (mutant-room m) entries)))
+         (define tests (tests-of file (mutant-room m) entries (hash-ref noticing file '())))
+         (define verdict (try file (mutant-change m) tests))
          (remember! m verdict)
+         (note-noticing! file verdict)
          verdict]))
+
+;; file -> tests that noticed a mutant of it
+(define noticing (make-hash))
+(define (note-noticing! file verdict)
+  (when (eq? (car verdict) 'killed)
+    (hash-update! noticing file (lambda (tests) (cons (cadr verdict) tests)) '())))
 
 (define (report-one m verdict)
   (define-values (file change) (values (mutant-file m) (mutant-change m)))
