@@ -14,6 +14,14 @@
     (define state (up 0 1.0 (sqrt (* 2 (- 1 below)))))
     (check-close (separation-actions s state) (action-of-orbit double-well state) 1e-8)))
 
+;; Steps end at other places before and behind the barrier.
+(test-case "wherever the coordinate starts"
+  (define s (separate-Hamilton-Jacobi double-well (up 't 'x 'p)))
+  (define (state-at x) (up 0 x (sqrt (* 2 (- 0.9999 (double-well (up 0 x 0)))))))
+  (define action (action-of-orbit double-well (state-at 1.0)))
+  (for ([x '(0.8 0.9 1.1 1.2 1.25 1.3)])
+    (check-close (separation-actions s (state-at x)) action 1e-8)))
+
 (test-case "a radius stays positive"
   (define (H s)
     (+ (* 1/2 (square (ref s 2 0))) (* 1/2 (square (/ (ref s 2 1) (ref s 1 0))))

@@ -381,6 +381,10 @@
  "[else (or (system-own s) (new-right-hand-side s))]))"
  "[else (and (system-own s) (new-right-hand-side s))]))"
  "an integration that does not keep what it computed of the start computes it again" limit)
+("rigid/Euler-angles.rkt"
+ "(when (and (real? s) (< (abs s) 1e-12)) (raise-at-pole who state)))"
+ "(when (and (real? s) (< (abs s) 2e-12)) (raise-at-pole who state)))"
+ "from how near on a state is told to be at the pole, in place of rates in the range of 1e12" limit)
 ("rigid/top.rkt"
  "(if (and (>= (f end) 0) (>= (f (* end (- 1 1e-9))) 0)) end (zero-between f slopeless end)))"
  "(if (and (>= (f end) 0) (>= (f (* end (- 1 2e-9))) 0)) end (zero-between f slopeless end)))"
