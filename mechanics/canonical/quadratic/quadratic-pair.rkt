@@ -62,5 +62,5 @@
   (define-values (f g)                  ; their product is the area
     (if (and (exact? area) (not (exact? root))) (values 1 area) (values root (/ area root))))
   (define sign (if (negative? (vector-ref grows 0)) -1 1))
-  (define (over v d) (for/vector #:length 2 ([x (in-vector v)]) (/ x (* sign d))))
+  (define (over v d) (for/vector ([x (in-vector v)]) (/ x (* sign d))))
   (saddle-block lambda (over grows f) (over decays g)))

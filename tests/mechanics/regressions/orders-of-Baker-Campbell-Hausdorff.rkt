@@ -60,3 +60,20 @@
   (check-equal? (verdict-status
                  (verify-equal ((series:ref (Baker-Campbell-Hausdorff f g) 3) s) (third s)))
                 'proved))
+
+;; What is kept of a function is its value at symbols: simplified under what is declared at the
+;; time, and none where it chooses by a number.
+(test-case "brackets follow what is declared of a constant"
+  (define (spring s) (* 1/2 (sqrt (square 'k)) (square (coordinate s))))
+  (define sum (Baker-Campbell-Hausdorff T spring))
+  (define (third) (simplify ((series:ref sum 3) (up 't 'q 'p))))
+  (define (third-of k) (simplify (* 1/12 k (+ (* k (square 'q)) (square 'p)))))
+  (check-equal? (assuming ['(> k 0)] (third)) (third-of 'k))
+  (check-equal? (assuming ['(< k 0)] (third)) (third-of (- 'k))))
+
+(test-case "and the branch of the state where they are asked"
+  (define (lame s) (if (< (coordinate s) 0) (V s) (* 4 (V s))))
+  (define sum (Baker-Campbell-Hausdorff T lame))
+  (define (third k q p) (/ (* k (+ (* k q q) (* p p))) 12))
+  (check-= ((series:ref sum 3) (up 0 -3.0 2.0)) (third 1 -3.0 2.0) 1e-14)
+  (check-= ((series:ref sum 3) (up 0 3.0 2.0)) (third 4 3.0 2.0) 1e-13))

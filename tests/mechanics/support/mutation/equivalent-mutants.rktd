@@ -381,6 +381,10 @@
  "[else (or (system-own s) (new-right-hand-side s))]))"
  "[else (and (system-own s) (new-right-hand-side s))]))"
  "an integration that does not keep what it computed of the start computes it again" limit)
+("canonical/quadratic/phase-space-equilibrium.rkt"
+ "(<= steepest (* 1e-13 (greatest-entry (second-derivatives who H state place)))))))"
+ "(<= steepest (* 1e-13 (greatest-entry (second-derivatives H H state place)))))))"
+ "a name for a message that was given before: where the gradient is numbers the second derivatives are")
 ("rigid/Euler-angles.rkt"
  "(when (and (real? s) (< (abs s) 1e-12)) (raise-at-pole who state)))"
  "(when (and (real? s) (< (abs s) 2e-12)) (raise-at-pole who state)))"
