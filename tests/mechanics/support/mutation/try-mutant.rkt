@@ -27,12 +27,16 @@
                  [current-pseudo-random-generator (make-pseudo-random-generator)])
     (dynamic-require (if (module-declared? sub #t) sub path) #f)))
 
+;; A port of the system, which processes that a test starts can write to
+(define nowhere
+  (open-output-file (if (eq? (system-type) 'windows) "NUL" "/dev/null") #:exists 'append))
+
 ;; -> does it notice?
 (define (notices? test)
   (define before (failures))
   (with-handlers ([(lambda (x) (not (exn:break? x))) (lambda (x) #t)])
-    (parameterize ([current-output-port (open-output-nowhere)]
-                   [current-error-port (open-output-nowhere)]
+    (parameterize ([current-output-port nowhere]
+                   [current-error-port nowhere]
                    [exit-handler (lambda (code) (error "the test ended the process"))])
       (run test))
     (> (failures) before)))
