@@ -17,8 +17,8 @@
 
 (require ffi/unsafe
          ffi/unsafe/port
-         "cell-input.rkt" "cell.rkt" "changed-pictures.rkt" "names-at-cursor.rkt" "protocol.rkt"
-         "small-heap.rkt" "text-stream.rkt"
+         "cell-input.rkt" "cell.rkt" "changed-pictures.rkt" "names-at-cursor.rkt"
+         "progress-port.rkt" "protocol.rkt" "small-heap.rkt" "text-stream.rkt"
          "../error/complain.rkt" "../error/progress.rkt" "../error/refusal.rkt"
          "../generic/on-demand.rkt"
          "../lang/session-start.rkt"
@@ -161,7 +161,7 @@
             (forget-break))))
 
 (define (forget-break)
-  (with-handlers ([exn:break? void]) (parameterize-break #t (sleep 0))))
+  (with-handlers ([exn:break? void]) (parameterize-break #t (void))))
 
 (define (send-output! k)
   (send-rest! (kernel-output k))
@@ -186,19 +186,6 @@
     (send-output! k)
     ((kernel-send k) m)
     (note-shown! (kernel-pictures k) x)))
-
-;; ---------------------------------------------------------------------------
-
-;; A port for lines of progress (error/progress.rkt), each of which takes the place of the last.
-(define (progress-port send)
-  (make-output-port
-   'progress always-evt
-   (lambda (bytes start end buffered? enable-break?)
-     (define text (bytes->string/utf-8 (subbytes bytes start end) #\?))
-     (unless (string=? text "")
-       (send (hasheq 'kind "progress" 'text (regexp-replace* #rx"\r|\e\\[K" text ""))))
-     (- end start))
-   void))
 
 (module+ main
   (define (descriptor k mode)

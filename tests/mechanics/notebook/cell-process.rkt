@@ -1,7 +1,8 @@
 #lang racket/base
 ;; The process that evaluates cells: its results, streams, failures, breaks and questions.
 
-(require racket/match
+(require (only-in racket/list count)
+         racket/match
          racket/string
          "../support/cell-client.rkt" "../support/checks.rkt")
 
@@ -151,15 +152,23 @@
   (run "(define t (thread (lambda () (sleep 0.3) (display \"late\"))))")
   (check-equal? (texts (run "(begin (thread-wait t) (sleep 0.1))") "stdout") "late"))
 
+;; How often it asked for a line
+(define (questions m) (count (lambda (x) (equal? (hash-ref x 'kind) "input")) m))
+
 (test-case "a command of the system is not given what the reader types"
   (define m (run "(require racket/system)\n(system \"echo sub\")"))
   (check-equal? (texts m "stdout") "sub\n")
+  (check-equal? (questions m) 0)
   (check-equal? (outcome m) 'ok))
 
-(test-case "a program reads a line"
-  (define m (run "(read-line)" (lambda (m) (when (equal? (hash-ref m 'kind) "input")
-                                             (send-to c 'do "input" 'text "typed")))))
-  (check-equal? (bundles m plain) '("\"typed\"")))
+(test-case "a program that waits, then reads a line, asks once"
+  (define (answer m)
+    (when (equal? (hash-ref m 'kind) "input")
+      (sleep 0.3)
+      (send-to c 'do "input" 'text "typed")))
+  (define m (run "(begin (sync/timeout 0.1 (current-input-port)) (read-line))" answer))
+  (check-equal? (bundles m plain) '("\"typed\""))
+  (check-equal? (questions m) 1))
 
 ;; ---------------------------------------------------------------------------
 ;; Breaks

@@ -385,6 +385,18 @@
  "(<= steepest (* 1e-13 (greatest-entry (second-derivatives who H state place)))))))"
  "(<= steepest (* 1e-13 (greatest-entry (second-derivatives H H state place)))))))"
  "a name for a message that was given before: where the gradient is numbers the second derivatives are")
+("notebook/run-cells.rkt"
+ "(list (map (lambda (_) '()) cells) (failure \"a cell ended the process of the notebook\" #f #f)))"
+ "(list (map (lambda (_) '()) cells) (failure \"a cell ended the process of the notebook\" #f #t)))"
+ "the flag of an interruption is read where a front end is answered, which these cells have not")
+("notebook/progress-port.rkt"
+ "(- end start))"
+ "(+ end start))"
+ "bytes that are written to a port come at the beginning of what its procedure is given")
+("notebook/mime-bundle.rkt"
+ "(define height (+ 120 (if m (string->number (bytes->string/latin-1 (cadr m))) 360)))"
+ "(define height (+ 120 (if m (string->number (bytes->string/latin-1 (cadr m))) 361)))"
+ "the height of a frame for a page whose picture tells none" layout)
 ("rigid/Euler-angles.rkt"
  "(when (and (real? s) (< (abs s) 1e-12)) (raise-at-pole who state)))"
  "(when (and (real? s) (< (abs s) 2e-12)) (raise-at-pole who state)))"
