@@ -24,7 +24,7 @@
        (not (find-reference expressions (assumptions concerned (hash) '() #t #f '())
                             (lambda (lookup) #t)))
        (empty? concerned)
-       (fewest (remove-duplicates (map relation-datum concerned)) concerned)))
+       (fewest (map relation-datum concerned) concerned)))
 
 (define most-relations 12)
 

@@ -74,7 +74,7 @@
   ;; log (x + ρ) - log x <= ρ/(x - ρ)
   (define spread
     (+ 1 (quotient (arithmetic-shift (ball-radius x) w) (ball-lower x))))
-  (make-ball (+ y multiple) (+ bound spread (if (eqv? k 0) 0 4)) (- w) p))
+  (make-ball (+ y multiple) (+ bound spread 4) (- w) p))
 
 ;; log (m 2^e), between 1/2 and 2, in units of 2^-w, with a bound of its error
 (define (log-of-fraction m e w)

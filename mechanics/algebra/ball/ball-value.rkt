@@ -103,9 +103,9 @@
 
 ;; f : ball p -> ball; point : an exact number where f has an exact value
 ;; -> (arguments p -> value)
-(define ((function f [point #f] [value #f]) arguments p)
+(define ((function f point value) arguments p)
   (define x (car arguments))
-  (if (and point (eqv? x point)) value (f (value->ball x p) p)))
+  (if (eqv? x point) value (f (value->ball x p) p)))
 
 (define-column functions
   [sqrt (lambda (arguments p) (root (car arguments) p))]

@@ -97,6 +97,7 @@
   (check-under
    [((> x 0)) (expt (expt x a) b) (expt x (* a b)) ((> x 0))]
    [((> x 0)) (expt (expt x 2) a) (expt x (* 2 a)) ((> x 0))]
+   [() (log (expt x a)) (* a (log x)) ((>= x 0))]
    [((> x 0) (> y 0)) (- (sqrt (* x y)) (* (sqrt x) (sqrt y))) 0 ((> x 0) (> y 0))]
    [((< x 0) (< y 0)) (+ (sqrt (* x y)) (* (sqrt x) (sqrt y))) 0 ((< x 0) (< y 0))]
    [((> x 0)) (- (sqrt (* x y)) (* (sqrt x) (sqrt y))) 0 ((> x 0))]))

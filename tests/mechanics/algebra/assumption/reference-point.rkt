@@ -17,6 +17,12 @@
   (check-true (> (x-where '(> x 1000000)) 1e6))
   (check-true (< 1e6 (x-where '(> x 1000000) '(< x 1000001)) 1000001)))
 
+;; At first all numbers are positive.
+(test-case "the point lies where products and sums of several have the declared signs"
+  (for ([d '((< (* x y) 0) (< (+ x y) -1) (> (* -1 x y y) 2))])
+    (check-pred procedure? (find-reference '(x y) (declare-relations no-assumptions (list d)))
+                (format "~s" d))))
+
 (test-case "relations concern a question by what they share with others that do"
   (define relations
     (for/list ([d '((> a b) (> x y) (> y z) (> b 0))])

@@ -67,6 +67,15 @@
   (check-eqv? (value-at (sign '(- (sin x) 1)) 2) -1)
   (check-pred ball? (value '(expt x 1000))))
 
+(test-case "a large power of an exact number is known to nearly all bits"
+  (define b (value '(expt x 1000) 1/3 80))
+  (check-true (< (* (expt 2 60) (ball-radius b)) (ball-middle b))))
+
+(test-case "a tuple has the values of its components"
+  (define v (value '(up x (- x 2) (exp x))))
+  (check-equal? (list (car v) (cadr v) (caddr v)) '(up 2 0))
+  (check-= (number (cadddr v)) (exp 2.0) 1e-12))
+
 (test-case "an angle depends on both coordinates of its point"
   (check-= (number (value '(+ (atan (- x 1) x) (atan (- x 1) (- 0 x))))) (acos -1.0) 1e-12))
 

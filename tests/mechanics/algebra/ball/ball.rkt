@@ -132,7 +132,7 @@
                       (format "~a at ~a, ~a bits" (function-name f) x p))))))
 
   (test-case "small angles are known to nearly all bits, too"
-    (for* ([p (in-list precisions)] [k (in-list '(10 20 30))] [y (in-list '(1 -3))])
+    (for* ([p (in-list precisions)] [k (list 10 20 30 (* 3 p))] [y (in-list '(1 -3))])
       (define small (/ y (expt 2 k)))
       (define value (ball-angle (exact->ball small p) (exact->ball 1 p) p))
       (check-true (holds? value (true-angle small 1)))
@@ -193,6 +193,7 @@
   (define zero (ball 0 1 -50))
   (for ([f (in-list (list ball-sqrt ball-log))]) (check-eq? (attempt f zero 60) unknown))
   (check-eq? (attempt ball/ (exact->ball 1 60) zero 60) unknown)
+  (check-eq? (attempt ball/ (exact->ball 1 60) (ball -1 1 -50) 60) unknown)
   (check-eq? (attempt ball/ (exact->ball 1 60) (exact->ball 0 60) 60) no-value)
   (check-eq? (attempt ball-angle zero (exact->ball -1 60) 60) unknown)
   (check-eq? (attempt ball-angle zero zero 60) unknown)

@@ -693,6 +693,22 @@
  "(+ low (* (- high low) (/ (abs x) (+ 1.0 (abs x)))))]"
  "(+ low (* (- high low) (/ (abs x) (+ 2.0 (abs x)))))]"
  "where between two bounds a point is taken: any within is as good" limit)
+("algebra/assumption/reference-point.rkt"
+ "(/ (modulo (quotient x 64) 65536) 65536.0))"
+ "(/ (modulo (quotient x 65) 65536) 65536.0))"
+ "other numbers for the points after the first, as good as these" limit)
+("algebra/assumption/reference-point.rkt"
+ "[b (scattered (seed k (+ 17 (* 2003 k) (* 57 i))))]"
+ "[b (scattered (seed k (+ 17 (* 2003 k) (* 58 i))))]"
+ "other numbers for the points after the first, as good as these" limit)
+("algebra/assumption/reference-point.rkt"
+ "[(<= k last-mostly-positive) (eqv? (remainder k 6) (remainder i 6))]"
+ "[(< k last-mostly-positive) (eqv? (remainder k 6) (remainder i 6))]"
+ "one of two hundred points has its negative numbers elsewhere" limit)
+("algebra/assumption/reference-point.rkt"
+ "(+ 1.0 (/ 5.0 (+ 11.0 (* 7.0 i))))"
+ "(+ 1.0 (/ 5.0 (+ 22.0 (* 7.0 i))))"
+ "another first point; its numbers are between 1 and π/2, the first the greatest, as promised" limit)
 ("algebra/elimination/exact-coefficients.rkt"
  "(define rest (fraction* R f (fraction-from-poly R d)))"
  "(define rest (fraction* R f (fraction-from-poly d d)))"
@@ -745,6 +761,22 @@
  "(define s (max 0 (- (+ p (integer-length n)) (integer-length m))))"
  "(define s (max 0 (+ (+ p (integer-length n)) (integer-length m))))"
  "bits are worked out that are dropped at once: a radius of two units in place of one" limit)
+("algebra/ball/ball-elementary.rkt"
+ "(define spare 28)"
+ "(define spare 29)"
+ "one bit more of log 2 than is needed" limit)
+("algebra/ball/ball-functions.rkt"
+ "(if (and (< k last) (>= n (arithmetic-shift 1 (max 0 (ball-magnitude s)))))"
+ "(if (and (<= k last) (>= n (arithmetic-shift 1 (max 0 (ball-magnitude s)))))"
+ "the series ends a term earlier; the radius holds its rest all the same" limit)
+("algebra/ball/ball.rkt"
+ "(unless (< (- most-scale) scale most-scale) (raise unknown))"
+ "(unless (<= (- most-scale) scale most-scale) (raise unknown))"
+ "one scale more, 2^40, of numbers that nobody asks for" limit)
+("algebra/ball/ball-elementary.rkt"
+ "(when (> far (+ 4096 (* 8 p))) (raise unknown))"
+ "(when (>= far (+ 4096 (* 8 p))) (raise unknown))"
+ "a bound of the work, one bit less" limit)
 ("algebra/radical/radical-sum.rkt"
  "(if (and (rational? sum) (> (abs sum) (* 1/4 (apply + (map abs terms)))))"
  "(if (and (rational? sum) (> (abs sum) (+ 1/4 (apply + (map abs terms)))))"
