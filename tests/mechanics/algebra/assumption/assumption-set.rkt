@@ -105,7 +105,8 @@
 (test-case "an odd root of what is negative keeps its branch"
   (check-under
    [((> x 0)) (expt (expt x 3) 1/3) x ((> x 0))]
-   [((< x 0)) (expt (* m (expt x 3)) 1/3) (* -1 x (expt (* -1 m) 1/3)) ((< x 0))]))
+   [((< x 0)) (expt (* m (expt x 3)) 1/3) (* -1 x (expt (* -1 m) 1/3)) ((< x 0))]
+   [((> y 0)) (expt (* (expt x 19) (expt y 3)) 1/9) (* (expt x 19/9) (expt y 1/3)) ((> y 0))]))
 
 (test-case "roots that depend on each other need the signs of all that occurs in them"
   (define-values (e grounds)

@@ -42,7 +42,8 @@
                 '((< (* a b) 0)))
   (check-equal? (needed-under-A '(+ (/ (sqrt (expt a 2)) a) (/ (sqrt (expt b 2)) b)))
                 '((< (* a b) 0)))
-  (check-equal? (needed-under-A '(sqrt (+ (expt (/ x b) 2) (expt y 2)))) '()))
+  (check-equal? (needed-under-A '(sqrt (+ (expt (/ x b) 2) (expt y 2)))) '())
+  (check-equal? (needed-under-A '(* (sqrt (expt c 2)) (sqrt (expt r 2)))) '((> c 0) (>= r 0))))
 
 ;; ---------------------------------------------------------------------------
 ;; Random expressions

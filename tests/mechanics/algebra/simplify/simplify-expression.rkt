@@ -54,6 +54,11 @@
    [(- (cos (* 2 a)) (- 1 (* 2 (expt (sin a) 2)))) 0]
    [(- (expt (cosh x) 2) (expt (sinh x) 2)) 1]))
 
+(test-case "sums of angles are found under sines and hyperbolic sines, each by itself"
+  (check-forms
+   [(/ (- (* (cos a) (cos b)) (* (sin a) (sin b))) (+ (* (cosh a) (cosh b)) (* (sinh a) (sinh b))))
+    (/ (cos (+ a b)) (cosh (+ a b)))]))
+
 (test-case "square roots of squares come out, and the assumption is told"
   (define-values (e assumptions)
     (simplify-expression/assumptions
@@ -91,6 +96,13 @@
     (check-equal? (simplified `(- ,(f one) ,(f other))) 0 (format "~s" (f 'u))))
   (check-equal? (simplified `(+ (h ,one) (h ,other) (h x))) `(+ (h x) (* 2 (h ,one)))))
 
+(test-case "arguments too large to be compared stay as they are written"
+  (define power '(expt (+ 1 (sin (* 2 a)) b c d) 60))
+  (define-values (e notes)
+    (simplify-expression/assumptions
+     (datum->expression `(+ (f ,power) (f (* 2 (sin a) (cos a)))))))
+  (check-equal? notes `((left-unexpanded ,power))))
+
 (test-case "within a region a root is split by the signs there, and nothing is assumed"
   (define (within relations)
     (expression->datum
@@ -105,6 +117,10 @@
      (datum->expression '(* (sqrt (* k m)) (sqrt (- a b)) (abs (- a b))))))
   (check-equal? (expression->datum e) '(* (sqrt (* k m)) (expt (- a b) 3/2)))
   (check-equal? assumptions '()))
+
+(test-case "where the root of a quotient and a logarithm have values, the denominator is positive"
+  (check-forms
+   [(+ (* (sqrt (/ k m)) (abs m)) (log k)) (+ (log k) (sqrt (* k m)))]))
 
 (test-case "of a power with unknown sign an even power leaves an odd root"
   (define (careful n q)

@@ -117,6 +117,14 @@
  "(define form-limit 40)"
  "(define form-limit 41)"
  "from how many terms on a sum is an angle of its own" limit)
+("algebra/kernel/kernel.rkt"
+ "(define class (if (symbol? e) 0 (- 1000 (derivative-order e))))"
+ "(define class (if (symbol? e) 1 (- 1000 (derivative-order e))))"
+ "symbols come first all the same, before derivatives of an order below 999")
+("algebra/kernel/circle.rkt"
+ "(define o (circle u sign #f #f))"
+ "(define o (circle u sign #f #t))"
+ "the cosine is set three lines below, before anyone asks for it")
 ("algebra/field/field.rkt"
  "(and (or (not alone?) (single-term? p))"
  "(or (or (not alone?) (single-term? p))"
@@ -677,6 +685,18 @@
  "(and (in-front? (car (node-args e))) (andmap exact-expression? (cdr (node-args e)))))"
  "(and (in-front? (car (node-args e))) (ormap exact-expression? (cdr (node-args e)))))"
  "with a flonum in front sums have whole coefficients, so that others are in arguments of functions: they are not simplified once more to the same" limit)
+("algebra/simplify/domain-question.rkt"
+ "(relation #f (workspace-simplify w (relation-expression r)) (relation-signs r)))"
+ "(relation #t (workspace-simplify w (relation-expression r)) (relation-signs r)))"
+ "nobody asks for the datum of a relation of the domain")
+("algebra/simplify/necessary-assumptions.rkt"
+ "(and x y (> (abs (- x y)) (* 1e-9 (+ 1.0 (abs x))))))"
+ "(and x y (> (abs (- x y)) (* 1e-9 (+ 2.0 (abs x))))))"
+ "from which difference of two values on they differ, for values about 1" limit)
+("algebra/simplify/stable-form.rkt"
+ "[(= (length seen) settle-limit) (least-expression (cons e seen))]"
+ ""
+ "a guard: no known form is presented five times without coming back" limit)
 ("algebra/assumption/emptiness.rkt"
  "[(or (eqv? left 0) (null? relations)) #f]"
  "[(or (eqv? left 1) (null? relations)) #f]"
