@@ -67,10 +67,16 @@
         [(and (eq? op op:atan) (pair? (cdr args)) (ormap not-real? (map car args))) undefined]
         [else
          (define value (apply f (map car args)))
-         (rounded value (propagated op (map car args) (map cdr args) value))]))
+         (define used (if (exact? value) args (map as-flonum args)))
+         (rounded value (propagated op (map car used) (map cdr used) value))]))
 
+;; An exact number beside a flonum is rounded first.
 (define (add f a b)
-  (rounded (f (car a) (car b)) (+ (cdr a) (cdr b))))
+  (define-values (x y)
+    (if (eq? (exact? (car a)) (exact? (car b))) (values a b) (values (as-flonum a) (as-flonum b))))
+  (rounded (f (car x) (car y)) (+ (cdr x) (cdr y))))
+
+(define (as-flonum a) (if (= (exact->inexact (car a)) (car a)) a (inexact a)))
 
 (define (multiply a b)
   (rounded (* (car a) (car b))

@@ -12,10 +12,12 @@
 
 (define (read-as x) (let ([e (read-decimal x)]) (and e (expression->datum e))))
 
-(test-case "decimals are fractions, roots, solutions of quadratic equations, multiples of π"
+(test-case "decimals are fractions, roots, solutions of quadratic equations, multiples of π and e"
   (for ([entry (in-list '((0.30000000000000004 3/10) (1.4142135623730951 (sqrt 2)) (-0.5 -1/2)
                           (6.674e-11 3337/50000000000000)
-                          (1.618033988749895 (* 1/2 (+ 1 (sqrt 5))))))])
+                          (1.618033988749895 (* 1/2 (+ 1 (sqrt 5))))
+                          (1.0471975511965976 (* 1/3 :pi))
+                          (1.3591409142295225 (* 1/2 (exp 1)))))])
     (check-equal? (read-as (car entry)) (cadr entry)))
   (check-equal? (read-as 1.41421356) #f)
   (check-equal? (read-as 1.3579246801) #f)
