@@ -48,6 +48,12 @@
          [(sgn (expt x 2)) (jump (= x 0))]
          [(sgn (cosh x))]))
 
+(test-case "a step has a gap, whatever else the quantity depends on, and 1/|x| none"
+  (define (gaps-in d . relations) (found '(= x 2) #:in (list d) #:given relations))
+  (check-equal? (gaps-in '(* y (/ x (abs x)))) '((gap (= x 0))))
+  (check-equal? (gaps-in '(* (sqrt y) (/ x (abs x))) '(> y 0)) '((gap (= x 0))))
+  (check-equal? (gaps-in '(/ y (abs x))) '()))
+
 (test-case "waves vanish once a half-turn"
   (finds [(abs (sin x)) (kink (= x (* :pi n)))]
          [(abs (cos (* 2 x))) (kink (= x (+ (* 1/2 :pi n) (* 1/4 :pi))))]
