@@ -153,6 +153,30 @@
  "[(symbol? e) (resolved-value w e (resolution w e))]"
  ""
  "a symbol's value goes through the table of nodes: it is the same, a little later" limit)
+("algebra/field/work-bounds.rkt"
+ "[(and (< i k) (> n 1)) (loop (+ i 1) (/ (* terms (+ n i -1)) i))]"
+ "[(and (< i k) (> n 1)) (loop (+ i 1) (/ (+ terms (+ n i -1)) i))]"
+ "a large power is given up by the meter, a second later, with the same outcome" limit)
+("algebra/field/field-extension.rkt"
+ "(if (memq (node-head n) (list op:sqrt op:expt op:abs)) 1 0)))))"
+ "(if (memq (node-head n) (list op:sqrt op:expt op:abs)) 2 0)))))"
+ "twice the depth orders the tower as the depth")
+("algebra/field/work-bounds.rkt"
+ "(let loop ([i 1] [terms 1])"
+ "(let loop ([i 2] [terms 1])"
+ "a bound of the work, foreseen a factor later" limit)
+("algebra/field/work-bounds.rkt"
+ "(cond [(fuel-empty? tank) small-limits]"
+ "(cond"
+ "when the tank is empty steps stay as large as before, and take their time" limit)
+("algebra/field/field-extension.rkt"
+ "#:when (and (root? (relation-root F r)) (> (relation-degree r) 1)))"
+ "#:when (and (root? (relation-root F r)) (>= (relation-degree r) 1)))"
+ "a root that others make is taken along in vain: reduced, the fraction is the same" limit)
+("algebra/field/rationalize.rkt"
+ "(min 1 (poly-degree (field-ring F) h (relation-index s))))"
+ "(min 2 (poly-degree (field-ring F) h (relation-index s))))"
+ "denominators are reduced: of degree 1 at most in a sine")
 ("calculus/moving-places.rkt"
  "(let loop ([distance (* 1e-13 (+ 1.0 (abs end)))])"
  "(let loop ([distance (* 1e-13 (+ 2.0 (abs end)))])"
@@ -177,6 +201,18 @@
  "[(single-term? q) (divide-by-term R p (car q) integral?)]"
  ""
  "by a single term, too, the general division gives the quotient: only time is lost" limit)
+("algebra/polynomial/lifted-factor.rkt"
+ "[(> (length images) choices-limit) #f]"
+ "[(>= (length images) choices-limit) #f]"
+ "one choice of factors less before it is given up" limit)
+("algebra/polynomial/polynomial-parts.rkt"
+ "(bitwise-and (+ (* 31 h)"
+ "(bitwise-and (- (* 31 h)"
+ "another hash, equal for equal polynomials")
+("algebra/polynomial/modular-factor.rkt"
+ "(equal-degree-factors other d P (+ seed 1)))]"
+ "(equal-degree-factors other d P (- seed 1)))]"
+ "other trial polynomials, as good as these: the factors are the same")
 ("algebra/elimination/block-form.rkt"
  "(define inversions (count (lambda (y) (< y (car xs))) (cdr xs)))"
  "(define inversions (count (lambda (y) (<= y (car xs))) (cdr xs)))"
@@ -741,6 +777,10 @@
  "(define place-counts (make-vector (vector-length columns) 0))"
  "(define place-counts (make-vector (vector-length columns) 1))"
  "which of several pivots of one size is taken, by how much it is guessed to fill: a guess of the work" limit)
+("algebra/elimination/bareiss.rkt"
+ "(define (increment! v i) (vector-set! v i (add1 (vector-ref v i))))"
+ "(define (increment! v i) (vector-set! v i (sub1 (vector-ref v i))))"
+ "counted down instead of up: another pivot of the least size" limit)
 ("algebra/expression/order.rkt"
  "(cond [(literal-head? head) (if (null? (literal-head-index head)) 3 5)]"
  "(cond [(literal-head? head) (if (null? (literal-head-index head)) 3 6)]"
