@@ -19,7 +19,8 @@
 (lines infix
   [(- (+ a b)) "−(a + b)"] [(* (+ a) b) "a b"] [(- a (- b)) "a + b"] [(- a (+ b c)) "a − (b + c)"]
   [(* a (- b)) "−a b"] [(* (- x) (- y)) "x y"] [(- -2) "2"] [(* 2 3) "2 (3)"]
-  [(+ (* -1 (+ a b)) c) "−(a + b) + c"] [(* -3/2 x) "−(3/2) x"] [(* 2 (expt 3 x)) "2 (3^(x))"])
+  [(+ (* -1 (+ a b)) c) "−(a + b) + c"] [(* -3/2 x) "−(3/2) x"] [(* 2 (expt 3 x)) "2 (3^(x))"]
+  [(* r x :pi 2) "2 π r x"])
 
 (lines infix
   [(/ a (/ b c)) "a/(b/c)"] [(/ (/ a b) c) "(a/b)/c"] [(/ a (- b)) "−a/b"]
@@ -52,7 +53,13 @@
   [(expt (((partial 1) F) x y) 2) "(∂₁F(x, y))²"] [((D (f a)) s) "D(f(a))(s)"]
   [(((D f) a) s) "Df(a)(s)"] [((D f) (g t)) "Df(g(t))"] [((D (compose f g)) t) "D(f ∘ g)(t)"]
   [((D (* f g)) t) "D(f g)(t)"] [((D (D x)) t) "DDx(t)"]
-  [(((partial 1 0) f) (up t (up x y))) "∂_(1,0)f(up(t, up(x, y)))"])
+  [(((partial 1 0) f) (up t (up x y))) "∂_(1,0)f(up(t, up(x, y)))"]
+  [(partial 0) "∂₀"] [(expt (partial 1) 2) "(∂₁)²"])
+
+(test-case "a name with a letter that nobody sees shows it, and is read back"
+  (define s (string->symbol "a\u200bb"))
+  (check-equal? (infix s) "|a\\u200b;b|")
+  (check-eq? (infix->datum (infix s)) s))
 
 (test-case "the derivative of what a function gives is read back as that"
   (check-equal? (infix->datum (infix '((D (f a)) s))) '((D (f a)) s)))

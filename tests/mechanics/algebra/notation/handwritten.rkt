@@ -35,6 +35,7 @@
 (reads
  ["½ m ẋ² − m g x" (+ (* 1/2 m (expt xdot 2)) (* -1 m g x))]
  ["1/2 m x'^2 - mgx" (+ (* 1/2 m (expt xdot 2)) (* -1 m g x))]
+ ["r - +x" (+ r (* -1 x))]
  ["\\frac{1}{2} m \\dot{x}^2" (* 1/2 m (expt xdot 2))]
  ["\\frac12 m\\dot x^{2}" (* 1/2 m (expt xdot 2))]
  ["m*x'**2/2" (/ (* m (expt xdot 2)) 2)]
@@ -102,6 +103,7 @@
                          "the list 1, 5, which has a space behind the comma")]
  ["sin^-1 x" "sin^-1 has two readings: the inverse, asin, and one over it, 1/sin"]
  ["x 2" "2 behind a factor: a sign is missing between them"]
+ ["x^{r, c}" ", cannot stand there"] ["x^(r, c)" ", cannot stand there"]
  ["x'''" "x has more than two primes"]
  ["sintheta" "in sintheta a space is missing behind sin"]
  ["d/dt(m x')" "d/dt of a formula is not read: carry the derivative out"]

@@ -69,6 +69,7 @@
  ["m > 0" (> m 0)]
  ["a + b 𝐢 − 𝐤" (quaternion a b 0 -1)]
  ["x ↦ 1 − (a + b) x² + x³/c" (power-series 1 0 (* -1 (+ a b)) (/ 1 c))]
+ ["x ↦ 1 − x" (power-series 1 -1)]
  ["(3/7)i" 0+3/7i]
  ["a - b" (+ a (* -1 b))]
  ["x^2 + v^x" (+ x^2 v^x)])
