@@ -213,6 +213,26 @@
  "(equal-degree-factors other d P (+ seed 1)))]"
  "(equal-degree-factors other d P (- seed 1)))]"
  "other trial polynomials, as good as these: the factors are the same")
+("algebra/polynomial/sparse-gcd.rkt"
+ "(sample-residue (+ 1000 (problem-seed k)) (+ j (* 64 y)) P)))"
+ "(sample-residue (+ 1000 (problem-seed k)) (- j (* 64 y)) P)))"
+ "other numbers at which images are taken, as good as these")
+("algebra/polynomial/sparse-gcd.rkt"
+ "[(before? image h)"
+ "[(before? h h)"
+ "a candidate that no division confirms: another method finds the divisor, a little later" limit)
+("algebra/polynomial/heuristic-gcd.rkt"
+ "(define base (floor (* growth (least-base p* q*))))"
+ "(define base (floor (+ growth (least-base p* q*))))"
+ "another base, as large as it has to be; what its digits tell is divided by all the same" limit)
+("algebra/polynomial/lifted-factor.rkt"
+ "(* 2"
+ "(* 3"
+ "a bound for coefficients, half as large again as it has to be" limit)
+("algebra/polynomial/arithmetic.rkt"
+ "(max (words (leading-coefficient p))"
+ "(min (words (leading-coefficient p))"
+ "how long coefficients are is an estimate of work" limit)
 ("algebra/elimination/block-form.rkt"
  "(define inversions (count (lambda (y) (< y (car xs))) (cdr xs)))"
  "(define inversions (count (lambda (y) (<= y (car xs))) (cdr xs)))"
