@@ -45,13 +45,15 @@
       (define power (radicals-expt positive k))
       (when power (check-equal? (radicals-expt power (/ 1 k)) positive))))
   ;; By one prime alone: under fourth roots stands another.
-  (for ([d '((+ (expt 2 1/4) (sqrt 3)) (+ (expt 3 1/4) (sqrt 2) (sqrt 5)))])
+  (for ([d '((+ (expt 2 1/4) (sqrt 3)) (+ (expt 3 1/4) (sqrt 2) (sqrt 5))
+             (+ 1 (sqrt 2) (sqrt 3)) (+ (sqrt 2) (sqrt 3) (sqrt 5)))])
     (define s (radicals d))
     (check-equal? (radicals-expt (radicals-multiply s s) 1/2) s (format "~s" d))))
 
 (test-case "what is no sum of roots, or not known to be one, is left to decimals"
   (check-false (radicals '(sqrt (+ 2 (sqrt 2)))))
   (check-false (radicals '(expt (- (expt 2 1/3) 1) 1/3)))
+  (check-false (radicals '(expt (+ 5 (* 2 (sqrt 6))) 1/3)))  ; (3 + √5)/2 is as near as can be
   (check-false (radicals '(sqrt -2)))
   (check-false (radicals '(sqrt 1000000016000000063)))      ; of two large primes
   (check-false (radicals '(sqrt 0.5)))

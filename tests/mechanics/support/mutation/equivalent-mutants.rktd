@@ -873,6 +873,14 @@
  "(and (andmap (lambda (f) (<= (car f) largest-known-prime)) factors)"
  "(and (andmap (lambda (f) (< (car f) largest-known-prime)) factors)"
  "a million is no prime, nor what is left without small primes")
+("algebra/radical/radical-power.rkt"
+ "(and (< (abs t) 1e15) (/ (inexact->exact (round t)) denominators)))"
+ "(and (<= (abs t) 1e15) (/ (inexact->exact (round t)) denominators)))"
+ "a bound of the size of what is rounded, which no number reaches exactly" limit)
+("algebra/radical/radical-sum.rkt"
+ "(if (> (integer-length units) 64)"
+ "(if (>= (integer-length units) 64)"
+ "64 bits of the sum stand instead of 65: more than a decimal has" limit)
 ("geometry/motion/geodesic-motion.rkt"
  "(if (and (real? last-one) (<= last-one (* 1e-4 (determinant (trajectory-start tr)))))"
  "(if (and (real? last-one) (<= last-one (* 0.0002 (determinant (trajectory-start tr)))))"
