@@ -64,8 +64,7 @@
   (if (and (node? e) (literal-head? (node-head e))) (order-of (node-head e)) 0))
 
 (define (compare-heads a b)
-  (cond [(eq? a b) 0]
-        [(and (operation? a) (operation? b))
+  (cond [(and (operation? a) (operation? b))
          (compare-symbols (operation-name a) (operation-name b))]
         [(operation? a) -1]
         [(operation? b) 1]
@@ -90,8 +89,8 @@
 ;; Leaves
 
 (define (compare-symbols a b)
-  (cond [(eq? a b) 0]
-        [(symbol<? a b) -1]
+  (cond [(symbol<? a b) -1]
+        [(eq? a b) 0]
         [else 1]))
 
 (define (compare-numbers a b)

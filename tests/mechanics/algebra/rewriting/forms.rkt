@@ -28,6 +28,13 @@
 (define-syntax-rule (check-forms f [before after] ...)
   (begin (check-equal? (f 'before) 'after) ...))
 
+(test-case "any expression is a quotient, of itself and 1 if need be"
+  (define (parts d)
+    (define-values (above below _) (numerator-and-denominator (datum->expression d)))
+    (map expression->datum (list above below)))
+  (check-equal? (parts '(+ (/ a b) c)) '((+ a (* b c)) b))
+  (check-equal? (parts '(+ a b)) '((+ a b) 1)))
+
 (test-case "products and powers of sums are multiplied out"
   (check-forms expanded
    [(expt (+ a b) 3) (+ (expt a 3) (* 3 (expt a 2) b) (* 3 a (expt b 2)) (expt b 3))]

@@ -75,6 +75,7 @@
 
 (test-case "distances are none"
   (finds [(sqrt (+ (expt x 2) (expt y 2)))]
+         [(sqrt (+ (expt x 2) (expt y 2) (expt (V y) 2)))]
          [(sqrt (+ (expt (* x (cos y)) 2) (expt (* x (sin y)) 2)))]
          [(sqrt (* 2 m (+ (expt (* x (cos y)) 2) (expt (* x (sin y)) 2))))]
          [(sqrt (+ (* 1/2 x x) (* 1/3 (expt x 2)))) (kink (= x 0))]

@@ -57,6 +57,7 @@
     (define e (datum->expression d))
     (define v (zero-test e))
     (check-equal? (zero-test-status v) 'refuted)
+    (check-false (zero-test-reason v))
     (define value (evaluate-expression e (point-lookup (zero-test-witness v))))
     (check-= value (zero-test-value v) 1e-9)
     (check-true (> (abs value) 1e-6))

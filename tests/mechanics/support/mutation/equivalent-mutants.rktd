@@ -565,6 +565,10 @@
  "(if (> (poly-term-count p) most-terms)"
  "(if (>= (poly-term-count p) most-terms)"
  "from how many terms on no factors are sought, one less" limit)
+("algebra/zero/assignment.rkt"
+ "(define range (cond [(< n 2) 3] [(< n 6) 5] [else 11]))"
+ "(define range (cond [(< n 2) 3]  [else 11]))"
+ "other numbers at which values are tried, as good as these" limit)
 ("canonical/perturbation/Poisson-series.rkt"
  "(define (constant-series n c) (one-wave (zeros n) c 0))"
  "(define (constant-series n c) (one-wave (zeros n) c 1))"
@@ -825,6 +829,18 @@
  "[(not (and (real? x) (>= x 1)))"
  "[(not (and (real? x) (> x 1)))"
  "at 1.0 either formula is the logarithm of 1.0")
+("algebra/expression/order.rkt"
+ "(cond [(eq? a b) 0]"
+ "(cond"
+ "the same is equal by the clauses below, too, a little later" limit)
+("algebra/expression/constant-range.rkt"
+ "(and (<= least-normal size) (<= size greatest)))"
+ "(and (<= least-normal size) (< size greatest)))"
+ "the greatest flonum is told from the others: a constant that nobody writes" limit)
+("algebra/expression/constant-range.rkt"
+ "(and (<= least-normal size) (<= size greatest)))"
+ "(and (< least-normal size) (<= size greatest)))"
+ "the least normal flonum is told from the others: a constant that nobody writes" limit)
 ("algebra/ball/ball-elementary.rkt"
  "(define small (if (positive? X) (- (integer-length X) (integer-length Y)) 0))"
  "(define small (if (positive? X) (- (integer-length X) (integer-length Y)) 1))"
