@@ -114,6 +114,12 @@
   (check-equal? (solutions (list (- (* 3 (sin 'x)) 1) (- 'y (* 3 (sin 'x)))) '(x y))
                 '((((x (asin 1/3)) (y 1))) (((x (- :pi (asin 1/3))) (y 1))))))
 
+(test-case "a right angle has the sine 1 or −1, and a cosine is from −1 to 1"
+  (check-equal? (solutions (list (cos 'x) (- 'y (sin 'x))) '(x y))
+                '((((x (* 1/2 :pi)) (y 1))) (((x (* -1/2 :pi)) (y -1)))))
+  (check-equal? (solutions (list (- (cos 'x) 'a)) '(x))
+                '((((x (acos a))) (<= -1 a 1)) (((x (* -1 (acos a)))) (<= -1 a 1)))))
+
 (test-case "powers of one power"
   (define (roots e) (map cadaar (solutions (list e) '(x))))
   (check-equal? (roots (+ (expt 'x 4) (* -13 (square 'x)) 36)) '(3 2 -2 -3))
@@ -141,7 +147,8 @@
   (define (cases e) (solutions (list e) '(x) #:by solve-by-cases))
   (check-equal? (cases (- (sqrt 'x) 'b)) '((((x (expt b 2))) (>= b 0))))
   (check-equal? (cases (- (/ 'a (sqrt 'x)) 'b))
-                '((((x (/ (expt a 2) (expt b 2)))) (> (* a b) 0)))))
+                '((((x (/ (expt a 2) (expt b 2)))) (> (* a b) 0))))
+  (check-equal? (cases (/ (* (abs 'x) (sin 'x)) 'x)) '((((x :pi))))))
 
 (test-case "what no factor can be solved for is answered by #f"
   (check-false (solutions (list (+ (expt 'x 5) 'x 1)) '(x)))

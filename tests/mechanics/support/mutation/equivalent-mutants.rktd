@@ -1041,3 +1041,7 @@
  "(define (moderate? c) (<= 1e-60 (abs c) 1e60))"
  "(define (moderate? c) (< 1e-60 (abs c) 1e60))"
  "up to which size a coefficient is combined with others: the values are the same" limit)
+("algebra/solve/solve-by-cases.rkt"
+ "(define most-cases 4)"
+ "(define most-cases 5)"
+ "one absolute value more is taken apart" limit)
