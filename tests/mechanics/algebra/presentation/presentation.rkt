@@ -100,6 +100,12 @@
     (+ (* g k) (* 2 y) (* 4 z (+ k (expt x 2))))]
    [(+ (/ a c) (/ b (* c d))) (+ (/ a c) (/ b (* c d)))]))
 
+(test-case "a divisor that would be mostly negative changes its sign"
+  (check-forms
+   [(/ x (- a b c)) (/ (* -1 x) (+ b (* -1 a) c))]
+   [(/ x (- (* -1 a) b)) (/ (* -1 x) (+ a b))]
+   [(/ x (- a b)) (/ x (- a b))]))
+
 (test-case "an exponential that all terms share stands apart"
   (check-forms
    [(+ (* a (exp (* -1 g t))) (* b (exp (* -1 g t)))) (* (+ a b) (exp (* -1 g t)))]

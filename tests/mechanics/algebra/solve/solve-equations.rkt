@@ -6,6 +6,7 @@
                   expression simplify substitute proved? prove-zero)
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/constant-value
+         mechanics/algebra/expression/read mechanics/algebra/solve/angles-in
          mechanics/algebra/solve/solve-by-cases mechanics/algebra/solve/solve-equations
          "../../support/checks.rkt" "../../support/random.rkt")
 
@@ -119,6 +120,10 @@
                 '((((x (* 1/2 :pi)) (y 1))) (((x (* -1/2 :pi)) (y -1)))))
   (check-equal? (solutions (list (- (cos 'x) 'a)) '(x))
                 '((((x (acos a))) (<= -1 a 1)) (((x (* -1 (acos a)))) (<= -1 a 1)))))
+
+(test-case "an angle is what stands in a sine or cosine"
+  (define e (datum->expression '(+ (cos (* 2 x)) (exp y) x)))
+  (check-equal? (map (lambda (u) (in-angle? u e)) '(x y)) '(#t #f)))
 
 (test-case "powers of one power"
   (define (roots e) (map cadaar (solutions (list e) '(x))))

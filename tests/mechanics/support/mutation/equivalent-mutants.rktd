@@ -1045,3 +1045,15 @@
  "(define most-cases 4)"
  "(define most-cases 5)"
  "one absolute value more is taken apart" limit)
+("algebra/presentation/form.rkt"
+ "(form (+ (form-size (car d)) (if (eqv? 1 (cdr d)) 0 2))"
+ "(form (+ (form-size (car d)) (if (eqv? 1 (cdr d)) 2 0))"
+ "nobody asks for the size of a form with divisors")
+("algebra/presentation/waves.rkt"
+ "(< (size product) (+ 1 (size w) (size v)))"
+ "(<= (size product) (+ 1 (size w) (size v)))"
+ "of two forms of one size the product" layout)
+("algebra/presentation/form.rkt"
+ "(if (< (form-size other) (form-size usual)) other usual))"
+ "(if (<= (form-size other) (form-size usual)) other usual))"
+ "of two forms of one size the other" layout)
