@@ -71,7 +71,9 @@
    [(/ (* mu x) (expt (+ (* x x) (* y y)) 3/2))
     (/ (* mu x) (expt (+ (expt x 2) (expt y 2)) 3/2))]
    [(sqrt (/ k m)) (sqrt (/ k m))]
-   [(* (sqrt (* x y)) (sqrt (* x y)) z) (* x y z)]))
+   [(* (sqrt (* x y)) (sqrt (* x y)) z) (* x y z)]
+   [(/ x (* (sqrt x) (sqrt x) (+ b y))) (/ 1 (+ b y))]
+   [(/ x (* (+ b y) (sqrt x) (sqrt x))) (/ 1 (+ b y))]))
 
 (test-case "a square of roots leaves the root of a product, by its positive root"
   (check-forms

@@ -1057,3 +1057,7 @@
  "(if (< (form-size other) (form-size usual)) other usual))"
  "(if (<= (form-size other) (form-size usual)) other usual))"
  "of two forms of one size the other" layout)
+("algebra/presentation/waves.rkt"
+ "(+ (if (negative? x) 1 0) (if (eqv? 1 (abs x)) 0 1)))"
+ "(+ (if (negative? x) 1 0) (if (eqv? 1 x) 0 1)))"
+ "a wave of amplitude −1 counts as longer by one where forms are chosen" layout)
