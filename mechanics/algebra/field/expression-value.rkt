@@ -10,7 +10,7 @@
          "../kernel/find-kernels.rkt" "../kernel/kernel.rkt"
          "../polynomial/fraction.rkt" "../polynomial/polynomial.rkt")
 
-(provide field-fraction (struct-out obstruction))
+(provide field-fraction within-bounds (struct-out obstruction))
 
 ;; The walk of one expression.  values, turns : of nodes and of angles met, by identity
 ;; node : the operation that is being carried out
@@ -23,12 +23,15 @@
 ;; The reduced fraction an expression stands for.
 (define (field-fraction F e)
   (define w (walk F (make-memo) (make-memo) e))
-  (define value
+  (reduce-fraction F (within-bounds F (lambda () (walk-node w)) (lambda () (value-of w e)))))
+
+;; The value of (work); past the bounds an obstruction at (node) is raised.
+(define (within-bounds F node work)
+  (begin0
     (with-handlers ([(lambda (x) (or (obstacle? x) (overspent? x)))
-                     (lambda (x) (raise (obstruction (walk-node w))))])
-      (value-of w e)))
-  (end-steps! (field-fuel F))
-  (reduce-fraction F value))
+                     (lambda (x) (raise (obstruction (node))))])
+      (work))
+    (end-steps! (field-fuel F))))
 
 (define (constant F c) (fraction-constant (field-ring F) c))
 

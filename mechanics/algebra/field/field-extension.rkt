@@ -80,8 +80,10 @@
                          (fraction-from-poly R (poly-variable R other (cdr m)))))))
 
 (define (modulus-relation F k)
-  (define u (field-fraction F (modulus-argument (kernel-relation k))))
-  (relation (kernel-index k) 2 (reduce-fraction F (fraction-expt (field-ring F) u 2))))
+  (define e (modulus-argument (kernel-relation k)))
+  (define u (field-fraction F e))
+  (define square (within-bounds F (lambda () e) (lambda () (field-power F u 2))))
+  (relation (kernel-index k) 2 (reduce-fraction F square)))
 
 (define (circle-relations R kernels)
   (define one (poly-constant R 1))

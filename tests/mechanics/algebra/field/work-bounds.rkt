@@ -52,6 +52,12 @@
   (check-equal? (simplify-expression e) e)
   (check-equal? (left-unexpanded e) '((* x (expt (+ a b c d e f) 12)))))
 
+(test-case "an absolute value is not squared if that would be enormous"
+  (define sum (e:- (e:expt (sum-of 'a 'b 'c 'd) 40) 'x))
+  (define size (e:apply op:abs sum))
+  (check-true (node? (simplify-expression size)))
+  (check-equal? (simplify-expression (e:- size size)) 0))
+
 (test-case "a power of a high degree and its square are compared without being made"
   (define e (iterate 40 squared (e:+ 'a 'b)))
   (check-true (node? (simplify-expression e)))
