@@ -34,14 +34,18 @@
     (define p (scaled-step here mu))
     (define gain (promised here p mu))
     (define cost (cost-of here))
+    (define x (stepped here p))
     (cond
-      [(or (fl= cost 0.0) (fl<= gain (fl* tolerance (fl* tolerance cost)))) here]
+      ;; nothing is left to gain, or rounding takes the step away
+      [(or (fl= cost 0.0) (fl<= gain (fl* tolerance (fl* tolerance cost)))
+           (equal? x (linear-model-point here)))
+       here]
       [(or (= count limit) (fl> mu 1e12))
        (raise-not-convergent who "no least sum of squares found"
                              (argument (linear-model-point here)) (norm p)
                              "sum of squares" cost "steps" count)]
       [else
-       (define next (model-at evaluate (stepped here p)))
+       (define next (model-at evaluate x))
        (define share (if next (fl/ (fl- cost (cost-of next)) gain) -1.0))
        (cond
          [(fl> share 1e-4)

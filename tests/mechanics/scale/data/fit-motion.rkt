@@ -60,6 +60,13 @@
     (for ([value (motion-fit-values found)] [expected (list q v 1.2)])
       (check-= (cadr value) expected 1e-9))))
 
+(test-case "a state without the time is fitted whole"
+  (define ((decay k) s) (up (* -1 k (ref s 0))))
+  (define data (for/list ([t '(0.0 0.5 1.0 2.0)]) (list t (* 2 (exp (* -0.7 t))))))
+  (define found (motion-fit-values (fit-motion decay (up 1.5) data #:parameters '((k 1)))))
+  (check-equal? (map car found) '(x0 k))
+  (for ([v found] [true '(2 0.7)]) (check-close (cadr v) true 1e-8)))
+
 (test-case "a picture of the residuals: a point for each row, about a line at 0"
   (define f (fitted (measurements 0.01)))
   (define picture (frame 0 10 -0.05 0.05))
