@@ -169,8 +169,8 @@
 ;; Where the trace stopped
 
 (define (evaluate-generically who f example reason)
-  (define point (example->flvector who example))
-  (define shape (f (flvector->structure example point)))
+  (define numbers (example->flvector who example))
+  (define shape (f (flvector->structure example numbers)))
   (define (fail x) (raise-not-a-number who "value" x))
   (define outputs (flvector-length (structure->flvector shape fail)))
   (define (run input output)
@@ -181,7 +181,7 @@
                         "at the example" shape "now" value))
     (flvector-copy! output v))
   (compiled-function (lambda () run)
-                     (flvector-length point) outputs shape #f #f reason (value->datum f)))
+                     (flvector-length numbers) outputs shape #f #f reason (value->datum f)))
 
 ;; As compiled code does, where a matrix has no inverse or an exact zero divides.
 (define (value-or-nan f x shape)

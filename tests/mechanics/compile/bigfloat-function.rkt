@@ -18,6 +18,11 @@
     (check-true traced?)
     (check-equal? value 1))
 
+  (test-case "what is no number is told by who asks"
+    (for ([x '("no" m)] [words '("\"no\", a string" "the symbol m")])
+      (check-exn (regexp (string-append "^test: expected real numbers; given " words "$"))
+                 (lambda () (bigfloat-function 'test values x)))))
+
   (test-case "a function that tells placeholders from numbers is called"
     (define (traced-at-all? f)
       (define-values (value traced?) (value-and-traced f 3))

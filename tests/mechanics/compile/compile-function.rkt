@@ -63,6 +63,11 @@
   (define (g x) (* 1e-200 (+ (* 1e-200 x) (* 5e-201 x))))
   (check-= (/ (car (numbers ((compile-function g 1.0) (flvector 1e300)))) 1.5e-100) 1 1e-14))
 
+;; 1/3 of x and 1/7 of it are one multiple in the code, and two in the function.
+(test-case "rounding of great values, of either sign, is no difference"
+  (define (f x) (- (+ (* 1/3 x) (* 1/7 x)) (* 1/11 (square x))))
+  (for ([x '(1e9 -1e9)]) (check-false (compiled-function-reason (compile-function f x)))))
+
 (test-case "Racket's own tests are found out by the value at the example"
   (define (f x) (if (flonum? x) (* 2 x) x))
   (define c (compile-function f 2.0))

@@ -43,7 +43,9 @@
   (check-equal? (regexp-replace* #rx"\r[^\e]*\e\\[K" text "") "")
   (check-regexp-match #rx"\r\e\\[K$" text)
   (define-values (brief n) (shown (lambda () (steps 20))))
-  (check-equal? brief ""))
+  (check-equal? brief "")
+  (define-values (each m) (shown (lambda () (steps 14)) #:tick 250))
+  (check-equal? (lines each) '("step 11" "step 12" "step 13" "")))
 
 (test-case "an error and a break erase the line, and go on"
   (define (failing e)

@@ -33,6 +33,10 @@
   (define (falling x) (if (> x 0.9985) (/ -1.0 (- x 0.9985)) (- 1.9985 x)))
   (check-exn #rx"the function falls without bound, at a pole" (lambda () (kind falling 0 1))))
 
+(test-case "no minimum: a pole between ends that are equally far from 0"
+  (check-exn #rx"the function falls without bound, at a pole"
+             (lambda () (kind (lambda (x) (g:log (g:abs (g:- x 0.3001)))) -1 1))))
+
 (test-case "an end where there is no value is no minimum"
   (define m (find-minimum (lambda (x) (g:+ 1 (g:/ x (g:sin x)))) 0 1))
   (check-= (minimum-value m) 2 1e-9))

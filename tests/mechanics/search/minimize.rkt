@@ -116,6 +116,7 @@
 
 (test-case "a start where the gradient vanishes is not taken for a minimum"
   (check-= (abs (multidimensional-minimize g:cos 0)) (acos -1.0) 1e-6)
+  (check-= (abs (multidimensional-minimize g:cos 0 #:method 'quasi-newton)) (acos -1.0) 1e-6)
   (define (saddle v)
     (g:+ (g:square (ref v 0)) (g:* -1 (g:square (ref v 1))) (g:expt (ref v 1) 4)))
   (define-values (x y slope count)

@@ -137,6 +137,11 @@
     seen)
   (check-equal? (points 1.0) (points 1024.0)))
 
+(test-case "differences are derivatives, of functions of second degree but for rounding"
+  (define (f v) (flvector (* (x 0 v) (x 1 v)) (+ (expt (x 1 v) 2) (x 0 v))))
+  (check-within (difference-rows f (flvector 1.0 -3.0) 1e-3)
+                (vector (vector -3.0 1.0) (vector 1.0 -6.0)) 1e-11))
+
 (test-case "without an inverse, and without a root"
   (define failure
     (with-handlers ([exn:fail:mechanics:singular? values])

@@ -39,6 +39,8 @@
   "fit-motion: row 1 of the data has 2 numbers beside the time, the first one 1"]
  [(fit guesses '() '((-1 2)))
   "fit-motion: data before the time of the start\n  row: 0\n  time: -1.0\n  start: 0.0"]
+ [(fit-motion pendulum (up 2 0.9 0.1) '((1 2)) #:parameters guesses #:measured angle)
+  "fit-motion: data before the time of the start\n  row: 0\n  time: 1.0\n  start: 2.0"]
  [(fit guesses '() '((1)))
   "fit-motion: expected a time and what was measured then\n  row: 0\n  given: (1)"]
  [(fit guesses '() 3)

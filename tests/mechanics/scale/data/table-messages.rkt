@@ -1,7 +1,8 @@
 #lang racket/base
 ;; Messages on tables that cannot be written or read.
 
-(require mechanics
+(require file/zip
+         mechanics
          racket/file
          "../../support/checks.rkt" "../../support/folder.rkt" "../../support/messages.rkt")
 
@@ -48,6 +49,14 @@
                 "read-table: the head of the file is damaged\n  file: a.npy")
   (check-equal? (reading "a.npz" #"PK")
                 "read-table: this is no archive of NumPy's arrays\n  file: a.npz")
+  (define (zipped name)
+    (define out (open-output-bytes))
+    (with-folder (folder)
+      (display-to-file "1" (build-path folder name))
+      (parameterize ([current-directory folder]) (zip->output (list name) out)))
+    (get-output-bytes out))
+  (check-equal? (reading "a.npz" (zipped "a.txt"))
+                "read-table: this is no archive of NumPy's arrays\n  file: a.npz")
   (define (array type shape)
     (define head (string->bytes/utf-8
                   (format "{'descr': ~a, 'fortran_order': False, 'shape': ~a, }\n" type shape)))
@@ -64,6 +73,8 @@
   (check-equal? (reading "a.npy" (array "[('a', '<f8', (3,))]" "(1,)"))
                 (string-append "read-table: expected records whose fields are numbers\n"
                                "  file: a.npy\n  type: [('a', '<f8', (3,))]"))
+  (check-regexp-match #rx"^read-table: expected records whose fields are numbers\n"
+                      (reading "a.npy" (array "[('a', '<f8'), ('b', '<f8', (3,))]" "(1,)")))
   (check-equal? (reading "a.npy" (array "'<f8'" "(3,)"))
                 "read-table: the file ends before its last row\n  file: a.npy"))
 

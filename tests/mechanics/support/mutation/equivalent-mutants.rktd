@@ -601,6 +601,10 @@
  "(let ([size (norm c)]) (if (fl> size 0.0) size 1.0)))]"
  "(let ([size (norm c)]) (if (fl> size 0.0) size 2.0)))]"
  "a column of zeros is one in any unit; its variable stays, and is told as not determined")
+("numeric/optimization/complex-zeros.rkt"
+ "(define size (max (abs (real-part z)) (abs (imag-part z))))"
+ "(define size (max (abs (real-part z)) (imag-part z)))"
+ "a zero below the real axis is kept in more bits than count: slower, the same zeros" limit)
 ("algebra/assumption/ledger.rkt"
  "(asked-once A s e (lambda () (real-valued? A s e)) #f))"
  "(asked-once s s e (lambda () (real-valued? A s e)) #f))"
@@ -621,6 +625,10 @@
  "(and (< pieces most-pieces)"
  "(and (<= pieces most-pieces)"
  "a limit of the pieces of memory at once, one more" limit)
+("numeric/machine/instruction-builder.rkt"
+ "(define code-limit (expt 2 25))"
+ "(define code-limit (expt 2 26))"
+ "the numbers by which instructions are found again: a larger base keeps them apart as well" limit)
 ("numeric/Taylor/polynomial-zeros.rkt"
  "(loop low high newton (+ count 1))]"
  "(loop low high newton (- count 1))]"
@@ -637,6 +645,10 @@
  "(define-values (rows next) (best-choice errors (if last? far h) accepted? most))"
  "(define-values (rows next) (best-choice errors (if last? h h) accepted? most))"
  "the step after the one that was cut short at an end may be too long, and is tried again: work, not value" limit)
+("numeric/bigfloat/extrapolation.rkt"
+ "(fl* 0.94 (flexpt (fl/ 0.65 error) (fl/ 1.0 (->fl (- (* 2 j) 1)))))"
+ "(fl* 0.94 (flexpt (fl/ 0.65 error) (fl/ 1.0 (->fl (+ (* 2 j) 1)))))"
+ "how long a step a row would have borne, as if of two orders more: other steps, which keep the same tolerance" limit)
 ("dynamics/map/fixed-points.rkt"
  "(define return-tolerance 1e-9)"
  "(define return-tolerance 2e-9)"
@@ -969,6 +981,14 @@
  "(define shift (if (< 0 k n) (* 0.4 (- (spread-fraction k) 0.5)) 0.0))"
  "(define shift (if (< 0 k n) (+ 0.4 (- (spread-fraction k) 0.5)) 0.0))"
  "samples are shifted further, in order still, and keep out of step as well" limit)
+("search/find-root.rkt"
+ "(define-plain (newton-search f start [tolerance 1e-12]"
+ "(define-plain (newton-search f start [tolerance 2e-12]"
+ "Newton's method doubles its digits: it ends as far below either tolerance" limit)
+("search/minimum-between.rkt"
+ "(or (grows? (fall 1.0)) (grows? (fall -1.0))))"
+ "(or (grows? (fall 2.0)) (grows? (fall -1.0))))"
+ "at which distances on one side a fall is measured: all are far below the width of the interval" limit)
 ("constraint/accelerations.rkt"
  "(unary-function (apply call-datum who L (gather who constraints) (force->datum Q)) (state)"
  "(unary-function (apply call-datum who L (gather constraints constraints) (force->datum Q)) (state)"
@@ -1033,6 +1053,10 @@
  "(for/fold ([w (work 0 0 0 0 coded?)])"
  "(for/fold ([w (work 0 0 1 0 coded?)])"
  "an estimate of work: it tells which of two ways is taken, not what comes out" limit)
+("compile/jet/jet-linear-combinations.rkt"
+ "(if (or (> c 0) (integer? n))"
+ "(if (or (> c 1) (integer? n))"
+ "a multiple by 0 to 1 is a quantity of its own before its root is taken: the same value, an operation more" limit)
 ("constraint/constrained-code.rkt"
  "(define-values (positions velocities) (positions-and-velocities who cs state))"
  "(define-values (positions velocities) (positions-and-velocities cs cs state))"
@@ -1061,3 +1085,11 @@
  "(+ (if (negative? x) 1 0) (if (eqv? 1 (abs x)) 0 1)))"
  "(+ (if (negative? x) 1 0) (if (eqv? 1 x) 0 1)))"
  "a wave of amplitude −1 counts as longer by one where forms are chosen" layout)
+("compile/compile-function.rkt"
+ "(define numbers (example->flvector who example))"
+ "(define numbers (example->flvector example example))"
+ "the example has been looked at before, under the right name")
+("scale/data/NPY.rkt"
+ "(bytes-append magic (bytes 3 0) (integer->integer-bytes (bytes-length content) 4 #f #f) content))"
+ "(bytes-append magic (bytes 3 0) (integer->integer-bytes (bytes-length content) 4 #t #f) content))"
+ "the head of a file is shorter than numbers of 32 bits with a sign reach")
