@@ -18,6 +18,11 @@
     (check-true traced?)
     (check-equal? value 1))
 
+  (test-case "what is no operation on such numbers is left to the function"
+    (define-values (value traced?) (value-and-traced (m:principal-value m:pi) 1/2))
+    (check-false traced?)
+    (check-equal? value 1/2))
+
   (test-case "what is no number is told by who asks"
     (for ([x '("no" m)] [words '("\"no\", a string" "the symbol m")])
       (check-exn (regexp (string-append "^test: expected real numbers; given " words "$"))

@@ -32,7 +32,7 @@
 (test-case "tuples of angles; derivatives; printing"
   (check-equal? ((principal-value :pi) (m:up 4 (m:up -4 0)))
                 (m:up (- 4 :2pi) (m:up (+ -4 :2pi) 0)))
-  (check-equal? ((m:D (principal-value :pi)) 4) 1)
+  (for ([x (list 4 :pi (- :pi))]) (check-equal? ((m:D (principal-value :pi)) x) 1))
   (check-= ((m:D (m:compose m:square (principal-value :pi))) 4) (* 2 (- 4 :2pi)) 1e-14)
   (check-equal? (format "~a" (principal-value 3)) "(principal-value 3)"))
 

@@ -69,6 +69,19 @@
       (check-true (< (length times) 8) (format "~a" times)))
     (check-= (car (times-of-steps (lambda (y) (vector (bf 0))) (vector (bf 0)) 1000)) 1.0 0.0))
 
+  ;; Without these the first step is 1.6 and the next reaches the end.
+  (test-case "steps are no longer, and no more, than allowed"
+    (define-values (times why)
+      (let/ec return
+        (define times '())
+        ((make-integrator (lambda (y) (vector (bf 1/8))) (vector (bf 1)) (bf 0) (bf 1e-10) 10
+                          #:clock #f #:longest 0.5 #:limit 4
+                          #:stuck (lambda (t y why) (return (reverse times) why)))
+         (bf 5)
+         (lambda (from y to z) (set! times (cons (bigfloat->flonum to) times))))))
+    (check-equal? times '(0.5 1.0 1.5 2.0))
+    (check-eq? why 'too-many-steps))
+
   ;; t' = 1, x' = 1/t², from 10 to the pole at 0: steps are in proportion to t.
   (test-case "towards a pole a step is too short beside the time since the start"
     (define (towards-pole y)

@@ -649,6 +649,26 @@
  "(fl* 0.94 (flexpt (fl/ 0.65 error) (fl/ 1.0 (->fl (- (* 2 j) 1)))))"
  "(fl* 0.94 (flexpt (fl/ 0.65 error) (fl/ 1.0 (->fl (+ (* 2 j) 1)))))"
  "how long a step a row would have borne, as if of two orders more: other steps, which keep the same tolerance" limit)
+("numeric/bigfloat/extrapolation.rkt"
+ "(define (most-rows digits) (+ 4 (inexact->exact (ceiling (* 0.8 digits)))))"
+ "(define (most-rows digits) (+ 4 (inexact->exact (ceiling (+ 0.8 digits)))))"
+ "so many rows at most: other steps, which keep the same tolerance" limit)
+("numeric/bigfloat/extrapolation.rkt"
+ "(define left (- (+ aim 1) j))"
+ "(define left (- (+ aim 2) j))"
+ "how many rows beyond those aimed at are tried: work, not value" limit)
+("numeric/bigfloat/extrapolation.rkt"
+ "(and (<= left 2)"
+ "(and (< left 2)"
+ "from which row on a step is given up beforehand: work, not value" limit)
+("numeric/bigfloat/extrapolation.rkt"
+ "(define (slopes j) (+ 1.0 (* j (+ j 1))))"
+ "(define (slopes j) (+ 2.0 (* j (+ j 1))))"
+ "what rows are thought to cost: other steps are chosen, which keep the same tolerance" limit)
+("numeric/bigfloat/extrapolation.rkt"
+ "(define last (+ 1 (length errors)))"
+ "(define last (+ 2 (length errors)))"
+ "which row bore how long a step is told by the next one's number: other steps, which keep the same tolerance" limit)
 ("dynamics/map/fixed-points.rkt"
  "(define return-tolerance 1e-9)"
  "(define return-tolerance 2e-9)"
@@ -985,10 +1005,6 @@
  "(define-plain (newton-search f start [tolerance 1e-12]"
  "(define-plain (newton-search f start [tolerance 2e-12]"
  "Newton's method doubles its digits: it ends as far below either tolerance" limit)
-("search/minimum-between.rkt"
- "(or (grows? (fall 1.0)) (grows? (fall -1.0))))"
- "(or (grows? (fall 2.0)) (grows? (fall -1.0))))"
- "at which distances on one side a fall is measured: all are far below the width of the interval" limit)
 ("constraint/accelerations.rkt"
  "(unary-function (apply call-datum who L (gather who constraints) (force->datum Q)) (state)"
  "(unary-function (apply call-datum who L (gather constraints constraints) (force->datum Q)) (state)"
