@@ -53,6 +53,17 @@
                           [(for/or ([m (marks whole)]) (<= m k (+ m 7))) 0]
                           [else 1])))))
 
+(test-case "two batches damaged side by side are done again, and no others"
+  (with-file file
+    (define right (follow file))
+    (define whole (file->bytes file))
+    (rewrite file (for/fold ([bytes whole]) ([m (take (drop (marks whole) 3) 2)])
+                    (flipped bytes (+ m 40))))
+    (define-values (result words) (noted (follow file)))
+    (check-equal? result right)
+    (check-regexp-match #rx"checkpoint is damaged in one place" words)
+    (check-equal? (length (marks (file->bytes file))) (+ 2 (length (marks whole))))))
+
 (test-case "where it says whose it is, it is damaged: told, and left"
   (with-file file
     (void (follow file))

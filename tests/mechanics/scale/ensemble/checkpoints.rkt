@@ -106,7 +106,7 @@
     (define before (file->bytes file))
     (for ([call (list (lambda () (again #:maker sideways)) (lambda () (again #:events bottom))
                       (lambda () (again #:tolerance 1e-6)))])
-      (check-exn #rx"checkpoint is of another ensemble" call)
+      (check-exn #rx"^evolve-ensemble: the checkpoint is of another ensemble" call)
       (check-equal? (file->bytes file) before))))
 
 (test-case "a checkpoint of something else is refused and left as it is"

@@ -60,6 +60,9 @@
  [(evolve-ensemble free (list (up 0 1 0)) 1 #:events 3)
   "evolve-ensemble: expected events; (event f) makes one of a function of the state\n"
   "  given: the number 3"]
+ [(evolve-ensemble free (list (up 0 1 0)) 1 #:events (event (lambda (s) #t) #:name 'yes))
+  "evolve-ensemble: the value of an event's function is a real number\n  event: (event yes)\n"
+  "  value: #t, a boolean\n  it passes through zero: (- a b) where (< a b) changes"]
  [(evolve-ensemble free (list (up 0 1 0)) 1 #:events bottom #:collect (lambda (s) s))
   "evolve-ensemble: #:collect is a procedure of a state and a list of occurrences, with #:events\n"
   "  given: a function without a name"]
@@ -158,6 +161,16 @@
   (define ends
     (evolve-ensemble away (list (up 0 1) (up 0 -1)) 2 #:jobs 1 #:parameters '((3) (1/2))))
   (for ([end ends] [expected '(7 -2)]) (check-= (ref end 1) expected 1e-12)))
+
+(test-case "a system that takes decisions is followed by the method and to the tolerance asked"
+  (define (circle s) (if (> (ref s 1) -2) (up 1 (ref s 2) (- (ref s 1))) s))
+  (define start (up 0.0 1.0 0.0))
+  (for ([method '(Dormand-Prince-54 Dormand-Prince-853)] [tolerance '(1e-4 1e-10)])
+    (check-equal? (evolve-ensemble circle (list start) 5 #:jobs 1 #:method method
+                                   #:tolerance tolerance)
+                  (list (trajectory-final-state
+                         (evolve-trajectory circle start 5 #:method method
+                                            #:tolerance tolerance))))))
 
 ;; x reaches 1 at the time 1/2.
 (test-case "where it fails that is told, without a state"

@@ -155,12 +155,12 @@
 
 (test-case "the rates as C has them: variables, parameters, systems, parentheses about sums"
   (in-new-folder folder
-    (define (rates s) (up 1 (* 'k (ref s 2)) (* (+ (ref s 1) 'a) (ref s 2) (sin (ref s 2)))))
+    (define (rates s) (up 1 (* 3 'k (ref s 2)) (* (+ (ref s 1) 'a) (ref s 2) (sin (ref s 2)))))
     (define text (C-text folder rates (up 't 'x 'y)))
     (for ([line '("double x = y[1];" "double y_ = y[2];" "double a = p[0];" "double k = p[1];"
                   "dy[0] = 1.0;")])
       (check-true (string-contains? text line) line))
-    (check-false (regexp-match #px"[-=*+] *[(][\\w.]+[)]" text))
+    (check-false (regexp-match #px"[-=*+(] *[(][\\w.]+[)]" text))
     (define solving (C-text folder four (up 't 'x)))
     (for ([line '("solve(4, v3_matrix, v3);" "dy[1] = v3[2];")])
       (check-true (string-contains? solving line) line))))

@@ -713,6 +713,10 @@
  "(define (useful jobs) (min jobs (* 4 (processor-count))))"
  "(define (useful jobs) (min jobs (+ 4 (processor-count))))"
  "how many workers a thousand jobs are" limit)
+("scale/ensemble/perform-task.rkt"
+ "(define last-system #f)"
+ "(define last-system #t)"
+ "no list of parameters is #f: the first one makes a system")
 ("scale/export/program-text.rkt"
  "(define longest 68)"
  "(define longest 69)"
@@ -725,6 +729,10 @@
  "(for/list ([f (in-list (C-files who s))]) (cons (in (in name \"csrc\") (car f)) (cdr f)))))"
  "(for/list ([f (in-list (C-files s s))]) (cons (in (in name \"csrc\") (car f)) (cdr f)))))"
  "who complains of an operation that C lacks: it has a function for each")
+("scale/export/program-text.rkt"
+ "(formula (number->literal x) (if (or (< x 0.0) (eqv? x -0.0)) sum atom)))"
+ "(formula (number->literal x) (if (or (< x 0.0) (eqv? x -0.0)) atom atom)))"
+ "a negative number in a product stands without parentheses" layout)
 ("error/DrRacket-run.rkt"
  "\"--jobs\" (number->string (min 4 (processor-count))) \"--DrRacket\""
  "\"--jobs\" (number->string (min 5 (processor-count))) \"--DrRacket\""
