@@ -22,7 +22,7 @@
 ;; -> (h error iterations -> length of the next step); error in units of the tolerance,
 ;; above 1 if the step is rejected; iterations : how many were made of at most `most`
 (define (make-controller most)
-  (define last-length 0.0)              ; of the step accepted last, 0 before the first
+  (define last-length 0.0)    ; of the step accepted last; 0 before the first, which predicts +inf.0
   (define last-error 1.0)
   (define rejected? #f)
   (define (shortened iterations)
@@ -36,10 +36,7 @@
     (define (bounded x greatest) (fl* h (flmax least-growth (flmin greatest x))))
     (cond
       [(fl<= error 1.0)
-       (define predicted
-         (if (fl= last-length 0.0)
-             growth
-             (flmin growth (by-prediction h (flmax error 1e-12) factor))))
+       (define predicted (flmin growth (by-prediction h (flmax error 1e-12) factor)))
        (define next (bounded predicted (if rejected? 1.0 greatest-growth)))
        (set! last-length h)
        (set! last-error (flmax 1e-2 error))

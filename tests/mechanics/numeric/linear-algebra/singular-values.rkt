@@ -25,10 +25,12 @@
   (check-decomposition (list (flvector 1.0 4.0 7.0) (flvector 2.0 5.0 8.0)
                              (flvector 3.0 6.0 10.0))))
 
-(test-case "the values are known: 3√5 and √5"
-  (define-values (us sizes vs) (singular-values (list (flvector 3.0 4.0) (flvector 0.0 5.0))))
-  (check-= (car sizes) (* 3 (sqrt 5.0)) 1e-14)
-  (check-= (cadr sizes) (sqrt 5.0) 1e-14))
+(test-case "the values are known: 3√5 and √5, whatever the unit"
+  (for ([unit '(1.0 1e-30 1e30)])
+    (define-values (us sizes vs)
+      (singular-values (list (flvector (* 3.0 unit) (* 4.0 unit)) (flvector 0.0 (* 5.0 unit)))))
+    (check-= (/ (car sizes) unit) (* 3 (sqrt 5.0)) 1e-14)
+    (check-= (/ (cadr sizes) unit) (sqrt 5.0) 1e-14)))
 
 (test-case "a small value beside a great one keeps its digits"
   (define-values (us sizes vs)

@@ -521,6 +521,10 @@
  "(let loop ([last (- n 1)] [steps 0] [found '()])"
  "(let loop ([last (- n 1)] [steps 1] [found '()])"
  "after how many steps the shifts are unusual ones" limit)
+("numeric/linear-algebra/flonum-systems.rkt"
+ "(for*/fold ([row #f] [place #f] [size 0.0])"
+ "(for*/fold ([row #t] [place #f] [size 0.0])"
+ "the place of the greatest of entries that are all 0, which nobody asks for")
 ("numeric/special/Bessel-recurrences.rkt"
  "(define unit (fl* side 1e-290))"
  "(define unit (fl* side 2e-290))"
@@ -541,6 +545,26 @@
  "(and full? (fl< (row-late r) (fl* still-shorter (row-early r))))]))"
  "(and full? (fl<= (row-late r) (fl* still-shorter (row-early r))))]))"
  "sums of hundreds of step lengths that are equal to the bit: a row more or less of steps" limit)
+("numeric/ode/roundoff-detection.rkt"
+ "(define r (one-longer (or (crawl-row c) (row 0 first-half 0.0 0.0)) h))"
+ "(define r (one-longer (or (crawl-row c) (row 1 first-half 0.0 0.0)) h))"
+ "how long a row of short steps is before it tells: one step less" limit)
+("numeric/ode/method-code.rkt"
+ "(and (<= n most-components) (<= (vector-length instructions) most-instructions)))"
+ "(and (<= most-components most-components) (<= (vector-length instructions) most-instructions)))"
+ "which of two forms of machine code is written: the same values" limit)
+("numeric/ode/radau-equations.rkt"
+ "[(not (fl< size +inf.0)) #f]"
+ ""
+ "what is no number is told after the last iteration: work, not value" limit)
+("numeric/ode/radau.rkt"
+ "(if (fl< error too-large) (control h error (equations-iterations equations)) (fl* 0.5 h)))"
+ "(if (fl<= error too-large) (control h error (equations-iterations equations)) (fl* 0.5 h)))"
+ "an error that is this limit to the bit" limit)
+("numeric/ode/taylor-run.rkt"
+ "(cond [(or (fl= fitting unit) (= count 20) (not (fl< 1e-290 fitting 1e290)))"
+ "(cond [(or (fl= fitting unit) (= count 20) (not (fl< 1e-290 fitting 2e+290)))"
+ "up to which unit, far beyond all lengths, coefficients are computed anew" limit)
 ("motion/event/event-polynomial.rkt"
  "(cond [(clear? row (expansion-order e) (flabs span)) 'clear]"
  "(cond"
@@ -605,6 +629,22 @@
  "(define size (max (abs (real-part z)) (abs (imag-part z))))"
  "(define size (max (abs (real-part z)) (imag-part z)))"
  "a zero below the real axis is kept in more bits than count: slower, the same zeros" limit)
+("numeric/optimization/trust-region.rkt"
+ "[(and (fl> (share f*) 0.75) long?) (fl* 2.0 radius)]"
+ "[(or (fl> (share f*) 0.75) long?) (fl* 2.0 radius)]"
+ "how far the next step may go: other steps, to the same zero" limit)
+("numeric/optimization/differences.rkt"
+ "(and (pair? row) (<= (entry-badness (least-bad row)) (* 10.0 tolerance))))"
+ "(and (pair? row) (< (entry-badness (least-bad row)) (* 10.0 tolerance))))"
+ "a badness that is ten times the tolerance to the bit" limit)
+("numeric/optimization/differences.rkt"
+ "(+ (* 2.0 (distance q v)) rounding (* 10.0 tolerance (max (abs v) scale))))))"
+ "(+ (* 4.0 (distance q v)) rounding (* 10.0 tolerance (max (abs v) scale))))))"
+ "how far the quotient over another step may be from the derivative: twice what it may be else" limit)
+("numeric/optimization/brent-root.rkt"
+ "(define all (- (point-x c) (point-x b)))"
+ "(define all (+ (point-x c) (point-x b)))"
+ "the length of the step before the first one, of which there was none: other steps, to the same root" limit)
 ("algebra/assumption/ledger.rkt"
  "(asked-once A s e (lambda () (real-valued? A s e)) #f))"
  "(asked-once s s e (lambda () (real-valued? A s e)) #f))"
