@@ -525,6 +525,22 @@
  "(for*/fold ([row #f] [place #f] [size 0.0])"
  "(for*/fold ([row #t] [place #f] [size 0.0])"
  "the place of the greatest of entries that are all 0, which nobody asks for")
+("numeric/linear-algebra/general-eigenvalues.rkt"
+ "(when (= count 3) (put! h n (+ k 2) (- k 1) 0.0))]"
+ "(when (= count 4) (put! h n (+ k 2) (- k 1) 0.0))]"
+ "what rounding leaves where there are zeros: eigenvalues move within their rounding" limit)
+("numeric/linear-algebra/general-eigenvalues.rkt"
+ "(fl* epsilon (fl* (flabs x) (fl+ (beside (- m 1))"
+ "(fl* epsilon (fl* (flabs x) (fl+ (beside (+ m 1))"
+ "beside which of its neighbours a product counts as nothing" limit)
+("numeric/linear-algebra/symmetric-eigenvalues.rkt"
+ "(fl* (fl* 0.5 epsilon) (fl* (flsqrt (flabs app)) (flsqrt (flabs aqq)))))))"
+ "(fl* (fl* 1.0 epsilon) (fl* (flsqrt (flabs app)) (flsqrt (flabs aqq)))))))"
+ "which entry counts as nothing beside its diagonal: twice as great" limit)
+("numeric/linear-algebra/numeric-modes.rkt"
+ "(max (greatest-entry K) (* w w (greatest-entry M)) (* w (greatest-entry G))))"
+ "(max (greatest-entry K) (+ w w (greatest-entry M)) (* w (greatest-entry G))))"
+ "up to which size what elimination leaves counts as rounding" limit)
 ("numeric/special/Bessel-recurrences.rkt"
  "(define unit (fl* side 1e-290))"
  "(define unit (fl* side 2e-290))"
@@ -565,6 +581,14 @@
  "(cond [(or (fl= fitting unit) (= count 20) (not (fl< 1e-290 fitting 1e290)))"
  "(cond [(or (fl= fitting unit) (= count 20) (not (fl< 1e-290 fitting 2e+290)))"
  "up to which unit, far beyond all lengths, coefficients are computed anew" limit)
+("numeric/ode/integrate.rkt"
+ "(if (fl< 0.0 length +inf.0) length (fl+ 1.0 (flabs t))))"
+ "(if (fl< 0.0 length +inf.0) length (fl+ 1.0 t)))"
+ "a state that does not tell the time begins at 0, and one that tells it is never wholly at rest")
+("numeric/ode/taylor-run.rkt"
+ "(flmax (falling (last-size e 2) a) (falling (last-size e 3) b)))]"
+ "(flmin (falling (last-size e 2) a) (falling (last-size e 3) b)))]"
+ "which of two small terms tells the length of a step: other steps, which keep the same tolerance" limit)
 ("motion/event/event-polynomial.rkt"
  "(cond [(clear? row (expansion-order e) (flabs span)) 'clear]"
  "(cond"
@@ -645,6 +669,10 @@
  "(define all (- (point-x c) (point-x b)))"
  "(define all (+ (point-x c) (point-x b)))"
  "the length of the step before the first one, of which there was none: other steps, to the same root" limit)
+("numeric/optimization/differences.rkt"
+ "(and (> (length row) 2)"
+ "(or (> (length row) 2)"
+ "the search ends at the tolerance: digits beyond it are not looked for" limit)
 ("algebra/assumption/ledger.rkt"
  "(asked-once A s e (lambda () (real-valued? A s e)) #f))"
  "(asked-once s s e (lambda () (real-valued? A s e)) #f))"
@@ -673,6 +701,18 @@
  "(loop low high newton (+ count 1))]"
  "(loop low high newton (- count 1))]"
  "how often halving helps Newton's steps, which stay between the bounds: the zero is the same, found in more steps" limit)
+("numeric/Taylor/polynomial-zeros.rkt"
+ "[(or (fl= middle low) (fl= middle high)) middle]"
+ "[(and (fl= middle low) (fl= middle high)) middle]"
+ "a zero is looked for between two numbers side by side, to the end of the count: work, not value" limit)
+("numeric/Taylor/expansion.rkt"
+ "(>= order 3)"
+ "(>= order 4)"
+ "from which order on there is machine code: kernels give the same values, slower" limit)
+("numeric/Taylor/polynomial-zeros.rkt"
+ "[(and (fl< low newton) (fl< newton high) (not (= 7 (remainder count 8))))"
+ "[(and (fl< low newton) (fl< newton high) (not (= 7 (remainder count 9))))"
+ "how often a step is a halving where Newton's are slow" limit)
 ("numeric/bigfloat/extrapolation.rkt"
  "(define (slopes j) (+ 1.0 (* j (+ j 1))))"
  "(define (slopes j) (+ 1.0 (* j (- j 1))))"
@@ -1157,3 +1197,19 @@
  "(bytes-append magic (bytes 3 0) (integer->integer-bytes (bytes-length content) 4 #f #f) content))"
  "(bytes-append magic (bytes 3 0) (integer->integer-bytes (bytes-length content) 4 #t #f) content))"
  "the head of a file is shorter than numbers of 32 bits with a sign reach")
+("numeric/Fourier.rkt"
+ "(define count (max 1 (quotient n 2)))"
+ "(define count (max 2 (quotient n 2)))"
+ "tables for one node or two have an entry more, which nobody asks for")
+("generic/rounding.rkt"
+ "(cond [(real? simple) (numeric simple)]"
+ "(cond"
+ "the bounds of a number are the number: the same value, a little later" limit)
+("generic/arithmetic.rkt"
+ "(cond [(number? a) (- a)]"
+ "(cond"
+ "a product by -1 is the same number, a little later" limit)
+("generic/operation-rule/branches.rkt"
+ "(note x (cond [(> c 0) 1] [(< c 0) -1] [else 0]) (lambda (one other) 0)))))"
+ "(note x (cond [(> c 1) 1] [(< c 0) -1] [else 0]) (lambda (one other) 0)))))"
+ "a place more is looked at, where nothing jumps" limit)
