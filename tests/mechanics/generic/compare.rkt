@@ -21,6 +21,7 @@
   (check-true (g:= 1 1.0))
   (check-true (g:= 1/2 0.5 (/ 2 4)))
   (check-false (g:= 1 2))
+  (check-false (g:= 1 2 2))
   (check-false (g:= +nan.0 +nan.0))
   (check-true (g:= 3)))
 

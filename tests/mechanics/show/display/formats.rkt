@@ -5,7 +5,7 @@
 (require mechanics
          (only-in mechanics/show/typesetting/text-box columns-wide)
          "../../support/checks.rkt"
-         "../../support/golden/values.rkt" "../../support/messages.rkt" "../../support/skip.rkt"
+         "../../support/bigfloats.rkt" "../../support/golden/values.rkt" "../../support/messages.rkt" "../../support/skip.rkt"
          racket/file
          racket/port
          racket/string
@@ -88,6 +88,10 @@
   (for* ([s (in-list attacks)] [x (in-list (everywhere s))])
     (define parts (parsed (->MathML x)))
     (check-equal? (remove* elements (elements-of parts)) '() (format "~s" s))))
+
+(skip-unless bigfloats? no-bigfloats
+  (test-case "numbers of higher precision have powers of ten as others"
+    (check-equal? (->TeX (bigfloat 1e20 60)) (->TeX 1e20))))
 
 (test-case "names are shown as they are"
   (check-equal? (text-of (parsed (->MathML '|</mi><script>|))) "</mi><script>")

@@ -545,6 +545,10 @@
  "(define unit (fl* side 1e-290))"
  "(define unit (fl* side 2e-290))"
  "all three values are in one unit, which divides out")
+("numeric/special/elliptic-integrals.rkt"
+ "(/ (+ 1.0 (* s s (+ 3/10 (* s (+ 1/7 (* s (+ 3/8 (* s 9/22)))))))) (sqrt mean))]"
+ "(/ (+ 1.0 (* s s (+ 3/10 (* s (+ 1/7 (* s (- 3/8 (* s 9/22)))))))) (sqrt mean))]"
+ "the last term of a series, which is less than a rounding" limit)
 ("numeric/quadrature/gauss-kronrod.rkt"
  "(and (or (eq? p worst)"
  "(and (and (eq? p worst)"
@@ -589,6 +593,10 @@
  "(flmax (falling (last-size e 2) a) (falling (last-size e 3) b)))]"
  "(flmin (falling (last-size e 2) a) (falling (last-size e 3) b)))]"
  "which of two small terms tells the length of a step: other steps, which keep the same tolerance" limit)
+("numeric/ode/method-code.rkt"
+ "(write-stages! a n places 'old #f (explicit-formulas-further m) rates)"
+ "(write-stages! a n places 'old #t (explicit-formulas-further m) rates)"
+ "either is the name of no vector: nothing is stored under it")
 ("motion/event/event-polynomial.rkt"
  "(cond [(clear? row (expansion-order e) (flabs span)) 'clear]"
  "(cond"
@@ -713,6 +721,10 @@
  "[(and (fl< low newton) (fl< newton high) (not (= 7 (remainder count 8))))"
  "[(and (fl< low newton) (fl< newton high) (not (= 7 (remainder count 9))))"
  "how often a step is a halving where Newton's are slow" limit)
+("numeric/Taylor/polynomial-zeros.rkt"
+ "(define newton (fl- x (fl/ px slope)))"
+ "(define newton (fl+ x (fl/ px slope)))"
+ "Newton's steps lead away, and halvings find the same zeros, slower" limit)
 ("numeric/bigfloat/extrapolation.rkt"
  "(define (slopes j) (+ 1.0 (* j (+ j 1))))"
  "(define (slopes j) (+ 1.0 (* j (- j 1))))"
