@@ -613,6 +613,18 @@
  "(and (<= (car exponents) (+ 1.0 1e-6))"
  "(and (< (car exponents) (+ 1.0 1e-6))"
  "how near to 1 an exponent counts as 1, one flonum less" limit)
+("numeric/quadrature/tail.rkt"
+ "(define us (for/list ([k (in-range 8)]) (* to (expt 2.0 (* -0.5 k)))))"
+ "(define us (for/list ([k (in-range 8)]) (* to (expt 4.0 (* -0.5 k)))))"
+ "at which distances it is looked at whether a function falls as 1/u" limit)
+("numeric/quadrature/probe-points.rkt"
+ "(define aside (fl* 1e-3 (fl* strip (fl- (panel-centre p) edge))))"
+ "(define aside (fl* 1e-3 (fl+ strip (fl- (panel-centre p) edge))))"
+ "how far beside the edge of a panel it is looked at whether the panel is wrong" limit)
+("numeric/quadrature/improper.rkt"
+ "(cond [(near? a) a] [(near? b) b] [(near? 0.0) 0.0] [else c]))"
+ "(cond  [(near? b) b] [(near? 0.0) 0.0] [else c]))"
+ "a number next to an end does as well as the end: the distances looked at are greater by far" limit)
 ("motion/system/singular-coordinate.rkt"
  "(and (list? near) (<= (greatest near) (* 30 (greatest away)))))"
  "(and (list? near) (< (greatest near) (* 30 (greatest away)))))"
