@@ -46,7 +46,9 @@
   (for ([k '(150 200 -150 -200)])
     (define z (expt 10 k))
     (check-zeros (list (* z z) 0 1) (list (* +i z) (* -i z)) 1e-15)
-    (check-zeros (product (list z (* -3 z) (* 2 z))) (list z (* -3 z) (* 2 z)) 1e-15)))
+    (check-zeros (product (list z (* -3 z) (* 2 z))) (list z (* -3 z) (* 2 z)) 1e-15)
+    (define beside-1 (list z (* -3 z) (* 2 z) 1 -3 2))
+    (check-zeros (product beside-1) beside-1 1e-15)))
 
 (test-case "of unit size: the roots of 1, and Chebyshev's, of degree 30"
   (check-zeros (append '(-1) (make-list 29 0) '(1))
