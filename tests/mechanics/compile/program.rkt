@@ -58,7 +58,8 @@
   (check-equal? (operations (program-of '(x n) (g:expt 'x 'n))) '(expt))
   (for ([n '(65 -65 129/2 -129/2)])
     (check-equal? (operations (program-of '(x) (g:expt 'x n))) '(expt)))
-  (check-equal? (length (operations (program-of '(x) (g:expt 'x -64)))) 7))
+  (check-equal? (length (operations (program-of '(x) (g:expt 'x -64)))) 7)
+  (check-equal? (operations (program-of '(x) (g:* 'x (g:expt 2 1/3)))) '(multiply)))
 
 (test-case "what no output needs is left out"
   (define p (program-of '(x) (g:- (g:sin 'x) (g:sin 'x)) (g:cos 'x)))
