@@ -162,7 +162,9 @@
       (check-true (string-contains? text line) line))
     (check-false (regexp-match #px"[-=*+(] *[(][\\w.]+[)]" text))
     (define solving (C-text folder four (up 't 'x)))
-    (for ([line '("solve(4, v3_matrix, v3);" "dy[1] = v3[2];")])
+    (for ([line '("double v3_matrix[16], v3[4];" "v3_matrix[4] = x;" "v3_matrix[13] = x;"
+                  "v3_matrix[15] = 6.0;" "v3[3] = 7.0;" "solve(4, v3_matrix, v3);"
+                  "dy[1] = v3[2];")])
       (check-true (string-contains? solving line) line))))
 
 (test-case "the rates as JAX has them: variables, parameters, what is no number, systems"
