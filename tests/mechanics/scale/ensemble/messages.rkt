@@ -128,12 +128,15 @@
                        #:parameters (list (list 1 l 9.8) (list 1 l 9.8))))
     (check-true (andmap ensemble-failure? all))))
 
-(test-case "crossings are counted, and no crossings are no failure"
+(test-case "crossings are counted, and where they are; no crossings are no failure"
   (define (crossings ends)
     (evolve-ensemble free (list (up 0 1 0) (up 0 2 0)) ends #:events bottom #:jobs 1
                      #:collect (lambda (state all) (length all)) #:fold + #:initial 0))
   (check-equal? (crossings 1) 2)
-  (check-equal? (crossings 0.1) 0))
+  (check-equal? (crossings 0.1) 0)
+  (define there (occurrence-state (car one-crossing)))
+  (check-= (ref there 0) (occurrence-time (car one-crossing)) 1e-12)
+  (check-= (ref there 1) 0 1e-9))
 
 (test-case "a thousand jobs are as many as are of use"
   (check-equal? (evolve-ensemble free (list (up 0 1 0) (up 0 2 0)) 1 #:jobs 1000 #:batch 1)

@@ -821,6 +821,10 @@
  "(define last-system #f)"
  "(define last-system #t)"
  "no list of parameters is #f: the first one makes a system")
+("scale/ensemble/prepare-task.rkt"
+ "(and code collect (null? events) (compile-traced collect example #:name who)))"
+ "(and code collect (null? events) (compile-traced example example #:name who)))"
+ "what is collected is computed here, of the states that workers send: the same, slower" limit)
 ("scale/export/program-text.rkt"
  "(define longest 68)"
  "(define longest 69)"
