@@ -109,11 +109,14 @@
   (define T (if (procedure? period) (period p) period))
   (orbit-unknowns o (start-numbers o) (real->double-flonum (comparand T)) p))
 
-;; Has the orbit shrunk to an equilibrium?  That of a driven system may rest.
+;; Has the orbit shrunk to an equilibrium, or to no time?  That of a driven system may rest.
 (define (rests? o x)
+  (define n (length (start-of o)))
   (define p (if (orbits-energy o) 0.0 (flvector-ref x (- (flvector-length x) 1))))
-  (define z (part x 0 (length (start-of o))))
-  (and (not (orbits-period o)) (fl< (norm (rates-at o z p)) (fl* 1e-6 (fl+ 1.0 (norm z))))))
+  (define z (part x 0 n))
+  (and (not (orbits-period o))
+       (fl< (fl* (flabs (flvector-ref x n)) (norm (rates-at o z p)))
+            (fl* 1e-6 (fl+ 1.0 (norm z))))))
 
 ;; Does the state come back after several of these periods?
 (define (raise-no-orbit who o x0 state period)

@@ -39,6 +39,14 @@
   (check-close (car (Lyapunov-values e)) (log (/ (+ 3 (sqrt 5)) 2)) 1e-4)
   (check-true (< (Lyapunov-change e) 1e-3)))
 
+;; The displacement (0.6, 0.8) becomes (0.6 · 2^n, 0.8 / 2^n).
+(test-case "of a saddle it is known after any number of steps"
+  (define (saddle x y return fail) (return (* 2 x) (/ y 2)))
+  (define e (maximal-Lyapunov-exponent saddle (up 0 0) 10))
+  (check-close (Lyapunov-values e)
+               (list (/ (log (sqrt (+ (square (* 0.6 1024)) (square (/ 0.8 1024))))) 10))
+               1e-12))
+
 ;; Chirikov: about log K/2 where kicks are strong.
 (test-case "the standard map, chaotic and not"
   (define (exponent K x y)
@@ -87,6 +95,16 @@
   (check-exn (regexp (string-append "Floquet-multipliers: the orbit is not closed after "
                                     "that period; its ends are 3.3059"))
              (lambda () (Floquet-multipliers shaken (up 0 1 0) period))))
+
+;; Of x' = v an orbit of period 1 is open by v; of x' = 1 + x² it ends at π/2.
+(test-case "an orbit is closed within a millionth, and one that ends is none"
+  (define ((drift v) s) (up 1 v))
+  (check-close (Floquet-multipliers (drift 0.6e-6) (up 0 0) 1) '(1) 1e-9)
+  (check-exn #rx"not closed after that period; its ends are 1[.]5"
+             (lambda () (Floquet-multipliers (drift 1.5e-6) (up 0 0) 1)))
+  (check-exn #rx"^Floquet-multipliers: the motion cannot be followed any further"
+             (lambda ()
+               (Floquet-multipliers (lambda (s) (up 1 (+ 1 (square (ref s 1))))) (up 0 0) 2))))
 
 (test-case "an orbit that ends has no exponent"
   (check-exn #rx"maximal-Lyapunov-exponent: the map has no image of a point that is needed"

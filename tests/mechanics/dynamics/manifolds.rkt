@@ -47,6 +47,22 @@
          ((torus-near? 2e-3) ((iterated-map map n) (abscissa p) (ordinate p) make-point void)
                              (make-point 0 0)))))))
 
+;; In the plane of which the torus is rolled up the branches meet a whole turn apart.
+(test-case "they are the same whatever the gap, and where angles are not brought back by turns"
+  (define (unrolled x y return fail)
+    (define next (+ y (* K (sin x))))
+    (return (+ x next) next))
+  (define (back x y return fail)
+    (define before (- x y))
+    (return before (- y (* K (sin before)))))
+  (define (found map inverse gap)
+    (homoclinic-points map (find-fixed-point map (up 0 0)) #:inverse inverse #:branch 1
+                       #:stable-branch -1 #:length 9 #:gap gap))
+  (for ([others (list (found T inverse 0.03) (found unrolled back 0.05))])
+    (check-equal? (length others) (length crossings))
+    (for ([p others])
+      (check-true (for/or ([q crossings]) ((torus-near? 1e-6) p q))))))
+
 ;; The map is (reflection in θ = π after kicks) its own inverse: one crossing is on that line.
 (test-case "one of them is on the line of symmetry"
   (check-true (for/or ([p crossings]) (< (abs (- (abscissa p) :pi)) 1e-9))))

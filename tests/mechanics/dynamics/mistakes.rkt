@@ -58,6 +58,14 @@
 
 (define ((family a b c d) x y return fail) (return (+ a x) (+ b y)))
 
+;; A map that takes a decision is called, and goes wrong on the way.
+(define (astray x y return fail) (if (> x 0) (return x (list y)) (return (+ x 1) y)))
+
+(says
+ [(fast-Lyapunov-indicator astray (up -0.5 0))
+  "fast-Lyapunov-indicator: the map calls `return` with other things than the coordinates of an "
+  "image\n  map: astray\n  point: (up 0.5 0.0)\n  given: 0.5, (0.0)"])
+
 ;; Parameters are missing, or a frame, or the list around a point.
 (says
  [(explore-map f standard-map 10 #:starts near)
@@ -182,6 +190,8 @@
  [(explore-map f 'T 10)
   "explore-map" no-map "the symbol T\n"
   "  with its quote it is only a name; the function itself is T"]
+ [(radially-mapping-points sin 1 2 0 1e-8)
+  "radially-mapping-points" no-map "the procedure `sin`, which takes 1 argument"]
  [(stroboscopic-map H 1) "stroboscopic-map" no-rates name-of-H makes-rates]
  [(Poincare-map H (event coordinate)) "Poincare-map" no-rates name-of-H makes-rates]
  [(stroboscopic-map 'H 1)
@@ -234,3 +244,13 @@
   (check-false (exn:fail:mechanics:not-convergent-error-estimate failure))
   (define turning (Poincare-map rates (event (compose sin coordinate) #:direction 'rising)))
   (check-= (coordinate (turning (up 0 0 9))) (* 2 pi) 1e-9))
+
+(test-case "a section of states without a time; a motion that comes to rest is given up before long"
+  (define (oscillator s) (up (ref s 1) (- (ref s 0))))
+  (define next ((Poincare-map oscillator (event (lambda (s) (ref s 1)))) (up 1.0 0.0)))
+  (check-= (ref next 0) -1 1e-10)
+  (define (falling s) (up 1 (- (cube (ref s 1)))))
+  (check-regexp-match
+   #px"\n  steps: \\d{1,3}$"
+   (message-of ((Poincare-map falling (event (lambda (s) (+ 1 (ref s 1))))) (up 0 1.0))
+               exn:fail:mechanics?)))

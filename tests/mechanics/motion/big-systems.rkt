@@ -4,6 +4,8 @@
 (require racket/flonum
          mechanics
          (only-in mechanics/motion/system/Lagrangian-code Lagrangian-code)
+         (only-in mechanics/motion/system/make-system make-system)
+         (only-in mechanics/motion/system/system system-operations)
          (only-in mechanics/value/shape structure->flvector flvector->structure shape-length)
          "../support/checks.rkt" (only-in "../support/systems.rkt" L-chain))
 
@@ -55,7 +57,9 @@
 (test-case "few instructions: each coordinate takes some more, each pair a few"
   (define (operations n) (compiled-function-operations (code (chain n) (flat-state n))))
   (check-true (< (operations 20) (* 20 20 20)))
-  (check-true (< (/ (operations 32) (operations 16)) 4.2)))
+  (check-true (< (/ (operations 32) (operations 16)) 4.2))
+  (define f (Lagrangian->state-derivative (chain 16)))
+  (check-equal? (system-operations (make-system 'test f (flat-state 16))) (operations 16)))
 
 (test-case "its motion is that of the generic way"
   (define n 6)

@@ -40,7 +40,11 @@
   (define (x s) (ref ((state-advancer oscillator 2.0) s 1.5 1e-13) 1))
   (check-close ((gradient x) s) ((D x) s) 1e-11)
   (define (by-all s omega) (ref ((state-advancer oscillator omega) s 1.5 1e-13) 1))
-  (check-close ((gradient by-all) s 2.0) ((D by-all) s 2.0) 1e-11))
+  (check-close ((gradient by-all) s 2.0) ((D by-all) s 2.0) 1e-11)
+  ;; beside a parameter that does not vary: x = cos ωt of the frequency ω = √(k/m)
+  (define ((spring k m) s) (up 1 (ref s 2) (/ (* -1 k (ref s 1)) m)))
+  (define (by-k k) (ref ((state-advancer spring k 2.0) (up 0.0 1.0 0.0) 1.5 1e-13) 1))
+  (check-close ((gradient by-k) 8.0) (* -1.5 (sin 3.0) 1/8) 1e-11))
 
 ;; Kepler's motion with a parameter, by differences in 200 bits.
 (define ((Kepler mu) (up t (up x y) (up vx vy)))

@@ -82,6 +82,8 @@
 (define (three s) (up 1 (ref s 2) (ref s 3) (- (ref s 1))))
 (define (without-time s) (up (ref s 1) (ref s 2) (- (ref s 0))))
 
+(define (ever-more-damped s)
+  (up 1 (velocity s) (- (* -1 (coordinate s)) (* (time s) (velocity s)))))
 (define (rushing s) (up 1 (velocity s) (square (velocity s))))
 
 (define (follow f state method) ((state-advancer (lambda () f)) state 1 1e-10 #:method method))
@@ -100,6 +102,8 @@
  [(follow (damped 1e-6) (up 0 1 0) (Yoshida-4 0.01))
   "state-advancer: Yoshida-4 " velocity-text (use "(Gauss-Legendre-4 0.01)")]
  [(follow rushing (up 0 1 0) (leapfrog 0.01))
+  "state-advancer: leapfrog " velocity-text (use "(Gauss-Legendre-2 0.01)")]
+ [(follow ever-more-damped (up 0 1 0) (leapfrog 0.01))
   "state-advancer: leapfrog " velocity-text (use "(Gauss-Legendre-2 0.01)")]
  [(follow sliding (up 0 1 0.5) (Yoshida-6 0.25))
   "state-advancer: Yoshida-6 " velocity-text (use "(Gauss-Legendre-6 0.25)")]

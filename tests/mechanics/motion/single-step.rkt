@@ -1,7 +1,7 @@
 #lang racket/base
 ;; Single steps, and what an advancer passes on.
 
-(require mechanics "../support/checks.rkt")
+(require mechanics "../support/checks.rkt" "../support/messages.rkt")
 
 (define ((growth a) s) (up 1 (* a (ref s 1))))
 (define ((spread a) s) (up 1 (up (* a (ref s 1 0)) (/ (ref s 1 1) a))))
@@ -76,6 +76,14 @@
              (lambda () ((free-run-state-advancer wall) (up 1 0) 1 1e-10)))
   (check-exn #rx"^free-run-state-advancer: expected a step that is a real number\n  given: "
              (lambda () ((free-run-state-advancer growth 2) (up 0 1) 'h 1e-10))))
+
+(test-case "what they take is told"
+  (check-message (string-append "(free-run-state-advancer growth 2): takes a state, a step and "
+                                "perhaps a tolerance\n  given: no arguments")
+                 ((free-run-state-advancer growth 2)))
+  (check-message (string-append "(advance-beyond growth 2): takes a state, a step, a tolerance and "
+                                "a time\n  given: 3 arguments")
+                 ((advance-beyond growth 2) (up 0 1) 1/10 3)))
 
 (test-case "they print as what was typed"
   (check-equal? (format "~a ~a ~a" (free-run-state-advancer growth 2) (advance-beyond growth 2)

@@ -73,6 +73,13 @@
                      (trajectory-events tr))
                 '(4.1 5.9)))
 
+(test-case "a motion that ends just beyond a zero comes to it"
+  (for ([method '(Taylor Dormand-Prince-853)])
+    (define tr
+      (evolve-trajectory (lambda (s) (up 1 1)) (up 0 0) (+ 1 1e-13) #:method method
+                         #:events (event (lambda (s) (- (ref s 1) 1)))))
+    (check-equal? (length (trajectory-events tr)) 1)))
+
 (test-case "a ball leaves a sphere where cos θ = 2/3"
   (define ((on-sphere g R) (up t θ v)) (up 1 v (* (/ g R) (sin θ))))
   (define force (event (lambda (s) (- (* 9.8 (cos (coordinate s))) (square (velocity s))))

@@ -67,12 +67,25 @@
   (for ([side '(1 -1)])
     (define circles (switch-branch rest (car (branch-special-points rest)) #:direction side))
     (check-eq? (branch-end circles) 'range)
-    (check-true (< (car (branch-parameters circles)) 1e-3))
+    (check-true (< 1e-5 (car (branch-parameters circles)) 1e-3))
     (for ([p (branch-parameters circles)] [s (branch-states circles)]
           [T (branch-periods circles)] [stable? (branch-stabilities circles)])
       (check-close (square s) p 1e-9)
       (check-close T (* 2 :pi) 1e-9)
       (check-true stable?))))
+
+;; x' = (p - a) x − x³ beside that spiral
+(test-case "of two points within one step the first comes first"
+  (define ((both a) p)
+    (lambda (s)
+      (define x (ref s 2))
+      (define spiral ((turning p) s))
+      (up (ref spiral 0) (ref spiral 1) (- (* (- p a) x) (cube x)))))
+  (for ([a '(-0.02 0.02)] [expected '((pitchfork Hopf) (Hopf pitchfork))])
+    (define b
+      (continue-equilibrium (both a) (up 0 0 0) -0.5 0.5 #:step 0.3 #:longest-step 2))
+    (check-equal? (kinds b) expected)
+    (check-close (sort (places b) <) (sort (list a 0) <) 1e-8)))
 
 (test-case "states with a time as well: van der Pol's orbit begins with amplitudes 2 sqrt(damping)"
   (define ((van-der-Pol m) s)

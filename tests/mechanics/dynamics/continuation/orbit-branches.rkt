@@ -123,6 +123,27 @@
   (check-true (for/or ([l (special-point-spectrum (car (branch-special-points b)))])
                 (< (magnitude (- l turned)) 1e-8))))
 
+;; A circle of period 2π, across which the plane turns half round in one turn and grows by
+;; exp 2π(p − u² − v²) in one direction that turns with it.
+(define ((circle-and-band p) s)
+  (define-values (x y u v) (values (ref s 0) (ref s 1) (ref s 2) (ref s 3)))
+  (define to-circle (- 1 (square x) (square y)))
+  (define growth (- p (square u) (square v)))
+  (define-values (mean half) (values (* 1/2 (- growth 1)) (* 1/2 (+ growth 1))))
+  (up (- (* to-circle x) y) (+ x (* to-circle y))
+      (+ (* mean u) (* half (+ (* x u) (* y v))) (* -1/2 v))
+      (+ (* mean v) (* half (- (* y u) (* x v))) (* 1/2 u))))
+
+(test-case "a period doubles on a band that is twisted once: along its edge, of twice the length"
+  (define b (continue-periodic-orbit circle-and-band (up 1.0 0 0 0) (* 2 :pi) -0.2 0.2))
+  (check-equal? (kinds b) '(period-doubling))
+  (check-close (places b) '(0) 1e-9)
+  (define edge (switch-branch b (car (branch-special-points b)) #:most-steps 9))
+  (for ([p (branch-parameters edge)] [s (branch-states edge)] [T (branch-periods edge)])
+    (check-close T (* 4 :pi) 1e-8)
+    (check-close (+ (square (ref s 2)) (square (ref s 3))) p 1e-8))
+  (check-true (> (final (branch-parameters edge)) 1e-5)))
+
 (test-case "multipliers of a driven motion meet on the unit circle: Krein's collision"
   ;; unit masses over a hill by gyroscopic forces, stable while G > 1, and shaken
   (define drive 6)
@@ -157,6 +178,16 @@
    (string-append "^find-periodic-orbit: no periodic orbit was found near the state\n"
                   "  state: .up 0.1 0.\n  period: 6.3\n  after it the state is off by: 0[.]0")
    (message-of (find-periodic-orbit damped (up 0.1 0) 6.3) exn:fail?)))
+
+;; The search came to orbits of no duration.
+(test-case "nor is there one where nothing comes back"
+  (check-regexp-match
+   #rx"^find-periodic-orbit: no periodic orbit was found near the state\n  state: .up 0.1 0.2.\n"
+   (message-of (find-periodic-orbit (lambda (s) (up 1 1/2)) (up 0.1 0.2) 1) exn:fail?))
+  (check-regexp-match
+   #rx"^continue-periodic-orbit: no periodic orbit was found near the state\n"
+   (message-of (continue-periodic-orbit (lambda (p) (lambda (s) (up 1 p))) (up 0.1 0.2) 1 1 2)
+               exn:fail?)))
 
 (define (mirror s) (up (- (time s)) (coordinate s) (- (momentum s))))
 

@@ -60,6 +60,41 @@
     (define there ((standard-map 0.6) (ref (c theta) 0) (ref (c theta) 1) up void))
     (check-true ((torus-near? 1e-12) there (c (+ theta (* :2pi golden)))))))
 
+;; Of the angle θ the map goes on to θ + ω, on the curve x = a cos θ, y = cos θ
+(test-case "the curve to begin with is that of an orbit, between whose points it is straight"
+  (define-values (a omega) (values 0.1 (* :2pi golden)))
+  (define (on-curve x y return fail)
+    (define next (+ (- x (* a y)) omega))
+    (return (+ next (* a (cos next))) (cos next)))
+  (define-values (curve gap) (curve-of-orbit on-curve 0.0 omega))
+  (define-values (x y) (curve 50))
+  (check-close x (sampled (lambda (t) (fl* a (flcos t))) 50) 1e-7)
+  (check-close y (sampled flcos 50) 1e-6)
+  (check-true (< 0 gap 1e-3)))
+
+(test-case "an orbit that wanders about lies on no curve"
+  (define chaos (standard-map 3.0))
+  (check-regexp-match
+   (pregexp (string-append
+             "^invariant-circle: no invariant circle was found: the orbit that turns most like it "
+             "lies on no curve,\n  as where the motion is chaotic; it may have broken up\n"
+             "  rotation number: 0.381\\d+\n  start of the orbit: \\(up 0.0 2[.]\\d+\\)$"))
+   (message-of (invariant-circle chaos golden) exn:fail:mechanics?))
+  (check-regexp-match
+   (pregexp (string-append
+             "^invariant-circle-limit: no circle was found at the first of the two parameters, "
+             "where it is to be\n  first: 3.0\n  second: 4.0\n  why: no invariant circle was found: "))
+   (message-of (invariant-circle-limit standard-map golden 3 4) exn:fail:mechanics?)))
+
+;; Actions above ω turn faster by (J − ω)(J − ω + 3/4), which vanishes at ω - 3/4 as well.
+(test-case "it is looked for half a radian on either side of the angle by which it turns"
+  (define omega (* :2pi golden))
+  (define (twist x y return fail)
+    (define J (+ y (* 0.05 (sin x))))
+    (return ((principal-value :2pi) (+ x omega (* (- J omega) (+ (- J omega) 3/4)))) J))
+  (define c (invariant-circle twist golden))
+  (check-close (ref (c 1.0) 1) omega 0.2))
+
 (test-case "circles that have broken up are told"
   (define (check-missing K most text)
     (check-exn (lambda (e)

@@ -163,6 +163,14 @@
   (define (sink x y return fail) (return (* 0.5 x) (* 0.3 y)))
   (check-equal? (fixed-point-kind (found sink (up 1 1))) 'attracting))
 
+(test-case "without a period it is a point that is left where it is, whatever goes to and fro nearby"
+  (define (to-and-fro x y return fail) (return (- (cube x)) (* 1/2 y)))
+  (define p (find-fixed-point to-and-fro (up 1.01 0.1)))
+  (check-close (fixed-point-coordinates p) (up 0 0) 1e-12)
+  (define q (find-fixed-point to-and-fro (up 1.01 0.1) #:period 2))
+  (check-equal? (fixed-point-period q) 2)
+  (check-close (fixed-point-coordinates q) (up 1 0) 1e-12))
+
 (test-case "what it prints"
   (check-equal? (format "~a" (found (standard-map 0.5) (up 0 0)))
                 (string-append "hyperbolic point of period 1 at (up 0.0 0.0)\n"
