@@ -140,10 +140,8 @@
     (define start (up 0 (exact->inexact center) p))
     (define scale (scale-of-orbit H start))
     (define there
-      (if (= wait 0)
-          start
-          (out-of-scale
-           scale (trajectory-final-state (motion-in-scale H scale start wait tolerance)))))
+      (out-of-scale
+       scale (trajectory-final-state (motion-in-scale H scale start wait tolerance))))
     (up (time state) (coordinate there) (momentum there))))
 
 (define (momentum-at-center who H center orbit-at J)

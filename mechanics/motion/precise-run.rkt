@@ -86,13 +86,12 @@
 ;; The state at a time within a step: where a motion from its beginning leads to.
 (define (stretch-state m s t)
   (define y
-    (cond [(= t (stretch-from s)) (stretch-before s)]
-          [(= t (stretch-to s)) (stretch-after s)]
-          [else
-           (with-bits (motion-working m)
-             (define run ((motion-restart m) (bf (stretch-from s)) (stretch-before s)))
-             (define-values (reached y) (run (bf t) (lambda (from y to z) #t)))
-             y)]))
+    (if (= t (stretch-to s))
+        (stretch-after s)
+        (with-bits (motion-working m)
+          (define run ((motion-restart m) (bf (stretch-from s)) (stretch-before s)))
+          (define-values (reached y) (run (bf t) (lambda (from y to z) #t)))
+          y)))
   (shown m y))
 
 ;; About the state at the fraction theta of a step: a cubic with the states and slopes

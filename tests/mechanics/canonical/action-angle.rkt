@@ -64,11 +64,23 @@
  [((action-angle->state (oscillator 1 1)) (up 0 1 -1))
   "action-angle->state: expected an angle and a positive action, in numbers; given (up 0 1 -1)"])
 
+;; I = d²/2 from the distance d of the place of rest
+(test-case "a small orbit keeps its digits, on whichever side of the start it turns about"
+  (for ([rest '(1e-8 -1e-8)])
+    (define (H s) (* 1/2 (+ (square (momentum s)) (square (- (coordinate s) rest)))))
+    (define start (up 0 1e-200 0.0))
+    (check-close (/ (action-of-orbit H start) (* 1/2 (square rest))) 1 1e-9)
+    (check-close (frequency-of-orbit H start) 1 1e-9)))
+
 (test-case "a motion that does not close"
   (check-message
    "action-of-orbit: the motion through (up 0 0 1) did not close by the time 10"
    (action-of-orbit (lambda (s) (square (momentum s))) (up 0 0 1) #:longest-time 10)
-   exn:fail:mechanics:not-convergent?))
+   exn:fail:mechanics:not-convergent?)
+  (define (hill s) (- (* 1/2 (square (momentum s))) (expt (coordinate s) 4)))
+  (check-regexp-match
+   #rx"^action-of-orbit: the motion through .* does not close: .* too short to change the time$"
+   (message-of (action-of-orbit hill (up 0 1.0 1.0)) exn:fail:mechanics:not-convergent?)))
 
 ;; ---------------------------------------------------------------------------
 ;; Centers, turns and separatrices
@@ -76,7 +88,7 @@
 (define unit-pendulum (Hpendulum 1 1))
 
 (test-case "a turn does not move the angle of a swing"
-  (for ([state (list (up 0 0 -1.85) (up 0 0.3 1.8) (up 0 -2.0 0.5))])
+  (for ([state (list (up 0 0 -1.85) (up 0 0.3 1.8) (up 0 -2.0 0.5) (up 0 1.8 0.5))])
     (check-close ((state->action-angle unit-pendulum #:center 1.5 #:turn (* 2 pi)) state)
                  ((state->action-angle unit-pendulum #:center 1.5) state)
                  1e-7)))
@@ -97,6 +109,9 @@
 (define ((growing oscillating) s)
   (+ (* (time s) (momentum s)) (* oscillating ((oscillator 1 1) s))))
 
+;; The same where the coordinate is the momentum
+(define (sheared s) (* (time s) (momentum s) (- (coordinate s) (momentum s))))
+
 (says
  [((state->action-angle unit-pendulum #:turn (* 2 pi)) (up 0 1 -3))
   "state->action-angle: the motion through (up 0 1 -3) turns backwards, and has no positive "
@@ -111,6 +126,8 @@
   "action-of-orbit: growing depends on the time, and its motions have no action"]
  [((action-angle->state (growing 0)) (up 0 0.3 1))
   "action-angle->state: growing depends on the time, and its motions have no action"]
+ [((action-angle->state sheared) (up 0 0.3 1))
+  "action-angle->state: sheared depends on the time, and its motions have no action"]
  [((action-angle->state (growing 1)) (up 0 0.3 1))
   "action-angle->state: growing depends on the time, and its motions have no action"])
 

@@ -111,6 +111,15 @@
   (check-close ((state-advancer (lambda () (harmonic-state-derivative 1 1))) (up 0 1 0) 1 1e-12)
                (list 1 (cos 1) (- (sin 1))) 1e-12))
 
+;; Without a decision it is 1.0 everywhere, with one only there.
+(test-case "a rate of 1.0 is that of the time, but where rates are decided"
+  (define (plain s) (up 1.0 (ref s 1)))
+  (define (decided s) (up 1.0 (if (< (ref s 1) 0) 0 (ref s 1))))
+  (define (after-1 f) (ref ((evolve (lambda () f)) (up 0 1) void 1/2 1) 1))
+  (check-= (after-1 plain) (exp 1) 1e-9)
+  (check-exn #rx"^evolve: the first component of the state is not the time"
+             (lambda () (after-1 decided))))
+
 (test-case "a state without time advances, but has no evolution"
   (define ((rotation ω) (up x y)) (up (* -1 ω y) (* ω x)))
   (check-close ((state-advancer rotation 2) (up 1 0) 1 1e-12) (list (cos 2) (sin 2)) 1e-12)

@@ -190,7 +190,7 @@
     (check-exn #rx"of another shape than the state"
                (lambda () ((state-advancer (lambda () (lambda (s) (up 1 2)))) (up 0 1 0) 1
                                                                              #:precision 100)))
-    (check-exn #rx"^state-advancer: the function's value has changed its shape\n  before: .up 1 0.*\n"
+    (check-exn #rx"^state-advancer: the function's value has changed its shape\n  before: "
                (lambda ()
                  (define (grows s) (if (< (time s) 1/2) (up 1 0) (up 1 0 0)))
                  ((state-advancer (lambda () grows)) (up 0 1) 1 #:precision 100)))

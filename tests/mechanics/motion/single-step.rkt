@@ -18,6 +18,14 @@
   (check-= taken 0.01 1e-15)
   (check-true (> next 0.01)))
 
+;; x = 1/(6 - t)
+(test-case "where the motion ends before, the step is as much shorter as is told"
+  (define ((ending) s) (up 1 (square (ref s 1))))
+  (define-values (s taken next) ((free-run-state-advancer ending) (up 5 1) 2 1e-10))
+  (check-true (< 0 taken 1))
+  (check-= (time s) (+ 5 taken) 1e-15)
+  (check-= (ref s 1) (/ 1 (- 1 taken)) 1e-8))
+
 (test-case "what continues is told the state, the step and the next step, and decides the result"
   (define result ((free-run-state-advancer growth 2) (up 0 1) 1/8 1e-10 list))
   (check-equal? (length result) 3)

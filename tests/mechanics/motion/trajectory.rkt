@@ -76,7 +76,7 @@
 (test-case "a motion that ends just beyond a zero comes to it"
   (for ([method '(Taylor Dormand-Prince-853)])
     (define tr
-      (evolve-trajectory (lambda (s) (up 1 1)) (up 0 0) (+ 1 1e-13) #:method method
+      (evolve-trajectory (lambda (s) (up 1 (* 2 (time s)))) (up 0 0) (+ 1 1e-13) #:method method
                          #:events (event (lambda (s) (- (ref s 1) 1)))))
     (check-equal? (length (trajectory-events tr)) 1)))
 

@@ -1,7 +1,12 @@
 #lang racket/base
 ;; Periodic orbits found and followed, against published values.
 
-(require mechanics
+(require racket/flonum
+         mechanics
+         (only-in mechanics/dynamics/continuation/curve-step
+                  equations-evaluate evaluated-residual evaluated-slopes)
+         (only-in mechanics/dynamics/continuation/orbit-branch orbits-from unknowns-at)
+         (only-in mechanics/dynamics/continuation/orbit-equations orbit-equations)
          "../../support/checks.rkt" "../../support/close.rkt" "../../support/messages.rkt")
 
 (define (kinds b) (map special-point-kind (branch-special-points b)))
@@ -187,7 +192,36 @@
   (check-regexp-match
    #rx"^continue-periodic-orbit: no periodic orbit was found near the state\n"
    (message-of (continue-periodic-orbit (lambda (p) (lambda (s) (up 1 p))) (up 0.1 0.2) 1 1 2)
-               exn:fail?)))
+               exn:fail?))
+  (define (drifting s) (up 1 (+ 1/2 (cos (time s)))))
+  (check-regexp-match
+   #rx"^find-periodic-orbit: no periodic orbit was found near the state\n  state: .up 0 0.1.\n"
+   (message-of (find-periodic-orbit drifting (up 0 0.1) (* 2 :pi)) exn:fail?)))
+
+;; By differences, of an orbit that does not close
+(define (check-slopes systems state period energy p)
+  (define o (orbits-from 'test systems state period energy 1e-13 p))
+  (define x (unknowns-at o state period p))
+  (define e (orbit-equations o x 1.0))
+  (define (at x) ((equations-evaluate e) x x0))
+  (define x0 (flvector-copy x))
+  (define (residual k h)
+    (define beside (flvector-copy x))
+    (flvector-set! beside k (+ h (flvector-ref x k)))
+    (evaluated-residual (at beside)))
+  (define h 1e-5)
+  (for* ([k (flvector-length x)] [i (vector-length (evaluated-slopes (at x)))])
+    (check-= (vector-ref (vector-ref (evaluated-slopes (at x)) i) k)
+             (/ (- (flvector-ref (residual k h) i) (flvector-ref (residual k (- h)) i)) (* 2 h))
+             1e-6)))
+
+(test-case "the equations of an orbit have the derivatives that they say"
+  (define ((van-der-Pol m) s)
+    (up (ref s 1) (- (* m (- 1 (square (ref s 0))) (ref s 1)) (ref s 0))))
+  (check-slopes van-der-Pol (up 2.0 0.1) 2.0 #f 1.0)
+  (check-slopes (lambda (p) Henon-Heiles) start 2.0 H-Henon-Heiles (H-Henon-Heiles start))
+  (check-slopes (lambda (w) (lambda (s) (up 1 (ref s 2) (- (cos (* w (time s))) (sin (ref s 1))))))
+                (up 0 0.5 0.1) (lambda (w) (/ (* 2 :pi) w)) #f 3.0))
 
 (define (mirror s) (up (- (time s)) (coordinate s) (- (momentum s))))
 

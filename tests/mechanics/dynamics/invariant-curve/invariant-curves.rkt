@@ -30,8 +30,8 @@
                   (format "~a ~a" start off)))
   (check-= (find-invariant-curve T golden 2.0 1.6 3.2 1e-9) (invariant-circle-ordinate c 2.0) 2e-9))
 
-;; In parts of a turn, ω and ω + 1/10 lead to .38 .76 .15 .53 -.09 and to .48 .96 .45 .93 .41: at the
-;; fifth step the first one comes nearer to its start, from below, than it was, the other does not.
+;; In parts of a turn, ω and ω + 1/10 lead to .38 .76 .15 .53 -.09 and to .48 .96 .45 .93 .41: at
+;; the fifth step the first one comes nearer to its start than it was, the other does not.
 (test-case "whether an orbit is ahead shows after so many steps, or not yet"
   (define (way most) (which-way? golden 0 1 (circle-map (+ golden 1/10)) most))
   (check-equal? (map way '(0 4 5 6)) '(0 0 1 1)))

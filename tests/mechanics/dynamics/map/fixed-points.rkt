@@ -163,7 +163,7 @@
   (define (sink x y return fail) (return (* 0.5 x) (* 0.3 y)))
   (check-equal? (fixed-point-kind (found sink (up 1 1))) 'attracting))
 
-(test-case "without a period it is a point that is left where it is, whatever goes to and fro nearby"
+(test-case "without a period it is a point that is left where it is, not one that goes to and fro"
   (define (to-and-fro x y return fail) (return (- (cube x)) (* 1/2 y)))
   (define p (find-fixed-point to-and-fro (up 1.01 0.1)))
   (check-close (fixed-point-coordinates p) (up 0 0) 1e-12)
