@@ -97,6 +97,18 @@
  "(if (< (* (test p) (test a)) 0.0)"
  "(if (<= (* (test p) (test a)) 0.0)"
  "a place where the test is 0 is an end of the interval on either side")
+("dynamics/continuation/curve-step.rkt"
+ "(define newton-tolerance 1e-9)"
+ "(define newton-tolerance 2e-9)"
+ "Newton's method ends as far below either tolerance: it squares the error" limit)
+("dynamics/continuation/special-point.rkt"
+ "(define (same-place? p q) (< (distance (point-x p) (point-x q)) 1e-4))"
+ "(define (same-place? p q) (<= (distance (point-x p) (point-x q)) 1e-4))"
+ "a distance of 1e-4 exactly, which flonums do not come to")
+("dynamics/continuation/special-point.rkt"
+ "(define (turned? t) (< (abs (flvector-ref t (- (flvector-length t) 1))) 1e-2))"
+ "(define (turned? t) (<= (abs (flvector-ref t (- (flvector-length t) 1))) 1e-2))"
+ "a component of 1e-2 exactly, which flonums do not come to")
 ("calculus/infinitesimal-part.rkt"
  "(cond [(constant? x) x]"
  "(cond"
@@ -321,6 +333,18 @@
  "(define angular? (and (fl< part closure-tolerance all) (angle? derivative start k)))"
  "(define angular? (and (fl<= part closure-tolerance all) (angle? derivative start k)))"
  "a gap that equals the tolerance is refused in either case, and told of the part or of all" limit)
+("dynamics/chaos-indicator.rkt"
+ "(up 1.0 at (g:* at (g:* 0.5 (g:log (g:+ (g:* t t) 1e-300))))))"
+ "(up 1.0 at (g:* at (g:* 0.5 (g:log (g:+ (g:* t t) 2e-300))))))"
+ "a number added lest there be a logarithm of 0, which is then multiplied by 0")
+("dynamics/Floquet.rkt"
+ "(fl* closure-tolerance (fl+ 1.0 (flabs rate))))))"
+ "(fl* closure-tolerance (fl+ 2.0 (flabs rate))))))"
+ "up to which difference, beside rates of about 1, a coordinate counts as an angle: 2e-6 or 1e-6" limit)
+("dynamics/map-indicator.rkt"
+ "(and code #t)))"
+ "(and code #f)))"
+ "a compiled map is asked on one core, and not on all: the same numbers, later" limit)
 ("constraint/constrained-motion.rkt"
  "(for/list ([x (in-list (scalars state))] [k (in-naturals 1)])"
  "(for/list ([x (in-list (scalars state))] [k (in-naturals 2)])"
@@ -369,6 +393,22 @@
  "(define wait (* (orbit-period (orbit-at p)) (/ (- angle (* 2 pi (floor (/ angle (* 2 pi)))))"
  "(define wait (* (orbit-period (orbit-at p)) (/ (- angle (* 2 pi (floor (/ angle (+ 2 pi)))))"
  "another whole number of turns: the motion is followed longer, or backwards, to the same state" limit)
+("canonical/inverse-formula.rkt"
+ "(define point (for/list ([s (in-list names)] [k (in-naturals)]) (cons s (/ (+ 3 k) (+ 5 k)))))"
+ "(define point (for/list ([s (in-list names)] [k (in-naturals)]) (cons s (/ (+ 3 k) (+ 6 k)))))"
+ "another point at which a solution is tried: any with positive numbers would do")
+("canonical/action-angle.rkt"
+ "(widen high (if beyond (/ (+ high beyond) 2) (* 2 high)) beyond (sub1 rounds))])))"
+ "(widen high (if beyond (/ (+ high beyond) 2) (* 3 high)) beyond (sub1 rounds))])))"
+ "the next momentum that is tried, until the action is too large: the root between is the same" limit)
+("canonical/action-angle.rkt"
+ "(define enough (max 1e-9 (* 100 tolerance)))"
+ "(define enough (min 1e-9 (* 100 tolerance)))"
+ "the period is settled to more digits than were asked for, with more work" limit)
+("canonical/action-angle.rkt"
+ "(check-time-free who H (up 0 center p))"
+ "(check-time-free who H (up 1 center p))"
+ "the energy is compared at times of its own, whatever that of the state")
 ("algebra/rewriting/collect.rkt"
  "(> m n)))"
  "(>= m n)))"
@@ -629,6 +669,10 @@
  "(and (list? near) (<= (greatest near) (* 30 (greatest away)))))"
  "(and (list? near) (< (greatest near) (* 30 (greatest away)))))"
  "how much greater rates may be near a place than at a distance, thirty times, which is a choice" limit)
+("motion/system/make-system.rkt"
+ "(Lagrangian-code who derivative state)"
+ "(Lagrangian-code derivative derivative state)"
+ "the name is for complaints of a state that was looked at before")
 ("algebra/zero/vanishing-factors.rkt"
  "(if (> (poly-term-count p) most-terms)"
  "(if (>= (poly-term-count p) most-terms)"
@@ -789,6 +833,22 @@
  "(for/flvector #:length 2 ([z (in-flvector (numbers (image (along s))))]"
  "(for/flvector #:length 3 ([z (in-flvector (numbers (image (along s))))]"
  "a third row of zeros, which nobody asks for: determinants and directions are those of two rows")
+("dynamics/map/invariant-manifold.rkt"
+ "(fl< (fl* (side (piece-from b)) (side (piece-to b))) 0.0))"
+ "(fl< (fl+ (side (piece-from b)) (side (piece-to b))) 0.0))"
+ "of two pieces that cross, one or its neighbour is tried, from which Newton's method comes to the crossing, too: the points are the same" limit)
+("dynamics/map/periodic-points.rkt"
+ "(define (close? z edge) (< (abs (- z edge)) (* 1e-6 (+ 1 (abs z)))))"
+ "(define (close? z edge) (< (abs (- z edge)) (* 1e-6 (+ 2 (abs z)))))"
+ "how near to an edge a point leaves the count of indices undecided" limit)
+("dynamics/map/periodic-points.rkt"
+ "(define (close? z edge) (< (abs (- z edge)) (* 1e-6 (+ 1 (abs z)))))"
+ "(define (close? z edge) (< (abs (- z edge)) (* 2e-6 (+ 1 (abs z)))))"
+ "how near to an edge a point leaves the count of indices undecided" limit)
+("dynamics/map/periodic-points.rkt"
+ "(and d (fl< (norm d) 1e-8)))"
+ "(and d (fl< (norm d) 2e-8)))"
+ "within which distance a symmetry leaves a point where it is: Newton's method leaves 1e-13" limit)
 ("dynamics/invariant-curve/invariant-circle.rkt"
  "(if (fl< error before) (found x y error) (found before-x before-y before))]"
  "(if (fl<= error before) (found x y error) (found before-x before-y before))]"
@@ -1193,6 +1253,10 @@
  "(define-values (positions velocities) (positions-and-velocities who cs state))"
  "(define-values (positions velocities) (positions-and-velocities cs cs state))"
  "the name is for complaints of values that have been looked at before, at this very state")
+("constraint/constrained-motion.rkt"
+ "(define c (constrained-code who L cs outside kept ready state))"
+ "(define c (constrained-code L L cs outside kept ready state))"
+ "the name is for complaints of values that were looked at before, at this very state")
 ("compile/flonum-coefficients.rkt"
  "(define (moderate? c) (<= 1e-60 (abs c) 1e60))"
  "(define (moderate? c) (< 1e-60 (abs c) 1e60))"
