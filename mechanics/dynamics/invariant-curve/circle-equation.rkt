@@ -28,7 +28,7 @@
 ;; ---------------------------------------------------------------------------
 ;; A curve to begin with: an orbit near the circle, its points in the order of the rotation's.
 
-;; -> a function from n to x and y of the curve at n angles, and the greatest difference of y
+;; -> a function from n to x and y of the curve at n angles, and the greatest difference of x
 ;; between neighbours.  The start is no point of the curve: a map of the torus may return to it
 ;; whole turns away.
 (define (curve-of-orbit map y0 omega)
