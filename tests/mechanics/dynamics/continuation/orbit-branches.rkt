@@ -164,6 +164,10 @@
 (says
  [(find-periodic-orbit Henon-Heiles start 0)
   "find-periodic-orbit: expected a period that is not 0\n  given: the number 0"]
+ [(find-periodic-orbit (lambda (s) (up 1 (ref s 2) (cos (* 2 (ref s 0))))) (up 0 1.0 0.0) 2.0)
+  "find-periodic-orbit: the rates of the system are others after that time, which is no period\n"
+  "  given: 2.0\n  rates now: (up 1 0.0 1)\n  and then: (up 1 0.0 -0.6536436208636119)\n"
+  "  what goes as (cos (* omega t)) has the period (/ :2pi omega)"]
  [(find-periodic-orbit Henon-Heiles start 6.3 #:energy 3)
   "find-periodic-orbit: expected an energy, a function of the state\n  given: the number 3"])
 

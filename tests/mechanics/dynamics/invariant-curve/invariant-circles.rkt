@@ -85,7 +85,7 @@
              "^invariant-circle-limit: no circle was found at the first of the two parameters, "
              "where it is to be\n  first: 1.5\n  second: 2.0\n"
              "  why: no invariant circle was found: "))
-   (message-of (invariant-circle-limit standard-map golden 1.5 2) exn:fail:mechanics?)))
+   (message-of (invariant-circle-limit standard-map golden 1.5 2.0) exn:fail:mechanics?)))
 
 ;; Actions above ω turn faster by (J − ω)(J − ω + 3/4), which vanishes at ω - 3/4 as well.
 (test-case "it is looked for half a radian on either side of the angle by which it turns"
@@ -152,6 +152,24 @@
   "invariant-circle: the orbits from both ends are ahead of the rotation: no curve is "
   "between them\n  rotation number: 0.3819660112501052\n  actions: 2.7 and 3.0\n"
   "  #:from and #:to say between which ordinates it is, at the abscissa 0"])
+
+;; By the series of x and y at the n angles and in the middle between them
+(test-case "whatever Newton's method comes to, the residual is the greatest at the angles and between"
+  (define-values (n omega) (values 64 (* :2pi golden)))
+  (define (off u v) (abs ((principal-value :pi) (- u v))))
+  (for ([K '(0.5 1.1 1.3)])
+    (define map (standard-map K))
+    (define-values (x y residual)
+      (solve-circle (circle-equation 'test map 1.0 omega)
+                    (make-flvector n 0.0) (make-flvector n omega)))
+    (define-values (x-at y-at) (values (periodic-value-at x) (periodic-value-at y)))
+    (define missed
+      (for/fold ([most 0.0]) ([j (* 2 n)])
+        (define t (* (exact->inexact j) (/ :pi n)))
+        (define there (map (+ t (x-at t)) (y-at t) up void))
+        (max most (off (ref there 0) (+ t omega (x-at (+ t omega))))
+             (off (ref there 1) (y-at (+ t omega))))))
+    (check-= residual missed (+ 1e-12 (* 1e-6 missed)) (format "~a" K))))
 
 (define (with-a-hole x y return fail) (if (< 3 x 3.1) (fail) (return (+ x y) y)))
 

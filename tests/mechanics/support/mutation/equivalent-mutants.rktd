@@ -693,6 +693,10 @@
  "(define small (* 1e-15 (apply max 0 (map magnitude (hash-values found)))))"
  "(define small (* 2e-15 (apply max 0 (map magnitude (hash-values found)))))"
  "which decimals count as rounding of the greatest, and are dropped" limit)
+("canonical/perturbation/Taylor-polynomial.rkt"
+ "(for/fold ([p (make-hasheqv)]) ([j (in-range (if (> d limit) 0 (add1 d)))])"
+ "(for/fold ([p (make-hasheqv)]) ([j (in-range (if (> limit limit) 0 (add1 d)))])"
+ "terms are found too that later factors take beyond the degree: work alone" limit)
 ("pendulum/phase.rkt"
  "(if (and (real? r) (>= (abs r) 1)) (if (> r 0) :pi/2 (- :pi/2)) (g:asin s)))"
  "(if (and (real? r) (>= (abs r) 1)) (if (>= r 0) :pi/2 (- :pi/2)) (g:asin s)))"
@@ -869,6 +873,14 @@
  "(let improve ([x x0] [y y0] [best-x x0] [best-y y0] [best +inf.0] [count 0])"
  "(let improve ([x x0] [y y0] [best-x x0] [best-y y0] [best 1.0] [count 0])"
  "the first curve is improved whatever its residual; where that is no number it is no circle, by either")
+("dynamics/invariant-curve/invariant-circle.rkt"
+ "(if (fl< error before) (found x y error) (found before-x before-y before))]"
+ "(if (fl< before before) (found x y error) (found before-x before-y before))]"
+ "the curve with fewer terms, whose residual is no more than four times that of the other, where more terms hardly help" limit)
+("dynamics/invariant-curve/invariant-circle.rkt"
+ "(loop b at-b next (miss next) (+ n 1))))))"
+ "(loop b at-b next (miss next) (- n 1))))))"
+ "a guard: secants end where nothing is missed, or two miss by the same, long before sixty" limit)
 ("scale/ensemble/checkpoint.rkt"
  "(values (if f (length (finished-outcomes f)) 0) (length (batch-starts b))))"
  "(values (if f (length (finished-outcomes f)) 1) (length (batch-starts b))))"
