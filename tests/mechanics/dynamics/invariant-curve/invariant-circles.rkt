@@ -154,7 +154,7 @@
   "  #:from and #:to say between which ordinates it is, at the abscissa 0"])
 
 ;; By the series of x and y at the n angles and in the middle between them
-(test-case "whatever Newton's method comes to, the residual is the greatest at the angles and between"
+(test-case "whatever Newton's method comes to, the residual is that at the angles and between them"
   (define-values (n omega) (values 64 (* :2pi golden)))
   (define (off u v) (abs ((principal-value :pi) (- u v))))
   (for ([K '(0.5 1.1 1.3)])
