@@ -103,7 +103,7 @@
         (event-value who e (home-state-at s t))))
   (if (real? x)
       x
-      (raise-undefined e t (local-state-at s t) (stretch-trajectory s) who)))
+      (raise-undefined e t (home-state-at s t) (stretch-trajectory s) who)))
 
 ;; A function of coordinates that jumps where these are singular is no event.
 (define (check-jumps who s e nodes values size)

@@ -106,6 +106,7 @@
   (define start (up 0 (up 1.0 0.3) (up -1.0 0.0)))
   (check-close (times (circle start 3 (event (lambda (s) (- (ref (coordinate s) 0) 0.5)))))
                (list 0.5 1.5) 1e-10)
+  (check-equal? (times (circle start 1.001 (event (lambda (s) 0.0)))) '())
   (check-equal?
    (regexp-replace "time: .*"
                    (message-of (circle start 3 (event (lambda (s) (+ (ref (coordinate s) 1) 1))

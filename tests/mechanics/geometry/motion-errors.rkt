@@ -35,6 +35,7 @@
   "evolve-on: the velocities are not of the shape of the coordinates\n"
   "  coordinates: (up 1 2)\n  velocities: (up 1 2 3)"]
  [(evolve-on L S2-spherical (up 0 (up -1.0 0.3) (up 1 0)) 1) outside "(up -1.0 0.3)"]
+ [(evolve-on L S2-spherical (up 0 (up -0.1 3.0) (up 1 0)) 1) outside "(up -0.1 3.0)"]
  [(evolve-on L S2-spherical (up 0 (up 0 0.3) (up 1 0)) 1) outside "(up 0 0.3)"]
  [(evolve-on L S2-spherical (up 0 (up 0.0 0.0) (up 1 0)) 1) outside "(up 0.0 0.0)"]
  [(evolve-on L S2-spherical start 1 #:tolerance -1)
@@ -150,3 +151,12 @@
   (define so-far (trajectory-so-far e))
   (check-equal? (trajectory-start so-far) 0.0)
   (check-true (>= (trajectory-end so-far) 2)))
+
+(test-case "where an event has no value the state is told as its function sees it, at home"
+  ;; the motion is followed in another chart from θ = 0.3 on
+  (check-regexp-match
+   #rx"no real value\n  event: [(]event low[)].*\n  state: [(]up 0.80[0-9]* [(]up 0.19[0-9]* 0.3[)]"
+   (message-of (evolve-on L S2-spherical (up 0 (up 1.0 0.3) (up -1.0 0.0)) 0.9
+                          #:events (event (lambda (s) (sqrt (- (ref (coordinate s) 0) 0.2)))
+                                          #:name 'low))
+               exn:fail:mechanics:singular?)))

@@ -56,13 +56,41 @@
 
 (test-case "whole turns of the longitude are counted"
   (define start (up 0 (up 1.0 0.3) (up -4.5 0.05)))
-  (define tr (evolve-on L-pendulum S2-spherical start 20 #:tolerance sharp-tolerance))
-  ;; the longitude only grows, by nearly half a turn at each pass of a pole
-  (define longitudes
-    (for/list ([k 20001]) (ref (coordinate (tr (/ k 1000))) 1)))
-  (for ([a longitudes] [b (cdr longitudes)])
-    (check-true (< 0 (- b a) pi)))
-  (check-true (> (last longitudes) 40)))
+  ;; the longitude only grows with the time, by nearly half a turn at each pass of a pole
+  (for ([end '(20 -5)])
+    (define tr (evolve-on L-pendulum S2-spherical start end #:tolerance sharp-tolerance))
+    (define longitudes
+      (for/list ([k (+ 1 (* 1000 (abs end)))]) (ref (coordinate (tr (* k (sgn end) 1/1000))) 1)))
+    (for ([a longitudes] [b (cdr longitudes)])
+      (check-true (< 0 (* (sgn end) (- b a)) pi)))
+    (check-true (> (abs (last longitudes)) (* 2 (abs end))))))
+
+;; A conical pendulum about the pole of the chart at home, which it never is followed in:
+;; ω² cos α = g, and a point at the distance r from the origin is seen there at tan(α/2) = r.
+(test-case "and all those of a motion in another chart, forward and backward"
+  (define r 0.1)
+  (define omega (sqrt (/ g (cos (* 2 (atan r))))))
+  (define start (up 0 ((point S2-stereographic) (up r 0.0)) (up 0.0 (* r omega))))
+  (for ([end '(12 -12)])
+    (define tr (evolve-on L-pendulum S2-spherical start end #:charts (list S2-stereographic)))
+    (for ([k 121])
+      (define t (* k (/ end 120)))
+      (check-close (ref (coordinate (tr t)) 1) (* omega t) 1e-7))))
+
+(test-case "a straight line past the origin of polar coordinates: their angle alone has turns"
+  (define (L-free local)
+    (define-values (r rdot thetadot)
+      (values (ref (coordinate local) 0) (ref (velocity local) 0) (ref (velocity local) 1)))
+    (* 1/2 (+ (square rdot) (square (* r thetadot)))))
+  (define tr (evolve-on L-free R2-polar (up 0 (up 1.0 3.0) (up -1.0 0.05)) 3
+                        #:tolerance sharp-tolerance))
+  (check-true (pair? (trajectory-chart-changes tr)))
+  (for ([k 31])
+    (define t (/ k 10))
+    (check-close (coordinate (tr t))
+                 (up (sqrt (+ (square (- 1 t)) (square (* 0.05 t))))
+                     (+ 3.0 (atan (* 0.05 t) (- 1.0 t))))
+                 1e-10)))
 
 (test-case "what is read is the same on both sides of a change of charts"
   (define tr (evolve-on L-pendulum S2-spherical (up 0 (up 1.0 0.3) (up -4.5 0.05)) 5

@@ -20,6 +20,7 @@
                 '(sqrt (+ (expt ct 2) (* -1 (expt x 2)) (* -1 (expt y 2)) (* -1 (expt z 2)))))
   (check-equal? (proper-time-interval (up 5 3 0 0)) 4)
   (check-equal? (proper-space-interval (up 3 0 5 0)) 4)
+  (check-equal? (proper-time-interval (up 5/13 3/13 0 0)) 4/13)
   (check-equal? (proper-time-interval (up 5 3 4 0)) 0))
 
 (test-case "a boost along x"
@@ -201,6 +202,8 @@
  [(SR-name (up 1 2 3 4))
   "SR-name: expected coordinates that know their frame\n"
   "  given: (up 1 2 3 4), an up tuple of 4"]
+ [(v/c 'home)
+  "v/c: expected a frame, such as the-ether\n  given: the symbol home"]
  [(v/c the-ether)
   "v/c: the-ether is a base frame: it is at rest, and has no ancestor"]
  [(boost-direction the-ether)

@@ -1121,6 +1121,22 @@
  "(if (and (real? last-one) (<= last-one (* 1e-4 (determinant (trajectory-start tr)))))"
  "(if (and (real? last-one) (<= last-one (* 0.0002 (determinant (trajectory-start tr)))))"
  "by what part of its determinant a metric has lost a direction" limit)
+("geometry/motion/continuous-angles.rkt"
+ "(define there (if-raised refusal? #f (place->coordinates C (coordinates->place C q))))"
+ "(define there (if-raised refusal? #t (place->coordinates C (coordinates->place C q))))"
+ "neither #f nor #t is numeric, and what is not is refused three lines below")
+("geometry/motion/continuous-angles.rkt"
+ "[(if forth? (<= at t) (>= at t)) (search middle high)]"
+ "[(if forth? (<= at t) (> at t)) (search middle high)]"
+ "at the time of a node its own coordinates are those next to the node before")
+("geometry/motion/vector-transport.rkt"
+ "(g:* ((D (lambda (q) ((transition A B) (up 0 q)))) q) u)))"
+ "(g:* ((D (lambda (q) ((transition A B) (up 1 q)))) q) u)))"
+ "the coordinates in another chart do not depend on the time")
+("geometry/motion/chart-choice.rkt"
+ "(define x (for/list ([k (in-range n)]) (+ 0.4 (/ k 7.0))))"
+ "(define x (for/list ([k (in-range n)]) (+ 0.8 (/ k 7.0))))"
+ "at any regular place a turn of an angle comes back, and one of another coordinate does not")
 ("teaching/worksheet/extra-motions.rkt"
  "[zero (in-value (zero-between at (- (/ i 10.) 4.03) (- (/ (+ i 1) 10.) 4.03)))]"
  "[zero (in-value (zero-between at (- (/ i 10.) 8.06) (- (/ (+ i 1) 10.) 4.03)))]"
