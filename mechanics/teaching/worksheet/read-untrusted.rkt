@@ -11,7 +11,7 @@
   (call-with-default-reading-parameterization
    (lambda ()
      (parameterize ([read-accept-reader #f] [read-accept-lang #f] [read-accept-graph #f]
-                    [read-accept-box #f] [read-accept-compiled #f]
+                    [read-accept-compiled #f]
                     [current-readtable without-prefixes])
        (read (open-input-string text))))))
 

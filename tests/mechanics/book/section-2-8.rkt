@@ -3,6 +3,7 @@
 
 (require mechanics
          mechanics/book
+         (only-in mechanics/plot frame frame-points)
          "../support/checks.rkt"
          "../support/close.rkt" "../support/messages.rkt" "../support/session.rkt")
 
@@ -92,6 +93,12 @@
 (test-case "p. 145: as the book follows it"
   (define end ((evolve rigid-sysder A B C) start void 10. 100. 1e-13))
   (check-close (coordinate end) (coordinate (motion 100)) 1e-10))
+
+;; With velocities twice as large the angular momentum is twice as large, and the energy four times.
+(test-case "p. 145: the errors that are plotted along a motion"
+  (define win (frame 0 10 -4 4))
+  ((monitor-errors win A B C L0 E0) (up 7 (up 1 0 0) (up .2 .2 .2)))
+  (check-close (map vector->list (frame-points win)) '((7 1) (7 1) (7 1) (7 3)) 1e-14))
 
 (define (error-of-zero) (relative-error 1 0))
 
