@@ -21,6 +21,7 @@
   (define state (up 't (up 'x 'y) (down 'p_x 'p_y)))
   (check-equal? ((Poisson-bracket coordinate momentum) state) (up (down 1 0) (down 0 1)))
   (check-equal? ((Poisson-bracket momentum coordinate) state) (down (up -1 0) (up 0 -1)))
+  (check-equal? ((Poisson-bracket time coordinate) state) (up 0 0))
   (define H (literal-function 'H (Hamiltonian 2)))
   (define (f s) (up (square (momentum s)) (* (coordinate s) (momentum s))))
   (for ([k 2])
