@@ -32,9 +32,8 @@
 ;; Where all parts of es have values and derivatives; differentiated : those of es of which
 ;; derivatives are taken.  All relations hold around the point as well: a radicand is positive.
 (define (open-relations es differentiated)
-  (remove-duplicates
-   (append (append-map unknown-derivatives (append-map nodes-in differentiated))
-           (map strict (domain-relations es)))))
+  (append (append-map unknown-derivatives (append-map nodes-in differentiated))
+          (map strict (domain-relations es))))
 
 (define (strict d)
   (case (car d)

@@ -106,6 +106,7 @@
   (define v (verify-conserved L (Lagrangian->energy L) (up 't 'z 'zdot)))
   (check-true (string-contains? (certificate-text (certificate v)) "(* The quantity *)"))
   (define text (statement v))
+  (check-regexp-match #rx"Definition slope [(]t z zdot : R[)] : R := - m [*] g[.]" text)
   (check-regexp-match
    (regexp-quote
     (string-append
@@ -125,10 +126,25 @@
      "is_derive (fun s => quantity s (path s) (velocity s)) t 0)."))
    text))
 
+;; The whole file, spaces aside
+(define (file-of v) (string-normalize-spaces (certificate-text (certificate v))))
+(define (has part v) (check-true (string-contains? (file-of v) part) part))
+
+;; V = log (z - 3): a state may have z > 3 alone.
+(test-case "a conserved quantity: of a state at numbers, and kernels along the path as at the state"
+  (define (L local)
+    (- (* 1/2 'm (square (velocity local))) (log (- (coordinate local) 3))))
+  (define through
+    (regexp-match #rx"path_through [(]([0-9]+)[)]"
+                  (file-of (verify-conserved L (Lagrangian->energy L) (up 't 'z 'zdot)))))
+  (check-true (> (string->number (cadr through)) 3))
+  (define pendulum (L-pendulum 'g 'm 'l))
+  (define of-pendulum
+    (verify-conserved pendulum (Lagrangian->energy pendulum) (up 't 'theta 'v)))
+  (has "(kernel_1 : sin theta * sin theta = 1 - cos theta * cos theta)" of-pendulum)
+  (has "(kernel_1 : sin (path t) * sin (path t) = 1 - cos (path t) * cos (path t))" of-pendulum))
+
 (test-case "what a proof rests on: laws of exponentials, arcs and logarithms, factors of divisors"
-  (define (has part v)
-    (check-true (string-contains? (string-normalize-spaces (certificate-text (certificate v))) part)
-                part))
   (assuming ('(> x 0) '(> y 0))
     (has "(exp (1 / 2 * ln x)) ^ 2 = x). { apply exp_part_2; [positive | field]. }"
          (verify-equal (square (exp (* 1/2 (log 'x)))) 'x))
@@ -139,10 +155,30 @@
   (define of-arc (verify-equal (* 'y (cos (atan 'x))) (/ 'y (sqrt (+ 1 (square 'x))))))
   (has "sin (atan x) = x / sqrt (1 + x * x)). { apply sin_atan; bounds. }" of-arc)
   (has "cos (atan x) = 1 / sqrt (1 + x * x)). { apply cos_atan; bounds. }" of-arc)
+  (for ([(arc name other) (in-parallel (list asin acos) '("asin" "acos") '("cos" "sin"))]
+        [of-arc (list cos sin)])
+    (has (format "~a (~a x) = sqrt (1 - x * x)). { apply ~a_~a; bounds. }" other name other name)
+         (verify-equal (* 'y (of-arc (arc 'x))) (* 'y (sqrt (- 1 (square 'x)))))))
+  (has "acos x = 1 / 2 * PI - asin x). { rewrite acos_asin by"
+       (verify-equal (+ (asin 'x) (acos 'x)) (/ ':pi 2)))
+  (has "Rabs (x * y) = Rabs x * Rabs y). { apply modulus_is;"
+       (verify-equal (abs (* 'x 'y)) (* (abs 'x) (abs 'y))))
+  (define of-symbolic-power (verify-equal (square (sqrt (expt 'x 'y))) (expt 'x 'y)))
+  (has "= Rpower x y). { apply sqrt_sqrt; left; apply exp_pos. }" of-symbolic-power)
+  (define of-exponentials (verify-equal (exp (* 2 'x)) (* (exp (- 'x 'y)) (exp (+ 'x 'y)))))
+  (has "exp (2 * x) = (exp x) ^ 2)" of-exponentials)
   (define of-square (verify-equal (/ 1 (+ (square 'x) (* 2 'x 'y) (square 'y)))
                                   (/ 1 (square (+ 'x 'y)))))
   (has "= (x + y) ^ 2) by ((first [reflexivity | ring |" of-square)
   (has "x + y <> 0) by (let Z := fresh in let G := fresh in intro Z;" of-square))
+
+(test-case "parts of a turn are known where there are some, and are no matter elsewhere"
+  (define of-eighth
+    (verify-equal (sin (+ 'x (/ ':pi 4))) (/ (+ (sin 'x) (cos 'x)) (sqrt 2))))
+  (has "sin (1 / 4 * PI) = 1 / 2 * sqrt 2). { turn_4. }" of-eighth)
+  (has "cos (1 / 4 * PI) = 1 / 2 * sqrt 2). { turn_4. }" of-eighth)
+  (check-false (regexp-match? #rx"turn_[0-9][.] }"
+                              (file-of (verify-equal (sin (* 2 'x)) (* 2 (sin 'x) (cos 'x)))))))
 
 (test-case "a canonical transformation: the derivatives, and all brackets of these"
   (define (turned state)
@@ -169,7 +205,18 @@
   (check-regexp-match
    (regexp-quote "is_derive momentum_0 t (slope_0 t + multiplier t * normal_0 t)") text)
   (check-regexp-match
-   (regexp-quote "constraint t (path_0 t) (path_1 t) (velocity_0 t) (velocity_1 t) = 0") text))
+   (regexp-quote "constraint t (path_0 t) (path_1 t) (velocity_0 t) (velocity_1 t) = 0") text)
+  ;; m g hangs on a string of the length l: 0 = - m g - 2 l λ
+  (define (heavy local) (- (L local) (* 'm 'g (ref (coordinate local) 1))))
+  (has "Definition multiplier (t : R) : R := (- 1 / 2 * g * m) / l."
+       (verify-solution heavy (lambda (t) (up 0 (- 'l)))
+                        #:constraints (holonomic (lambda (t q) (- (square q) (* 'l 'l)))))))
+
+(test-case "where a force has a value is a hypothesis, too"
+  (define (free local) (* 1/2 'm (square (velocity local))))
+  (has "2 * m <> 0 /\\ a - b <> 0."
+       (verify-solution free (lambda (t) (/ (* (+ 'a 'b) t t) (* 2 'm)))
+                        #:force (lambda (s) (/ (- (square 'a) (square 'b)) (- 'a 'b))))))
 
 (test-case "words: a force and constraints are named, where there are any"
   (define (free local) (* 1/2 'm (square (velocity local))))

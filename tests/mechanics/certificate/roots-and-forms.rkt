@@ -52,6 +52,9 @@
 (test-case "a factor of unknown sign leaves a root as an absolute value"
   (check-equal? (parts-of '(expt y 2)) (list (datum->expression '(abs y)) '() #f))
   (check-equal? (parts-of '(* 9 y)) (list 3 '() 'y))
+  (check-equal? (with-handlers ([no-certificate? no-certificate-reason])
+                  (parts-of '(* -1 (expt y 2))))
+                "a radicand is negative")
   (assuming ('(>= y 0)) (check-equal? (parts-of '(expt y 2)) '(y () #f)))
   (assuming ('(<= y 0))
     (check-equal? (parts-of '(expt y 2)) (list (e:negate 'y) '() #f))))

@@ -1141,6 +1141,22 @@
  "[zero (in-value (zero-between at (- (/ i 10.) 4.03) (- (/ (+ i 1) 10.) 4.03)))]"
  "[zero (in-value (zero-between at (- (/ i 10.) 8.06) (- (/ (+ i 1) 10.) 4.03)))]"
  "between which places a change of sign is looked for: one zero of several is enough" limit)
+("teaching/worksheet/decimal-answers.rkt"
+ "(max (for/sum ([t (in-list terms)]) (abs (or (value-at t point) 0)))"
+ "(max (for/sum ([t (in-list terms)]) (abs (or (value-at t point) 1)))"
+ "where the key has a value its terms have")
+("teaching/worksheet/decimal-answers.rkt"
+ "(cons s (expt 50. (- (* 2 (scattered i j)) 1)))))"
+ "(cons s (expt 50. (- (* 3 (scattered i j)) 1)))))"
+ "at what positive numbers an answer is compared with its key" limit)
+("teaching/worksheet/answer-bounds.rkt"
+ "(define longest-symbol 60)"
+ "(define longest-symbol 61)"
+ "from how many letters on a name is none" limit)
+("teaching/worksheet/extra-motions.rkt"
+ "(and x (< (abs x) 1e6))))"
+ "(and x (< (abs x) 2000000.0))))"
+ "how great an acceleration is taken for a singular one" limit)
 ("teaching/class/collect-answers.rkt"
  "[(> cost (if (null? parts) longest-start seconds)) (ended 'late)]"
  "[(>= cost (if (null? parts) longest-start seconds)) (ended 'late)]"
@@ -1237,10 +1253,22 @@
  "(define least (apply min 1 (filter positive? (map abs squares))))"
  "(define least (apply min 2 (filter positive? (map abs squares))))"
  "how far beside a square of frequency a system is solved that has none at it" limit)
+("question/equilibria.rkt"
+ "(define (residual-at q) (residual-at-rest 'find-equilibrium L force 0 q))"
+ "(define (residual-at q) (residual-at-rest 'find-equilibrium L force 1 q))"
+ "a force that changes in time is refused five lines below, at whatever time it was 0")
 ("certificate/kernel-facts.rkt"
  "(term d ns 2) (term e ns))"
  "(term d ns 3) (term e ns))"
  "a product that is a divisor stands in parentheses within a proof" layout)
+("certificate/Coq-term.rkt"
+ "(define-values (sum product power atom) (values 1 2 3 4))"
+ "(define-values (sum product power atom) (values 1 2 3 5))"
+ "levels are compared, and the last is the greatest with either number")
+("certificate/conserved-theorem.rkt"
+ "(proof M stated proved relations ns along)"
+ "(proof M proved proved relations ns along)"
+ "the first part of the proof has facts that only the second uses" layout)
 ("show/plot/window.rkt"
  "(define (loaded?) #t)"
  "(define (loaded?) #f)"
