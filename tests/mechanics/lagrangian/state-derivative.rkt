@@ -4,7 +4,8 @@
 (require mechanics
          mechanics/scmutils
          (only-in mechanics/book L-harmonic L-pendulum)
-         "../support/checks.rkt" "../support/notes.rkt" "../support/session.rkt")
+         "../support/checks.rkt" "../support/close.rkt" "../support/notes.rkt"
+         "../support/session.rkt")
 
 (define ((L-rigid A B C) (up t (up theta phi psi) (up thetadot phidot psidot)))
   (let ([a (+ (* phidot (sin theta) (sin psi)) (* thetadot (cos psi)))]
@@ -81,6 +82,15 @@
   (check-eq? (verdict-status
               (prove-zero (((Lagrange-equations pendulum (Rayleigh-dissipation 'k)) q) 't)))
              'proved))
+
+;; Of so many coordinates a motion without a force is compiled from its Lagrangian.
+(test-case "a motion of six coordinates feels its force: of v' = -v, v falls to 1/e"
+  (define (free local) (* 1/2 (square (velocity local))))
+  (define (drag local) (- (flip (velocity local))))
+  (define slowed (Lagrangian->state-derivative free #:force drag))
+  (define start (up 0 (up 0 0 0 0 0 0) (up 1 2 3 4 5 6)))
+  (define end (trajectory-final-state (evolve-trajectory slowed start 1 #:tolerance 1e-12)))
+  (check-close (velocity end) (* (exp -1) (up 1 2 3 4 5 6)) 1e-11))
 
 (test-case "a force and a dissipation function add up"
   (define (push local) 'F)
