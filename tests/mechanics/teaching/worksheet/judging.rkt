@@ -180,6 +180,7 @@
   right 1]
  [(lambda (t) (* 'a (cos (* (sqrt (/ 'k 'm)) t)))) partly 1/2 "it is a solution, but not the gen"]
  [(lambda (t) 0) trivial 0 "it is a solution, but nothing moves"]
+ [(up (lambda (t) 't) 0) failed 0 "application: a tuple applies its components to the arguments"]
  [(lambda (t) (* 'a (cos (+ (* (sqrt (/ 'm 'k)) t) 'phi)))) wrong 0])
 
 (define started

@@ -4,6 +4,7 @@
 
 (require file/gzip
          mechanics/teaching/worksheet/make-exercise
+         mechanics/teaching/worksheet/read-untrusted
          mechanics/teaching/worksheet/sealed-exercises
          net/base64
          "../../support/checks.rkt")
@@ -34,7 +35,10 @@
 (test-case "no number takes forever to be made"
   (for ([b (in-list (list #"(#e1e999999999)" #"(#d#e1e999999999)" #"(#E1e999999999)"))])
     (check-refused b))
-  (check-refused (make-bytes 3000000 (char->integer #\1))))
+  (check-refused (make-bytes 3000000 (char->integer #\1)))
+  (define (number-of digits) (read-untrusted (make-string digits #\9)))
+  (check-equal? (number-of 1999) (- (expt 10 1999) 1))
+  (check-exn #rx"more digits than any answer needs" (lambda () (number-of 2000))))
 
 (test-case "no envelope holds more than a worksheet would"
   (define (empty-list-and-spaces n) (bytes-append #"()" (make-bytes n (char->integer #\space))))

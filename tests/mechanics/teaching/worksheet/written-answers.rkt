@@ -64,6 +64,12 @@
   (check-equal? (datum-of e "mb") 'mb)
   (check-equal? (hash-ref (exercise-settings e) 'names) '(m a rho_0)))
 
+(test-case "functions of the key are known, also those that are differentiated there"
+  (define-values (U V) (values (literal-function 'U) (literal-function 'V)))
+  (define e (an-exercise expression ('key (+ (* 'k (U 'x)) ((D V) 'x)))))
+  (check-equal? (hash-ref (exercise-settings e) 'functions) '(U V))
+  (check-equal? (datum-of e "k U(x)") '(* k (U x))))
+
 (test-case "what is called something else is the right side"
   (define e (an-exercise expression ('key (* 'm 'g))))
   (check-equal? (datum-of e "F = m g") '(* m g))
