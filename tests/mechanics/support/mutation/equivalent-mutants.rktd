@@ -1361,3 +1361,11 @@
  "(note x (cond [(> c 0) 1] [(< c 0) -1] [else 0]) (lambda (one other) 0)))))"
  "(note x (cond [(> c 1) 1] [(< c 0) -1] [else 0]) (lambda (one other) 0)))))"
  "a place more is looked at, where nothing jumps" limit)
+("teaching/derivation/derivations.rkt"
+ "(make-step '(* lambda ((partial 1) constraint)) force (verify-equal equations force))))"
+ "(make-step '(* lambda ((partial 1) constraint)) force (verify-equal force force))))"
+ "the two are equal, as the line says: no derivation tells that they are not compared")
+("teaching/derivation/derivations.rkt"
+ "(g:+ (((partial 0) H) state)"
+ "(g:- (((partial 0) H) state)"
+ "the other terms cancel: that is what the derivation shows")

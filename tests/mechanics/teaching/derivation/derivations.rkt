@@ -113,7 +113,12 @@
                 (string-append "\\begin{array}{l}\\hspace{0em}"
                                "\\displaystyle \\partial_{0} H=m\\,v^{2}"
                                "\\\\\\hspace{2em}\\text{proved}\\end{array}\n"))
-  (check-regexp-match #rx"^<math .*</math>\n$" (as 'MathML)))
+  (check-regexp-match #rx"^<math .*</math>\n$" (as 'MathML))
+  (define assumed
+    (assuming ('(> x 0)) (make-step 'p (* 'm 'x) (verify-equal (sqrt (square 'x)) 'x))))
+  (check-equal? (with-output-to-string
+                 (lambda () (show-derivation (derivation (list assumed)) #:as 'text)))
+                "p = m x\n  proved\n  assuming x > 0\n"))
 
 (test-case "the steps to Lagrange's equations, typeset, have a verdict each"
   (define x (literal-function 'x))
@@ -127,6 +132,10 @@
  [(derive-Hamilton-equations 3 (up 't 'q 'p))
   "derive-Hamilton-equations: a Hamiltonian is a function of the state (up t q p); "
   "given the number 3"]
+ [(derive-Hamilton-equations H-moving 't)
+  "derive-Hamilton-equations: expected a state of symbols, (up 't 'q 'v)\n  given: the symbol t"]
+ [(derive-Legendre-transform L-falling 't)
+  "derive-Legendre-transform: expected a state of symbols, (up 't 'q 'v)\n  given: the symbol t"]
  [(derive-multipliers L-falling 3 plane)
   "derive-multipliers: expected a constraint, (holonomic G) or (nonholonomic A), "
   "or a list of them\n  given: the number 3"]
