@@ -26,6 +26,7 @@
                   ((compose (L-free-particle 'm) (Gamma q)) 't)))
 
 (test-case "p. 18: the action of a straight path"
+  (check-equal? (test-path 2) (up 15 11 5))
   (check-= (Lagrangian-action (L-free-particle 3.0) test-path 0.0 10.0) 435.0 1e-12)
   (define (another-path t) (up (+ t 7) (+ (* 3 t) 5) (+ (* 2 t) 1)))
   (check-= (Lagrangian-action (L-free-particle 3) another-path 0 10) 210 1e-12)

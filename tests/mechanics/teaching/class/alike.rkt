@@ -38,6 +38,18 @@
                 (list (string-append "Ann and Bob have in common, as few others do: the name "
                                      "omegga, the same wrong motion; that may have many reasons"))))
 
+(test-case "names that two alone have are remarked on from three on, of 60 letters as a whole"
+  (define (defining . names)
+    (apply string-append (for/list ([n (in-list names)]) (format "(define ~a 1)\n" n))))
+  (define long (make-string 60 #\n))
+  (define (both text) (said (student "Ann" text) (student "Bob" text)))
+  (check-equal? (both (defining "omegga" "alfa")) '())
+  (check-equal? (both (defining "omegga" "alfa" long))
+                (list (format (string-append "Ann and Bob have in common, as few others do: the name "
+                                             "alfa, the name ~a, the name omegga; that may have many "
+                                             "reasons")
+                              long))))
+
 (test-case "two comments, or the words of a reason"
   (define comments ";; here I integrate by parts\n; and hten the rest\n")
   (check-equal? (length (said (student "Ann" comments) (student "Bob" comments))) 1)

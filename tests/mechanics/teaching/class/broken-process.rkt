@@ -2,7 +2,8 @@
 ;; A process that cannot be started, or that writes what none of ours would: each costs only
 ;; itself.
 
-(require mechanics/teaching/class/collect-answers
+(require mechanics/teaching/class/answer-lines
+         mechanics/teaching/class/collect-answers
          mechanics/teaching/class/evaluate
          mechanics/teaching/class/grade
          mechanics/teaching/class/submission
@@ -45,6 +46,23 @@
                    #:tell (lambda (n) (set! told (cons n told))))))
   (check-equal? (list told judged) '((3 2 1) 1))
   (check-equal? (map graded-points (class-report-graded report)) '(1 1 1)))
+
+(test-case "all answers of a submission are judged, and stand in the order of the exercises"
+  (define (asked name) (make-exercise name 'expression "?" '((key k))))
+  (define (collect i exercises s)
+    (collected (hasheq 'second '(answer (* 1 k)) 'first '(answer k)) #f 0 #f))
+  (define report
+    (parameterize ([current-security-guard no-process])
+      (grade-class (make-worksheet "Two" #f "two" (map asked '(first second)))
+                   (list (submission-of "a")) #:strictest 'own #:collect collect)))
+  (define answers (graded-answers (car (class-report-graded report))))
+  (check-equal? (map judged-name answers) '(first second))
+  (check-equal? (map judged-status answers) '(right right)))
+
+(test-case "of a line that is none, its answer is told as one that failed, if it says of which"
+  (check-equal? (read-answer-lines "#oops\n(x answer #(1))\n(y answer k)\n")
+                (hasheq 'x '(failed "there is a name or a number in it that is none")
+                        'y '(answer k))))
 
 (test-case "what a process says of its program is believed in one form alone"
   (define (problem-of line) (collected-problem (collected-from (string-append line "\n") 'done)))

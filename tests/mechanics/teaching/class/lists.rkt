@@ -25,6 +25,11 @@
               "Participant 503,Bob Bell,1003,Bell@uni.edu,"
               ",,,,"))
 
+(test-case "whom another program names is found by either name"
+  (define cem (participant-of "Cem@uni.edu" "Cem Can" #f))
+  (check-equal? (participant-key cem) "Cem@uni.edu")
+  (check-equal? (names (list cem) (handed-in "cem@uni.edu")) '("Cem Can")))
+
 (test-case "Moodle's columns: who it is, and when it was handed in"
   (check-equal? (map participant-key Moodle) '("ann@uni.edu" "bob@uni.edu" "Bell@uni.edu"))
   (check-equal? (identity-columns Moodle) '("Email address" "ID number"))
