@@ -107,7 +107,6 @@
   (cond [(<= (pict-height p) (* 1.75 size))
          (hbl-append (upright g open) p (upright g close))]
         [else
-         (define centre (- (pict-descent p) (/ (pict-height p) 2)))
          (define (sign s)
            (with-base-line (tall g s (pict-height p)) (pict-descent p)))
          (level (sign open) (blank (* 0.08 size) 0) p (blank (* 0.08 size) 0) (sign close))]))

@@ -97,6 +97,7 @@
   (check-equal? (text-of (parsed (->MathML '|</mi><script>|))) "</mi><script>")
   (check-equal? (text-of (parsed (->MathML '|\\input{x}|))) "\\\\input{x}")
   (check-equal? (->TeX '|$|) "\\text{\\$}")
+  (check-equal? (->TeX (* 'epsilon 'omicron)) "\\varepsilon\\,o")   ; TeX has no omicron
   (check-equal? (->text '|$|) "$"))
 
 (skip-unless latex "there is no latex"

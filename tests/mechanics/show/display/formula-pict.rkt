@@ -20,6 +20,13 @@
   (for/or ([y (in-range h)])
     (> (bytes-ref bitmap (* 4 (+ (* y w) (min (sub1 w) (inexact->exact (floor (* x w))))))) 0)))
 
+;; The painted columns of a row of pixels, at a fraction of the height; they are fractions of the width.
+(define (painted-columns p at)
+  (define bitmap ((of-pict 'pict->argb-pixels) p))
+  (define w (inexact->exact (ceiling (width p))))
+  (define row (inexact->exact (floor (* at (quotient (bytes-length bitmap) (* 4 w))))))
+  (for/list ([x (in-range w)] #:when (> (bytes-ref bitmap (* 4 (+ (* row w) x))) 0)) (/ x w 1.0)))
+
 ;; Is a point of the upper quarter painted?
 (define (top-painted? p)
   (define bitmap ((of-pict 'pict->argb-pixels) p))
@@ -38,7 +45,8 @@
     (check-true (> (height (->pict 'x #:size 40)) (* 2 (height (->pict 'x #:size 16))))))
   (test-case "a dot over a letter makes no room beside it"
     (check-= (width (->pict 'theta)) (width (->pict 'thetadot)) 0.001)
-    (check-true (> (height (->pict 'thetadot)) (- (height (->pict 'theta)) 0.001))))
+    (check-true (< -0.001 (- (height (->pict 'thetadot)) (height (->pict 'theta)))
+                   (* 0.3 (height (->pict 'theta))))))
   (test-case "two dots are above their letter"
     (define-values (plain dotted) (values (->pict 'x #:size 40) (->pict 'xdotdot #:size 40)))
     (check-= (width dotted) (width plain) 0.001)
@@ -55,6 +63,14 @@
     (define p (->pict (sqrt (/ 'a 'b)) #:size 40))
     (check-true (for/and ([x '(0.3 0.5 0.7)]) (column-painted? p x)))
     (check-true (> (width (->pict '|</mi>|)) 10)))
+  (test-case "brackets stand at either side of a matrix, and open towards it"
+    (define p (->pict (matrix-by-rows '(1 a) '(0 2) '(0 b)) #:size 40))
+    (define-values (ends strokes) (values (painted-columns p 0.005) (painted-columns p 0.34)))
+    (for ([columns (list ends strokes)])
+      (check-equal? (apply min columns) (apply min strokes))
+      (check-equal? (apply max columns) (apply max strokes)))
+    (check-true (< (apply min strokes) 0.1 0.9 (apply max strokes)))
+    (check-true (> (length ends) (* 4 (length strokes)))))
   (test-case "an empty tuple, a matrix, a verdict and what is no formula are picts"
     (for ([x (list (up) (down) (matrix-by-rows '(1 a) '(0 2)) (verify-equal 'x 'x)
                    (lambda (x) x) "text" (void) '|| '|\n|)])

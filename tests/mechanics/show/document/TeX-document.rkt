@@ -32,18 +32,33 @@
   (check-equal? (code->TeX "(a  b)") "(a~~b)")
   (check-false (regexp-match? #px"(?<!\\\\)[$&#%_]|\\\\(end|input)" (prose->TeX evil))))
 
+(define (written . pieces)
+  (define-values (text pictures) (TeX pieces))
+  (cadr (regexp-match #rx"\\\\maketitle\n\n(.*)\n\n\\\\end{document}" text)))
+
 (test-case "headings, failures, lists of verdicts and words of a program have their forms"
-  (define (written . pieces)
-    (define-values (text pictures) (TeX pieces))
-    (cadr (regexp-match #rx"\\\\maketitle\n\n(.*)\n\n\\\\end{document}" text)))
   (check-equal? (written (heading "A & b")) "\\section*{A \\& b}")
   (check-equal? (written (failure "oh no")) "\\begin{program}\noh no\n\\end{program}")
   (define proved "\\begin{flushleft}\nproved: the residual is zero\n\\end{flushleft}")
   (define v (verify-equal 'x 'x))
   (check-equal? (written (shown (list v v))) (string-append proved "\n\n" proved))
-  (define line (report-line 0 "name:" (list (plain "a_b"))))
-  (check-equal? (written (result (shown-formula (report (list line)) '())))
-                "\\begin{flushleft}\nname: \\texttt{a\\_b}\n\\end{flushleft}"))
+  (define lines (for/list ([depth 2]) (report-line depth "name:" (list (plain "a_b")))))
+  (define line "name: \\texttt{a\\_b}")
+  (check-equal? (written (result (shown-formula (report lines) '())))
+                (string-append "\\begin{flushleft}\n" line "\\\\\n\\hspace*{2em}" line
+                               "\n\\end{flushleft}")))
+
+(test-case "rows of numbers and events are tables"
+  (define (table columns . lines)
+    (string-append "\\begin{center}\n\\begin{tabular}{" columns "}\n" (string-append* lines)
+                   "\\end{tabular}\n\\end{center}"))
+  (define (row . cells)
+    (string-append (string-join (map (lambda (c) (format "$\\displaystyle ~a$" c)) cells) " & ")
+                   "\\\\\n"))
+  (check-equal? (written (shown (list (list 1 2.5) (list 3 4))))
+                (table "ll" (row 1 2.5) (row 3 4)))
+  (check-equal? (written (result (shown-table '("event" "time") (list (list (plain "a_b") (plain "1"))))))
+                (table "ll" "event & time\\\\\n\\hline\n" "\\texttt{a\\_b} & \\texttt{1}\\\\\n")))
 
 ;; The program environment of a text, and the lines that declare its characters.
 (define (program text)

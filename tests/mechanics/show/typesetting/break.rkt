@@ -9,6 +9,7 @@
          "../../../../mechanics/show/typesetting/TeX.rkt"
          "../../../../mechanics/show/typesetting/break.rkt"
          "../../../../mechanics/show/typesetting/drawn-text.rkt"
+         (only-in "../../../../mechanics/show/typesetting/text-box.rkt" columns-wide)
          "../../../../mechanics/show/typesetting/width.rkt"
          "../../../../mechanics/show/typesetting/MathML.rkt"
          "../../support/checks.rkt" "../../support/golden/values.rkt")
@@ -56,6 +57,36 @@
   (for ([t (list (t:relation a "=" b) (value->tree (+ 'alpha 'beta) #t)
                  (value->tree (* 'alpha 'beta) #t) (value->tree (cos 'alpha) #t))])
     (check-true (< 0 (between t #t) (between t #f)))))
+
+(define ((L-spring m k) local)
+  (- (* 1/2 m (square (velocity local))) (* 1/2 k (square (coordinate local)))))
+
+;; Columns of the longest line.
+(define (longest t)
+  (apply max 0 (map columns-wide (string-split (tree->text t) "\n" #:trim? #f))))
+
+(test-case "as text a formula is as wide as it is drawn"
+  (define wide (make-meter #f))
+  (for ([x (list 'a 'ab 'abc 'theta_1 'omega_12 12 3/7 1.5 (+ 'a 'b) (- 'b 'a) (- (+ 'a 'b))
+                 (* 'a (+ 'c 'd)) (/ 'a 'b) (expt 'x 2) (expt 'x -2) (sin 'theta) (atan 'y 'x)
+                 (cos (+ 'theta 'phi)) ((literal-function 'f) 'x) (((expt D 4) (literal-function 'f)) 't)
+                 (up) (up 'a 'b) (down) (down 'x) (down 'a 'b)
+                 (down 'a 'b 'c) (matrix-by-rows (list 1 'a) (list 0 (/ 1 'b)))
+                 (equilibrium-stability (L-spring 'm 'k) 0))])
+    (define t (value->tree x #t))
+    (check-equal? (wide t) (longest t) (tree->text t))))
+
+;; A function is cut between its parentheses where it would not fit by itself.
+(test-case "functions and products with functions keep to the width"
+  (define (f n) ((literal-function 'f) (sum-of 'alpha n)))
+  (for* ([n '(2 3 4 6 12)] [t (list (f n) (* 'b_1 (f n)))] [width (in-range 20 60)])
+    (check-true (<= (longest (fit (value->tree t #t) width)) width) (format "~a ~a" n width))))
+
+(test-case "one long factor is cut within where the others leave it half a line"
+  (define (cut width)
+    (fit (value->tree (* 'amplitude 'moment (sum-of 'beta 12)) #t) width))
+  (check-pred t:product? (cut 40))
+  (check-pred t:broken? (cut 30)))
 
 (test-case "every formula can be cut for type of any width"
   (for* ([entry values-to-typeset] [width '(1 13 24 41 60)])

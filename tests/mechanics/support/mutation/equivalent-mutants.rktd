@@ -117,6 +117,50 @@
  "(define dots (apply hc-append (* 0.08 size) (for/list ([_ (in-range n)]) dot)))"
  "(define dots (apply hc-append (* 0.16 size) (for/list ([_ (in-range n)]) dot)))"
  "the dots are some pixels further apart" layout)
+("show/typesetting/pict-parts.rkt"
+ "[(\"]\") (bracket (* 0.1 w) (* 0.7 w))]"
+ "[(\"]\") (bracket (* 0.2 w) (* 0.7 w))]"
+ "the ends of a bracket are a pixel shorter" layout)
+("show/typesetting/pict-parts.rkt"
+ "(with-base-line (pin-over sign (+ hook (/ margin 2)) margin p) (pict-descent p)))"
+ "(with-base-line (pin-over sign (+ hook (/ margin 3)) margin p) (pict-descent p)))"
+ "what stands under a root is a pixel further to the left" layout)
+("show/typesetting/formula-pict.rkt"
+ "(if (string=? text \"D\") (italic g text) (upright g text)))"
+ "(if (string=? text \"D\") (upright g text) (italic g text)))"
+ "the D of an operator stands upright" layout)
+("show/typesetting/break.rkt"
+ "(and (application? factor) (<= (wide factor) (- width 4))))))"
+ "(and (application? factor) (<= (wide factor) (+ width 4))))))"
+ "a function that is a little wider than the line is put on one of its own before it is cut" layout)
+("show/typesetting/break.rkt"
+ "(and (application? factor) (<= (wide factor) (- width 4))))))"
+ "(and (application? factor) (<= (wide factor) (- width 5))))))"
+ "a function that just fits is cut a column earlier" layout)
+("show/typesetting/break.rkt"
+ "(define used (+ (* 2 (report-line-depth l)) (string-length (report-line-label l)) 1))"
+ "(define used (+ (* 3 (report-line-depth l)) (string-length (report-line-label l)) 1))"
+ "what stands in an indented line of a report is cut some columns earlier" layout)
+("show/typesetting/break.rkt"
+ "(cond [(or (<= (wide t) width) (< width least-room)) t]"
+ "(cond [(or (<= (wide t) width) (< least-room least-room)) t]"
+ "below the least room, which only the sides of a relation come to, lines are cut as well" layout)
+("show/typesetting/pict-parts.rkt"
+ "(define dot (filled-ellipse (* 0.13 size) (* 0.13 size) #:draw-border? #f))"
+ "(define dot (filled-ellipse (* 0.26 size) (* 0.13 size) #:draw-border? #f))"
+ "dots over letters are broader" layout)
+("show/typesetting/pict-parts.rkt"
+ "(send path curve-to to (* 0.25 h) to (* 0.75 h) from h)))"
+ "(send path curve-to to (* 0.25 h) to (+ 0.75 h) from h)))"
+ "parentheses are drawn a little rounder" layout)
+("show/typesetting/pict-parts.rkt"
+ "(for/fold ([whole (blank (apply + (map pict-width ps)) (+ ascent descent))] [x 0])"
+ "(for/fold ([whole (blank (apply + (map pict-width ps)) (+ ascent descent))] [x 1])"
+ "pieces side by side stand a pixel further to the right" layout)
+("show/typesetting/pict-parts.rkt"
+ "(cond [(eqv? n 0) p]"
+ "(cond"
+ "without dots there is nothing to be put above a letter: speed")
 ("algebra/kernel/circle.rkt"
  "(define o (circle u sign #f #f))"
  "(define o (circle u sign #t #f))"
