@@ -47,7 +47,7 @@
 
 (define (body->cells who text)
   (define end (caar (regexp-match-positions #px#"\\s*$" text)))
-  (define gaps (if (= end 0) '() (cell-gaps who text end)))
+  (define gaps (cell-gaps who text end))
   (define starts (if (= end 0) '() (cons 0 (map cdr gaps))))
   (define ends (append gaps (list (cons end (bytes-length text)))))
   (for/list ([start (in-list starts)] [gap (in-list ends)])

@@ -64,6 +64,7 @@
   (check-equal? (title '("An orbit (p. 22) drawn. So."))
                 (list "An orbit (p. 22) drawn" (list (prose '(("So."))))))
   (check-equal? (title '("How good is it?")) '("How good is it?" ()))
+  (check-equal? (title '(".5 of a turn.")) '(".5 of a turn" ()))
   (define (letters n) (make-string n #\a))
   (check-equal? (title (list (letters 120))) (list (letters 120) '()))
   (check-equal? (title (list (letters 121)))

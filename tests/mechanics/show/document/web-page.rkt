@@ -9,7 +9,7 @@
          (prefix-in t: "../../../../mechanics/algebra/notation/tree.rkt")
          "../../support/checks.rkt" "../../../../mechanics/show/document/coloring.rkt"
          "../../../../mechanics/show/document/line-markup.rkt"
-         "../../../../mechanics/show/document/web-page.rkt"
+         (rename-in "../../../../mechanics/show/document/web-page.rkt" [page markup-page])
          "../../../../mechanics/show/document/document-piece.rkt"
          "../../../../mechanics/show/document/shown-result.rkt"
          (only-in "../../../../mechanics/show/plot/on-demand.rkt" can-draw?)
@@ -72,6 +72,12 @@
                 "font/woff2;base64")])
     (check-true (string-contains? text part) part)))
 
+(test-case "a page ends with the language of its program, if it is of one"
+  (define (footers text) (map text-in (elements 'footer (parsed text))))
+  (check-equal? (footers (page)) '("A program in #lang mechanics, and its results."))
+  (check-equal? (footers (document->page (document "A title" #f '()))) '())
+  (check-equal? (footers (apply markup-page (list "A title" '()))) '()))
+
 (test-case "a long formula is there twice, a short one once"
   (define long (apply + (for/list ([i 12]) (* 'amplitude (sin (* i 'omega 't))))))
   (check-equal? (length (elements 'math (parsed (shown (* 'a 'b))))) 1)
@@ -96,6 +102,9 @@
                   "margin:0.15em 0 0.15em 3.0em"))
   (check-equal? (map (lambda (p) (length (elements 'math p))) lines) '(0 1 1))
   (check-equal? (text-in (third lines)) "at: a, <b>")
+  (check-equal? (map text-in (elements 'math (third lines))) '("a"))
+  (define nested (t:report (list (t:report-line 0 "why:" (list a-report)))))
+  (check-equal? (length (elements 'p (parsed (page (result (shown-formula nested '())))))) 4)
   (check-equal? (length (elements 'math (parsed (page (result (shown-formula
                                                                (t:listing (list a-report a-report))
                                                                '()))))))

@@ -43,6 +43,7 @@
                "#lang mechanics\r\n\r\n(f\r\n\r\n 1)\r\n\r\n; a\r\n; b\r\n\r\n(g)\r\n"
                "#lang mechanics\n\n  (f)\n\n(g) ; θ 力\n"
                "#lang mechanics\n\n;;; cell\n(f)\n\n(g)\n;;; end\n\n(h)\n"
+               "#lang mechanics\n\n#! a line of comment #| for readers\n\n(f)\n"
                "#lang mechanics\n(define s \"a\n\nb\")\n\n#| c\n\n#| d |#\n\n|#\n\n#;(f\n\n1)\n\n(g)\n")])
     (with-check-info (['text text]) (check-there-and-back (string->bytes/utf-8 text)))))
 
@@ -67,6 +68,12 @@
     (check-equal? (kinds+sources (cells-of program))
                   `((code ,comment) (markdown "x") (code "(f)"))
                   comment)))
+
+;; What #; leaves out goes with the form behind it, whatever its text is.
+(test-case "a form that is left out is not cut"
+  (define program "#;(f \"|#\"\n\n 2)\n\n(g)")
+  (check-equal? (kinds+sources (cells-of (string-append "#lang mechanics\n\n" program "\n\n(h)\n")))
+                `((code ,program) (code "(h)"))))
 
 ;; ---------------------------------------------------------------------------
 ;; Notebook to program and back
@@ -102,6 +109,13 @@
                 (hasheq 'cell_type "code" 'id "cell-1" 'source "(f)" 'outputs '()
                         'execution_count 'null 'metadata (hasheq))))
 
+(test-case "a cell whose source is folded is hidden"
+  (define cells (fresh '(code "(f)") '(code "(g)")))
+  (define x (bytes->jsexpr (notebook->bytes usual-header cells
+                                            #:folded? (lambda (c) (eq? c (car cells))))))
+  (check-equal? (for/list ([c (hash-ref x 'cells)]) (hash-ref c 'metadata))
+                (list (hasheq 'jupyter (hasheq 'source_hidden #t)) (hasheq))))
+
 (test-case "sources may be lists of lines"
   (define-values (header cells)
     (bytes->notebook
@@ -128,6 +142,13 @@
    (string-append "program: a cell holds an attachment, such as a picture that was pasted, "
                   "which is not read; take it out")
    (cells-in picture #:attachments? #f)))
+
+;; Braces in a text nest nothing.
+(test-case "a text ends at its own quotation mark"
+  (define braces (make-string 70 #\{))
+  (for ([texts `(("a\\" ,braces) (,(string-append "\"" braces)) (,(string-append "\\\"" braces)))])
+    (define cells (for/list ([t texts]) (list 'code t)))
+    (check-equal? (cells-in (notebook->bytes usual-header (apply fresh cells))) cells)))
 
 (test-case "a key stands once in an object, whichever way it is written"
   (check-equal? (cells-in #"{\"cells\":[], \"a\":{\"b\":1}, \"b\":[{\"a\":1},{\"a\":1}]}") '())
@@ -166,6 +187,9 @@
   (check-message (string-append no-notebook "its JSON has a mistake") (cells-in #"{\"cells\": \"a"))
   (check-exn #rx"^notebook: the program cannot be read: .*end of file in"
              (lambda () (cells-of "#lang mechanics\n\n(f)\n\n#| open")))
+  (check-exn #rx"^notebook: the program cannot be read: .*#reader"
+             (lambda () (cells-of "#lang mechanics\n\n#reader \"no-such-file.rkt\" x\n")))
+  (check-message "program: a cell of an unknown kind: #f" (cells-in #"{\"cells\":[{}]}"))
   (check-message "program: x.ipynb is no notebook of Jupyter, in its format 4"
     (bytes->notebook 'program "x.ipynb" #"{\"cells\": 1}"))
   (check-message "program: a cell of an unknown kind: \"heading\""
