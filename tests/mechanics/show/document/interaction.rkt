@@ -145,6 +145,10 @@
       (apply max (map length (hash-ref (car (data-in (page-of i))) 'frames))))
     (check-true (< (longest-frame (interact ([k 2 9]) (many k)))
                    (+ 5 (longest-frame (interact ([k 2 9]) (one k))))))
+    (define-values (hline vl-append)
+      (values (dynamic-require 'pict 'hline) (dynamic-require 'pict 'vl-append)))
+    (define (rungs k) (apply vl-append (for/list ([n 30]) (hline (* n k) 5))))
+    (check-true (< (longest-frame (interact ([k 2 9]) (rungs k))) 10))
     (check-true (< (longest-frame (interact ([k 2 9]) (scattered k))) 5))
     (check-true (string-contains? (page-of (interact ([k 2 9]) (scattered k))) "data:image/png")))
   (test-case "LaTeX has the first picture, and says where"
