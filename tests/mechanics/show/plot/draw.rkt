@@ -224,6 +224,8 @@
   "a line style, one of (solid dot long-dash short-dash dot-dash)" "the symbol wavy"]
  [(plot-point f 0 0 #:label 3) "plot-point"
   "a string or a formula, such as 'theta, as label, or #f" "the number 3"]
+ [(plot-point f 0 0 #:color -1000) "plot-point"
+  "a color: a name such as 'red, a small integer, or a list of three bytes" "the number -1000"]
  [(plot-point f 0 0 #:color '(1 2)) "plot-point"
   "a color: a name such as 'red, a small integer, or a list of three bytes" "(1 2), a list"])
 

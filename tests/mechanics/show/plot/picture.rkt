@@ -5,6 +5,7 @@
          (prefix-in g: (only-in mechanics * - cos ref))
          mechanics/plot
          (only-in mechanics/show/plot/on-demand why-not)
+         (only-in mechanics/show/plot/svg-digits shortened-svg)
          (only-in pict pict-width pict-height)
          (only-in racket/class dynamic-send)
          racket/file
@@ -305,6 +306,19 @@
     (check-regexp-match #px"transform=\"rotate\\(-90 [0-9. ]+\\)\">up</text>" svg)
     (check-false (regexp-match? #rx"<symbol|glyph" svg)))
 
+  (test-case "a text is as long as its letters, and a number stands at its place on a logarithmic axis"
+    (define f (frame 1 100 0 1 #:x-scale 'log #:width 300 #:height 200))
+    (plot-line f 10 0 10 1 #:color 'red)
+    (define svg (bytes->string/utf-8 (saved f "log.svg" #f #f 9)))
+    (define (of-text text)
+      (define pattern (format "<text x=\"([\\d.]+)\"[^>]*textLength=\"([\\d.]+)\">~a</text>" text))
+      (apply values (map string->number (cdr (regexp-match (pregexp pattern) svg)))))
+    (define-values (left length) (of-text "10"))
+    (define-values (_ longer) (of-text "100"))
+    (check-= longer (* 3/2 length) 0.1)
+    (define line (regexp-match #px"stroke:rgb[(]100%, *0%, *0%[)][^>]* d=\"M ([\\d.]+)" svg))
+    (when line (check-= (string->number (cadr line)) (+ left (/ length 2)) 0.6)))
+
   (test-case "a figure for print has its width in centimetres and letters of a size in points"
     (define f (drawn))
     (check-equal? (car (png-size (saved f "a.png" 5.08 #f 9))) 600)
@@ -337,6 +351,10 @@
     (check-false (equal? (ink 'theta) (ink "theta")))
     (check-false (equal? (ink (g:* 2 'theta)) (ink 'theta)))
     (check-equal? (ink (g:* 2 'theta)) (ink (g:* 2 'theta)))))
+
+(test-case "places in an SVG are in tenths"
+  (check-equal? (shortened-svg #"<g><path d=\"M 3.14159 5.04 L -2.96 0.01 L 7.0999 1\"/></g>")
+                #"<g><path d=\"M 3.1 5 L -3 0 L 7.1 1\"/></g>"))
 
 (test-case "what is said of figures"
   (check-message (string-append "graphics-save: expected a width in centimeters, from 1 to 200, "
