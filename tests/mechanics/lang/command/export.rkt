@@ -111,6 +111,14 @@
   (check-equal? (car (answer "two.rkt" "--system" "two" "-o" "one")) 0)
   (check-true (wrote? "one" "two.c")))
 
+(test-case "a number by which the program decides stays in the system"
+  (program "pull.rkt" "(define ((pull k) s) (up 1 (if (> k 0) (* k (ref s 1)) 1)))"
+           "((state-advancer pull 2.0) (up 0 1.0) 1)")
+  (check-equal? (answer "pull.rkt" "--to" "jax")
+                (list 0 (string-append "pull-JAX\n  pull: (pull 2.0), of pull.rkt\n"
+                                       "      variables t x1; parameters none\n")))
+  (check-true (wrote? "pull-JAX" "pull.py")))
+
 (test-case "nothing to write is told, and why"
   (program "none.rkt" "(+ 'a 'b)")
   (check-equal? (answer "none.rkt")

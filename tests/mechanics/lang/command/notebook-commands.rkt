@@ -27,6 +27,11 @@
   (check-equal? (command "program" "plain.ipynb" "-o" "back.rkt") '(0 "back.rkt\n"))
   (check-equal? (file->string (in-folder "back.rkt")) (file->string (in-folder "plain.rkt"))))
 
+(test-case "a file that is not there"
+  (for ([(name file) (hash "notebook" "nine.rkt" "program" "nine.ipynb")])
+    (check-regexp-match (format "^~a: there is no file ~a" name file)
+                        (cadr (command name file)))))
+
 (test-case "what a program knows before its definition, and a notebook does not, is told"
   (write-program "late.rkt" "(define (f x) (twice (square x)))" "(define (h square) (square 1))"
                  "(define (square x) 'mine)" "(define-syntax-rule (twice x) (list x x))"
