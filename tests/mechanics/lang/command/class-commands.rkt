@@ -106,7 +106,10 @@
                (cons "Arbor, Ann  7.5 of 8" (rest listed)))
   (check-regexp-match #rx"\"3.5\",\"and why[?]\"" (text "points.csv"))
   (check-regexp-match #rx"\"ann@uni.edu\",\"7.5\",\".*marked by the teacher \\(3.5 of 4 points\\); "
-                      (text "m.csv")))
+                      (text "m.csv"))
+  (write-text "points.csv" (string-replace (text "points.csv") "\"3.5\"" "\"4.5\""))
+  (check-regexp-match #rx"^check: more points than the exercise has, 4\n  file: points.csv\n"
+                      (second (check-class "class" "--points" "points.csv"))))
 
 (test-case "one file is judged with the numbers of its student"
   (define one (in-folder "class/cem.rkt"))
@@ -140,7 +143,7 @@
   (check-refused #rx"^worksheet: it is either for a --class or for a --student" "worksheet" "w.rkt"
                  "--class" "list.csv" "--student" "ann")
   (check-refused #rx"^worksheet: there is no such file" "worksheet" "w.rkt" "--class" "none.csv")
-  (check-refused #rx"^worksheet: another student's files would have the same name.*student: Ann_A"
+  (check-refused #rx"^worksheet: another student's files would have the same name\n  file: twins.csv\n"
                  "worksheet" "w.rkt" "--class" "twins.csv")
   (check-refused #rx"^worksheet: the file is no text in UTF-8; save it as CSV UTF-8"
                  "worksheet" "w.rkt" "--class" "wide.csv")

@@ -101,6 +101,13 @@
   (check-equal? (document-language d) "#lang racket/base")
   (check-equal? (map what (document-pieces d)) '("(define x\n  1)\nx" formula)))
 
+(test-case "a module that is written with its name runs form by form as any other"
+  (define file (build-path folder "one.rkt"))
+  (display-to-file "(module one racket/base\n  (* 2 3))\n" file)
+  (define-values (d error) (program-document 'show file))
+  (check-false error)
+  (check-not-false (memq 'formula (map what (document-pieces d)))))
+
 (test-case "an empty program is an empty page"
   (check-equal? (document-of "#lang mechanics" "") '(() #f)))
 

@@ -17,6 +17,8 @@
   (check-refused #rx"^check: it is no worksheet" "check" "class" "--worksheet" "program.rkt")
   (check-refused #rx"^check: a report is a file that ends with" "check" "class" "--worksheet"
                  "first.rkt" "--report" "r.pdf")
+  (check-refused #rx"^check: there is no such folder" "check" "class" "--worksheet" "first.rkt"
+                 "--report" "no-such/r.csv")
   (check-refused #rx"^check: --seconds takes" "check" "class" "--seconds" "soon")
   (check-refused #rx"^worksheet: there is no such file" "worksheet" "no-such.rkt")
   (for ([command '("worksheet" "handout")])
@@ -35,7 +37,8 @@
   (check-refused #rx"^worksheet: it is no worksheet" "worksheet" "program.rkt")
   (check-refused #rx"^handout: it can be made --to html or" "handout" "first.rkt" "--to" "pdf")
   (make-directory (in-folder "nobody"))
-  (check-refused #rx"^check: there is no submission" "check" "nobody" "--worksheet" "first.rkt"))
+  (check-refused #rx"^check: there is no submission" "check" "nobody" "--worksheet" "first.rkt"
+                 "--report" "r.csv"))
 
 (test-case "a name without .rkt, or misspelt, is told which was meant"
   (for ([typed '("first" "frist.rkt")])

@@ -80,6 +80,25 @@
   (for ([d (in-list drawings)] [b (in-list before)])
     (check-drawn (rounded (drawn d)) b (car b))))
 
+;; Procedures as values take their defaults when they are called.
+(test-case "mechanisms without keywords are those of their defaults"
+  (define before (file->list kept))
+  (for ([d (list* (keyword-apply draw-oscillator '(#:masses) '(3) '())
+                  (for/list ([f (list draw-pendulum draw-cart-pendulum draw-spherical-pendulum
+                                      draw-Foucault-pendulum draw-spring-pendulum
+                                      draw-Atwood-machine draw-ladder draw-coin draw-top draw-orbit)])
+                    (f)))])
+    (define name (format "~a" d))
+    (check-drawn (rounded (drawn d)) (or (assoc name before) (list name)) name))
+  (define (coils f) (stroke-points (f '#(0 0) '#(0 1))))
+  (check-equal? (coils (values spring)) (coils (lambda (p q) (spring p q #:coils 8)))))
+
+(test-case "the label of a bob stands at the side that was asked for"
+  (for ([(anchor place) (hash 'right #(1.5 2.0) 'left #(0.5 2.0) 'above #(1.0 2.5) 'below #(1.0 1.5)
+                              'center #(1.0 2.0))])
+    (define label (cadr (bob '#(1 2) 0.5 #:label "m" #:anchor anchor)))
+    (check-equal? (vector-map exact->inexact (lettering-at label)) place (format "~a" anchor))))
+
 (module+ main
   (call-with-output-file* kept #:exists 'truncate
     (lambda (port)
