@@ -8,6 +8,10 @@
          (only-in mechanics/show/animation/animation animation-film)
          (only-in mechanics/show/animation/on-demand why-no-pictures)
          mechanics/show/animation/film
+         (only-in mechanics/show/animation/portrait-shapes
+                  make-portrait portrait-dot portrait-shapes portrait-size)
+         (only-in mechanics/show/animation/shapes spot-center stroke-points)
+         (only-in racket/list last)
          (only-in mechanics/show/display/picture-advice advice)
          (only-in pict pict? pict-width pict-height pict->argb-pixels filled-rectangle blank)
          "../../support/checks.rkt" "../../support/messages.rkt" "../../support/skip.rkt")
@@ -54,7 +58,10 @@
 
 (test-case "a function from the time to states is a motion, too"
   (define a (animate (lambda (t) (up t (* 2 t) 2)) (draw-pendulum) #:from 0 #:to 1))
-  (check-equal? (format "~a" a) "(animation from 0 to 1 of (draw-pendulum #:length 1))"))
+  (check-equal? (format "~a" a) "(animation from 0 to 1 of (draw-pendulum #:length 1))")
+  (define twice (animate (lambda (t) (up t (* 2 t) 2)) (draw-pendulum) #:from 0 #:to 4 #:speed 2
+                         #:frames-per-second 1))
+  (check-equal? (schedule-count (schedule-of twice)) 3))
 
 (test-case "a trajectory in numbers of higher precision has its last picture"
   (define fine (evolve-trajectory fall (up 0 1 0) 1/4 #:precision 80))
@@ -123,6 +130,34 @@
 (define (no-picture s) 'none)
 (define (often s) (blank 10))
 
+;; ---------------------------------------------------------------------------
+;; The phase portrait
+
+(define (portrait-of . points) (portrait-shapes (make-portrait points "x" "y")))
+
+;; -> the least and the greatest abscissa and ordinate
+(define (bounds-of points)
+  (define (each choose part) (apply choose (map part points)))
+  (define-values (x y) (values (lambda (p) (vector-ref p 0)) (lambda (p) (vector-ref p 1))))
+  (list (each min x) (each max x) (each min y) (each max y)))
+
+(test-case "the curve of a portrait nearly fills the box of its axes"
+  (define shapes (portrait-of #(0.0 5.0) #(10.0 7.0) #(4.0 6.0)))
+  (define-values (box curve) (values (stroke-points (car shapes)) (stroke-points (last shapes))))
+  (define-values (l r b d) (apply values (bounds-of box)))
+  (check-equal? box (list (vector l b) (vector r b) (vector r d) (vector l d)))
+  (check-true (< 0.0 l (/ portrait-size 2) r portrait-size))
+  (check-true (< 0.0 b (/ portrait-size 2) d portrait-size))
+  (for ([outer (list l r b d)] [inner (bounds-of curve)] [size (list (- r l) (- r l) (- d b) (- d b))])
+    (check-true (< 0.02 (/ (abs (- inner outer)) size) 0.1))))
+
+(test-case "what rests has a portrait, in the middle of its axes"
+  (define p (make-portrait '(#(3.0 0.0) #(3.0 0.0)) "x" "y"))
+  (define-values (l r b d) (apply values (bounds-of (stroke-points (car (portrait-shapes p))))))
+  (define dot (spot-center (car (portrait-dot p #(3.0 0.0)))))
+  (check-= (vector-ref dot 0) (/ (+ l r) 2) 1e-9)
+  (check-= (vector-ref dot 1) (/ (+ b d) 2) 1e-9))
+
 (says
  [(animate 3 (draw-pendulum))
   "animate: expected a trajectory, such as evolve-trajectory gives, or a function from the time "
@@ -131,6 +166,8 @@
   "animate: expected a trajectory, such as evolve-trajectory gives, or a function from the time "
   "to states\n  given: the procedure `cons`"]
  [(animate (lambda (t) (up t t 1)) (draw-pendulum))
+  "animate: a function of the time has no beginning and no end; say #:from and #:to"]
+ [(animate (lambda (t) (up t t 1)) (draw-pendulum) #:from 0)
   "animate: a function of the time has no beginning and no end; say #:from and #:to"]
  [(animate swing 3)
   "animate: expected a drawing, a function from states to picts, such as (draw-pendulum)\n"

@@ -3,6 +3,7 @@
 
 (require (only-in mechanics up down)
          mechanics/animate
+         (only-in racket/list last)
          (only-in mechanics/show/animation/drawing drawing-trail drawing-bounds drawing-sample)
          (only-in mechanics/show/animation/on-demand why-no-pictures)
          (only-in pict pict? pict-width pict-height pict->bitmap)
@@ -133,6 +134,9 @@
   "  without a number: theta\n  give its symbols values first"]
  [(draw-pendulum #:length -1)
   "draw-pendulum: expected a positive number as the length\n  given: the number -1"]
+ [(draw-pendulum #:length 'l)
+  "draw-pendulum: the length is no number\n  given: the symbol l\n"
+  "  without a number: l\n  give its symbols values first"]
  [(draw-pendulum #:width 3)
   "draw-pendulum: expected a width of 50 to 4000 pixels\n  given: the number 3"]
  [(draw-pendulum-chain #:lengths 2)
@@ -176,6 +180,15 @@
   (test-case "a sketch has the proportions of its bounds"
     (define p (sketch -1 1 0 1 #:width 200 (rod (up -1 0) (up 1 1)) (list (bob (up 0 0) 0.1))))
     (check-equal? (list (pict-width p) (pict-height p)) '(200 100.0)))
+  (test-case "a label is shifted in pixels, to the right and upwards"
+    (define (place shift)
+      (define p (sketch 0 1 0 1 #:width 200 (label (up 1/2 1/2) "m" #:shift shift)))
+      (define text (last ((dynamic-require 'mechanics/show/animation/pict-recorder 'record-pict) p)))
+      (map string->number
+           (cdr (regexp-match #px" x=\"([-.\\d]+)\" y=\"([-.\\d]+)\""
+                              ((dynamic-require 'mechanics/show/animation/svg 'element->markup)
+                               text (lambda (look) ""))))))
+    (check-equal? (map - (place #(10 7)) (place #(0 0))) '(10 -7)))
   (test-case "a color that there is not is named when it is drawn"
     (check-exn #rx"color: there is no color of that name\n  given: 'bleu"
                (lambda ()

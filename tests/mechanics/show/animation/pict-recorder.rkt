@@ -78,7 +78,12 @@
                                              part)))
                   "<&\"θ]]>")
     (check-regexp-match #rx"font:normal normal" (attribute e 'style))
-    (check-true (> (string->number (attribute e 'textLength)) 30)))
+    (check-true (> (string->number (attribute e 'textLength)) 30))
+    (define-values (there here)
+      (values (first (elements ((pict 'inset) ((pict 'text) "a") 3 40 0 0)))
+              (first (elements ((pict 'text) "a")))))
+    (define (place e) (map (lambda (a) (string->number (attribute e a))) '(x y)))
+    (for-each (lambda (a b d) (check-= (- a b) d 0.01)) (place there) (place here) '(3 40)))
 
   (test-case "a picture that is clipped is a picture within, a bitmap is an image"
     (define clipped
@@ -86,7 +91,10 @@
                                       ((pict 'filled-rectangle) 50 50 #:draw-border? #f))))))
     (check-eq? (car clipped) 'svg)
     (check-equal? (map (lambda (a) (attribute clipped a)) '(x y width height)) '("0" "0" "20" "10"))
-    (define image (first (elements ((pict 'bitmap) ((pict 'pict->bitmap) ((pict 'disk) 9))))))
+    (define bits ((pict 'bitmap) ((pict 'pict->bitmap) ((pict 'disk) 9))))
+    (define moved (first (elements ((pict 'inset) bits 3 4 0 0))))
+    (check-equal? (map (lambda (a) (attribute moved a)) '(x y width height)) '("3" "4" "9" "9"))
+    (define image (first (elements bits)))
     (check-eq? (car image) 'image)
     (check-equal? (attribute image 'width) "9")
     (check-regexp-match #rx"^data:image/png;base64,iVBOR" (attribute image 'href)))
