@@ -30,7 +30,11 @@
 (test-case "a file that is not there"
   (for ([(name file) (hash "notebook" "nine.rkt" "program" "nine.ipynb")])
     (check-regexp-match (format "^~a: there is no file ~a" name file)
-                        (cadr (command name file)))))
+                        (cadr (command name file))))
+  (make-directory* (in-folder "empty"))
+  (check-equal? (command "notebook" "empty/nine.rkt")
+                (list 2 (string-append "notebook: there is no file empty/nine.rkt; the programs in "
+                                       "its folder: none\n"))))
 
 (test-case "what a program knows before its definition, and a notebook does not, is told"
   (write-program "late.rkt" "(define (f x) (twice (square x)))" "(define (h square) (square 1))"

@@ -3,10 +3,16 @@
 ;; they need.
 
 (require mechanics/lang/help/card
+         (only-in mechanics/lang/help/document
+                  document-fields document-finding document-prior in-text)
+         (only-in mechanics/lang/help/finding finding-title)
          mechanics/lang/help/make-cards
+         (only-in mechanics/lang/help/name-documents name-documents)
          mechanics/lang/help/page
+         (only-in mechanics/lang/help/page-documents page-documents)
          mechanics/lang/help/prose
          racket/file
+         (only-in racket/string string-contains?)
          "../../support/checks.rkt")
 
 (define sample
@@ -58,12 +64,17 @@ Another paragraph.}
 end
   )
 
-(define pages
-  (let ([file (make-temporary-file "page~a.scrbl")])
-    (call-with-output-file file #:exists 'truncate
-      (lambda (port) (write-string sample port)))
-    (begin0 (manual-pages file)
-            (delete-file file))))
+;; The sample as a page of the reference or the guide, which its folder says
+(define (pages-in . folders)
+  (define top (make-temporary-file "page~a" 'directory))
+  (define folder (apply build-path top folders))
+  (define file (build-path folder "page.scrbl"))
+  (make-directory* folder)
+  (call-with-output-file file (lambda (port) (write-string sample port)))
+  (begin0 (manual-pages file)
+          (delete-directory/files top)))
+
+(define pages (pages-in "guide"))
 
 (define cards (manual-cards pages #'here))
 
@@ -115,6 +126,29 @@ end
                 "x is one, on p. 3 (i.e. there).")
   (check-equal? (first-sentence '("A vector is " (racket up?) " in\n" (racket (f x ...)) " too."))
                 "A vector is up? in (f x ...) too."))
+
+(test-case "words that are set off are words of their sentence"
+  (for ([form '(italic bold emph elem deftech tech math formula onscreen smaller list para)])
+    (check-equal? (plain-text `("a " (,form "word"))) "a word" (format "~a" form))))
+
+(test-case "a search finds a page by its title, the guide's before the reference's, and by its texts"
+  (define (fields . folders)
+    (document-fields (car (page-documents (car (apply pages-in folders))))))
+  (define (weight-of text fields)
+    (for/first ([f (in-list fields)] #:when (equal? (cdr f) text)) (car f)))
+  (define-values (guide reference) (values (fields "guide") (fields "mechanics" "reference")))
+  (check-true (> (weight-of "A sample" guide) (weight-of "A sample" reference)))
+  (define text (cdr (assv in-text guide)))
+  (for ([part '("Another paragraph." "It rests." "swing")])
+    (check-true (string-contains? text part) part)))
+
+;; Three times the binary logarithm of the uses and one
+(test-case "of names those that programs use come first"
+  (define documents (name-documents pages cards (hash "swing" 7 "still" 1)))
+  (for ([(name prior) (hash "swing" 9 "still" 3 "elsewhere" 0)])
+    (check-equal? (for/first ([d documents] #:when (equal? name (finding-title (document-finding d))))
+                    (document-prior d))
+                  prior name)))
 
 (define (example-of name)
   (define e (card-demonstration (card-of name)))

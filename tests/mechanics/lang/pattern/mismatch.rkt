@@ -32,5 +32,6 @@
 
 (test-case "with another number of parts there is nothing to say"
   (check-false (regrouped '(up t (up x y) (up vx vy)) (up 0 1 2 3)))
+  (check-false (regrouped '(up t (up x y) (up vx vy)) (up (up 0 1) (up 2 3 4))))
   (check-false (regrouped '(up t x) (up 0 1 2)))
   (check-false (regrouped '(up (up a b) c) (up 1 (up 2 3)))))
