@@ -61,7 +61,9 @@
   (check-exn #rx"^f: the argument does not match the pattern [(]up[)]" (lambda () (f (up 1)))))
 
 (test-case "arguments are taken apart in their order, before a default that uses them"
-  (define (f (up a b) (up c d) [x (+ a c)]) (list a b c d x))
+  (define f
+    (parameterize ([current-namespace (namespace-anchor->namespace here)])
+      (eval '(let () (define (f (up a b) (up c d) [x (+ a c)]) (list a b c d x)) f))))
   (check-equal? (f (up 1 2) (up 3 4)) '(1 2 3 4 4))
   (check-exn #rx"pattern [(]up a b[)]" (lambda () (f 1 2))))
 

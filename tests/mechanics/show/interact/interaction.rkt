@@ -3,6 +3,7 @@
 
 (require mechanics
          file/convertible
+         (only-in mechanics/plot frame)
          (only-in racket/string string-prefix?)
          "../../../../mechanics/show/interact/control.rkt"
          "../../../../mechanics/show/interact/interaction.rkt"
@@ -41,6 +42,7 @@
   (check-equal? (start-values (interact ([k 1 10 #:start 5/2]) k)) '(5/2))
   (check-equal? (start-values (interact ([k 1 10 #:start 2.5]) k)) '(2.5))
   (check-equal? (car (values-of (interact ([k 1 10 #:start 2.5]) k))) 1.0)
+  (check-equal? (start-values (interact ([k 1 10 #:start 1] [n 1 10 #:start 10]) (+ k n))) '(1 10))
   (check-equal? (values-of (interact ([k 0 2 #:step 1 #:start 1/2]) k)) '(0 1/2 1 2)))
 
 (define every-kind
@@ -55,6 +57,7 @@
   (check-equal? (map control-start controls) (list 3 sin #t "x"))
   (check-equal? (map control-values controls)
                 (list (vector 1 2 3 4 5 6 7 8 9 10) (vector 'a sin "b") (vector #f #t) #f))
+  (check-equal? (map control-step controls) '(1 #f #f #f))
   (check-equal? (map control-position (list (car controls) (cadr controls)) (list 1 "b"))
                 '(0 2)))
 
@@ -69,6 +72,7 @@
 
 (test-case "values from outside become values of the controls"
   (check-equal? (check-values every-kind (list 3.4 2 #f "y")) (list 3 "b" #f "y"))
+  (check-equal? (check-values every-kind (list 3.5 0 #f "")) (list 3 'a #f ""))
   (check-equal? (check-values every-kind (list 99 7 #t "")) (list 10 "b" #t ""))
   (check-equal? (check-values every-kind (list -99 -1 #t "")) (list 1 'a #t "")))
 
@@ -106,4 +110,14 @@
                    (interact ([k 1 10]) (error 'mine "no"))
                    (interact ([k 1 10]) (= 'a 'b)))])
       (define svg (convert i 'svg-bytes #f))
-      (check-true (and svg (string-prefix? (bytes->string/utf-8 svg) "<?xml"))))))
+      (check-true (and svg (string-prefix? (bytes->string/utf-8 svg) "<?xml")))))
+  (test-case "the picture of a frame is its own, and what has none is written"
+    (define f (frame 0 1 0 1))
+    (check-equal? (convert (interact ([k 1 10]) f) 'svg-bytes #f) (convert f 'svg-bytes #f))
+    (struct written-only ()
+      #:property prop:convertible (lambda (x request default) default)
+      #:property prop:custom-write (lambda (x port mode) (write-string "it" port)))
+    (define outcome->pict (dynamic-require 'mechanics/show/interact/outcome-picture 'outcome->pict))
+    (define-values (picture grows?) (outcome->pict (written-only)))
+    (check-false grows?)
+    (check-true (> ((dynamic-require 'pict 'pict-width) picture) 20))))
