@@ -8,6 +8,8 @@
          (only-in mechanics/show/animation/animation animation-film)
          (only-in mechanics/show/animation/on-demand why-no-pictures)
          mechanics/show/animation/film
+         (only-in mechanics/show/animation/scenery make-scenery scenery->pict scenery-size)
+         (only-in racket/math exact-ceiling)
          (only-in mechanics/show/animation/portrait-shapes
                   make-portrait portrait-dot portrait-shapes portrait-size)
          (only-in mechanics/show/animation/shapes spot-center stroke-points)
@@ -129,6 +131,20 @@
 
 (define (no-picture s) 'none)
 (define (often s) (blank 10))
+
+(skip-unless drawable? no-drawing
+  (test-case "the pictures are as large as is told, with a portrait and without"
+    (for ([portrait? '(#f #t)])
+      (define s (make-scenery (animation-film (animate swing (draw-pendulum #:width 100)
+                                                       #:phase-portrait portrait?))))
+      (define-values (width height) (scenery-size s))
+      (define p (scenery->pict s 1.0))
+      (check-equal? (list width height) (map exact-ceiling (list (pict-width p) (pict-height p))))))
+  (test-case "a trail passes over points without a finite place"
+    (define (gone s) (if (< 1 (coordinate s) 2) (up (coordinate s) +nan.0) (up (coordinate s) 1)))
+    (define a (animate (lambda (t) (up t t 1)) (lambda (s) (blank 100 100)) #:from 0 #:to 3
+                       #:trail gone))
+    (check-pred pict? (animation-frame a 3))))
 
 ;; ---------------------------------------------------------------------------
 ;; The phase portrait
