@@ -97,6 +97,7 @@
   (check-regexp-match #rx"^minimize: no minimum found: too many steps\n"
                       (exn-message (failure-of (quasi-newton slope (flvector 0.0) #:limit 50))))
   (define failure (failure-of (nelder-mead (lambda (v) (- (x 0 v))) (flvector 0.0) #:limit 500)))
-  (check-regexp-match #rx"^minimize: no minimum found: too many evaluations\n" (exn-message failure))
+  (check-regexp-match #rx"^minimize: no minimum found: too many evaluations\n"
+                      (exn-message failure))
   ;; a simplex that goes down grows, by half or more in two evaluations
   (check-true (> (car (exn:fail:mechanics:not-convergent-value failure)) 1e30)))

@@ -5,7 +5,8 @@
 (require mechanics
          (only-in mechanics/show/typesetting/text-box columns-wide)
          "../../support/checks.rkt"
-         "../../support/bigfloats.rkt" "../../support/golden/values.rkt" "../../support/messages.rkt" "../../support/skip.rkt"
+         "../../support/bigfloats.rkt" "../../support/golden/values.rkt"
+         "../../support/messages.rkt" "../../support/skip.rkt"
          racket/file
          racket/port
          racket/string

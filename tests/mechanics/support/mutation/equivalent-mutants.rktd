@@ -709,6 +709,10 @@
  "(cond [(near? a) a] [(near? b) b] [(near? 0.0) 0.0] [else c]))"
  "(cond  [(near? b) b] [(near? 0.0) 0.0] [else c]))"
  "a number next to an end does as well as the end: the distances looked at are greater by far" limit)
+("numeric/quadrature/tail.rkt"
+ "(define rounding (* 1e-15 (abs limit) (if (= left 0.0) 1.0 (/ 1.0 left))))"
+ "(define rounding (* 1e-15 (abs limit) (if (= left 0.0) 2.0 (/ 1.0 left))))"
+ "how much is added to a bound for rounding where the last part is 0" limit)
 ("motion/system/singular-coordinate.rkt"
  "(and (list? near) (<= (greatest near) (* 30 (greatest away)))))"
  "(and (list? near) (< (greatest near) (* 30 (greatest away)))))"
@@ -1393,6 +1397,10 @@
  "(define count (max 1 (quotient n 2)))"
  "(define count (max 2 (quotient n 2)))"
  "tables for one node or two have an entry more, which nobody asks for")
+("numeric/Fourier.rkt"
+ "(if (and (> bit 0) (> (bitwise-and j bit) 0))"
+ "(if (and (> bit 0) (> (bitwise-and j bit) 1))"
+ "the lowest bit is carried after the last number alone, when nobody asks for the next")
 ("generic/rounding.rkt"
  "(cond [(real? simple) (numeric simple)]"
  "(cond"
