@@ -129,7 +129,10 @@
   (check-pred quadratic-normal-form? f)
   (check-equal? (quadratic-normal-form-blocks f) '((hyperbolic 1)))
   (check-equal? (quadratic-normal-form-distance f) #f)
-  (check-equal? (quadratic-normal-form-matrix f) (matrix-by-rows '(1 -1/2) '(1 1/2))))
+  (check-equal? (quadratic-normal-form-matrix f) (matrix-by-rows '(1 -1/2) '(1 1/2)))
+  ;; (q² − p²)/2 is Q P for q = Q + P/2, p = −Q + P/2: motion grows along positive q
+  (define turned (symplectic-normal-form #:matrix (matrix-by-rows '(1 0) '(0 -1))))
+  (check-equal? (quadratic-normal-form-matrix turned) (matrix-by-rows '(1 1/2) '(-1 1/2))))
 
 (says
  [(symplectic-normal-form)

@@ -545,6 +545,14 @@
  "(define height (+ 120 (if m (string->number (bytes->string/latin-1 (cadr m))) 360)))"
  "(define height (+ 120 (if m (string->number (bytes->string/latin-1 (cadr m))) 361)))"
  "the height of a frame for a page whose picture tells none" layout)
+("canonical/quadratic/Hermitian-modes.rkt"
+ "(rotate! V T p q (* 1e-15 size))"
+ "(rotate! V T p q (* 2e-15 size))"
+ "up to which entry of rounding a turn is spared" limit)
+("canonical/quadratic/Hermitian-modes.rkt"
+ "(let-values ([(tangent c s) (rotation (/ (- diagonal-q diagonal-p) (* 2 off)))])"
+ "(let-values ([(tangent c s) (rotation (/ (- diagonal-q diagonal-p) (* 3 off)))])"
+ "a turn leaves a part of the entry, and turns go on until all are small: more of them, to one result" limit)
 ("rigid/Euler-angles.rkt"
  "(when (and (real? s) (< (abs s) 1e-12)) (raise-at-pole who state)))"
  "(when (and (real? s) (< (abs s) 2e-12)) (raise-at-pole who state)))"
