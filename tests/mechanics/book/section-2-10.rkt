@@ -125,6 +125,13 @@
   (check-equal? (steady-precessions A C gMR 0.4 20) '())
   (check-equal? (length (steady-precessions A C gMR 0.4 200)) 2))
 
+(test-case "of two steady precessions the slow one comes first, whichever way the top spins"
+  (for ([spin '(200 -200)])
+    (define-values (slow fast) (apply values (steady-precessions A C gMR 0.4 spin)))
+    (check-true (< (abs slow) (abs fast)))
+    (check-true (positive? (* slow spin)))
+    (check-close (* slow fast) (/ gMR (* A (cos 0.4))) 1e-9)))
+
 (says
  [(nutation-range A C gMR (up 0 0.4 0))
   "nutation-range: expected the Euler angles (up theta phi psi), a tuple of 3 components; "

@@ -76,9 +76,10 @@
                  (/ 1 (frequency E)) 1e-9))
   (check-close ((pendulum-oscillating-action-to-E 1 9.8) (pendulum-oscillating-action 1 9.8 2.0))
                2.0 1e-9)
-  (check-close ((pendulum-circulating-action-to-E 1 9.8)
-                (pendulum-circulating-action 1 9.8 20.0))
-               20.0 1e-7))
+  ;; from near the separatrix on
+  (for ([E '(9.9 12.0 20.0 200.0)])
+    (check-close ((pendulum-circulating-action-to-E 1 9.8) (pendulum-circulating-action 1 9.8 E))
+                 E 1e-7)))
 
 (test-case "areas are kept"
   (define f (pendulum-oscillating-state-to-aa-state 2.0 9.8))
@@ -162,6 +163,8 @@
  [(pendulum-circulating-angle 1 9.8 0)
   "pendulum-circulating-angle: with an energy of less than beta the pendulum swings; given 0, "
   "with beta = 9.8"]
+ [(pendulum-circulating-angle -1 9.8 20)
+  "pendulum-circulating-angle: alpha is positive; given the number -1"]
  [((pendulum-oscillating-phase 1 9.8) (up 0 0 0))
   "pendulum-oscillating-phase: a pendulum at rest has no phase"]
  [((pendulum-oscillating-state-to-aa-state 1 9.8) (up 0 0 0))

@@ -42,6 +42,14 @@
                         'alpha_phi))
   (check-separated s polar))
 
+(test-case "the name of a constant of separation is none of the Hamiltonian's"
+  (define (H s)
+    (+ (* 1/2 (+ (square (ref s 2 0)) (square (ref s 2 1))))
+       (* 'alpha_x (square (ref s 1 0))) (square (ref s 1 1))))
+  (check-equal? (separation-constants
+                 (separate-Hamilton-Jacobi H (up 't (up 'x 'y) (down 'p_x 'p_y))))
+                '(E alpha_xprime)))
+
 (test-case "spherical: the square of the angular momentum is a constant of separation"
   (define H (compose (particle 'm (central (literal-function 'V))) (F->CH s->r)))
   (define s (separate-Hamilton-Jacobi H spherical))

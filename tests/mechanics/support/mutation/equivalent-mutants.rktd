@@ -557,6 +557,10 @@
  "(when (and (real? s) (< (abs s) 1e-12)) (raise-at-pole who state)))"
  "(when (and (real? s) (< (abs s) 2e-12)) (raise-at-pole who state)))"
  "from how near on a state is told to be at the pole, in place of rates in the range of 1e12" limit)
+("rigid/rotation.rkt"
+ "(define (as-tuple M) (m->s (down 0 0 0) M (up 0 0 0)))"
+ "(define (as-tuple M) (m->s (down 0 1 0) M (up 0 0 0)))"
+ "tuples whose shape alone is looked at")
 ("rigid/top.rkt"
  "(if (and (>= (f end) 0) (>= (f (* end (- 1 1e-9))) 0)) end (zero-between f slopeless end)))"
  "(if (and (>= (f end) 0) (>= (f (* end (- 1 2e-9))) 0)) end (zero-between f slopeless end)))"
