@@ -101,9 +101,7 @@
     (values (cons k multiples) (arithmetic-shift (- key k) (- width)))))
 
 (define (leading-positive? multiples)
-  (cond [(null? multiples) #t]
-        [(eqv? 0 (car multiples)) (leading-positive? (cdr multiples))]
-        [else (positive? (car multiples))]))
+  (positive? (findf (lambda (k) (not (eqv? 0 k))) multiples)))
 
 ;; ---------------------------------------------------------------------------
 ;; From waves to products

@@ -126,6 +126,8 @@
    [(sqrt (/ (+ 1 v) (* 2 g y))) (sqrt (/ (+ 1 v) (* 2 g y)))]
    [(/ 1 (* y (sqrt (/ (+ 1 v) (* g y))))) (sqrt (/ g (* y (+ 1 v))))]
    [(* h (sqrt (* 2 g h))) (* h (sqrt (* 2 g h)))]
+   [(* (+ (* y (expt (+ a b) 2)) (expt x 2)) (sqrt (+ y (expt (/ x (+ a b)) 2))))
+    (* (expt (+ a b) 2) (expt (+ (expt (/ x (+ a b)) 2) y) 3/2))]
    [(* 1/2 x (sqrt 3)) (* 1/2 x (sqrt 3))]
    [(sqrt (- (- (* l l) (* x x)) (* y y)))
     (sqrt (+ (expt l 2) (* -1 (expt x 2)) (* -1 (expt y 2))))]))
