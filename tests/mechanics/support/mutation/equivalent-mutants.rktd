@@ -1121,6 +1121,10 @@
  "(and (<= least-normal size) (<= size greatest)))"
  "(and (< least-normal size) (<= size greatest)))"
  "the least normal flonum is told from the others: a constant that nobody writes" limit)
+("algebra/expression/expression.rkt"
+ "[(exact-zero? a) b]"
+ ""
+ "0 beside a sum is that sum by a later clause, too, made anew" limit)
 ("algebra/ball/ball-elementary.rkt"
  "(define small (if (positive? X) (- (integer-length X) (integer-length Y)) 0))"
  "(define small (if (positive? X) (- (integer-length X) (integer-length Y)) 1))"
