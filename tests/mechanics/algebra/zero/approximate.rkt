@@ -9,8 +9,9 @@
          "../../support/checks.rkt" "../../support/random.rkt")
 
 (define expressions
-  '((* -3 (sin x)) (* (cos y) (sin x)) (* (sin x) -7/3) (/ (- 0 (exp y)) (cos x)) (- (exp x) (exp y))
-    (+ (f x y) (sin (* 10 x))) (* (- (sin x) 1) (exp (cos y))) (expt (+ (sin x) 2) -3)))
+  '((* -3 (sin x)) (* (cos y) (sin x)) (* (sin x) -7/3) (/ (- 0 (exp y)) (cos x))
+    (- (exp x) (exp y)) (+ (f x y) (sin (* 10 x)))
+    (* (- (sin x) 1) (exp (cos y))) (expt (+ (sin x) 2) -3)))
 
 ;; The number of a leaf; that of f is the product of its arguments.
 (define ((place x y) leaf arguments)
