@@ -28,6 +28,10 @@
 (define-syntax-rule (check-forms f [before after] ...)
   (begin (check-equal? (f 'before) 'after) ...))
 
+(test-case "two collected terms of opposite signs are a difference"
+  (check-equal? (collected '(+ (* x x) (* -1 a b x)) 'x) '(- (expt x 2) (* a b x)))
+  (check-equal? (collected '(+ (* -1 a x x) b) 'x) '(- b (* a (expt x 2)))))
+
 (test-case "any expression is a quotient, of itself and 1 if need be"
   (define (parts d)
     (define-values (above below _) (numerator-and-denominator (datum->expression d)))

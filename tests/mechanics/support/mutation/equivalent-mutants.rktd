@@ -457,6 +457,10 @@
  "(> m n)))"
  "(>= m n)))"
  "where both are equal the branch before it answers")
+("algebra/rewriting/factor.rkt"
+ "(define below (find (poly- R c one)))"
+ "(define below (find (poly- c c one)))"
+ "a difference of polynomials asks nothing of their ring")
 ("algebra/simplify/simplifier-workspace.rkt"
  "[(and (fuel-empty? (simplifier-fuel w)) (not (small? e))) e]"
  ""
