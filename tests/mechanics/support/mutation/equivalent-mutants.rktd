@@ -1029,10 +1029,6 @@
  "(and (in-front? (car (node-args e))) (andmap exact-expression? (cdr (node-args e)))))"
  "(and (in-front? (car (node-args e))) (ormap exact-expression? (cdr (node-args e)))))"
  "with a flonum in front sums have whole coefficients, so that others are in arguments of functions: they are not simplified once more to the same" limit)
-("algebra/simplify/domain-question.rkt"
- "(relation #f (workspace-simplify w (relation-expression r)) (relation-signs r)))"
- "(relation #t (workspace-simplify w (relation-expression r)) (relation-signs r)))"
- "nobody asks for the datum of a relation of the domain")
 ("algebra/simplify/necessary-assumptions.rkt"
  "(and x y (> (abs (- x y)) (* 1e-9 (+ 1.0 (abs x))))))"
  "(and x y (> (abs (- x y)) (* 1e-9 (+ 2.0 (abs x))))))"
