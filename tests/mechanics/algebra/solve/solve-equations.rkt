@@ -6,6 +6,7 @@
                   expression simplify substitute proved? prove-zero)
          mechanics/algebra/assumption/assumption-set
          mechanics/algebra/expression/constant-value
+         (only-in mechanics/algebra/expression/expression expression->datum)
          mechanics/algebra/expression/read mechanics/algebra/solve/angles-in
          mechanics/algebra/solve/solve-by-cases mechanics/algebra/solve/solve-equations
          "../../support/checks.rkt" "../../support/random.rkt")
@@ -123,7 +124,12 @@
 
 (test-case "an angle is what stands in a sine or cosine"
   (define e (datum->expression '(+ (cos (* 2 x)) (exp y) x)))
-  (check-equal? (map (lambda (u) (in-angle? u e)) '(x y)) '(#t #f)))
+  (check-equal? (map (lambda (u) (in-angle? u e)) '(x y)) '(#t #f))
+  (define (other-period d)
+    (define u (angle-of-other-period (list (datum->expression d)) '(x) no-assumptions))
+    (and u (expression->datum u)))
+  (check-equal? (other-period '(cos (* k x))) '(* k x))
+  (check-false (other-period '(+ (cos (+ a (* 2 x))) (sin (* 1/2 y))))))
 
 (test-case "powers of one power"
   (define (roots e) (map cadaar (solutions (list e) '(x))))
