@@ -16,6 +16,7 @@
   (check-= (find-root (g:- g:cos values) 0 1) 0.7390851332151607 1e-12)
   (check-= (find-root (g:- g:cos values) 0 1 #:tolerance 1e-15) 0.7390851332151607 1e-15)
   (check-= (find-root (g:- g:square 2) 0 2) (sqrt 2.0) 1e-12)
+  (check-= (find-root g:cos 0 ':pi) (* 2 (atan 1.0)) 1e-12)
   (check-exn #rx"the same sign" (lambda () (find-root g:cos 0 1))))
 
 (test-case "near a number"

@@ -781,10 +781,6 @@
  "(let ([size (norm c)]) (if (fl> size 0.0) size 1.0)))]"
  "(let ([size (norm c)]) (if (fl> size 0.0) size 2.0)))]"
  "a column of zeros is one in any unit; its variable stays, and is told as not determined")
-("numeric/optimization/complex-zeros.rkt"
- "(define size (max (abs (real-part z)) (abs (imag-part z))))"
- "(define size (max (abs (real-part z)) (imag-part z)))"
- "a zero below the real axis is kept in more bits than count: slower, the same zeros" limit)
 ("numeric/optimization/trust-region.rkt"
  "[(and (fl> (share f*) 0.75) long?) (fl* 2.0 radius)]"
  "[(or (fl> (share f*) 0.75) long?) (fl* 2.0 radius)]"
@@ -849,6 +845,10 @@
  "(define newton (fl- x (fl/ px slope)))"
  "(define newton (fl+ x (fl/ px slope)))"
  "Newton's steps lead away, and halvings find the same zeros, slower" limit)
+("numeric/Taylor/expansion.rkt"
+ "(andmap start-found? starts)"
+ "(ormap start-found? starts)"
+ "systems without functions run by kernels: the same values, slower" limit)
 ("numeric/bigfloat/extrapolation.rkt"
  "(define (slopes j) (+ 1.0 (* j (+ j 1))))"
  "(define (slopes j) (+ 1.0 (* j (- j 1))))"
@@ -1369,6 +1369,10 @@
  "(if (or (> c 0) (integer? n))"
  "(if (or (> c 1) (integer? n))"
  "a multiple by 0 to 1 is a quantity of its own before its root is taken: the same value, an operation more" limit)
+("compile/jet/jet-operation-recurrences.rkt"
+ "(not (equation-leading e))"
+ "(equation-leading e)"
+ "a sine and its cosine are found one after the other, not in one loop: the same values, slower" limit)
 ("constraint/constrained-code.rkt"
  "(define-values (positions velocities) (positions-and-velocities who cs state))"
  "(define-values (positions velocities) (positions-and-velocities cs cs state))"
