@@ -17,6 +17,13 @@
 ;; ---------------------------------------------------------------------------
 ;; Equality
 
+(test-case "a multiple of π has its place among numbers"
+  (define 2π (g:* 2 ':pi))
+  (check-true (g:< 6 2π 7))
+  (check-false (g:< 2π 6))
+  (check-false (g:>= 2π 7))
+  (check-false (g:negative? 2π)))
+
 (test-case "numbers are equal as numbers"
   (check-true (g:= 1 1.0))
   (check-true (g:= 1/2 0.5 (/ 2 4)))
