@@ -665,10 +665,6 @@
  "(and full? (fl< (row-late r) (fl* still-shorter (row-early r))))]))"
  "(and full? (fl<= (row-late r) (fl* still-shorter (row-early r))))]))"
  "sums of hundreds of step lengths that are equal to the bit: a row more or less of steps" limit)
-("numeric/ode/roundoff-detection.rkt"
- "(define r (one-longer (or (crawl-row c) (row 0 first-half 0.0 0.0)) h))"
- "(define r (one-longer (or (crawl-row c) (row 1 first-half 0.0 0.0)) h))"
- "how long a row of short steps is before it tells: one step less" limit)
 ("numeric/ode/method-code.rkt"
  "(and (<= n most-components) (<= (vector-length instructions) most-instructions)))"
  "(and (<= most-components most-components) (<= (vector-length instructions) most-instructions)))"
