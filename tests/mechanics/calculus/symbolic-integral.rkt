@@ -19,6 +19,10 @@
   (check-integral (lambda (x) 'c) 'a 'b (* 'c (- 'b 'a)))
   (check-integral (lambda (x) 1) 'a 'b (- 'b 'a)))
 
+(test-case "no sign of the integrand's argument is taken for granted"
+  (check-integral (lambda (x) (* 'k (sqrt (square x)))) -1 1 'k)
+  (check-integral (lambda (x) (sqrt (square x))) -1 'b (* 1/2 (+ 1 (* 'b (abs 'b))))))
+
 (test-case "formulas agree with numbers"
   (for ([f (list (lambda (x k) (* (square x) (sin (* k x))))
                  (lambda (x k) (* (exp (* k x)) (square (cos x))))

@@ -126,6 +126,9 @@
   "stroboscopic-map: expected a period that is not 0\n  given: the number 0"]
  [(driven-pendulum-map 1 1 9.8 0.05 0)
   "driven-pendulum-map: expected a parameter omega that is not 0\n  given: the number 0"]
+ [(driven-pendulum-map 1 1 9.8 'A omega)
+  "driven-pendulum-map: expected a parameter A that is a real number\n  given: the symbol A\n"
+  "  give its symbols values first"]
  [(driven-pendulum-map 'm 1 9.8 0.05 omega)
   "driven-pendulum-map: expected a parameter m that is a real number\n  given: the symbol m\n"
   "  give its symbols values first"])

@@ -1253,6 +1253,10 @@
  "(cond [found (values found 0)]"
  "(cond"
  "an answer that others gave, too, is judged again, to the same judgment: time" limit)
+("teaching/class/submission.rkt"
+ "(string-append (make-string (max 0 (- 12 (string-length digits))) #\\0) digits))"
+ "(string-append (make-string (max 0 (- 13 (string-length digits))) #\\0) digits))"
+ "up to how many digits a number in a name is taken for one, when submissions are put in order" limit)
 ("calculus/derivative.rkt"
  "(derivative procedure mask make-datum base path order))))"
  "(derivative procedure mask make-datum base order order))))"
@@ -1317,6 +1321,10 @@
  "(define (residual-at q) (residual-at-rest 'find-equilibrium L force 0 q))"
  "(define (residual-at q) (residual-at-rest 'find-equilibrium L force 1 q))"
  "a force that changes in time is refused five lines below, at whatever time it was 0")
+("question/refined-modes.rkt"
+ "[(> (vector-length K) most-rows) found]"
+ "[(>= (vector-length K) most-rows) found]"
+ "a bound of the work, one row lower: digits lost beside fast modes are sought again in matrices of fewer rows" limit)
 ("certificate/kernel-facts.rkt"
  "(term d ns 2) (term e ns))"
  "(term d ns 3) (term e ns))"
