@@ -80,8 +80,8 @@
                    title "(exercise a number \"?\" (key 1) (slip 2 no it is not #:credit 1/2))")
   (check-worksheet #rx"a: the clause `no-practice` takes nothing" title
                    "(exercise a number \"?\" (key 1) (no-practice #t))")
-  (check-worksheet #rx"a: the clause `credit` takes shares of the points, as in [(]credit #:sign" title
-                   "(exercise a number \"?\" (key 1) (credit 1/2))")
+  (check-worksheet #rx"a: the clause `credit` takes shares of the points, as in [(]credit #:sign"
+                   title "(exercise a number \"?\" (key 1) (credit 1/2))")
   (check-worksheet #rx"a: a clause is a list that begins with its name" title
                    "(exercise a number \"?\" key 1)")
   (check-worksheet #rx"a: the clause `slip` takes no keyword #:credits" title

@@ -1257,6 +1257,14 @@
  "(string-append (make-string (max 0 (- 12 (string-length digits))) #\\0) digits))"
  "(string-append (make-string (max 0 (- 13 (string-length digits))) #\\0) digits))"
  "up to how many digits a number in a name is taken for one, when submissions are put in order" limit)
+("teaching/class/grade.rkt"
+ "(define seats (make-semaphore (max 1 (min 4 (processor-count)))))"
+ "(define seats (make-semaphore (max 1 (max 4 (processor-count)))))"
+ "how many submissions are run at once: on four processors or more, as many or more" limit)
+("teaching/class/collect-answers.rkt"
+ "[(> (+ size n) most-output) (ended 'long)]"
+ "[(>= (+ size n) most-output) (ended 'long)]"
+ "a bound of the output, a byte lower" limit)
 ("calculus/derivative.rkt"
  "(derivative procedure mask make-datum base path order))))"
  "(derivative procedure mask make-datum base order order))))"

@@ -76,6 +76,7 @@
   (define report
     (grade-class w (list (submission "a" "a" "#lang mechanics\n(define frequency" #f #f #f))
                  #:strictest 'own #:collect (collect-here-if (lambda (id) #t))))
+  (check-regexp-match #rx"^Submissions were run in your name" (class-report-warning report))
   (check-regexp-match #rx"^it does not run: .*expected a `[)]`"
                       (graded-problem (car (class-report-graded report)))))
 

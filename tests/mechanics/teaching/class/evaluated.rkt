@@ -22,6 +22,13 @@
   (check-equal? (collected-answers c)
                 (hasheq 'first '(answer k) 'second '(answer (* 2 k)) 'third '(unanswered))))
 
+(test-case "a definition that fails costs its own answer, and no other"
+  (define found
+    (collected-answers
+     (evaluated #f "#lang mechanics\n(define first (/ 1 0))\n(define second 'k)\n")))
+  (check-regexp-match #rx"division by zero" (cadr (hash-ref found 'first)))
+  (check-equal? (hash-ref found 'second) '(answer k)))
+
 (test-case "a program that runs too long is ended after its seconds"
   (define c (evaluated (processor-seconds 1) "#lang mechanics\n(let loop () (loop))\n"))
   (check-regexp-match #rx"^it does not run: " (collected-problem c)))

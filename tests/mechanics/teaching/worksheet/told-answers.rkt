@@ -11,7 +11,8 @@
          "../../support/checks.rkt")
 
 (define twice
-  (make-exercise 'twice 'expression "?" (list (list 'key (m:* 2 'x)) '(hint "double it" #:after 1))))
+  (make-exercise 'twice 'expression "?"
+                 (list (list 'key (m:* 2 'x)) '(hint "double it" #:after 1))))
 (define count (make-exercise 'count 'expression "?" '((key 2))))
 (define reason (make-exercise 'reason 'reason "?" '()))
 
