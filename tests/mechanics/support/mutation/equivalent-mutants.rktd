@@ -1009,10 +1009,6 @@
  "(define by (* 1e-9 (- (stretch-end s) at)))"
  "(define by (* 2e-9 (- (stretch-end s) at)))"
  "within what time two occurrences at the end of a stretch are one" limit)
-("geometry/motion/event-on-manifold.rkt"
- "#:when (and (node-jump? n) (> (abs (- after before)) (* 1e-6 size))))"
- "#:when (and (node-jump? n) (>= (abs (- after before)) (* 1e-6 size))))"
- "from which size on, exactly, a jump is one" limit)
 ("algebra/simplify/normalize.rkt"
  "(retry (+ 1 (* 2 degree))))))"
  "(retry (- 1 (* 2 degree))))))"
