@@ -17,6 +17,8 @@
   "interact: k starts at 11, outside of its range from 1 to 10"]
  [(interact ([k 1 10 #:start 'a]) k)
   "interact: expected a number at which k starts\n  given: the symbol a"]
+ [(interact ([k 1 10 #:start +inf.0]) k)
+  "interact: expected a number at which k starts\n  given: the number +inf.0"]
  [(interact ([k 1 10 #:step 0]) k)
   "interact: expected a positive number as step of k\n  given: the number 0"]
  [(interact ([k 1 10 #:step -1/2]) k)
