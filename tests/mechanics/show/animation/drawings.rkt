@@ -183,7 +183,9 @@
   (test-case "a label is shifted in pixels, to the right and upwards"
     (define (place shift)
       (define p (sketch 0 1 0 1 #:width 200 (label (up 1/2 1/2) "m" #:shift shift)))
-      (define text (last ((dynamic-require 'mechanics/show/animation/pict-recorder 'record-pict) p)))
+      (define record-pict
+        (dynamic-require 'mechanics/show/animation/pict-recorder 'record-pict))
+      (define text (last (record-pict p)))
       (map string->number
            (cdr (regexp-match #px" x=\"([-.\\d]+)\" y=\"([-.\\d]+)\""
                               ((dynamic-require 'mechanics/show/animation/svg 'element->markup)

@@ -20,7 +20,7 @@
   (for/or ([y (in-range h)])
     (> (bytes-ref bitmap (* 4 (+ (* y w) (min (sub1 w) (inexact->exact (floor (* x w))))))) 0)))
 
-;; The painted columns of a row of pixels, at a fraction of the height; they are fractions of the width.
+;; The painted columns of a row of pixels, at a fraction of the height, as fractions of the width.
 (define (painted-columns p at)
   (define bitmap ((of-pict 'pict->argb-pixels) p))
   (define w (inexact->exact (ceiling (width p))))

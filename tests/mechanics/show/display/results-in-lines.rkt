@@ -41,13 +41,14 @@
 (test-case "verdicts in a list begin a line each, and so do values that are too long together"
   (define (shown x) (lines-of (format "~v" (simplified-result x 79))))
   (define one (car (shown proved)))
-  (check-equal? (shown (list proved proved)) (list (format "(list ~a" one) (format "      ~a)" one)))
+  (check-equal? (shown (list proved proved))
+                (list (format "(list ~a" one) (format "      ~a)" one)))
   (define long (for/fold ([sum 0]) ([k 4]) (+ sum (sin (* (+ k 1) 'omega 't)))))
   (define lines (shown (list 1 long long)))
   (check-equal? (car lines) "(list 1")
   (check-true (>= (length lines) 3)))
 
-(test-case "a value is looked at once; a procedure among them stays itself where nobody asks for text"
+(test-case "a value is looked at once; a procedure stays itself where nobody asks for text"
   (define see (seen-once))
   (define x (+ 'a 'a))
   (check-eq? (see x) (see x))

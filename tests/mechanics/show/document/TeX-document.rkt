@@ -57,8 +57,10 @@
                    "\\\\\n"))
   (check-equal? (written (shown (list (list 1 2.5) (list 3 4))))
                 (table "ll" (row 1 2.5) (row 3 4)))
-  (check-equal? (written (result (shown-table '("event" "time") (list (list (plain "a_b") (plain "1"))))))
-                (table "ll" "event & time\\\\\n\\hline\n" "\\texttt{a\\_b} & \\texttt{1}\\\\\n")))
+  (define events (shown-table '("event" "time") (list (list (plain "a_b") (plain "1")))))
+  (check-equal? (written (result events))
+                (table "ll" "event & time\\\\\n\\hline\n"
+                       "\\texttt{a\\_b} & \\texttt{1}\\\\\n")))
 
 ;; The program environment of a text, and the lines that declare its characters.
 (define (program text)

@@ -54,12 +54,11 @@
   (check-equal? (map frame-count (within 5000000 (interact ([k 1 26]) (long k)))) '(26)))
 
 ;; Frames are numbered as a number is written, the first control its first digit.
-(test-case "a frame is that of its labels, and the still one that of the start, however few there are"
+(test-case "a frame is that of its labels, and the still one that of the start, however few"
   (define (long k b) (string-append (format "<~a ~a>" k b) (make-string 2000 #\.)))
   (for ([room '(5000000 30000)])
-    (define page
-      (document->page (document-of (value->shown (interact ([k 1 12 #:start 3] [b #t]) (long k b))))
-                      #:room room))
+    (define i (interact ([k 1 12 #:start 3] [b #t]) (long k b)))
+    (define page (document->page (document-of (value->shown i)) #:room room))
     (define data (car (data-in page)))
     (define-values (ks bs) (apply values (hash-ref data 'labels)))
     (for ([k ks] [i (in-naturals)])

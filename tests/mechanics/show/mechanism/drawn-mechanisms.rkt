@@ -85,8 +85,8 @@
   (define before (file->list kept))
   (for ([d (list* (keyword-apply draw-oscillator '(#:masses) '(3) '())
                   (for/list ([f (list draw-pendulum draw-cart-pendulum draw-spherical-pendulum
-                                      draw-Foucault-pendulum draw-spring-pendulum
-                                      draw-Atwood-machine draw-ladder draw-coin draw-top draw-orbit)])
+                                      draw-Foucault-pendulum draw-spring-pendulum draw-ladder
+                                      draw-Atwood-machine draw-coin draw-top draw-orbit)])
                     (f)))])
     (define name (format "~a" d))
     (check-drawn (rounded (drawn d)) (or (assoc name before) (list name)) name))

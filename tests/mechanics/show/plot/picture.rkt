@@ -306,7 +306,7 @@
     (check-regexp-match #px"transform=\"rotate\\(-90 [0-9. ]+\\)\">up</text>" svg)
     (check-false (regexp-match? #rx"<symbol|glyph" svg)))
 
-  (test-case "a text is as long as its letters, and a number stands at its place on a logarithmic axis"
+  (test-case "a text is as long as its letters; a number stands at its place on a logarithmic axis"
     (define f (frame 1 100 0 1 #:x-scale 'log #:width 300 #:height 200))
     (plot-line f 10 0 10 1 #:color 'red)
     (define svg (bytes->string/utf-8 (saved f "log.svg" #f #f 9)))
