@@ -233,6 +233,10 @@
  "(min 1 (poly-degree (field-ring F) h (relation-index s))))"
  "(min 2 (poly-degree (field-ring F) h (relation-index s))))"
  "denominators are reduced: of degree 1 at most in a sine")
+("algebra/field/rationalize.rkt"
+ "(define (from p) (fraction-from-poly R p))"
+ "(define (from p) (fraction-from-poly p p))"
+ "a fraction made of a polynomial asks nothing of its ring")
 ("calculus/moving-places.rkt"
  "(let loop ([distance (* 1e-13 (+ 1.0 (abs end)))])"
  "(let loop ([distance (* 1e-13 (+ 2.0 (abs end)))])"
