@@ -61,6 +61,14 @@
  "(define symbol-x (+ x (* 4 space) (apply max (map text-width texts))))"
  "(define symbol-x (+ x (+ 4 space) (apply max (map text-width texts))))"
  "the gap between a label and its line is some pixels less" layout)
+("show/plot/axes/plot-axes.rkt"
+ "(draw-box dc left top (- right left) (- bottom top) #f 0.5)"
+ "(draw-box dc left top (- right left) (- bottom top) #f 1.0)"
+ "the box of a picture is drawn half a pixel thicker" layout)
+("show/plot/axes/plot-axes.rkt"
+ "(define head (if (view-title v) (* 3/2 (text-height (title-text dc v))) 0))"
+ "(define head (if (view-title v) (* 3/2 (text-height (title-text dc v))) 1))"
+ "without a title there is a pixel more above the picture" layout)
 ("show/animation/drawing.rkt"
  "#f #f '()))"
  "#f #t '()))"
@@ -73,6 +81,42 @@
  "(continuation sign (fitted right (- width 4) wide))))))"
  "(continuation sign (fitted right (- width 5) wide))))))"
  "the right side of a relation is cut a column earlier" layout)
+("show/mechanism/mechanism-parts.rkt"
+ "(times (/ (check-length who \"the width\" width) 2.0 (max 1e-9 (span along))) (crosswise along)))"
+ "(times (/ (check-length who \"the width\" width) 2.0 (max 2e-9 (span along))) (crosswise along)))"
+ "a spring whose ends are nearer than that is a point" limit)
+("show/mechanism/draw-top.rkt"
+ "#:when (> (nearness out) 0.0))"
+ "#:when (>= (nearness out) 0.0))"
+ "a face that is seen from its edge is drawn as a line on the edges of its neighbours" layout)
+("show/notebook/program-cells.rkt"
+ "(define (within? k) (for/or ([w (in-list wholes)]) (and (<= (car w) k) (< k (cdr w)))))"
+ "(define (within? k) (for/or ([w (in-list wholes)]) (and (< (car w) k) (< k (cdr w)))))"
+ "no part that stays whole begins with the end of a line, as gaps do")
+("show/notebook/notebook-file.rkt"
+ "(define cells (and (hash? x) (hash-ref x 'cells #f)))"
+ "(define cells (and (hash? x) (hash-ref x 'cells #t)))"
+ "neither is a list of cells")
+("show/document/comments.rkt"
+ "(< (+ (string-length line) (string-length (car (string-split next))) 12) widest)))"
+ "(< (+ (string-length line) (string-length (car (string-split next))) 13) widest)))"
+ "a line that leaves room for one letter less is taken for one that was meant to end there" layout)
+("show/document/page-value.rkt"
+ "(define wide 80)"
+ "(define wide 81)"
+ "formulas are cut a column later on a wide page" layout)
+("show/document/web-page.rkt"
+ "(define (next-number) (begin0 pictures (set! pictures (+ pictures 1))))"
+ "(define (next-number) (begin0 pictures (set! pictures (- pictures 1))))"
+ "the numbers in the names of pictures on a page need be different, no more")
+("show/document/interaction-page.rkt"
+ "(if (or (<= size room) (= n 1))"
+ "(if (or (< size room) (= n 1))"
+ "an interaction that fills its room to the last byte has fewer frames" limit)
+("show/document/TeX-prose.rkt"
+ "(values c #t)))"
+ "(values c #f)))"
+ "of what was found the keys alone are asked for")
 ("numeric/special/Bessel-recurrences.rkt"
  "(define side* (if (fl< d* 0.0) (fl- 0.0 side) side))"
  "(define side* (if (fl<= d* 0.0) (fl- 0.0 side) side))"
@@ -1349,10 +1393,54 @@
  "(define (loaded?) #t)"
  "(define (loaded?) #f)"
  "it is called in order that its module be loaded; nobody looks at its value")
+("show/plot/phase-portrait.rkt"
+ "(lambda (a b) (< (abs (- a b)) (* 1e-9 (+ 1.0 (abs a)))))))"
+ "(lambda (a b) (<= (abs (- a b)) (* 1e-9 (+ 1.0 (abs a)))))))"
+ "two energies differ by just the bound in no portrait" limit)
+("show/plot/phase-portrait.rkt"
+ "(define most-steps 30)"
+ "(define most-steps 31)"
+ "one step more of Newton's method for a place of rest" limit)
+("show/plot/frame.rkt"
+ "(lambda () (values (frame 0 1 0 1) void))))  ; never in a cycle"
+ "(lambda () (values (frame 0 1 0 2) void))))  ; never in a cycle"
+ "nothing that a frame holds holds the frame: it is not asked for")
+("show/plot/plot-images.rkt"
+ "(define (times cells length) (max 1 (exact-round (/ (* fineness length) cells))))"
+ "(define (times cells length) (max 1 (exact-round (/ (+ fineness length) cells))))"
+ "cells are enlarged into more pixels than the picture has" layout)
+("show/plot/phase-portrait.rkt"
+ "(define h (energy-on-plane who energy bounds))"
+ "(define h (energy-on-plane energy energy bounds))"
+ "the same energy has been looked at a line above, by which all that can be said has been said")
+("show/plot/chaos-map.rkt"
+ "(define regular (log (max n 2) 10))"
+ "(define regular (log (max n 3) 10))"
+ "the colours of a map of two steps are those of one of three" limit)
+("show/plot/picture-page.rkt"
+ "(unless (= scale 1) (send dc set-scale scale scale))"
+ "(unless (= scale 1) (send dc scale scale scale))"
+ "the scale of a fresh drawing is one, which a factor and a new value change alike")
 ("show/animation/player.rkt"
  "(send (player-timer p) start (performance-pause (player-performance p)) #t))"
  "(send (player-timer p) start (performance-pause (player-performance p)) #f))"
  "each picture starts the timer anew, or stops it, before it could ring twice")
+("show/animation/drawing.rkt"
+ "(define bounds (extent (filter (lambda (s) (not (lettering? s))) shapes) +inf.0))"
+ "(define bounds (extent (filter (lambda (s) (not (lettering? s))) shapes) 1.0))"
+ "a sketch is smaller by its margin" layout)
+("show/animation/pict-recorder.rkt"
+ "(define-values (wide high) (values (max 1 (exact-ceiling w)) (max 1 (exact-ceiling h))))"
+ "(define-values (wide high) (values (max 2 (exact-ceiling w)) (max 1 (exact-ceiling h))))"
+ "a section of a bitmap that is narrower than a pixel is two wide" layout)
+("show/animation/formats.rkt"
+ "(vl-append 4"
+ "(vl-append 5"
+ "the time of a picture stands a pixel lower" layout)
+("show/animation/scenery.rkt"
+ "(values (if back (index (- now (* forward back))) 0) (index now)))"
+ "(values (if back (index (- now (* forward back))) 1) (index now)))"
+ "the trail of the whole motion lacks its first piece, a share of one picture" layout)
 ("show/interact/interaction-window.rkt"
  "(regexp-replace* #rx\"&\" (if (> (string-length text) 99) (substring text 0 99) text) \"\\\\&\\\\&\"))"
  "(regexp-replace* #rx\"&\" (if (> (string-length text) 100) (substring text 0 99) text) \"\\\\&\\\\&\"))"
@@ -1361,6 +1449,42 @@
  "(when bitmap (send (get-dc) draw-bitmap bitmap 0 0)))"
  "(when bitmap (send (get-dc) draw-bitmap bitmap 1 0)))"
  "the picture is a pixel further to the right in its window" layout)
+("show/interact/outcome-picture.rkt"
+ "(define (line l) (if (string=? l \"\") (blank 1 12) (text l 'modern 12)))"
+ "(define (line l) (if (string=? l \"\") (blank 2 12) (text l 'modern 12)))"
+ "an empty line among words is a pixel broader" layout)
+("show/interact/outcome-picture.rkt"
+ "(define (line l) (if (string=? l \"\") (blank 1 12) (text l 'modern 12)))"
+ "(define (line l) (if (string=? l \"\") (blank 1 13) (text l 'modern 12)))"
+ "an empty line among words is a pixel higher" layout)
+("show/interact/outcome-picture.rkt"
+ "(inset (apply vl-append 2 (map line lines)) margin))"
+ "(inset (apply vl-append 3 (map line lines)) margin))"
+ "lines of words are a pixel further apart" layout)
+("show/interact/interaction-window.rkt"
+ "(new message% [parent row] [label (number-label (control-start c))] [min-width 90]))"
+ "(new message% [parent row] [label (number-label (control-start c))] [min-width 91]))"
+ "the number beside a slider has a pixel more room" layout)
+("show/interact/outcome-picture.rkt"
+ "1 (vector 1 0 0 1 0 0)))"
+ "1 (vector 1 0 0 1 0 1)))"
+ "an image of many points is a pixel lower" layout)
+("show/interact/outcome-picture.rkt"
+ "1 (vector 1 0 0 1 0 0)))"
+ "1 (vector 1 0 0 1 1 0)))"
+ "an image of many points is a pixel further to the right" layout)
+("show/interact/outcome-picture.rkt"
+ "(image-element (pict->bitmap picture) 0 0 (pict-width picture) (pict-height picture)"
+ "(image-element (pict->bitmap picture) 1 0 (pict-width picture) (pict-height picture)"
+ "an image of many points is a pixel further to the right" layout)
+("show/interact/interaction-window.rkt"
+ "(define (window-loaded?) #t)"
+ "(define (window-loaded?) #f)"
+ "to call it loads the file; what it returns is asked by nobody")
+("show/interact/interaction-window.rkt"
+ "(let again ([values #f] [outcome #f])"
+ "(let again ([values #t] [outcome #f])"
+ "the values of a window are a list, which no boolean is")
 ("show/explorer/explorer-board.rkt"
  "(send dc set-pen \"gray\" 1 'short-dash)"
  "(send dc set-pen \"gray\" 2 'short-dash)"
@@ -1369,6 +1493,34 @@
  "(set-board-fresh?! b #t))"
  "(set-board-fresh?! b #f))"
  "pixels are copied at each painting, though none has changed: time" limit)
+("show/explorer/explore-in-window.rkt"
+ "(send dc set-pen \"gray\" 1 'solid)"
+ "(send dc set-pen \"gray\" 2 'solid)"
+ "what was drawn before is drawn thicker" layout)
+("show/explorer/explorer-board.rkt"
+ "(define-values (left right top bottom) (values 56 12 12 28))"
+ "(define-values (left right top bottom) (values 57 12 12 28))"
+ "there is a pixel more beside the axis" layout)
+("show/explorer/explorer.rkt"
+ "(new message% [parent window] [label keys-text] [stretchable-width #t]))"
+ "(new message% [parent window] [label keys-text] [stretchable-width #f]))"
+ "the line of the keys is no broader than its words" layout)
+("show/explorer/explorer.rkt"
+ "(define row (new horizontal-panel% [parent window] [stretchable-height #f] [border 2]))"
+ "(define row (new horizontal-panel% [parent window] [stretchable-height #f] [border 3]))"
+ "there is a pixel more around the buttons" layout)
+("show/explorer/explorer-board.rkt"
+ "(max 20 (- width left right)) (max 20 (- height top bottom))))"
+ "(max 20 (- width left right)) (max 21 (- height top bottom))))"
+ "the least height of the picture in a tiny window" layout)
+("show/explorer/explorer-board.rkt"
+ "(drag! b #f #f)"
+ "(drag! b #f #t)"
+ "what is dragged is drawn where both of its ends are known, and only there")
+("show/explorer/explorer-board.rkt"
+ "(< (abs (- (cdr start) (cdr end))) least-drag))"
+ "(<= (abs (- (cdr start) (cdr end))) least-drag))"
+ "a drag of just five pixels is a click" limit)
 ("compile/program-builder.rkt"
  "[(and (number? y) (not (eqv? y 0)) (reciprocal-fits? (/ 1 y) y)) (multiply! b (/ 1 y) x)]"
  "[(and (number? y) (not (eqv? y 1)) (reciprocal-fits? (/ 1 y) y)) (multiply! b (/ 1 y) x)]"
@@ -1453,3 +1605,15 @@
  "(g:+ (((partial 0) H) state)"
  "(g:- (((partial 0) H) state)"
  "the other terms cancel: that is what the derivation shows")
+("lang/help/document.rkt"
+ "(define in-lesser-title 20)    ; of names rarely meant"
+ "(define in-lesser-title 21)    ; of names rarely meant"
+ "of two findings with as many words the order may be another where names are rarely meant" limit)
+("lang/help/program-documents.rkt"
+ "(if lesser? 4 10)))"
+ "(if lesser? 5 10)))"
+ "a figure or worksheet comes earlier among findings that are nearly as good" limit)
+("lang/command/program-systems.rkt"
+ "(define most-motions 500)"
+ "(define most-motions 501)"
+ "of a program that makes so many systems one more is told" limit)
