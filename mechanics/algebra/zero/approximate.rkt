@@ -76,7 +76,10 @@
     (if (eq? (exact? (car a)) (exact? (car b))) (values a b) (values (as-flonum a) (as-flonum b))))
   (rounded (f (car x) (car y)) (+ (cdr x) (cdr y))))
 
-(define (as-flonum a) (if (= (exact->inexact (car a)) (car a)) a (inexact a)))
+;; As it is, where a flonum holds it, and where none is as great.
+(define (as-flonum a)
+  (define x (exact->inexact (car a)))
+  (if (or (= x (car a)) (not (< (magnitude x) +inf.0))) a (inexact a)))
 
 (define (multiply a b)
   (rounded (* (car a) (car b))
@@ -102,7 +105,7 @@
 ;; The error of value = op(xs) due to those of xs: |derivative| · error.
 (define (propagated op xs errors value)
   (cond [(andmap (lambda (e) (eqv? e 0)) errors) 0]
-        [(memq op (list op:sin op:cos op:tanh op:abs)) (apply + errors)]
+        [(and (memq op (list op:sin op:cos op:tanh op:abs)) (andmap real? xs)) (apply + errors)]
         [else
          (for/sum ([e (in-list errors)] [k (in-naturals)] #:unless (eqv? e 0))
            (* e (slope op xs k value)))]))

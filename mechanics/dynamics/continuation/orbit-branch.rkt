@@ -47,7 +47,7 @@
   (define x
     (with-handlers ([exn:fail:mechanics? (lambda (_) (raise-no-orbit who o x0 state period))])
       (solution-near who (if R (symmetric-equations o R x0) e) x0)))
-  (when (rests? o x) (raise-no-orbit who o x0 state period))
+  (when (rests? o x x0) (raise-no-orbit who o x0 state period))
   (define f (family-of o e))
   (periodic-orbit ((family-state f) x) ((equations-period e) x)
                   ((evaluated-spectrum ((equations-evaluate e) x x)))))
@@ -66,7 +66,7 @@
   (define e (orbit-equations o x0 (parameter-scale l)))
   (define (fail) (raise-no-orbit who o x0 state period))
   (define start (first-point who e l x0 fail))
-  (when (rests? o (point-x start)) (fail))
+  (when (rests? o (point-x start) x0) (fail))
   (branch-from (family-of o e) l start))
 
 (define (family-of o e)
@@ -109,14 +109,15 @@
   (define T (if (procedure? period) (period p) period))
   (orbit-unknowns o (start-numbers o) (real->double-flonum (comparand T)) p))
 
-;; Has the orbit shrunk to an equilibrium, or to no time?  That of a driven system may rest.
-(define (rests? o x)
+;; Has the orbit shrunk to an equilibrium, or its period, from that of x0, to no time?  That of a
+;; driven system may rest.
+(define (rests? o x x0)
   (define n (length (start-of o)))
   (define p (if (orbits-energy o) 0.0 (flvector-ref x (- (flvector-length x) 1))))
   (define z (part x 0 n))
   (and (not (orbits-period o))
-       (fl< (fl* (flabs (flvector-ref x n)) (norm (rates-at o z p)))
-            (fl* 1e-6 (fl+ 1.0 (norm z))))))
+       (or (fl< (norm (rates-at o z p)) (fl* 1e-6 (fl+ 1.0 (norm z))))
+           (fl< (flabs (flvector-ref x n)) (fl* 1e-6 (flabs (flvector-ref x0 n)))))))
 
 ;; Does the state come back after several of these periods?
 (define (raise-no-orbit who o x0 state period)

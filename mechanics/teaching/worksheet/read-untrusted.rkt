@@ -1,6 +1,7 @@
 #lang racket/base
 ;; Reads data that anybody may have written, without harm: no reader of another language, no
-;; cycles, no compiled code, and no number such as #e1e999999999 that would fill the memory.
+;; cycles, no compiled code, and no number or vector such as #e1e999999999 and #999999999(0) that
+;; would fill the memory.
 
 (provide read-untrusted many-digits?)
 
@@ -22,8 +23,17 @@
 
 (define most-digits 2000)
 
-;; Racket's `write` gives no number a prefix.
+;; Racket's `write` gives no number a prefix, and no vector a length: #9(0) has nine elements.
+(define (refuse prefix)
+  (error 'read-untrusted "a number or a vector has the prefix #~a" prefix))
+
+;; #f, and not #fl9(0)
+(define (read-false c in . _)
+  (when (regexp-try-match #px"^[lxLX][0-9]" in) (refuse c))
+  (regexp-try-match #px"^alse" in)
+  #f)
+
 (define without-prefixes
-  (for*/fold ([table #f]) ([c (in-string "eixobdEIXOBD")])
-    (make-readtable table c 'dispatch-macro
-                    (lambda _ (error 'read-untrusted "a number has the prefix #~a" c)))))
+  (for/fold ([table (make-readtable #f #\f 'dispatch-macro read-false)])
+            ([c (in-string "eixobdEIXOBD0123456789")])
+    (make-readtable table c 'dispatch-macro (lambda (c . _) (refuse c)))))

@@ -134,7 +134,12 @@
   (define turned (symplectic-normal-form #:matrix (matrix-by-rows '(1 0) '(0 -1))))
   (check-equal? (quadratic-normal-form-matrix turned) (matrix-by-rows '(1 1/2) '(-1 1/2))))
 
+(define (spring s) (+ (* 1/2 (square (ref s 2))) (* 1/2 'k (square (ref s 1)))))
+
 (says
+ [(symplectic-normal-form spring (up 't 'q 'p) #:at (up 0 0.0 0.0))
+  "symplectic-normal-form: the coefficients of the series of spring are to be numbers; there is k\n"
+  "  give the parameters as numbers"]
  [(symplectic-normal-form)
   "symplectic-normal-form: expected a Hamiltonian and a state of symbols, or the matrix of its "
   "second derivatives alone\n"

@@ -172,7 +172,7 @@
   (has "= (x + y) ^ 2) by ((first [reflexivity | ring |" of-square)
   (has "x + y <> 0) by (let Z := fresh in let G := fresh in intro Z;" of-square))
 
-(test-case "parts of a turn are known where there are some, and are no matter elsewhere"
+(test-case "parts of a turn are known where a theorem has some, and are not asked for elsewhere"
   (define of-eighth
     (verify-equal (sin (+ 'x (/ ':pi 4))) (/ (+ (sin 'x) (cos 'x)) (sqrt 2))))
   (has "sin (1 / 4 * PI) = 1 / 2 * sqrt 2). { turn_4. }" of-eighth)

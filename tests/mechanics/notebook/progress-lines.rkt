@@ -10,7 +10,7 @@
 (define (texts) (begin0 (reverse sent) (set! sent '())))
 
 (test-case "a line is a message without the signs that move a terminal's cursor"
-  (write-string "\rπ: 3 of 5\e[K" port)
+  (check-equal? (write-bytes (string->bytes/utf-8 "..\rπ: 3 of 5\e[K..") port 2 16) 14)
   (check-equal? (texts) '("π: 3 of 5")))
 
 ;; A clock that goes on by a second whenever it is read

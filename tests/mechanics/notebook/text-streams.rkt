@@ -2,7 +2,7 @@
 ;; The output of a program, as it is sent on: whole characters, and no more than a million bytes.
 
 (require mechanics/notebook/text-stream
-         "../support/checks.rkt")
+         "../support/checks.rkt" "../support/patience.rkt")
 
 ;; -> a stream, and -> the texts that it sent, in order
 (define (stream-and-texts)
@@ -27,7 +27,7 @@
       (send-rest! s)
       (check-equal? (apply string-append (texts)) (whole to)))))
 
-;; What sends waits for the test.
+;; The procedure that sends waits for the test.
 (test-case "one thread sends at a time, and a break of it loses nothing"
   (define-values (sends may-send) (values (make-semaphore) (make-semaphore)))
   (define sent '())
@@ -38,7 +38,7 @@
                         (set! sent (cons text sent)))))
   (write-string "one" (text-stream-port s))
   (define first-sender (thread (lambda () (send-rest! s))))
-  (semaphore-wait sends)
+  (sync/patience 10 sends)
   (write-string "two" (text-stream-port s))
   (define second-sender (thread (lambda () (send-rest! s))))
   (check-false (sync/timeout 0.1 sends))
@@ -46,7 +46,7 @@
   (check-false (sync/timeout 0.1 sends))
   (semaphore-post may-send)
   (semaphore-post may-send)
-  (for-each thread-wait (list first-sender second-sender))
+  (for ([t (list first-sender second-sender)]) (sync/patience 10 t))
   (check-equal? (apply string-append (reverse sent)) "onetwo"))
 
 (test-case "beyond a million bytes of a cell they are counted; the next cell begins anew"

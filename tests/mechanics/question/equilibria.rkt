@@ -148,6 +148,13 @@
   (check-eq? (stability-kind s) 'undecided)
   (check-equal? (format "~a" s) "undecided: second derivatives do not tell"))
 
+(test-case "an equilibrium at all times, of a force that vanishes at one of them"
+  (define ((L V) s) (- (* 1/2 (square (velocity s))) (V (time s) (coordinate s))))
+  (check-= (find-equilibrium (L (lambda (t x) (* 1/2 t x x))) 0.7) 0 1e-12)
+  (check-= (find-equilibrium (L (lambda (t x) (/ (square (- x 1)) (* 2 t)))) 0.7) 1 1e-12)
+  (check-exn #rx"^find-equilibrium: the force on the system at rest changes in time"
+             (lambda () (find-equilibrium (L (lambda (t x) (* 1/2 (square (- x t))))) 0.7))))
+
 (test-case "no formula, and a force that changes in time"
   (check-exn
    #rx"^equilibria: no formula was found for the zeros of .*\n  find-equilibrium finds one near"

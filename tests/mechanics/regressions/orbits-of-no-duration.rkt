@@ -16,3 +16,13 @@
               (message-of (find-periodic-orbit runs-away (up 0.1) 1) exn:fail?))
   (check-none "continue-periodic-orbit"
               (message-of (continue-periodic-orbit drift (up 0.1 0.2) 1 1 2) exn:fail?)))
+
+;; A limit cycle of the radius 1e-8, ten thousand times a second round: shorter than a millionth
+(test-case "a short orbit that returns is one"
+  (define-values (radius omega) (values 1e-8 1e4))
+  (define (turns s)
+    (define-values (x y) (values (ref s 0) (ref s 1)))
+    (define growth (* omega (- 1 (/ (+ (square x) (square y)) (square radius)))))
+    (up (- (* growth x) (* omega y)) (+ (* growth y) (* omega x))))
+  (define o (find-periodic-orbit turns (up radius 0.0) (/ 6.3 omega)))
+  (check-= (periodic-orbit-period o) (/ 6.283185307179586 omega) 1e-9))

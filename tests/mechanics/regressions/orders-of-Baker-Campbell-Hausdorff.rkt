@@ -61,8 +61,8 @@
                  (verify-equal ((series:ref (Baker-Campbell-Hausdorff f g) 3) s) (third s)))
                 'proved))
 
-;; What is kept of a function is its value at symbols: simplified under what is declared at the
-;; time, and none where it chooses by a number.
+;; The value of a function at symbols is kept, simplified under the relations declared at the time;
+;; none is where the function chooses by a number.
 (test-case "brackets follow what is declared of a constant"
   (define (spring s) (* 1/2 (sqrt (square 'k)) (square (coordinate s))))
   (define sum (Baker-Campbell-Hausdorff T spring))

@@ -69,7 +69,7 @@
                   `((code ,comment) (markdown "x") (code "(f)"))
                   comment)))
 
-;; What #; leaves out goes with the form behind it, whatever its text is.
+;; A form that #; leaves out stays with the form behind it, whatever its text is.
 (test-case "a form that is left out is not cut"
   (define program "#;(f \"|#\"\n\n 2)\n\n(g)")
   (check-equal? (kinds+sources (cells-of (string-append "#lang mechanics\n\n" program "\n\n(h)\n")))

@@ -317,7 +317,7 @@
     (define-values (_ longer) (of-text "100"))
     (check-= longer (* 3/2 length) 0.1)
     (define line (regexp-match #px"stroke:rgb[(]100%, *0%, *0%[)][^>]* d=\"M ([\\d.]+)" svg))
-    (when line (check-= (string->number (cadr line)) (+ left (/ length 2)) 0.6)))
+    (check-= (string->number (cadr line)) (+ left (/ length 2)) 0.6))
 
   (test-case "a figure for print has its width in centimetres and letters of a size in points"
     (define f (drawn))

@@ -204,7 +204,7 @@
 ("show/typesetting/pict-parts.rkt"
  "(cond [(eqv? n 0) p]"
  "(cond"
- "without dots there is nothing to be put above a letter: speed")
+ "without dots there is nothing to be put above a letter" layout)
 ("algebra/kernel/circle.rkt"
  "(define o (circle u sign #f #f))"
  "(define o (circle u sign #t #f))"
@@ -581,18 +581,10 @@
  "[else (or (system-own s) (new-right-hand-side s))]))"
  "[else (and (system-own s) (new-right-hand-side s))]))"
  "an integration that does not keep what it computed of the start computes it again" limit)
-("canonical/quadratic/phase-space-equilibrium.rkt"
- "(<= steepest (* 1e-13 (greatest-entry (second-derivatives who H state place)))))))"
- "(<= steepest (* 1e-13 (greatest-entry (second-derivatives H H state place)))))))"
- "a name for a message that was given before: where the gradient is numbers the second derivatives are")
 ("notebook/run-cells.rkt"
  "(list (map (lambda (_) '()) cells) (failure \"a cell ended the process of the notebook\" #f #f)))"
  "(list (map (lambda (_) '()) cells) (failure \"a cell ended the process of the notebook\" #f #t)))"
  "the flag of an interruption is read where a front end is answered, which these cells have not")
-("notebook/progress-port.rkt"
- "(- end start))"
- "(+ end start))"
- "bytes that are written to a port come at the beginning of what its procedure is given")
 ("notebook/mime-bundle.rkt"
  "(define height (+ 120 (if m (string->number (bytes->string/latin-1 (cadr m))) 360)))"
  "(define height (+ 120 (if m (string->number (bytes->string/latin-1 (cadr m))) 361)))"
@@ -785,10 +777,6 @@
  "(if (> (poly-term-count p) most-terms)"
  "(if (>= (poly-term-count p) most-terms)"
  "from how many terms on no factors are sought, one less" limit)
-("algebra/zero/assignment.rkt"
- "(define range (cond [(< n 2) 3] [(< n 6) 5] [else 11]))"
- "(define range (cond [(< n 2) 3]  [else 11]))"
- "other numbers at which values are tried, as good as these" limit)
 ("canonical/perturbation/Poisson-series.rkt"
  "(define (constant-series n c) (one-wave (zeros n) c 0))"
  "(define (constant-series n c) (one-wave (zeros n) c 1))"
@@ -889,10 +877,6 @@
  "(define newton (fl- x (fl/ px slope)))"
  "(define newton (fl+ x (fl/ px slope)))"
  "Newton's steps lead away, and halvings find the same zeros, slower" limit)
-("numeric/Taylor/expansion.rkt"
- "(andmap start-found? starts)"
- "(ormap start-found? starts)"
- "systems without functions run by kernels: the same values, slower" limit)
 ("numeric/bigfloat/extrapolation.rkt"
  "(define (slopes j) (+ 1.0 (* j (+ j 1))))"
  "(define (slopes j) (+ 1.0 (* j (- j 1))))"
@@ -945,10 +929,6 @@
  "(for/flvector #:length 2 ([z (in-flvector (numbers (image (along s))))]"
  "(for/flvector #:length 3 ([z (in-flvector (numbers (image (along s))))]"
  "a third row of zeros, which nobody asks for: determinants and directions are those of two rows")
-("dynamics/map/invariant-manifold.rkt"
- "(fl< (fl* (side (piece-from b)) (side (piece-to b))) 0.0))"
- "(fl< (fl+ (side (piece-from b)) (side (piece-to b))) 0.0))"
- "of two pieces that cross, one or its neighbour is tried, from which Newton's method comes to the crossing, too: the points are the same" limit)
 ("dynamics/map/periodic-points.rkt"
  "(define (close? z edge) (< (abs (- z edge)) (* 1e-6 (+ 1 (abs z)))))"
  "(define (close? z edge) (< (abs (- z edge)) (* 1e-6 (+ 2 (abs z)))))"
@@ -1369,10 +1349,6 @@
  "(define least (apply min 1 (filter positive? (map abs squares))))"
  "(define least (apply min 2 (filter positive? (map abs squares))))"
  "how far beside a square of frequency a system is solved that has none at it" limit)
-("question/equilibria.rkt"
- "(define (residual-at q) (residual-at-rest 'find-equilibrium L force 0 q))"
- "(define (residual-at q) (residual-at-rest 'find-equilibrium L force 1 q))"
- "a force that changes in time is refused five lines below, at whatever time it was 0")
 ("question/refined-modes.rkt"
  "[(> (vector-length K) most-rows) found]"
  "[(>= (vector-length K) most-rows) found]"
@@ -1409,10 +1385,6 @@
  "(define (times cells length) (max 1 (exact-round (/ (* fineness length) cells))))"
  "(define (times cells length) (max 1 (exact-round (/ (+ fineness length) cells))))"
  "cells are enlarged into more pixels than the picture has" layout)
-("show/plot/phase-portrait.rkt"
- "(define h (energy-on-plane who energy bounds))"
- "(define h (energy-on-plane energy energy bounds))"
- "the same energy has been looked at a line above, by which all that can be said has been said")
 ("show/plot/chaos-map.rkt"
  "(define regular (log (max n 2) 10))"
  "(define regular (log (max n 3) 10))"

@@ -67,8 +67,8 @@
   (and place (car (list-ref rooms place))))
 
 ;; ---------------------------------------------------------------------------
-;; Tests of a file: those that noticed another mutant of it, then those that loaded it, its room's
-;; first, then those of the rooms beside, the shortest first among each
+;; Tests of a file: the one of its name, and those that noticed another mutant of it; then those
+;; that loaded it, its room's first, then those of the rooms beside, the shortest first among each
 
 (define most-seconds 15)
 
@@ -89,8 +89,11 @@
           < #:key (lambda (t) (distance (car t)))))
   (define new (filter (lambda (t) (not (hash-has-key? entries (string->symbol (car t)))))
                       (tests-in own)))
-  (define (noticed-another? test) (and (member (car test) noticing) #t))
-  (define-values (first-tried others) (partition noticed-another? in-order))
+  (define-values (_folder name _directory?) (split-path file))
+  (define (likely? test)
+    (or (member (car test) noticing)
+        (string-suffix? (car test) (string-append "/" (path->string name)))))
+  (define-values (first-tried others) (partition likely? in-order))
   (append new (within-seconds (append (sort first-tried < #:key cadr) others))))
 
 ;; The first tests that fit into the time

@@ -59,7 +59,7 @@
   (check-equal? (map judged-name answers) '(first second))
   (check-equal? (map judged-status answers) '(right right)))
 
-(test-case "of a line that is none, its answer is told as one that failed, if it says of which"
+(test-case "a line that cannot be read is a failed answer, where it says of which exercise"
   (check-equal? (read-answer-lines "#oops\n(x answer #(1))\n(y answer k)\n")
                 (hasheq 'x '(failed "there is a name or a number in it that is none")
                         'y '(answer k))))

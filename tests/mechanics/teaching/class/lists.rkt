@@ -25,7 +25,7 @@
               "Participant 503,Bob Bell,1003,Bell@uni.edu,"
               ",,,,"))
 
-(test-case "whom another program names is found by either name"
+(test-case "a student of two names is found by either"
   (define cem (participant-of "Cem@uni.edu" "Cem Can" #f))
   (check-equal? (participant-key cem) "Cem@uni.edu")
   (check-equal? (names (list cem) (handed-in "cem@uni.edu")) '("Cem Can")))

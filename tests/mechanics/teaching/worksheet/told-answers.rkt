@@ -1,14 +1,13 @@
 #lang racket/base
-;; What students are told of their answers: a judgment with its evidence, and the hints that are
-;; due; and what is kept of wrong answers.
+;; Words to students about their answers: a judgment with its evidence, and the hints that are
+;; due; and the record of wrong answers.
 
-(require racket/file
-         racket/port
+(require racket/port
          (prefix-in m: mechanics)
          mechanics/teaching/worksheet/check-answers
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
-         "../../support/checks.rkt")
+         "../../support/checks.rkt" "../../support/folder.rkt")
 
 (define twice
   (make-exercise 'twice 'expression "?"
@@ -31,10 +30,9 @@
   (check-equal? (judged-status (judged-answer-to reason 5)) 'failed))
 
 (test-case "wrong answers are kept beside the file, where there are some"
-  (define folder (make-temporary-file "answers~a" 'directory))
-  (define file (build-path folder "mine.rkt"))
-  (void (told file (m:* 2 'x) 2 "because"))
-  (check-equal? (directory-list folder) '())
-  (void (told file (m:* 3 'x) 2 "because"))
-  (check-equal? (map path->string (directory-list folder)) '("mine.tries"))
-  (delete-directory/files folder))
+  (with-folder (folder)
+    (define file (build-path folder "mine.rkt"))
+    (void (told file (m:* 2 'x) 2 "because"))
+    (check-equal? (directory-list folder) '())
+    (void (told file (m:* 3 'x) 2 "because"))
+    (check-equal? (map path->string (directory-list folder)) '("mine.tries"))))
