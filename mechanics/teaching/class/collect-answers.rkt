@@ -10,7 +10,7 @@
          "answer-lines.rkt" "process-cost.rkt" "evaluate.rkt" "isolation.rkt" "submission.rkt"
          "../worksheet/exercise.rkt")
 
-(provide collect-answers request->text collected-from (struct-out collected))
+(provide collect-answers request->text read-within collected-from (struct-out collected))
 
 ;; answers : hasheq of answers (answer-lines.rkt), by name
 ;; problem : why there are not more, or #f

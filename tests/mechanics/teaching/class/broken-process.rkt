@@ -6,6 +6,7 @@
          mechanics/teaching/class/collect-answers
          mechanics/teaching/class/evaluate
          mechanics/teaching/class/grade
+         mechanics/teaching/class/process-cost
          mechanics/teaching/class/submission
          mechanics/teaching/worksheet/judgment
          mechanics/teaching/worksheet/make-exercise
@@ -59,6 +60,28 @@
   (check-equal? (map judged-name answers) '(first second))
   (check-equal? (map judged-status answers) '(right right)))
 
+(test-case "an evaluator learns from an exercise to what an answer is applied"
+  (define asked (make-exercise 'radius 'expression "?" '((key r) (arguments r))))
+  (define report
+    (parameterize ([current-security-guard no-process])
+      (grade-class (make-worksheet "One" #f "one" (list asked))
+                   (list (submission "a" "a" "#lang mechanics\n(define (radius x) x)\n"
+                                     #f #f #f))
+                   #:strictest 'own #:collect (collect-here-if (lambda (id) #t)))))
+  (check-equal? (map judgment-status (graded-judgments (car (class-report-graded report))))
+                '(right)))
+
+(test-case "what a process writes is read to its end, to a bound, or until it costs too much"
+  (define (ending size step)
+    (define (read-on last) (struct-copy reading last [clock (+ step (reading-clock last))]))
+    (call-with-values
+     (lambda () (read-within 5 (open-input-bytes (make-bytes size 97)) (reading 0 0 0) read-on))
+     list))
+  (check-equal? (ending 100000 0) (list (make-string 100000 #\a) 'done 0))
+  (check-eq? (cadr (ending 300000 0)) 'long)
+  (define after-loading 10)
+  (check-equal? (cdr (ending 200000 10)) (list 'late after-loading)))
+
 (test-case "a line that cannot be read is a failed answer, where it says of which exercise"
   (check-equal? (read-answer-lines "#oops\n(x answer #(1))\n(y answer k)\n")
                 (hasheq 'x '(failed "there is a name or a number in it that is none")
@@ -80,8 +103,9 @@
   (check-regexp-match #rx"^it does not run: .*expected a `[)]`"
                       (graded-problem (car (class-report-graded report)))))
 
+;; Without the limit it would end by itself, without a problem.
 (test-case "where its cost is not watched from outside a program is stopped after its seconds"
-  (define r (request 1/2 512 '() "#lang racket/base\n(let loop () (loop))\n" #f))
+  (define r (request 1/2 512 '() "#lang racket/base\n(sleep 5)\n" #f))
   (define out (open-output-string))
   (evaluate-request (open-input-string (format "~s\n" r)) out void)
   (check-regexp-match #rx"^it does not run: .*too long"
