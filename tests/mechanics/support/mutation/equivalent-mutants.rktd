@@ -1262,6 +1262,10 @@
  "(if (> (string-length text) 25)"
  "from which length on the words of a reason are somebody's own" limit)
 ("teaching/class/isolation.rkt"
+ "(define i (isolation megabytes seconds prlimit? nobody? level folder (box #f)))"
+ "(define i (isolation megabytes seconds prlimit? nobody? level folder (box #t)))"
+ "works? puts an evaluator into the box before anybody looks, or the isolation is dropped")
+("teaching/class/isolation.rkt"
  "(isolation megabytes seconds #f #f 'own #f (box #f))))"
  "(isolation megabytes seconds #f #t 'own #f (box #f))))"
  "whether it is nobody is asked where there are limits, or another level, and here is neither")
