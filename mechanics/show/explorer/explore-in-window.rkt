@@ -13,8 +13,8 @@
                    ["explorer.rkt" loaded? open-explorer wait-until-closed])
 
 (provide explore-in-window
-         ;; for tests: -> the explorer
-         open-exploration)
+         ;; for tests; open-exploration gives the explorer
+         open-exploration background)
 
 ;; Waits until the window is closed; then the frame has the explored orbits.
 (define (explore-in-window who f map n starts source)

@@ -4,6 +4,7 @@
 (require mechanics
          mechanics/book
          mechanics/plot
+         (only-in mechanics/error/progress current-reporter reporter)
          "../../support/checks.rkt" "../../support/close.rkt" "../../support/messages.rkt")
 
 (define (section) (frame 0 :2pi 0 :2pi))
@@ -55,6 +56,15 @@
   (explore-map win (Henon-map 1.32) 100000 #:starts (list (up 0 0.1) (up 0.9 30)))
   (check-true (andmap (lambda (p) (< (abs (car p)) 1)) (points win))))
 
+(test-case "word of progress: of each orbit the start and the images; at the end all are drawn"
+  (define-values (port now) (values (open-output-string) 0))
+  (define (clock) (set! now (+ now 5000)) now)
+  (parameterize ([current-reporter (reporter port clock)])
+    (explore-map (section) T 2 #:starts (list (up 1 1) (up 2 3))))
+  (check-equal? (regexp-match* #rx"\r([^\e]*)\e" (get-output-string port) #:match-select cadr)
+                (append (for/list ([k (in-range 1 7)]) (format "explore-map: ~a of 6 points" k))
+                        '(""))))
+
 (define win (section))
 (define (nowhere x y return fail) (fail))
 
@@ -70,6 +80,7 @@
 
 ;; Maps that do not end as a map should.
 (define (silent x y return fail) (list (+ x y) y))
+(define (bare x y return fail) (if (= x 1) (fail) (list x y)))
 (define (doubtful x y return fail) (return x y) (fail))
 (define (hurried x y return fail) (return x y) 'done)
 (define (crowded x y return fail) (return x y 1))
@@ -86,6 +97,10 @@
  [(explore-map win silent 10 #:starts (list (up 1 2)))
   "explore-map: the map calls neither `return` nor `fail`\n  map: silent\n"
   "  point: (up 1.0 2.0)\n  value: (3.0 2.0)\n"
+  "  the image goes to the third argument: (return x y)"]
+ [(explore-map win bare 10 #:starts (list (up 1 2)))
+  "explore-map: the map calls neither `return` nor `fail`\n  map: bare\n"
+  "  point: (up 0.0 2.0)\n  value: (0.0 2.0)\n"
   "  the image goes to the third argument: (return x y)"]
  [(explore-map win doubtful 10 #:starts (list (up 1 2)))
   "explore-map: the map calls `return` or `fail` more than once for one point\n"

@@ -33,12 +33,19 @@
   (check-equal? (count f) 23)
   (check-equal? (explored-text x) "2 orbits, 22 points"))
 
+(test-case "the later an orbit, the later it is drawn"
+  (define (stay x y return fail) (return x y))
+  (define-values (f x) (explored stay 0 '(3.0 . 1.0) '(2.0 . 3.0)))
+  (check-equal? (map vector->list (frame-points f)) '((1.0 1.0) (3.0 1.0) (2.0 3.0))))
+
 (test-case "a click starts an orbit, which grows, is undone, and comes to an end"
   (define-values (f x) (explored T 10))
   (check-eq? (after x "point" 1/2 1/2 1/2 1/2) f)
   (check-equal? (count f) 12)
   (check-equal? (begin (after x "more") (count f)) 22)
-  (check-equal? (begin (after x "point" 0 0 0 0) (count f)) 22 "beside the axes")
+  (for ([place '((0 0.5) (1 0.5) (0.5 0) (0.5 1))])
+    (apply after x "point" (append place place))
+    (check-equal? (count f) 22 "beside the axes"))
   (check-equal? (begin (after x "undo") (count f)) 1)
   (after x "point" 0.6 0.6 0.6 0.6)
   (check-equal? (begin (after x "clear") (count f)) 1)

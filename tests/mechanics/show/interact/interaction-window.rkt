@@ -29,5 +29,6 @@
    "the newest value is next"
    "what has begun is finished" "drawn again for another size" "closed"
    "a body without end stops no other window" "a formula is as large as on a page"
+   "a broad picture fits" "and is on the screen"
    "and is ended with its window"
    "the program waits for it" "done"))

@@ -9,7 +9,7 @@
          "../../../../mechanics/show/interact/interaction.rkt"
          "../../../../mechanics/show/interact/outcome.rkt"
          (only-in "../../../../mechanics/show/interact/outcome-picture-on-demand.rkt"
-                  why-no-pictures)
+                  outcome-elements why-no-pictures)
          "../../support/checks.rkt" "../../support/skip.rkt")
 
 (define (only-control i) (car (interaction-controls i)))
@@ -111,6 +111,10 @@
                    (interact ([k 1 10]) (= 'a 'b)))])
       (define svg (convert i 'svg-bytes #f))
       (check-true (and svg (string-prefix? (bytes->string/utf-8 svg) "<?xml")))))
+  (test-case "a frame is drawn of lines, in its size; a number is not"
+    (define drawn (outcome-elements (frame 0 1 0 1 #:width 300 #:height 200)))
+    (check-equal? (list (car drawn) (cadr drawn)) '(300 200))
+    (check-false (outcome-elements 3)))
   (test-case "the picture of a frame is its own, and what has none is written"
     (define f (frame 0 1 0 1))
     (check-equal? (convert (interact ([k 1 10]) f) 'svg-bytes #f) (convert f 'svg-bytes #f))

@@ -1497,6 +1497,14 @@
  "(< (abs (- (cdr start) (cdr end))) least-drag))"
  "(<= (abs (- (cdr start) (cdr end))) least-drag))"
  "a drag of just five pixels is a click" limit)
+("show/explorer/explorer-board.rkt"
+ "(define b (board exploration background on-point on-zoom #f #f #f #f #f #f))"
+ "(define b (board exploration background on-point on-zoom #f #f #f #t #f #f))"
+ "a board that has no pixels draws them before it is painted, and these are not fresh")
+("show/explorer/explore-map.rkt"
+ "(if (= first 0) x-min (edge (at first) (at (- first 1))))"
+ "(if (= first 0) x-min (edge (at first) (at (- first 2))))"
+ "the first halving gives the other's place without an image: one of thirty less" limit)
 ("compile/program-builder.rkt"
  "[(and (number? y) (not (eqv? y 0)) (reciprocal-fits? (/ 1 y) y)) (multiply! b (/ 1 y) x)]"
  "[(and (number? y) (not (eqv? y 1)) (reciprocal-fits? (/ 1 y) y)) (multiply! b (/ 1 y) x)]"
