@@ -50,7 +50,7 @@
    "closed, with its orbit in the frame" "redrawn"
    "other clicks do not wait" "says what failed"
    "told of 0.5" "told of 1.5" "told of 2.5" "told of 3.5" "and goes on"
-   "points at their places" "done"))
+   "points at their places" "no title above" "done"))
 
 (skip-unless (find-executable-path "xdotool")
              "xdotool (Debian: apt install xdotool) is not installed: nobody moves the mouse"
