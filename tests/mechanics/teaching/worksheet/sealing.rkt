@@ -44,7 +44,8 @@
   (for ([b (in-list (list #"(#99999999999(0))" #"(#fl99999999999(0.0))" #"(#fx99999999999(7))"
                           #"(#F9(0.0))"))])
     (check-refused b))
-  (check-equal? (read-untrusted "(#f #false #F #t \"#9(0)\" #(1 2))") '(#f #f #f #t "#9(0)" #(1 2))))
+  (check-equal? (read-untrusted "(#f #false #F #t \"#9(0)\" #(1 2))")
+                '(#f #f #f #t "#9(0)" #(1 2))))
 
 (test-case "no envelope holds more than a worksheet would"
   (define (empty-list-and-spaces n) (bytes-append #"()" (make-bytes n (char->integer #\space))))
