@@ -17,7 +17,7 @@
    "(if (eqv? (circle-sign o) 1) (poly- R one cosine²) (poly- R cosine² one))"
    "(poly- R one cosine²)"]
   ["the relation of an absolute value is |u|² = u" "field/field-extension.rkt"
-   "(reduce-fraction F (fraction-expt (field-ring F) u 2))"
+   "(reduce-fraction F square)"
    "(reduce-fraction F u)"]
   ["what is left of a reduced power is all of it" "field/field.rkt"
    "(make-slice (remainder (slice-degree s) q) (slice-coefficient s))"
