@@ -64,7 +64,8 @@
   (if (and (node? e) (literal-head? (node-head e))) (order-of (node-head e)) 0))
 
 (define (compare-heads a b)
-  (cond [(and (operation? a) (operation? b))
+  (cond [(eq? a b) 0]
+        [(and (operation? a) (operation? b))
          (compare-symbols (operation-name a) (operation-name b))]
         [(operation? a) -1]
         [(operation? b) 1]
@@ -89,9 +90,7 @@
 ;; Leaves
 
 (define (compare-symbols a b)
-  (cond [(symbol<? a b) -1]
-        [(eq? a b) 0]
-        [else 1]))
+  (if (eq? a b) 0 (if (symbol<? a b) -1 1)))
 
 (define (compare-numbers a b)
   (define k (compare-reals (real-part a) (real-part b)))
